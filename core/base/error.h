@@ -1,0 +1,35 @@
+#pragma once
+
+#include <stdexcept>
+
+#include "core/base/message.h"
+
+namespace cullscope {
+
+/// What a user did or has that stops a task; decides the exit status of both programs.
+enum class ErrorKind {
+    Usage = 2,        ///< wrong command line, parameter or combination
+    Input = 3,        ///< a file that cannot be read or is refused
+    OpenGl = 4,       ///< no OpenGL, or one that is too old
+    Interrupted = 130 ///< stopped by the user
+};
+
+/// An error that a user can cause, as one sentence that says where, what, and what to do.
+class Error : public std::runtime_error {
+public:
+    Error(ErrorKind kind, Message message) : std::runtime_error(message.english()), m_kind(kind), m_message(std::move(message)) {}
+
+    [[nodiscard]] ErrorKind kind() const { return m_kind; }
+    [[nodiscard]] const Message& message() const { return m_message; }
+
+private:
+    ErrorKind m_kind;
+    Message m_message;
+};
+
+[[noreturn]] void throwUsage(std::string_view text, std::vector<std::string> arguments = {});
+[[noreturn]] void throwInput(std::string_view text, std::vector<std::string> arguments = {});
+[[noreturn]] void throwOpenGl(std::string_view text, std::vector<std::string> arguments = {});
+[[noreturn]] void throwInterrupted();
+
+}  // namespace cullscope

@@ -1,0 +1,37 @@
+#include "core/geometry/frustum.h"
+
+namespace cullscope {
+
+std::array<Vec3, 8> Frustum::corners() const {
+    std::array<Vec3, 8> corners;
+    for (int depth = 0; depth < 2; ++depth) {
+        const double distance = depth == 0 ? nearDistance : farDistance;
+        const Vec3 centre = forward * distance;
+        const Vec3 x = right * (distance * tanHalfWidth);
+        const Vec3 y = up * (distance * tanHalfHeight);
+        corners[depth * 4 + 0] = centre - x - y;
+        corners[depth * 4 + 1] = centre + x - y;
+        corners[depth * 4 + 2] = centre + x + y;
+        corners[depth * 4 + 3] = centre - x + y;
+    }
+    return corners;
+}
+
+Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double tanHalfWidth, double tanHalfHeight,
+                    double nearDistance, double farDistance) {
+    Frustum frustum;
+    frustum.forward = forward;
+    frustum.right = right;
+    frustum.up = up;
+    frustum.tanHalfWidth = tanHalfWidth;
+    frustum.tanHalfHeight = tanHalfHeight;
+    frustum.nearDistance = nearDistance;
+    frustum.farDistance = farDistance;
+    // A point p is inside the right plane where p·right <= tan·(p·forward).
+    const auto side = [&](const Vec3& axis, double tangent) { return Plane{glm::normalize(forward * tangent + axis), 0.0}; };
+    frustum.planes = {side(right, tanHalfWidth), side(-right, tanHalfWidth), side(up, tanHalfHeight), side(-up, tanHalfHeight),
+                      Plane{forward, -nearDistance}, Plane{-forward, farDistance}};
+    return frustum;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/geometry/bounds.h"
+
+namespace cullscope {
+
+/// What the edges of a mesh say about its surface; corners at the same position count as one vertex.
+struct Topology {
+    size_t boundaryEdges = 0;      ///< edges with one triangle
+    size_t nonManifoldEdges = 0;   ///< edges with more than two triangles
+    size_t inconsistentEdges = 0;  ///< edges that two triangles walk in the same direction
+    bool closed = false;           ///< no boundary edge and no non-manifold edge
+    bool consistentlyOriented = false;
+    bool outward = false;          ///< the signed volume is positive (meaningful for closed meshes)
+
+    /// Whether back faces can never be seen from outside: what `facing = auto` asks.
+    [[nodiscard]] bool frontFacesSuffice() const { return closed && consistentlyOriented && outward; }
+};
+
+/// Above this many triangles, analyses that nobody asked for (closedness, truth in the desktop) are not made.
+inline constexpr size_t kOptionalAnalysisLimit = 5'000'000;
+
+/// Triangles as flat arrays: float positions relative to a double origin, one normal a vertex, three indices a triangle.
+/// Immutable after it is made; what is costly to know about it is computed when first asked for.
+class TriangleMesh {
+public:
+    struct Data {
+        std::string name;
+        Vec3 origin{0.0};               ///< world position of the float coordinates' zero
+        std::vector<Vec3f> positions;   ///< relative to `origin`, finite
+        std::vector<Vec3f> normals;     ///< unit length, one a position; empty: made by the constructor
+        std::vector<uint32_t> indices;  ///< three a triangle, each below positions.size()
+    };
+
+    /// Takes the arrays; asserts their invariants. Missing normals are made (area-weighted).
+    explicit TriangleMesh(Data data);
+    TriangleMesh(const TriangleMesh&) = delete;
+    TriangleMesh& operator=(const TriangleMesh&) = delete;
+
+    [[nodiscard]] const std::string& name() const { return m_data.name; }
+    [[nodiscard]] const Vec3& origin() const { return m_data.origin; }
+    [[nodiscard]] std::span<const Vec3f> positions() const { return m_data.positions; }
+    [[nodiscard]] std::span<const Vec3f> normals() const { return m_data.normals; }
+    [[nodiscard]] std::span<const uint32_t> indices() const { return m_data.indices; }
+    [[nodiscard]] size_t vertexCount() const { return m_data.positions.size(); }
+    [[nodiscard]] size_t triangleCount() const { return m_data.indices.size() / 3; }
+    [[nodiscard]] Vec3 position(size_t vertex) const { return m_data.origin + Vec3(m_data.positions[vertex]); }
+
+    /// Bounds of the float positions, relative to `origin()`. Only vertices that a triangle uses count.
+    [[nodiscard]] const Box3& localBounds() const { return m_localBounds; }
+    /// A sphere around the float positions, relative to `origin()`; computed when first asked for.
+    [[nodiscard]] const Sphere& localSphere() const;
+    /// Computed when first asked for: O(triangles · log triangles), about 0.3 s and 24 bytes an edge for a million triangles.
+    [[nodiscard]] const Topology& topology() const;
+    /// Bytes of the arrays.
+    [[nodiscard]] size_t bytes() const;
+
+private:
+    Data m_data;
+    Box3 m_localBounds;
+    mutable std::once_flag m_sphereOnce;
+    mutable Sphere m_sphere;
+    mutable std::once_flag m_topologyOnce;
+    mutable Topology m_topology;
+};
+
+using MeshPointer = std::shared_ptr<const TriangleMesh>;
+
+}  // namespace cullscope

@@ -1,0 +1,67 @@
+#pragma once
+
+#include "core/geometry/angle.h"
+#include "core/geometry/frustum.h"
+#include "core/geometry/types.h"
+
+namespace cullscope {
+
+/// A perspective camera in world coordinates.
+struct Camera {
+    Vec3 eye{0.0, 0.0, 3.0};
+    Vec3 target{0.0};
+    Vec3 up{0.0, 1.0, 0.0};
+    Angle fovy = Angle::fromDegrees(45.0);  ///< the full vertical angle, in (0, 180°)
+    double nearDistance = 0.05;
+    double farDistance = 1000.0;
+
+    bool operator==(const Camera&) const = default;
+};
+
+/// Size in pixels.
+struct Viewport {
+    int width = 640;
+    int height = 480;
+
+    bool operator==(const Viewport&) const = default;
+};
+
+/// Throws Error(Usage) where the camera or size makes no picture: not finite, eye at the target, fovy outside (0, 180°),
+/// near not in (0, far), a size below 1 or above 16384.
+void validate(const Camera& camera, const Viewport& viewport);
+
+/// A camera at a viewport, worked out once: basis, frustum, matrices. Double precision; GPU matrices are relative to the eye.
+/// Clip space is OpenGL's with depth 0 … 1 reversed: 1 at the near plane, 0 at the far plane.
+class View {
+public:
+    /// Validates (see above). Where `up` is parallel to the view direction, another axis takes its place.
+    View(const Camera& camera, const Viewport& viewport);
+
+    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    [[nodiscard]] const Viewport& viewport() const { return m_viewport; }
+    [[nodiscard]] const Vec3& eye() const { return m_camera.eye; }
+    /// Relative to the eye; see Frustum.
+    [[nodiscard]] const Frustum& frustum() const { return m_frustum; }
+
+    /// Clip coordinates from world axes with the origin at the eye.
+    [[nodiscard]] const Mat4& clipFromEyeRelative() const { return m_clipFromEyeRelative; }
+    /// The float matrix with which the GPU takes a mesh's float positions to clip space: all translations are
+    /// summed in double before rounding.
+    [[nodiscard]] Mat4f clipFromPositions(const Mat4& worldFromMesh, const Vec3& meshOrigin) const;
+    /// The float matrix that takes a mesh's float positions to world axes with the origin at the eye (for shading).
+    [[nodiscard]] Mat4f eyeRelativeFromPositions(const Mat4& worldFromMesh, const Vec3& meshOrigin) const;
+    /// The direction (not normalised: forward component 1) through a point of the picture; pixel centres lie at +0.5,
+    /// y counts upward as in OpenGL.
+    [[nodiscard]] Vec3 direction(double x, double y) const;
+    /// Distance along the forward axis from a reversed depth sample; +infinity for 0 when far is infinite.
+    [[nodiscard]] double distanceFromDepth(double depth) const;
+    [[nodiscard]] double depthFromDistance(double forwardDistance) const;
+
+private:
+    Camera m_camera;
+    Viewport m_viewport;
+    Frustum m_frustum;
+    Mat4 m_clipFromEyeRelative{1.0};
+};
+
+}  // namespace cullscope

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+
+namespace cullscope {
+
+/// Poses with one lens.
+struct CameraPath {
+    std::string name;
+    Angle fovy = Angle::fromDegrees(45.0);
+    double nearDistance = 0.05;
+    double farDistance = 1000.0;
+    struct Pose {
+        Vec3 eye, target, up;
+    };
+    std::vector<Pose> poses;
+
+    [[nodiscard]] Camera camera(size_t pose) const;
+};
+
+/// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
+/// Throws Error(Usage) for an unknown name, Error(Input) naming file and field for a bad file.
+[[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);
+
+/// The path that a scene is measured on when none is given: `fibonacci:16` for one object, `walk:16` for many.
+[[nodiscard]] std::string defaultPathName(const Scene& scene);
+
+/// The camera that a window shows a scene with at first: all of it in view, slightly from above.
+[[nodiscard]] Camera overviewCamera(const Scene& scene, double aspect);
+
+/// Reads and writes the JSON form (measurement.md, "Camera path").
+[[nodiscard]] CameraPath readCameraPath(const std::filesystem::path& file);
+void writeCameraPath(const std::filesystem::path& file, const CameraPath& path);
+
+struct BuiltInPath {
+    std::string id;           ///< "orbit:N"
+    std::string description;  ///< English, marked for translation
+};
+[[nodiscard]] const std::vector<BuiltInPath>& builtInPaths();
+
+}  // namespace cullscope

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace cullscope {
+
+using ParameterValue = std::variant<bool, int64_t, double, std::string>;
+
+enum class ParameterType { Boolean, Integer, Real, Choice };
+
+/// One parameter of a strategy, said once: forms, the command line, sweeps and result files derive from it.
+struct ParameterDeclaration {
+    struct Choice {
+        std::string id;           ///< on the command line and in files
+        std::string description;  ///< English, marked for translation
+    };
+    std::string key;
+    ParameterType type = ParameterType::Real;
+    ParameterValue defaultValue;
+    double minimum = 0.0;  ///< of numbers, inclusive
+    double maximum = 0.0;
+    std::string unit;      ///< "", "px", "°", …
+    std::string description;  ///< one English sentence, marked for translation
+    std::vector<Choice> choices;
+};
+
+[[nodiscard]] ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
+                                                   std::vector<ParameterDeclaration::Choice> choices);
+
+/// Values for declared parameters; complete and in range at any time.
+class ParameterSet {
+public:
+    ParameterSet() = default;
+    /// All at their defaults.
+    explicit ParameterSet(const std::vector<ParameterDeclaration>& declarations);
+
+    /// Throws Error(Usage) naming the key and what is allowed.
+    void set(std::string_view key, const ParameterValue& value);
+    void setFromText(std::string_view key, std::string_view text);
+
+    [[nodiscard]] const ParameterValue& value(std::string_view key) const;
+    [[nodiscard]] const std::string& choice(std::string_view key) const { return std::get<std::string>(value(key)); }
+    [[nodiscard]] double real(std::string_view key) const { return std::get<double>(value(key)); }
+    [[nodiscard]] int64_t integer(std::string_view key) const { return std::get<int64_t>(value(key)); }
+    [[nodiscard]] bool boolean(std::string_view key) const { return std::get<bool>(value(key)); }
+    [[nodiscard]] const std::vector<ParameterDeclaration>& declarations() const { return m_declarations; }
+
+    bool operator==(const ParameterSet& other) const { return m_values == other.m_values; }
+
+private:
+    [[nodiscard]] const ParameterDeclaration& declaration(std::string_view key) const;
+
+    std::vector<ParameterDeclaration> m_declarations;
+    std::map<std::string, ParameterValue, std::less<>> m_values;
+};
+
+[[nodiscard]] std::string toText(const ParameterValue& value);
+
+}  // namespace cullscope

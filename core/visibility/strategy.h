@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/scene/camera.h"
+#include "core/scene/draw_list.h"
+#include "core/scene/scene.h"
+#include "core/visibility/parameters.h"
+#include "core/visibility/trace.h"
+
+namespace cullscope {
+
+enum class Promise {
+    Exact,         ///< draws what is visible and nothing else that could be visible
+    Conservative,  ///< loses no visible pixel; may draw too much
+    Approximate    ///< may lose pixels: how many is measured
+};
+/// "exact", "conservative", "approximate": as in files.
+[[nodiscard]] const char* promiseId(Promise promise);
+
+/// What is known of a strategy before it is made.
+struct StrategyInfo {
+    std::string id;           ///< on the command line and in files
+    std::string name;         ///< English, marked for translation
+    std::string description;  ///< one English sentence, marked for translation
+    std::string source;       ///< paper or textbook
+    std::vector<ParameterDeclaration> parameters;
+};
+
+struct Stage {
+    std::string name;  ///< English, marked for translation
+    double milliseconds = 0.0;
+};
+
+/// The answer to one `cull`.
+struct Verdict {
+    DrawList drawList;
+    uint64_t consideredTriangles = 0;  ///< given to OpenGL
+    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; what OpenGL culls itself (back faces) is not known here
+    uint64_t nodesVisited = 0;
+    uint64_t bytesTouched = 0;         ///< of the strategy's structures
+    std::vector<Stage> stages;
+    double cullMilliseconds = 0.0;     ///< all of `cull`
+};
+
+/// What a strategy built: for `cullbench inspect` and result files.
+struct StructureReport {
+    double buildMilliseconds = 0.0;
+    uint64_t bytes = 0;
+    struct Figure {
+        std::string name;  ///< "objects", "nodes", "cells", "depth"
+        double value = 0.0;
+    };
+    std::vector<Figure> figures;
+};
+
+/// Decides what to draw. One object serves one scene at a time; `cull` may be called from one thread at a time.
+/// A strategy never draws and knows no window and no OpenGL renderer.
+class Strategy {
+public:
+    explicit Strategy(ParameterSet parameters) : m_parameters(std::move(parameters)) {}
+    virtual ~Strategy() = default;
+    Strategy(const Strategy&) = delete;
+    Strategy& operator=(const Strategy&) = delete;
+
+    [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
+
+    /// Prepares what culling this scene needs and times it. The scene must outlive the next build or the strategy.
+    void build(const Scene& scene, const Progress& progress = {});
+    /// Needs a build before. `trace`, where given, gets every decision (slower).
+    [[nodiscard]] Verdict cull(const View& view, Trace* trace = nullptr);
+
+    /// What it promises for the built scene with its parameters.
+    [[nodiscard]] virtual Promise promise() const = 0;
+    /// The facing rule for the built scene.
+    [[nodiscard]] virtual Facing facing() const = 0;
+    [[nodiscard]] const StructureReport& structure() const { return m_structure; }
+
+protected:
+    virtual void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) = 0;
+    /// Fills the draw list's ranges and the counters; facing, considered triangles and the total time are filled in by `cull`.
+    virtual void decide(const View& view, Verdict& verdict, Trace* trace) = 0;
+    [[nodiscard]] const Scene& scene() const { return *m_scene; }
+
+private:
+    ParameterSet m_parameters;
+    const Scene* m_scene = nullptr;
+    StructureReport m_structure;
+};
+
+using StrategyPointer = std::unique_ptr<Strategy>;
+
+}  // namespace cullscope

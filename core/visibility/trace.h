@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/geometry/frustum.h"
+
+namespace cullscope {
+
+/// Why something is not drawn.
+enum class Cause { OutsideFrustum, BackFacing, Hidden, TooSmall };
+inline constexpr size_t kCauseCount = 4;
+/// English, marked for translation.
+[[nodiscard]] const char* causeName(Cause cause);
+
+/// One decision of one `cull`.
+struct TraceEvent {
+    enum class Kind {
+        TestedPlane,  ///< `plane` and `distance` say how the subject lies
+        Culled,       ///< `cause` says why; ends the subject
+        Accepted      ///< drawn; ends the subject
+    };
+    Kind kind = Kind::Accepted;
+    uint32_t instance = 0;
+    FrustumPlane plane = FrustumPlane::Left;
+    Containment containment = Containment::Inside;
+    double distance = 0.0;  ///< signed, of the bound's nearest-to-inside point (p-vertex) from the plane, scene units
+    Cause cause = Cause::OutsideFrustum;
+};
+
+/// The decisions of one `cull`, in the order they were made.
+struct Trace {
+    std::vector<TraceEvent> events;
+};
+
+}  // namespace cullscope

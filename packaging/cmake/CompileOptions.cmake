@@ -1,0 +1,19 @@
+# Every target of the project links this: warnings are errors, and arithmetic is what the source says
+# (no contraction, so that a SIMD path can be bit-identical to its scalar one).
+add_library(cullscope_options INTERFACE)
+target_compile_options(cullscope_options INTERFACE
+  -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -ffp-contract=off)
+target_include_directories(cullscope_options INTERFACE ${CMAKE_SOURCE_DIR})
+target_compile_definitions(cullscope_options INTERFACE
+  CULLSCOPE_VERSION="${PROJECT_VERSION}" GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
+
+if(CULLSCOPE_SANITIZE)
+  target_compile_options(cullscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
+  target_link_options(cullscope_options INTERFACE -fsanitize=address,undefined)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  # Precompiled headers need these two relaxations to be found again in the cache.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
+endif()
