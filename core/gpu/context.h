@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace cullscope {
+
+/// What the current OpenGL context says about itself.
+struct GlInfo {
+    std::string vendor;
+    std::string renderer;
+    std::string version;
+    int major = 0;
+    int minor = 0;
+    bool compatibilityProfile = false;  ///< client vertex arrays and GL_SELECT exist only there
+    bool software = false;              ///< llvmpipe, softpipe, SWR, …: times are not a GPU's
+};
+
+/// Asks the current context. Throws Error(OpenGl) where none is current or it is older than 4.5.
+[[nodiscard]] GlInfo requireOpenGl45();
+
+/// An OpenGL 4.5 context on EGL without a display: the surfaceless platform (Mesa), else the first device that gives one
+/// (NVIDIA). Compatibility profile where there is one. Current on the creating thread from construction on.
+/// Throws Error(OpenGl) saying what was tried.
+class HeadlessContext {
+public:
+    HeadlessContext();
+    ~HeadlessContext();
+    HeadlessContext(const HeadlessContext&) = delete;
+    HeadlessContext& operator=(const HeadlessContext&) = delete;
+
+    [[nodiscard]] const GlInfo& info() const;
+    /// "surfaceless" or "device".
+    [[nodiscard]] const std::string& platform() const;
+
+private:
+    struct Implementation;
+    std::unique_ptr<Implementation> m_implementation;
+};
+
+}  // namespace cullscope

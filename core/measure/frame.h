@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/gpu/framebuffer.h"
+#include "core/gpu/renderer.h"
+#include "core/visibility/strategy.h"
+
+namespace cullscope {
+
+/// One culled and drawn frame. fps in the program always means 1000 / frameMilliseconds.
+struct FrameResult {
+    Verdict verdict;
+    double frameMilliseconds = 0.0;  ///< cull + draw, until the GPU has finished
+};
+
+/// Culls, draws into `target` and waits for the GPU.
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view, Framebuffer& target,
+                        const DrawStyle& style = {});
+
+}  // namespace cullscope

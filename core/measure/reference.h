@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/gpu/renderer.h"
+#include "core/scene/camera.h"
+#include "core/scene/draw_list.h"
+#include "core/scene/scene.h"
+
+namespace cullscope {
+
+/// Which triangles and pixels are truly visible from a View under a facing rule. Rows count from the bottom.
+struct Reference {
+    Viewport size;
+    Facing facing = Facing::TwoSided;
+    std::vector<float> depth;              ///< reversed; 0: nothing there
+    std::vector<uint32_t> triangle;        ///< scene triangle number + 1; 0: nothing there
+    std::vector<uint32_t> visibleTriangles;  ///< scene triangle numbers, ascending, unique
+    uint64_t coveredPixels = 0;
+};
+
+/// The item buffer reference (measurement.md, "Ground truth" 1).
+/// Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
+[[nodiscard]] Reference itemBufferReference(Renderer& renderer, const SceneBuffers& buffers, const View& view, Facing facing);
+
+/// What a strategy's picture is worth against a reference with the same facing rule.
+struct Accuracy {
+    uint64_t coveredPixels = 0;   ///< of the reference
+    uint64_t missedPixels = 0;    ///< the reference has a surface, the picture a farther one or none
+    uint64_t extraPixels = 0;     ///< the picture shows a nearer surface than the reference
+    uint64_t largestHolePixels = 0;  ///< largest 4-connected set of missed pixels
+    uint64_t visibleTriangles = 0;      ///< |V|
+    uint64_t submittedTriangles = 0;    ///< |S|, different ones
+    uint64_t falselyCulledTriangles = 0;  ///< |V∖S|
+    uint64_t needlesslyDrawnTriangles = 0;  ///< |S∖V|
+
+    [[nodiscard]] double missedPixelRate() const { return coveredPixels == 0 ? 0.0 : double(missedPixels) / double(coveredPixels); }
+    [[nodiscard]] double falselyCulledShare() const { return visibleTriangles == 0 ? 0.0 : double(falselyCulledTriangles) / double(visibleTriangles); }
+    [[nodiscard]] double needlesslyDrawnShare() const { return submittedTriangles == 0 ? 0.0 : double(needlesslyDrawnTriangles) / double(submittedTriangles); }
+};
+
+/// Compares by depth sample; `depth` is what the strategy's picture has (Framebuffer::readDepth), `list` what it drew.
+[[nodiscard]] Accuracy compare(const Reference& reference, const std::vector<float>& depth, const DrawList& list, const Scene& scene);
+
+/// Missed pixels as a mask (1 a missed pixel), rows from the bottom.
+[[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth);
+
+}  // namespace cullscope
