@@ -1,5 +1,7 @@
 #include "core/geometry/frustum.h"
 
+#include <limits>
+
 namespace cullscope {
 
 std::array<Vec3, 8> Frustum::corners() const {
@@ -32,6 +34,41 @@ Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, doub
     frustum.planes = {side(right, tanHalfWidth), side(-right, tanHalfWidth), side(up, tanHalfHeight), side(-up, tanHalfHeight),
                       Plane{forward, -nearDistance}, Plane{-forward, farDistance}};
     return frustum;
+}
+
+EyeBox relativeToEye(const Box3& box, const Vec3& eye) {
+    const Vec3 rounding = (glm::abs(eye) + glm::max(glm::abs(box.min), glm::abs(box.max))) * (4 * std::numeric_limits<double>::epsilon());
+    return {box.centre() - eye, box.halfExtent() + rounding};
+}
+
+namespace {
+
+/// Combines the six answers: outside one plane is outside, inside all is inside.
+template <typename ClassifyPlane>
+Containment combined(const Frustum& frustum, const ClassifyPlane& classifyPlane) {
+    Containment result = Containment::Inside;
+    for (const Plane& plane : frustum.planes) {
+        const Containment side = classifyPlane(plane);
+        if (side == Containment::Outside) return Containment::Outside;
+        if (side == Containment::Straddles) result = Containment::Straddles;
+    }
+    return result;
+}
+
+}  // namespace
+
+Containment classify(const Frustum& frustum, const EyeBox& box) {
+    const double slack = conservativeSlack(glm::length(box.centre) + glm::length(box.half));
+    return combined(frustum, [&](const Plane& plane) { return classify(plane, box, slack); });
+}
+
+Containment classify(const Frustum& frustum, const Sphere& eyeSphere) {
+    const double slack = conservativeSlack(glm::length(eyeSphere.centre) + eyeSphere.radius);
+    return combined(frustum, [&](const Plane& plane) {
+        const double distance = plane.distance(eyeSphere.centre);
+        if (distance + eyeSphere.radius < -slack) return Containment::Outside;
+        return distance - eyeSphere.radius > slack ? Containment::Inside : Containment::Straddles;
+    });
 }
 
 }  // namespace cullscope

@@ -17,8 +17,8 @@ struct DrawStyle {
 };
 
 /// Draws draw lists, nothing else: reversed-Z, eye-relative floats, one Lambert shader with a headlight at the eye.
-/// One renderer a context; needs that context current in every call. Saves and restores no state beyond what Qt needs:
-/// glClipControl and glDepthFunc are back at OpenGL's defaults after every call.
+/// One renderer a context; needs that context current in every call. After every call the state is what Qt expects:
+/// OpenGL's defaults (glClipControl, depth and culling too), nothing bound, and the framebuffer that was bound before.
 class Renderer {
 public:
     Renderer();
@@ -36,14 +36,6 @@ public:
         std::vector<uint32_t> triangle;
     };
     [[nodiscard]] ItemBuffer drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list);
-
-    /// Coloured line segments over a picture (eye-relative positions, pairs), tested against its depth or not: for overlays.
-    struct Lines {
-        std::vector<Vec3> points;  ///< world coordinates, two a segment
-        Vec3f colour{1.0f};
-        bool depthTested = false;
-    };
-    void drawLines(const View& view, const Lines& lines, Framebuffer& target);
 
 private:
     struct Programs;

@@ -79,6 +79,8 @@ public:
     [[nodiscard]] virtual Promise promise() const = 0;
     /// The facing rule for the built scene.
     [[nodiscard]] virtual Facing facing() const = 0;
+    /// The facing rule of the ground truth that it is measured against: its own, except for `backface`.
+    [[nodiscard]] virtual Facing referenceFacing() const { return facing(); }
     [[nodiscard]] const StructureReport& structure() const { return m_structure; }
 
 protected:

@@ -1,0 +1,49 @@
+#include "core/gpu/program.h"
+
+#include <epoxy/gl.h>
+
+#include <string>
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+unsigned compiled(GLenum stage, std::string_view source) {
+    const unsigned shader = glCreateShader(stage);
+    const char* text = source.data();
+    const auto length = static_cast<GLint>(source.size());
+    glShaderSource(shader, 1, &text, &length);
+    glCompileShader(shader);
+    return shader;
+}
+
+}  // namespace
+
+Program::Program(std::string_view vertexSource, std::string_view fragmentSource) : m_program(glCreateProgram()) {
+    const unsigned vertex = compiled(GL_VERTEX_SHADER, vertexSource);
+    const unsigned fragment = compiled(GL_FRAGMENT_SHADER, fragmentSource);
+    glAttachShader(m_program, vertex);
+    glAttachShader(m_program, fragment);
+    glLinkProgram(m_program);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(m_program, GL_LINK_STATUS, &linked);
+    std::string log(4096, '\0');
+    GLsizei length = 0;
+    if (linked == GL_FALSE)
+        for (const unsigned shader : {vertex, fragment}) {
+            glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
+            if (length > 0) break;
+        }
+    glDeleteShader(vertex);
+    glDeleteShader(fragment);
+    if (linked == GL_TRUE) return;
+    if (length == 0) glGetProgramInfoLog(m_program, static_cast<GLsizei>(log.size()), &length, log.data());
+    log.resize(static_cast<size_t>(length));
+    glDeleteProgram(m_program);
+    throwOpenGl(CULLSCOPE_TR("The graphics driver refuses a shader: %1"), {log});
+}
+
+Program::~Program() { glDeleteProgram(m_program); }
+
+}  // namespace cullscope

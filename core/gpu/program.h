@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+namespace cullscope {
+
+/// A linked OpenGL program; owns it.
+class Program {
+public:
+    /// Compiles and links. Throws Error(OpenGl) with the driver's log where it refuses.
+    Program(std::string_view vertexSource, std::string_view fragmentSource);
+    ~Program();
+    Program(const Program&) = delete;
+    Program& operator=(const Program&) = delete;
+
+    [[nodiscard]] unsigned id() const { return m_program; }
+
+private:
+    unsigned m_program = 0;
+};
+
+}  // namespace cullscope

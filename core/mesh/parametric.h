@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/mesh/triangle_mesh.h"
+
+namespace cullscope {
+
+/// Parametric solids, tessellated to about the number of triangles asked for (the nearest that the tessellation's grid allows).
+/// All are counter-clockwise seen from outside, share vertices across seams, and carry analytic or averaged unit normals.
+/// Throw Error(Usage) for fewer triangles than the shape needs or more than 2^31.
+
+/// A unit sphere: an icosahedron with every face divided f × f (20 f² triangles), projected. Closed.
+[[nodiscard]] MeshPointer sphereMesh(size_t triangles);
+
+/// A torus about y with radii 1 and 0.25. Closed.
+[[nodiscard]] MeshPointer torusMesh(size_t triangles);
+
+/// A tube of radius 0.25 around the (2, 3) torus knot, in a ball of radius about 1.75. Closed.
+[[nodiscard]] MeshPointer knotMesh(size_t triangles);
+
+/// A closed surface that is star-shaped about the origin: radius 1 plus smooth random bumps and dents of up to 0.45.
+[[nodiscard]] MeshPointer starMesh(uint64_t seed, size_t triangles);
+
+/// Newell's teapot (1975) with the bottom that Blinn added: 32 bicubic Bézier patches, y up. Open: the lid does not touch the rim
+/// and handle and spout pass through the body.
+[[nodiscard]] MeshPointer teapotMesh(size_t triangles);
+
+}  // namespace cullscope

@@ -1,0 +1,204 @@
+#include "core/scene/camera_path.h"
+
+#include <charconv>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+constexpr double kTau = 2.0 * std::numbers::pi;
+
+double radiusOf(const Scene& scene) { return scene.boundingSphere().radius > 0 ? scene.boundingSphere().radius : 1.0; }
+
+CameraPath pathAround(const Scene& scene, std::string name, Angle fovy) {
+    CameraPath path;
+    path.name = std::move(name);
+    path.fovy = fovy;
+    path.nearDistance = radiusOf(scene) * 0.01;
+    path.farDistance = radiusOf(scene) * 100.0;
+    return path;
+}
+
+/// A pose at 3 R from the centre in a direction, y up (z where that looks along y).
+CameraPath::Pose poseAround(const Scene& scene, const Vec3& direction) {
+    const Vec3 centre = scene.boundingSphere().centre;
+    const Vec3 up = std::abs(direction.y) > 0.999 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+    return {centre + direction * (3.0 * radiusOf(scene)), centre, up};
+}
+
+CameraPath orbit(const Scene& scene, size_t count) {
+    CameraPath path = pathAround(scene, "orbit:" + std::to_string(count), Angle::fromDegrees(45));
+    const double elevation = Angle::fromDegrees(15).radians();
+    for (size_t i = 0; i < count; ++i) {
+        const double azimuth = kTau * double(i) / double(count);
+        path.poses.push_back(
+            poseAround(scene, {std::cos(elevation) * std::sin(azimuth), std::sin(elevation), std::cos(elevation) * std::cos(azimuth)}));
+    }
+    return path;
+}
+
+/// Evenly spread over the sphere: equal steps of height, azimuths a golden angle apart.
+CameraPath fibonacci(const Scene& scene, size_t count) {
+    CameraPath path = pathAround(scene, "fibonacci:" + std::to_string(count), Angle::fromDegrees(45));
+    const double goldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));
+    for (size_t i = 0; i < count; ++i) {
+        const double height = 1.0 - (2.0 * double(i) + 1.0) / double(count);
+        const double r = std::sqrt(1.0 - height * height);
+        path.poses.push_back(poseAround(scene, {r * std::cos(goldenAngle * double(i)), height, r * std::sin(goldenAngle * double(i))}));
+    }
+    return path;
+}
+
+/// A loop through the scene at half its height, looking where it goes. The ellipse has 0.62 of the scene's half extents: in the
+/// 20 × 20 field the frustum culls 79 % of the objects on average, as in Cho et al.
+CameraPath walk(const Scene& scene, size_t count) {
+    constexpr double kShare = 0.62;
+    CameraPath path = pathAround(scene, "walk:" + std::to_string(count), Angle::fromDegrees(45));
+    const Vec3 half = scene.bounds().halfExtent();
+    const Vec3 centre = scene.bounds().centre();
+    // The walker stands upright on a scene that lies flat; y is up unless the scene is clearly flat along z.
+    const bool zUp = half.z < 0.5 * half.y;
+    const Vec3 up = zUp ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
+    const Vec3 first = Vec3(half.x * kShare, 0, 0);
+    const Vec3 second = zUp ? Vec3(0, half.y * kShare, 0) : Vec3(0, 0, -half.z * kShare);
+    path.nearDistance = radiusOf(scene) * 0.002;
+    path.farDistance = radiusOf(scene) * 4.0;
+    for (size_t i = 0; i < count; ++i) {
+        const double t = kTau * double(i) / double(count);
+        const Vec3 eye = centre + first * std::cos(t) + second * std::sin(t);
+        Vec3 ahead = second * std::cos(t) - first * std::sin(t);
+        if (!(glm::length(ahead) > 0)) ahead = Vec3(1, 0, 0) * radiusOf(scene);
+        path.poses.push_back({eye, eye + ahead, up});
+    }
+    return path;
+}
+
+/// The three cases of Han & Hong 2008: the frustum cuts the object (3 R, 20°), with a pole of the map (its z axis) in view, one
+/// clump in the middle of the map, and a clump that the seam at azimuth 0 splits.
+CameraPath sphericalCase(const Scene& scene, int number) {
+    CameraPath path = pathAround(scene, "case-" + std::to_string(number), Angle::fromDegrees(20));
+    const Vec3 centre = scene.boundingSphere().centre;
+    const Vec3 direction = number == 1 ? Vec3(0, 0, 1) : number == 2 ? Vec3(-1, 0, 0) : Vec3(1, 0, 0);
+    path.poses.push_back({centre + direction * (3.0 * radiusOf(scene)), centre, number == 1 ? Vec3(0, 1, 0) : Vec3(0, 0, 1)});
+    return path;
+}
+
+size_t poseCount(std::string_view text, std::string_view name) {
+    size_t count = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), count);
+    if (error != std::errc() || end != text.data() + text.size() || count < 1 || count > 1'000'000)
+        throwUsage(CULLSCOPE_TR("The path %1 needs a number of poses between 1 and 1000000 after the colon."), {std::string(name)});
+    return count;
+}
+
+std::optional<CameraPath> builtIn(std::string_view name, const Scene& scene) {
+    const size_t colon = name.find(':');
+    const std::string_view id = name.substr(0, colon);
+    const std::string_view rest = colon == std::string_view::npos ? std::string_view("16") : name.substr(colon + 1);
+    if (id == "orbit") return orbit(scene, poseCount(rest, name));
+    if (id == "fibonacci") return fibonacci(scene, poseCount(rest, name));
+    if (id == "walk") return walk(scene, poseCount(rest, name));
+    for (int number = 1; number <= 3; ++number)
+        if (name == "case-" + std::to_string(number)) return sphericalCase(scene, number);
+    return std::nullopt;
+}
+
+Vec3 vectorOf(const nlohmann::json& pose, const char* field, size_t index, const std::filesystem::path& file) {
+    const auto found = pose.find(field);
+    const bool good = found != pose.end() && found->is_array() && found->size() == 3 &&
+                      std::all_of(found->begin(), found->end(), [](const nlohmann::json& number) { return number.is_number(); });
+    if (!good)
+        throwInput(CULLSCOPE_TR("%1: pose %2: \"%3\" must be three numbers."), {file.string(), std::to_string(index), field});
+    return {(*found)[0].get<double>(), (*found)[1].get<double>(), (*found)[2].get<double>()};
+}
+
+double numberOf(const nlohmann::json& json, const char* field, double fallback, const std::filesystem::path& file) {
+    if (!json.contains(field)) return fallback;
+    if (!json[field].is_number()) throwInput(CULLSCOPE_TR("%1: \"%2\" must be a number."), {file.string(), field});
+    return json[field].get<double>();
+}
+
+}  // namespace
+
+Camera CameraPath::camera(size_t pose) const {
+    return {poses.at(pose).eye, poses.at(pose).target, poses.at(pose).up, fovy, nearDistance, farDistance};
+}
+
+CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
+    if (auto path = builtIn(nameOrFile, scene)) return *path;
+    const std::filesystem::path file{std::string(nameOrFile)};
+    if (!std::filesystem::exists(file))
+        throwUsage(CULLSCOPE_TR("\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3."),
+                   {std::string(nameOrFile)});
+    return readCameraPath(file);
+}
+
+std::string defaultPathName(const Scene& scene) { return scene.instances().size() > 1 ? "walk:16" : "fibonacci:16"; }
+
+Camera overviewCamera(const Scene& scene, double aspect) {
+    Camera camera;
+    const double radius = radiusOf(scene);
+    const double halfAngle = std::min(camera.fovy.radians() / 2, std::atan(std::tan(camera.fovy.radians() / 2) * aspect));
+    const double distance = 1.05 * radius / std::sin(halfAngle);
+    camera.target = scene.boundingSphere().centre;
+    camera.eye = camera.target + glm::normalize(Vec3(0.35, 0.35, 1.0)) * distance;
+    camera.nearDistance = distance * 1e-3;
+    camera.farDistance = distance * 1e2;
+    return camera;
+}
+
+CameraPath readCameraPath(const std::filesystem::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
+    nlohmann::json json;
+    try {
+        json = nlohmann::json::parse(in);
+    } catch (const nlohmann::json::parse_error& failure) {
+        throwInput(CULLSCOPE_TR("%1 is not JSON: it breaks off at byte %2. A camera path has the fields fovy_deg, near, far and poses."),
+                   {file.string(), std::to_string(failure.byte)});
+    }
+    if (!json.is_object() || !json.contains("poses") || !json["poses"].is_array() || json["poses"].empty())
+        throwInput(CULLSCOPE_TR("%1: a camera path needs a list \"poses\" with at least one pose."), {file.string()});
+    CameraPath path;
+    path.name = file.string();
+    path.fovy = Angle::fromDegrees(numberOf(json, "fovy_deg", 45, file));
+    path.nearDistance = numberOf(json, "near", path.nearDistance, file);
+    path.farDistance = numberOf(json, "far", path.farDistance, file);
+    for (const nlohmann::json& pose : json["poses"]) {
+        const size_t index = path.poses.size();
+        path.poses.push_back({vectorOf(pose, "eye", index, file), vectorOf(pose, "target", index, file), vectorOf(pose, "up", index, file)});
+        try {
+            validate(path.camera(index), {1, 1});
+        } catch (const Error& failure) {
+            throwInput(CULLSCOPE_TR("%1: pose %2: %3"), {file.string(), std::to_string(index), failure.message().english()});
+        }
+    }
+    return path;
+}
+
+void writeCameraPath(const std::filesystem::path& file, const CameraPath& path) {
+    const auto array = [](const Vec3& v) { return nlohmann::json::array({v.x, v.y, v.z}); };
+    nlohmann::ordered_json json{{"fovy_deg", path.fovy.degrees()}, {"near", path.nearDistance}, {"far", path.farDistance}};
+    json["poses"] = nlohmann::ordered_json::array();
+    for (const CameraPath::Pose& pose : path.poses)
+        json["poses"].push_back({{"eye", array(pose.eye)}, {"target", array(pose.target)}, {"up", array(pose.up)}});
+    writeFileAtomically(file, [&](std::ostream& out) { out << json.dump(1) << '\n'; });
+}
+
+const std::vector<BuiltInPath>& builtInPaths() {
+    static const std::vector<BuiltInPath> kPaths{
+        {"orbit:N", CULLSCOPE_TR("N poses on a circle at three times the scene's radius, 15 degrees above it")},
+        {"fibonacci:N", CULLSCOPE_TR("N poses spread evenly around the scene at three times its radius")},
+        {"walk:N", CULLSCOPE_TR("N poses on a loop through the scene, looking ahead")},
+        {"case-1", CULLSCOPE_TR("a close view with a pole of the spherical map in it")},
+        {"case-2", CULLSCOPE_TR("a close view of one clump of the spherical map")},
+        {"case-3", CULLSCOPE_TR("a close view of a clump that the map's seam splits")}};
+    return kPaths;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,91 @@
+#include "core/scene/scene.h"
+
+#include <cassert>
+
+#include "core/base/sha256.h"
+
+namespace cullscope {
+namespace {
+
+/// The mesh's bounds in its own double coordinates. The sum of origin and offset is rounded once more, hence the room.
+Box3 absoluteBounds(const TriangleMesh& mesh) {
+    Box3 box = mesh.localBounds();
+    if (box.empty()) return box;
+    const Vec3 room = (glm::abs(mesh.origin()) + glm::max(glm::abs(box.min), glm::abs(box.max))) * std::numeric_limits<double>::epsilon();
+    box.min += mesh.origin() - room;
+    box.max += mesh.origin() + room;
+    return box;
+}
+
+Sphere absoluteSphere(const TriangleMesh& mesh) {
+    Sphere sphere = mesh.localSphere();
+    const double magnitude = glm::length(mesh.origin()) + glm::length(sphere.centre) + sphere.radius;
+    sphere.centre += mesh.origin();
+    sphere.radius += 2.0 * magnitude * std::numeric_limits<double>::epsilon();
+    return sphere;
+}
+
+Sphere around(const std::vector<Sphere>& spheres, const Box3& bounds) {
+    if (bounds.empty()) return {};
+    if (spheres.size() == 1) return spheres.front();
+    Sphere sphere{bounds.centre(), 0.0};
+    for (const Sphere& part : spheres) sphere.radius = std::max(sphere.radius, glm::length(part.centre - sphere.centre) + part.radius);
+    return sphere;
+}
+
+}  // namespace
+
+Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances)
+    : m_name(std::move(name)), m_meshes(std::move(meshes)), m_instances(std::move(instances)) {
+    std::vector<Box3> meshBoxes;
+    std::vector<Sphere> meshSpheres;
+    for (const MeshPointer& mesh : m_meshes) {
+        meshBoxes.push_back(absoluteBounds(*mesh));
+        meshSpheres.push_back(absoluteSphere(*mesh));
+    }
+    m_firstTriangle.push_back(0);
+    for (const Instance& instance : m_instances) {
+        assert(instance.mesh < m_meshes.size());
+        m_firstTriangle.push_back(m_firstTriangle.back() + m_meshes[instance.mesh]->triangleCount());
+        m_instanceBoxes.push_back(transformed(meshBoxes[instance.mesh], instance.worldFromMesh));
+        m_instanceSpheres.push_back(transformed(meshSpheres[instance.mesh], instance.worldFromMesh));
+        m_bounds.add(m_instanceBoxes.back());
+    }
+    m_sphere = around(m_instanceSpheres, m_bounds);
+}
+
+size_t Scene::instanceOf(uint64_t triangle) const {
+    assert(triangle < triangleCount());
+    const auto after = std::upper_bound(m_firstTriangle.begin(), m_firstTriangle.end(), triangle);
+    return static_cast<size_t>(after - m_firstTriangle.begin()) - 1;
+}
+
+std::string Scene::sha256() const {
+    Sha256 hash;
+    for (const MeshPointer& mesh : m_meshes) {
+        const Vec3 origin = mesh->origin();
+        hash.addValues(std::span<const double>(&origin.x, 3));
+        hash.addValues(mesh->positions());
+        hash.addValues(mesh->indices());
+    }
+    for (const Instance& instance : m_instances) {
+        hash.addValues(std::span<const uint32_t>(&instance.mesh, 1));
+        hash.addValues(std::span<const double>(&instance.worldFromMesh[0][0], 16));
+    }
+    return hash.hexadecimal();
+}
+
+size_t Scene::bytes() const {
+    size_t bytes = m_instances.size() * (sizeof(Instance) + sizeof(Box3) + sizeof(Sphere) + sizeof(uint64_t));
+    for (const MeshPointer& mesh : m_meshes) bytes += mesh->bytes();
+    return bytes;
+}
+
+bool Scene::frontFacesSuffice() const {
+    size_t triangles = 0;
+    for (const MeshPointer& mesh : m_meshes) triangles += mesh->triangleCount();
+    if (triangles > kOptionalAnalysisLimit) return false;
+    return std::all_of(m_meshes.begin(), m_meshes.end(), [](const MeshPointer& mesh) { return mesh->topology().frontFacesSuffice(); });
+}
+
+}  // namespace cullscope

@@ -1,0 +1,20 @@
+#include "core/visibility/facing.h"
+
+#include "core/base/message.h"
+
+namespace cullscope {
+
+ParameterDeclaration facingParameter() {
+    return choiceParameter("facing", "auto", CULLSCOPE_TR("Which faces are drawn: both sides, or only those whose front is turned to the eye."),
+                           {{"auto", CULLSCOPE_TR("front where every mesh is closed, else two-sided")},
+                            {"two-sided", CULLSCOPE_TR("both sides")},
+                            {"front", CULLSCOPE_TR("front sides only")}});
+}
+
+Facing resolveFacing(const ParameterSet& parameters, const Scene& scene) {
+    const std::string& choice = parameters.choice("facing");
+    if (choice == "auto") return scene.frontFacesSuffice() ? Facing::Front : Facing::TwoSided;
+    return choice == "front" ? Facing::Front : Facing::TwoSided;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/scene/draw_list.h"
+#include "core/scene/scene.h"
+#include "core/visibility/parameters.h"
+
+namespace cullscope {
+
+/// The parameter `facing = two-sided | front | auto` that every strategy has whose facing rule is not fixed.
+[[nodiscard]] ParameterDeclaration facingParameter();
+
+/// The rule for a scene: `auto` is front where every mesh is closed and consistently oriented, two-sided elsewhere.
+[[nodiscard]] Facing resolveFacing(const ParameterSet& parameters, const Scene& scene);
+
+}  // namespace cullscope

@@ -1,0 +1,132 @@
+#include "core/visibility/parameters.h"
+
+#include <charconv>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+std::string choicesOf(const ParameterDeclaration& declaration) {
+    std::string text;
+    for (const ParameterDeclaration::Choice& choice : declaration.choices) text += (text.empty() ? "" : ", ") + choice.id;
+    return text;
+}
+
+[[noreturn]] void refuse(const ParameterDeclaration& declaration, std::string_view value) {
+    const std::string given(value);
+    switch (declaration.type) {
+        case ParameterType::Boolean:
+            throwUsage(CULLSCOPE_TR("%1=%2: %1 is true or false."), {declaration.key, given});
+        case ParameterType::Choice:
+            throwUsage(CULLSCOPE_TR("%1=%2: %1 is one of %3."), {declaration.key, given, choicesOf(declaration)});
+        case ParameterType::Integer:
+            throwUsage(CULLSCOPE_TR("%1=%2: %1 is a whole number between %3 and %4."),
+                       {declaration.key, given, toText(declaration.minimum), toText(declaration.maximum)});
+        case ParameterType::Real:
+            break;
+    }
+    throwUsage(CULLSCOPE_TR("%1=%2: %1 is a number between %3 and %4."),
+               {declaration.key, given, toText(declaration.minimum), toText(declaration.maximum)});
+}
+
+bool allowed(const ParameterDeclaration& declaration, const ParameterValue& value) {
+    switch (declaration.type) {
+        case ParameterType::Boolean:
+            return std::holds_alternative<bool>(value);
+        case ParameterType::Integer: {
+            const auto* integer = std::get_if<int64_t>(&value);
+            return integer != nullptr && double(*integer) >= declaration.minimum && double(*integer) <= declaration.maximum;
+        }
+        case ParameterType::Real: {
+            const auto* real = std::get_if<double>(&value);
+            return real != nullptr && *real >= declaration.minimum && *real <= declaration.maximum;
+        }
+        case ParameterType::Choice: {
+            const auto* id = std::get_if<std::string>(&value);
+            return id != nullptr && std::any_of(declaration.choices.begin(), declaration.choices.end(),
+                                                [&](const ParameterDeclaration::Choice& choice) { return choice.id == *id; });
+        }
+    }
+    return false;
+}
+
+template <typename Number>
+std::optional<Number> parsed(std::string_view text) {
+    Number number{};
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+    return number;
+}
+
+}  // namespace
+
+ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
+                                     std::vector<ParameterDeclaration::Choice> choices) {
+    ParameterDeclaration declaration;
+    declaration.key = std::move(key);
+    declaration.type = ParameterType::Choice;
+    declaration.defaultValue = std::move(defaultId);
+    declaration.description = std::move(description);
+    declaration.choices = std::move(choices);
+    return declaration;
+}
+
+ParameterSet::ParameterSet(const std::vector<ParameterDeclaration>& declarations) : m_declarations(declarations) {
+    for (const ParameterDeclaration& each : m_declarations) m_values[each.key] = each.defaultValue;
+}
+
+void ParameterSet::set(std::string_view key, const ParameterValue& value) {
+    const ParameterDeclaration& declared = declaration(key);
+    if (!allowed(declared, value)) refuse(declared, toText(value));
+    m_values[declared.key] = value;
+}
+
+void ParameterSet::setFromText(std::string_view key, std::string_view text) {
+    const ParameterDeclaration& declared = declaration(key);
+    std::optional<ParameterValue> value;
+    switch (declared.type) {
+        case ParameterType::Boolean:
+            if (text == "true" || text == "1" || text == "on" || text == "yes") value = true;
+            if (text == "false" || text == "0" || text == "off" || text == "no") value = false;
+            break;
+        case ParameterType::Integer:
+            if (const auto integer = parsed<int64_t>(text)) value = *integer;
+            break;
+        case ParameterType::Real:
+            if (const auto real = parsed<double>(text)) value = *real;
+            break;
+        case ParameterType::Choice:
+            value = std::string(text);
+            break;
+    }
+    if (!value || !allowed(declared, *value)) refuse(declared, text);
+    m_values[declared.key] = *value;
+}
+
+const ParameterValue& ParameterSet::value(std::string_view key) const {
+    const auto found = m_values.find(key);
+    if (found == m_values.end()) (void)declaration(key);
+    return found->second;
+}
+
+const ParameterDeclaration& ParameterSet::declaration(std::string_view key) const {
+    std::string known;
+    for (const ParameterDeclaration& each : m_declarations) {
+        if (each.key == key) return each;
+        known += (known.empty() ? "" : ", ") + each.key;
+    }
+    throwUsage(CULLSCOPE_TR("There is no parameter \"%1\" here. Known: %2."), {std::string(key), known.empty() ? "-" : known});
+}
+
+std::string toText(const ParameterValue& value) {
+    if (const auto* boolean = std::get_if<bool>(&value)) return *boolean ? "true" : "false";
+    if (const auto* integer = std::get_if<int64_t>(&value)) return std::to_string(*integer);
+    if (const auto* text = std::get_if<std::string>(&value)) return *text;
+    std::array<char, 32> buffer{};
+    const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), std::get<double>(value));
+    return {buffer.data(), result.ptr};
+}
+
+}  // namespace cullscope

@@ -1,0 +1,34 @@
+#include "core/visibility/registry.h"
+
+#include "core/base/error.h"
+#include "core/visibility/baselines.h"
+#include "core/visibility/frustum_culling.h"
+
+namespace cullscope {
+
+const std::vector<RegisteredStrategy>& strategies() {
+    static const std::vector<RegisteredStrategy> kStrategies{
+        {allInfo(), makeAll},
+        {backfaceInfo(), makeBackface},
+        {frustumInfo(), makeFrustum},
+    };
+    return kStrategies;
+}
+
+const RegisteredStrategy& findStrategy(std::string_view id) {
+    std::string known;
+    for (const RegisteredStrategy& strategy : strategies()) {
+        if (strategy.info.id == id) return strategy;
+        known += (known.empty() ? "" : ", ") + strategy.info.id;
+    }
+    throwUsage(CULLSCOPE_TR("There is no strategy \"%1\". Known: %2."), {std::string(id), known});
+}
+
+StrategyPointer makeStrategy(std::string_view id) {
+    const RegisteredStrategy& found = findStrategy(id);
+    return found.make(ParameterSet(found.info.parameters));
+}
+
+StrategyPointer makeStrategy(std::string_view id, ParameterSet parameters) { return findStrategy(id).make(std::move(parameters)); }
+
+}  // namespace cullscope

@@ -1,0 +1,15 @@
+# embed_text(TARGET NAMESPACE_HEADER FILES…): makes text files string constants of a target, so that programs need no data beside
+# them. `shaders/scene.vert` becomes cullscope::embedded::scene_vert in <build>/embedded/HEADER.
+function(embed_text target header)
+  set(content "#pragma once\n\n#include <string_view>\n\nnamespace cullscope::embedded {\n")
+  foreach(file ${ARGN})
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
+    file(READ ${file} text)
+    get_filename_component(name ${file} NAME)
+    string(REPLACE "." "_" name ${name})
+    string(APPEND content "inline constexpr std::string_view ${name} = R\"embedded(${text})embedded\";\n")
+  endforeach()
+  string(APPEND content "}  // namespace cullscope::embedded\n")
+  file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/embedded/${header} CONTENT "${content}" @ONLY)
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_BINARY_DIR})
+endfunction()

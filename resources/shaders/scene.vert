@@ -1,0 +1,19 @@
+#version 450
+// The one vertex program: pictures, depth pass and item buffer must place every vertex bit for bit alike.
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+
+layout(location = 0) uniform mat4 clipFromPositions;
+layout(location = 1) uniform mat4 eyeRelativeFromPositions;
+layout(location = 2) uniform mat3 normalMatrix;
+
+invariant gl_Position;
+layout(location = 0) out vec3 toSurface;  // from the eye, world axes
+layout(location = 1) out vec3 surfaceNormal;
+
+void main() {
+    gl_Position = clipFromPositions * vec4(position, 1.0);
+    toSurface = (eyeRelativeFromPositions * vec4(position, 1.0)).xyz;
+    surfaceNormal = normalMatrix * normal;
+}
