@@ -43,6 +43,10 @@ struct Accuracy {
 /// Compares by depth sample; `depth` is what the strategy's picture has (Framebuffer::readDepth), `list` what it drew.
 [[nodiscard]] Accuracy compare(const Reference& reference, const std::vector<float>& depth, const DrawList& list, const Scene& scene);
 
+/// How many missed pixels the raster's snapping to 1/256 pixel does not explain: those whose reference triangle covers the pixel's
+/// centre and more than 1/64 pixel around it. What `backface` promises is that there are none on a closed mesh.
+[[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const std::vector<float>& depth, const Scene& scene, const View& view);
+
 /// Missed pixels as a mask (1 a missed pixel), rows from the bottom.
 [[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth);
 

@@ -60,6 +60,35 @@ std::optional<Number> parsed(std::string_view text) {
     return number;
 }
 
+template <typename Number>
+bool parseNumber(std::string_view text, ParameterValue& value) {
+    const std::optional<Number> number = parsed<Number>(text);
+    if (number) value = *number;
+    return number.has_value();
+}
+
+bool parseBoolean(std::string_view text, ParameterValue& value) {
+    const bool yes = text == "true" || text == "1" || text == "on" || text == "yes";
+    const bool no = text == "false" || text == "0" || text == "off" || text == "no";
+    value = yes;
+    return yes || no;
+}
+
+bool parse(ParameterType type, std::string_view text, ParameterValue& value) {
+    switch (type) {
+        case ParameterType::Boolean:
+            return parseBoolean(text, value);
+        case ParameterType::Integer:
+            return parseNumber<int64_t>(text, value);
+        case ParameterType::Real:
+            return parseNumber<double>(text, value);
+        case ParameterType::Choice:
+            break;
+    }
+    value = std::string(text);
+    return true;
+}
+
 }  // namespace
 
 ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
@@ -85,24 +114,9 @@ void ParameterSet::set(std::string_view key, const ParameterValue& value) {
 
 void ParameterSet::setFromText(std::string_view key, std::string_view text) {
     const ParameterDeclaration& declared = declaration(key);
-    std::optional<ParameterValue> value;
-    switch (declared.type) {
-        case ParameterType::Boolean:
-            if (text == "true" || text == "1" || text == "on" || text == "yes") value = true;
-            if (text == "false" || text == "0" || text == "off" || text == "no") value = false;
-            break;
-        case ParameterType::Integer:
-            if (const auto integer = parsed<int64_t>(text)) value = *integer;
-            break;
-        case ParameterType::Real:
-            if (const auto real = parsed<double>(text)) value = *real;
-            break;
-        case ParameterType::Choice:
-            value = std::string(text);
-            break;
-    }
-    if (!value || !allowed(declared, *value)) refuse(declared, text);
-    m_values[declared.key] = *value;
+    ParameterValue value;
+    if (!parse(declared.type, text, value) || !allowed(declared, value)) refuse(declared, text);
+    m_values[declared.key] = value;
 }
 
 const ParameterValue& ParameterSet::value(std::string_view key) const {

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace cullscope {
+
+/// The short hash of the commit that this was built from, with "-dirty" where files had changed; "unknown" outside a checkout.
+[[nodiscard]] std::string buildCommit();
+
+}  // namespace cullscope

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/gpu/context.h"
+#include "core/gpu/scene_buffers.h"
+#include "core/measure/reference.h"
+#include "core/scene/camera_path.h"
+#include "core/visibility/registry.h"
+
+namespace cullscope {
+
+/// A strategy to be measured, with its parameters.
+struct StrategyRequest {
+    std::string id;
+    ParameterSet parameters;
+};
+
+/// How often a frame is repeated (measurement.md, "Timing").
+struct TimingProtocol {
+    int warmUp = 1;               ///< frames of each strategy and pose that do not count
+    int fixedRepetitions = 0;     ///< 0: until the median is steady
+    int leastRepetitions = 3;
+    int mostRepetitions = 21;
+    double steadyWithin = 0.02;   ///< relative change of every strategy's median over the last two rounds
+    double longFrameMilliseconds = 250.0;  ///< frames above it are repeated leastRepetitions times only
+};
+
+struct MeasureRequest {
+    ScenePointer scene;
+    std::vector<StrategyRequest> strategies;
+    CameraPath path;
+    Viewport size;
+    int windows = 1;              ///< pictures of that size a frame
+    Upload upload = Upload::Vbo;
+    TimingProtocol timing;
+    bool accuracy = true;
+};
+
+/// One strategy at one pose.
+struct FrameMeasurement {
+    size_t pose = 0;
+    double frameMilliseconds = 0.0;  ///< median; cull + draw of all windows
+    double cullMilliseconds = 0.0;   ///< median
+    int repetitions = 0;
+    uint64_t consideredTriangles = 0;  ///< of one window
+    std::optional<Accuracy> accuracy;
+    uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
+};
+
+struct Summary {
+    double fpsOverall = 0.0;  ///< poses / total time
+    double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
+    double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
+    double cullShare = 0.0;       ///< of the frame time
+    double culledFraction = 0.0;  ///< of the scene's triangles, mean over poses
+    std::optional<double> missedPixelRate;  ///< missed / covered, over all poses
+    double speedupVsAll = 0.0;    ///< mean over poses of the ratio of frame times
+    std::array<double, 2> speedupVsAllCi95{};  ///< bootstrap over poses
+    double speedupVsBackface = 0.0;
+    std::array<double, 2> speedupVsBackfaceCi95{};
+};
+
+/// One strategy over a path.
+struct RunMeasurement {
+    StrategyRequest strategy;
+    Promise promise = Promise::Approximate;
+    Facing facing = Facing::TwoSided;
+    Facing referenceFacing = Facing::TwoSided;
+    StructureReport structure;
+    std::vector<FrameMeasurement> frames;
+    Summary summary;
+
+    /// A conservative or exact strategy that lost a pixel (beyond the raster's snapping, where the reference draws other faces).
+    [[nodiscard]] bool promiseBroken() const;
+};
+
+struct MeasureResult {
+    MeasureRequest request;
+    GlInfo gl;
+    std::vector<RunMeasurement> runs;
+    bool interrupted = false;  ///< stopped early: the poses measured so far are here
+};
+
+/// Measures every strategy at every pose, interleaved, beside the baselines `all` and `backface` (measured too where they are not
+/// asked for, so that every run has its ratios). Needs a current context. A stop request ends it at the next frame and keeps
+/// what was measured; errors are thrown.
+[[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {});
+
+/// Mean of per-pose ratios and its bootstrap 95 % interval (percentile method, 2000 resamples, fixed seed).
+struct RatioEstimate {
+    double mean = 0.0;
+    std::array<double, 2> ci95{};
+};
+[[nodiscard]] RatioEstimate bootstrapMean(const std::vector<double>& ratios);
+
+/// The value below which a share of the values lies (linear between ranks); 0 for none.
+[[nodiscard]] double quantile(std::vector<double> values, double share);
+
+}  // namespace cullscope

@@ -1,0 +1,155 @@
+#include "core/measure/reference.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+/// Runs of triangle numbers [first, end), ascending and disjoint.
+using Intervals = std::vector<std::pair<uint64_t, uint64_t>>;
+
+Intervals submitted(const DrawList& list, const Scene& scene) {
+    Intervals runs;
+    runs.reserve(list.ranges.size());
+    for (const DrawRange& range : list.ranges) {
+        const uint64_t first = scene.firstTriangle(range.instance) + range.firstIndex / 3;
+        if (range.indexCount > 0) runs.emplace_back(first, first + range.indexCount / 3);
+    }
+    std::sort(runs.begin(), runs.end());
+    Intervals merged;
+    for (const auto& run : runs) {
+        if (!merged.empty() && run.first <= merged.back().second)
+            merged.back().second = std::max(merged.back().second, run.second);
+        else
+            merged.push_back(run);
+    }
+    return merged;
+}
+
+uint64_t countMembers(const std::vector<uint32_t>& ascending, const Intervals& intervals) {
+    uint64_t members = 0;
+    auto interval = intervals.begin();
+    for (const uint32_t triangle : ascending) {
+        while (interval != intervals.end() && interval->second <= triangle) ++interval;
+        if (interval != intervals.end() && interval->first <= triangle) ++members;
+    }
+    return members;
+}
+
+uint64_t largestHole(std::vector<uint8_t> mask, const Viewport& size) {
+    uint64_t largest = 0;
+    std::vector<size_t> open;
+    const auto width = static_cast<size_t>(size.width);
+    for (size_t start = 0; start < mask.size(); ++start) {
+        if (mask[start] == 0) continue;
+        uint64_t pixels = 0;
+        mask[start] = 0;
+        open.push_back(start);
+        const auto visit = [&](size_t pixel) {
+            if (mask[pixel] == 0) return;
+            mask[pixel] = 0;
+            open.push_back(pixel);
+        };
+        while (!open.empty()) {
+            const size_t pixel = open.back();
+            open.pop_back();
+            ++pixels;
+            if (pixel % width > 0) visit(pixel - 1);
+            if (pixel % width + 1 < width) visit(pixel + 1);
+            if (pixel >= width) visit(pixel - width);
+            if (pixel + width < mask.size()) visit(pixel + width);
+        }
+        largest = std::max(largest, pixels);
+    }
+    return largest;
+}
+
+}  // namespace
+
+Reference itemBufferReference(Renderer& renderer, const SceneBuffers& buffers, const View& view, Facing facing) {
+    if (buffers.scene().triangleCount() > uint64_t{UINT32_MAX} - 1)
+        throwUsage(CULLSCOPE_TR("The scene has %1 triangles; the item buffer numbers at most 4294967294. Measure a part of it."),
+                   {std::to_string(buffers.scene().triangleCount())});
+    Renderer::ItemBuffer items = renderer.drawItemBuffer(buffers, view, everything(buffers.scene(), facing));
+    Reference reference;
+    reference.size = view.viewport();
+    reference.facing = facing;
+    reference.depth = std::move(items.depth);
+    reference.triangle = std::move(items.triangle);
+    for (const uint32_t item : reference.triangle)
+        if (item != 0) reference.visibleTriangles.push_back(item - 1);
+    reference.coveredPixels = reference.visibleTriangles.size();
+    std::sort(reference.visibleTriangles.begin(), reference.visibleTriangles.end());
+    reference.visibleTriangles.erase(std::unique(reference.visibleTriangles.begin(), reference.visibleTriangles.end()),
+                                     reference.visibleTriangles.end());
+    return reference;
+}
+
+Accuracy compare(const Reference& reference, const std::vector<float>& depth, const DrawList& list, const Scene& scene) {
+    Accuracy accuracy;
+    accuracy.coveredPixels = reference.coveredPixels;
+    for (size_t i = 0; i < depth.size(); ++i)
+        if (depth[i] > reference.depth[i]) ++accuracy.extraPixels;
+    std::vector<uint8_t> mask = missedMask(reference, depth);
+    accuracy.missedPixels = static_cast<uint64_t>(std::count(mask.begin(), mask.end(), uint8_t{1}));
+    if (accuracy.missedPixels > 0) accuracy.largestHolePixels = largestHole(std::move(mask), reference.size);
+
+    const Intervals drawn = submitted(list, scene);
+    for (const auto& [first, end] : drawn) accuracy.submittedTriangles += end - first;
+    accuracy.visibleTriangles = reference.visibleTriangles.size();
+    const uint64_t visibleAndDrawn = countMembers(reference.visibleTriangles, drawn);
+    accuracy.falselyCulledTriangles = accuracy.visibleTriangles - visibleAndDrawn;
+    accuracy.needlesslyDrawnTriangles = accuracy.submittedTriangles - visibleAndDrawn;
+    return accuracy;
+}
+
+std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth) {
+    std::vector<uint8_t> mask(depth.size());
+    for (size_t i = 0; i < depth.size(); ++i) mask[i] = depth[i] < reference.depth[i] ? 1 : 0;
+    return mask;
+}
+
+namespace {
+
+/// Pixel coordinates (y upward) of a scene triangle's corners; nothing where a corner lies behind the eye.
+std::optional<std::array<Vec2, 3>> projected(const Scene& scene, const View& view, uint64_t triangle) {
+    const size_t number = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(number);
+    const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
+    std::array<Vec2, 3> corners;
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec3 world(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0));
+        const Vec4 clip = view.clipFromEyeRelative() * Vec4(world - view.eye(), 1.0);
+        if (!(clip.w > 0.0)) return std::nullopt;
+        corners[i] = {(clip.x / clip.w + 1.0) * 0.5 * view.viewport().width, (clip.y / clip.w + 1.0) * 0.5 * view.viewport().height};
+    }
+    return corners;
+}
+
+double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
+    const Vec2 along = b - a;
+    const double squared = glm::dot(along, along);
+    const double t = squared > 0.0 ? std::clamp(glm::dot(point - a, along) / squared, 0.0, 1.0) : 0.0;
+    return glm::length(point - a - along * t);
+}
+
+}  // namespace
+
+uint64_t missedBeyondSnapping(const Reference& reference, const std::vector<float>& depth, const Scene& scene, const View& view) {
+    constexpr double kSnapping = 1.0 / 64;
+    uint64_t beyond = 0;
+    const auto width = static_cast<size_t>(reference.size.width);
+    for (size_t pixel = 0; pixel < depth.size(); ++pixel) {
+        if (!(depth[pixel] < reference.depth[pixel]) || reference.triangle[pixel] == 0) continue;
+        const auto corners = projected(scene, view, reference.triangle[pixel] - 1);
+        const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (size_t i = 0; corners && i < 3; ++i) nearest = std::min(nearest, distanceToSegment(centre, (*corners)[i], (*corners)[(i + 1) % 3]));
+        if (!(nearest <= kSnapping)) ++beyond;
+    }
+    return beyond;
+}
+
+}  // namespace cullscope

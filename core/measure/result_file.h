@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "core/measure/experiment.h"
+
+namespace cullscope {
+
+/// A measurement as JSON text and as CSV (one row a frame, same names): measurement.md, "Result".
+[[nodiscard]] std::string resultJson(const MeasureResult& result);
+[[nodiscard]] std::string resultCsv(const MeasureResult& result);
+
+/// Program, version and commit it was built from.
+struct ToolVersion {
+    std::string name, version, commit;
+};
+[[nodiscard]] ToolVersion toolVersion();
+
+/// The processor's name as the system tells it.
+[[nodiscard]] std::string cpuName();
+
+}  // namespace cullscope
