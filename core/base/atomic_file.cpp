@@ -21,7 +21,8 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
 
 }  // namespace
 
-void writeFileAtomicallyByName(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write) {
+void writeFileAtomicallyByName(const std::filesystem::path& path,
+                               const std::function<void(const std::filesystem::path&)>& write) {
     const std::filesystem::path temporary = temporaryBeside(path);
     try {
         write(temporary);
@@ -29,7 +30,8 @@ void writeFileAtomicallyByName(const std::filesystem::path& path, const std::fun
     } catch (const std::filesystem::filesystem_error& failure) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
-        throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."), {path.string(), failure.code().message()});
+        throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
+                   {path.string(), failure.code().message()});
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
@@ -49,7 +51,8 @@ void writeFileAtomically(const std::filesystem::path& path, const std::function<
         if (out) write(out);
         out.close();
         if (!out)
-            throw std::filesystem::filesystem_error("write", path, std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
+            throw std::filesystem::filesystem_error("write", path,
+                                                    std::error_code(errno != 0 ? errno : EIO, std::generic_category()));
     });
 }
 

@@ -8,10 +8,10 @@ namespace cullscope {
 
 /// What a user did or has that stops a task; decides the exit status of both programs.
 enum class ErrorKind {
-    Usage = 2,        ///< wrong command line, parameter or combination
-    Input = 3,        ///< a file that cannot be read or is refused
-    OpenGl = 4,       ///< no OpenGL, or one that is too old
-    Interrupted = 130 ///< stopped by the user
+    Usage = 2,         ///< wrong command line, parameter or combination
+    Input = 3,         ///< a file that cannot be read or is refused
+    OpenGl = 4,        ///< no OpenGL, or one that is too old
+    Interrupted = 130  ///< stopped by the user
 };
 
 /// An error that a user can cause, as one sentence that says where, what, and what to do.

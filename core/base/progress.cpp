@@ -11,7 +11,9 @@ void Progress::check() const {
 Progress Progress::part(double from, double to) const {
     Progress sub{nullptr, stop};
     if (report)
-        sub.report = [outer = report, from, to](double share, std::string_view stage) { outer(from + (to - from) * share, stage); };
+        sub.report = [outer = report, from, to](double share, std::string_view stage) {
+            outer(from + (to - from) * share, stage);
+        };
     return sub;
 }
 

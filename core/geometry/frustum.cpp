@@ -31,13 +31,14 @@ Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, doub
     frustum.farDistance = farDistance;
     // A point p is inside the right plane where p·right <= tan·(p·forward).
     const auto side = [&](const Vec3& axis, double tangent) { return Plane{glm::normalize(forward * tangent + axis), 0.0}; };
-    frustum.planes = {side(right, tanHalfWidth), side(-right, tanHalfWidth), side(up, tanHalfHeight), side(-up, tanHalfHeight),
-                      Plane{forward, -nearDistance}, Plane{-forward, farDistance}};
+    frustum.planes = {side(right, tanHalfWidth), side(-right, tanHalfWidth),    side(up, tanHalfHeight),
+                      side(-up, tanHalfHeight),  Plane{forward, -nearDistance}, Plane{-forward, farDistance}};
     return frustum;
 }
 
 EyeBox relativeToEye(const Box3& box, const Vec3& eye) {
-    const Vec3 rounding = (glm::abs(eye) + glm::max(glm::abs(box.min), glm::abs(box.max))) * (4 * std::numeric_limits<double>::epsilon());
+    const Vec3 rounding =
+        (glm::abs(eye) + glm::max(glm::abs(box.min), glm::abs(box.max))) * (4 * std::numeric_limits<double>::epsilon());
     return {box.centre() - eye, box.halfExtent() + rounding};
 }
 

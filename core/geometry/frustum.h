@@ -31,8 +31,8 @@ struct Frustum {
 
 /// Builds the planes from an orthonormal basis; exact to a few ulp for any near : far ratio, because no row of a
 /// projection matrix is subtracted from another.
-[[nodiscard]] Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double tanHalfWidth, double tanHalfHeight,
-                                  double nearDistance, double farDistance);
+[[nodiscard]] Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double tanHalfWidth,
+                                  double tanHalfHeight, double nearDistance, double farDistance);
 
 /// A box in coordinates relative to the eye.
 struct EyeBox {
@@ -55,7 +55,8 @@ struct EyeBox {
 /// What it costs: objects within a millionth of their distance outside a plane are kept.
 [[nodiscard]] constexpr double conservativeSlack(double magnitude) { return magnitude * 0x1p-20; }
 
-/// How a box lies to one plane. Conservative both ways: `Outside` and `Inside` are said only where they hold with `slack` to spare.
+/// How a box lies to one plane. Conservative both ways: `Outside` and `Inside` are said only where they hold with `slack` to
+/// spare.
 [[nodiscard]] inline Containment classify(const Plane& plane, const EyeBox& box, double slack) {
     const double centre = plane.distance(box.centre);
     const double reach = glm::dot(glm::abs(plane.normal), box.half);

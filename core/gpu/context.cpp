@@ -51,9 +51,10 @@ struct EglContext {
 
 EGLContext createContext(EGLDisplay display, EGLConfig config) {
     for (const EGLint profile : {EGL_CONTEXT_OPENGL_COMPATIBILITY_PROFILE_BIT, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT}) {
-        const std::array<EGLint, 7> attributes{EGL_CONTEXT_MAJOR_VERSION, 4,       EGL_CONTEXT_MINOR_VERSION, 5,
-                                               EGL_CONTEXT_OPENGL_PROFILE_MASK, profile, EGL_NONE};
-        if (const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data()); context != EGL_NO_CONTEXT)
+        const std::array<EGLint, 7> attributes{
+            EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK, profile, EGL_NONE};
+        if (const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+            context != EGL_NO_CONTEXT)
             return context;
     }
     return EGL_NO_CONTEXT;
@@ -68,14 +69,17 @@ std::optional<EglContext> contextOn(EGLDisplay display, const char* platform) {
     const std::array<EGLint, 5> wanted{EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
     EGLConfig config = nullptr;
     EGLint count = 0;
-    if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1) return std::nullopt;
+    if (!eglBindAPI(EGL_OPENGL_API) || !eglChooseConfig(display, wanted.data(), &config, 1, &count) || count < 1)
+        return std::nullopt;
     made.context = createContext(display, config);
-    if (made.context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, made.context)) return std::nullopt;
+    if (made.context == EGL_NO_CONTEXT || !eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, made.context))
+        return std::nullopt;
     return made;
 }
 
 std::vector<EGLDeviceEXT> devices() {
-    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") && !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base"))
+    if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") &&
+        !epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_base"))
         return {};
     EGLint count = 0;
     if (!eglQueryDevicesEXT(0, nullptr, &count) || count < 1) return {};
@@ -90,7 +94,8 @@ std::optional<EglContext> bestContext() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) return std::nullopt;
     std::optional<EglContext> software;
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-        auto made = contextOn(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "surfaceless");
+        auto made =
+            contextOn(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr), "surfaceless");
         if (made && !isSoftware(text(GL_RENDERER))) return made;
         software = std::move(made);
     }
@@ -109,13 +114,15 @@ std::optional<EglContext> bestContext() {
 GlInfo requireOpenGl45() {
     GlInfo info;
     info.version = text(GL_VERSION);
-    if (info.version.empty()) throwOpenGl(CULLSCOPE_TR("There is no OpenGL context here: install a graphics driver with OpenGL 4.5, or Mesa."));
+    if (info.version.empty())
+        throwOpenGl(CULLSCOPE_TR("There is no OpenGL context here: install a graphics driver with OpenGL 4.5, or Mesa."));
     info.vendor = text(GL_VENDOR);
     info.renderer = text(GL_RENDERER);
     glGetIntegerv(GL_MAJOR_VERSION, &info.major);
     glGetIntegerv(GL_MINOR_VERSION, &info.minor);
     if (info.major * 10 + info.minor < 45)
-        throwOpenGl(CULLSCOPE_TR("OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa's software OpenGL with LIBGL_ALWAYS_SOFTWARE=1."),
+        throwOpenGl(CULLSCOPE_TR("OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa's "
+                                 "software OpenGL with LIBGL_ALWAYS_SOFTWARE=1."),
                     {info.version, info.renderer});
     GLint profile = 0;
     glGetIntegerv(GL_CONTEXT_PROFILE_MASK, &profile);
@@ -132,7 +139,9 @@ struct HeadlessContext::Implementation {
 HeadlessContext::HeadlessContext() {
     std::optional<EglContext> made = bestContext();
     if (!made)
-        throwOpenGl(CULLSCOPE_TR("No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU's driver."));
+        throwOpenGl(
+            CULLSCOPE_TR("No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. "
+                         "Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU's driver."));
     m_implementation = std::make_unique<Implementation>();
     m_implementation->egl = std::move(*made);
     m_implementation->info = requireOpenGl45();

@@ -12,7 +12,13 @@ namespace cullscope {
 namespace {
 
 /// Uniform locations that the shaders declare.
-enum Uniform : GLint { kClipFromPositions = 0, kEyeRelativeFromPositions = 1, kNormalMatrix = 2, kSurfaceColour = 3, kFirstTriangle = 4 };
+enum Uniform : GLint {
+    kClipFromPositions = 0,
+    kEyeRelativeFromPositions = 1,
+    kNormalMatrix = 2,
+    kSurfaceColour = 3,
+    kFirstTriangle = 4
+};
 
 constexpr GLuint kPosition = 0;
 constexpr GLuint kNormal = 1;
@@ -33,8 +39,10 @@ public:
         glDepthFunc(GL_GREATER);
         glDepthMask(GL_TRUE);
         glClearDepth(0.0);
-        if (facing == Facing::Front) glEnable(GL_CULL_FACE);
-        else glDisable(GL_CULL_FACE);
+        if (facing == Facing::Front)
+            glEnable(GL_CULL_FACE);
+        else
+            glDisable(GL_CULL_FACE);
         glCullFace(GL_BACK);
     }
     ~DrawingState() {
@@ -138,7 +146,9 @@ public:
         glVertexArrayElementBuffer(m_vertexArray, gpu.indices);
         m_indices = nullptr;
     }
-    [[nodiscard]] const void* indexAddress(uint32_t firstIndex) const { return m_indices + size_t{firstIndex} * sizeof(uint32_t); }
+    [[nodiscard]] const void* indexAddress(uint32_t firstIndex) const {
+        return m_indices + size_t{firstIndex} * sizeof(uint32_t);
+    }
 
 private:
     [[nodiscard]] bool client() const { return m_buffers.upload() == Upload::VertexArray; }
@@ -151,7 +161,8 @@ private:
 
 /// Walks a list: `perInstance(instance)` once for each run of ranges of one instance, then one multi-draw for the run.
 template <typename PerInstance>
-void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray, const PerInstance& perInstance) {
+void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray,
+            const PerInstance& perInstance) {
     const Scene& scene = buffers.scene();
     VertexInput input(buffers, vertexArray);
     std::vector<GLsizei> counts;
@@ -180,7 +191,8 @@ void multiDraw(const std::vector<GLsizei>& counts, const std::vector<const void*
 
 }  // namespace
 
-void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target, const DrawStyle& style) {
+void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
+                    const DrawStyle& style) {
     assert(view.viewport() == target.size());
     const DrawingState state(target.size(), target.id(), list.facing);
     glClearColor(style.background.x, style.background.y, style.background.z, style.backgroundAlpha);
@@ -211,22 +223,26 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
         glDepthMask(GL_FALSE);
         glUseProgram(m_programs->item.id());
         glBindImageTexture(0, items, 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-        submit(buffers, view, list, m_programs->vertexArray, [&](std::span<const DrawRange> ranges, const auto& counts, const auto& addresses) {
-            // gl_PrimitiveID counts from 0 in every draw: each range says where it starts.
-            for (size_t i = 0; i < ranges.size(); ++i) {
-                const uint64_t first = buffers.scene().firstTriangle(ranges[i].instance) + ranges[i].firstIndex / 3;
-                glUniform1ui(kFirstTriangle, static_cast<GLuint>(first));
-                glDrawElements(GL_TRIANGLES, counts[i], GL_UNSIGNED_INT, addresses[i]);
-            }
-        });
+        submit(buffers, view, list, m_programs->vertexArray,
+               [&](std::span<const DrawRange> ranges, const auto& counts, const auto& addresses) {
+                   // gl_PrimitiveID counts from 0 in every draw: each range says where it starts.
+                   for (size_t i = 0; i < ranges.size(); ++i) {
+                       const uint64_t first = buffers.scene().firstTriangle(ranges[i].instance) + ranges[i].firstIndex / 3;
+                       glUniform1ui(kFirstTriangle, static_cast<GLuint>(first));
+                       glDrawElements(GL_TRIANGLES, counts[i], GL_UNSIGNED_INT, addresses[i]);
+                   }
+               });
         glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
         glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
         glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     }
-    ItemBuffer result{target.readDepth(), std::vector<uint32_t>(static_cast<size_t>(size.width) * static_cast<size_t>(size.height))};
-    glGetTextureImage(items, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(result.triangle.size() * sizeof(uint32_t)), result.triangle.data());
+    ItemBuffer result{target.readDepth(),
+                      std::vector<uint32_t>(static_cast<size_t>(size.width) * static_cast<size_t>(size.height))};
+    glGetTextureImage(items, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, static_cast<GLsizei>(result.triangle.size() * sizeof(uint32_t)),
+                      result.triangle.data());
     glDeleteTextures(1, &items);
-    // The image holds triangle numbers with "nothing" as the largest; the result counts from 1 with 0 as nothing: one addition wraps.
+    // The image holds triangle numbers with "nothing" as the largest; the result counts from 1 with 0 as nothing: one addition
+    // wraps.
     for (uint32_t& triangle : result.triangle) ++triangle;
     return result;
 }
@@ -235,7 +251,8 @@ DrawList everything(const Scene& scene, Facing facing) {
     DrawList list{facing, {}};
     list.ranges.reserve(scene.instances().size());
     for (uint32_t i = 0; i < scene.instances().size(); ++i)
-        if (const size_t indices = scene.meshOf(i).indices().size(); indices > 0) list.ranges.push_back({i, 0, static_cast<uint32_t>(indices)});
+        if (const size_t indices = scene.meshOf(i).indices().size(); indices > 0)
+            list.ranges.push_back({i, 0, static_cast<uint32_t>(indices)});
     return list;
 }
 

@@ -27,7 +27,8 @@ public:
     Renderer& operator=(const Renderer&) = delete;
 
     /// Clears `target` and draws the list as seen by `view` (whose viewport must be the target's size).
-    void draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target, const DrawStyle& style = {});
+    void draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
+              const DrawStyle& style = {});
 
     /// Ground truth: for every pixel the depth and the lowest triangle number (Scene numbering + 1; 0 = nothing) at that depth.
     /// Draws `list` in a depth pass with the same vertex program as `draw`, then with GL_EQUAL and an atomic minimum.

@@ -14,9 +14,11 @@ SceneBuffers::MeshBuffers uploaded(const TriangleMesh& mesh) {
     const std::span normals = mesh.normals();
     buffers.normalsOffset = positions.size_bytes();
     glCreateBuffers(1, &buffers.vertices);
-    glNamedBufferStorage(buffers.vertices, static_cast<GLsizeiptr>(positions.size_bytes() + normals.size_bytes()), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferStorage(buffers.vertices, static_cast<GLsizeiptr>(positions.size_bytes() + normals.size_bytes()), nullptr,
+                         GL_DYNAMIC_STORAGE_BIT);
     glNamedBufferSubData(buffers.vertices, 0, static_cast<GLsizeiptr>(positions.size_bytes()), positions.data());
-    glNamedBufferSubData(buffers.vertices, static_cast<GLintptr>(buffers.normalsOffset), static_cast<GLsizeiptr>(normals.size_bytes()), normals.data());
+    glNamedBufferSubData(buffers.vertices, static_cast<GLintptr>(buffers.normalsOffset),
+                         static_cast<GLsizeiptr>(normals.size_bytes()), normals.data());
     glCreateBuffers(1, &buffers.indices);
     glNamedBufferStorage(buffers.indices, static_cast<GLsizeiptr>(mesh.indices().size_bytes()), mesh.indices().data(), 0);
     return buffers;
@@ -24,10 +26,13 @@ SceneBuffers::MeshBuffers uploaded(const TriangleMesh& mesh) {
 
 }  // namespace
 
-SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload) : m_scene(std::move(scene)), m_upload(upload), m_meshes(m_scene->meshes().size()) {
+SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload)
+    : m_scene(std::move(scene)), m_upload(upload), m_meshes(m_scene->meshes().size()) {
     if (upload == Upload::VertexArray) {
         if (!requireOpenGl45().compatibilityProfile)
-            throwOpenGl(CULLSCOPE_TR("Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use buffer objects (vbo)."));
+            throwOpenGl(
+                CULLSCOPE_TR("Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use "
+                             "buffer objects (vbo)."));
         return;
     }
     while (glGetError() != GL_NO_ERROR) {
@@ -35,8 +40,9 @@ SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload) : m_scene(std::mov
     for (size_t i = 0; i < m_meshes.size(); ++i)
         if (m_scene->meshes()[i]->triangleCount() > 0) m_meshes[i] = uploaded(*m_scene->meshes()[i]);
     if (glGetError() == GL_OUT_OF_MEMORY)
-        throwOpenGl(CULLSCOPE_TR("The graphics memory does not hold this scene (%1 bytes): use client vertex arrays or a smaller scene."),
-                    {std::to_string(m_scene->bytes())});
+        throwOpenGl(
+            CULLSCOPE_TR("The graphics memory does not hold this scene (%1 bytes): use client vertex arrays or a smaller scene."),
+            {std::to_string(m_scene->bytes())});
 }
 
 SceneBuffers::~SceneBuffers() {

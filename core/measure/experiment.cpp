@@ -17,7 +17,7 @@ using Clock = std::chrono::steady_clock;
 struct Contestant {
     StrategyRequest request;
     StrategyPointer strategy;
-    bool askedFor = true;  ///< false: a baseline that runs along for the ratios
+    bool askedFor = true;                       ///< false: a baseline that runs along for the ratios
     std::vector<double> frameTimes, cullTimes;  ///< of the pose in hand
     RunMeasurement run;
 };
@@ -29,7 +29,8 @@ public:
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
         for (const StrategyRequest& strategy : request.strategies) add(strategy, true);
         for (const char* baseline : {"all", "backface"})
-            if (indexOf(baseline) == m_contestants.size()) add({baseline, ParameterSet(findStrategy(baseline).info.parameters)}, false);
+            if (indexOf(baseline) == m_contestants.size())
+                add({baseline, ParameterSet(findStrategy(baseline).info.parameters)}, false);
     }
 
     MeasureResult run() {
@@ -63,7 +64,8 @@ private:
 
     /// The first contestant of an id; their number where there is none.
     [[nodiscard]] size_t indexOf(const std::string& id) const {
-        const auto found = std::find_if(m_contestants.begin(), m_contestants.end(), [&](const Contestant& c) { return c.request.id == id; });
+        const auto found =
+            std::find_if(m_contestants.begin(), m_contestants.end(), [&](const Contestant& c) { return c.request.id == id; });
         return static_cast<size_t>(found - m_contestants.begin());
     }
 

@@ -22,11 +22,11 @@ struct StrategyRequest {
 
 /// How often a frame is repeated (measurement.md, "Timing").
 struct TimingProtocol {
-    int warmUp = 1;               ///< frames of each strategy and pose that do not count
-    int fixedRepetitions = 0;     ///< 0: until the median is steady
+    int warmUp = 1;            ///< frames of each strategy and pose that do not count
+    int fixedRepetitions = 0;  ///< 0: until the median is steady
     int leastRepetitions = 3;
     int mostRepetitions = 21;
-    double steadyWithin = 0.02;   ///< relative change of every strategy's median over the last two rounds
+    double steadyWithin = 0.02;            ///< relative change of every strategy's median over the last two rounds
     double longFrameMilliseconds = 250.0;  ///< frames above it are repeated leastRepetitions times only
 };
 
@@ -35,7 +35,7 @@ struct MeasureRequest {
     std::vector<StrategyRequest> strategies;
     CameraPath path;
     Viewport size;
-    int windows = 1;              ///< pictures of that size a frame
+    int windows = 1;  ///< pictures of that size a frame
     Upload upload = Upload::Vbo;
     TimingProtocol timing;
     bool accuracy = true;
@@ -56,10 +56,10 @@ struct Summary {
     double fpsOverall = 0.0;  ///< poses / total time
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
-    double cullShare = 0.0;       ///< of the frame time
-    double culledFraction = 0.0;  ///< of the scene's triangles, mean over poses
-    std::optional<double> missedPixelRate;  ///< missed / covered, over all poses
-    double speedupVsAll = 0.0;    ///< mean over poses of the ratio of frame times
+    double cullShare = 0.0;                    ///< of the frame time
+    double culledFraction = 0.0;               ///< of the scene's triangles, mean over poses
+    std::optional<double> missedPixelRate;     ///< missed / covered, over all poses
+    double speedupVsAll = 0.0;                 ///< mean over poses of the ratio of frame times
     std::array<double, 2> speedupVsAllCi95{};  ///< bootstrap over poses
     double speedupVsBackface = 0.0;
     std::array<double, 2> speedupVsBackfaceCi95{};

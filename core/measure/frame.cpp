@@ -4,8 +4,8 @@
 
 namespace cullscope {
 
-FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view, Framebuffer& target,
-                        const DrawStyle& style) {
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view,
+                        Framebuffer& target, const DrawStyle& style) {
     const auto start = std::chrono::steady_clock::now();
     FrameResult result;
     result.verdict = strategy.cull(view);

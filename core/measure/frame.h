@@ -13,7 +13,7 @@ struct FrameResult {
 };
 
 /// Culls, draws into `target` and waits for the GPU.
-FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view, Framebuffer& target,
-                        const DrawStyle& style = {});
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view,
+                        Framebuffer& target, const DrawStyle& style = {});
 
 }  // namespace cullscope

@@ -36,9 +36,10 @@ void addInstance(RTCDevice device, RTCScene target, const Scene& scene, uint32_t
     const Mat4& place = scene.instances()[number].worldFromMesh;
     const Vec3 origin = Vec3(place[3]) - eye + Mat3(place) * mesh.origin();
     RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* vertices = static_cast<Vec3f*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.vertexCount()));
-    auto* indices = static_cast<uint32_t*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(uint32_t), mesh.triangleCount()));
+    auto* vertices = static_cast<Vec3f*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.vertexCount()));
+    auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+                                                                   3 * sizeof(uint32_t), mesh.triangleCount()));
     for (size_t v = 0; v < mesh.vertexCount(); ++v) vertices[v] = Vec3f(origin + Mat3(place) * Vec3(mesh.positions()[v]));
     std::copy(mesh.indices().begin(), mesh.indices().end(), indices);
     rtcCommitGeometry(geometry);
@@ -46,8 +47,8 @@ void addInstance(RTCDevice device, RTCScene target, const Scene& scene, uint32_t
     rtcReleaseGeometry(geometry);
 }
 
-/// Embree's normal is (v1 − v0) × (v2 − v0) reversed by its convention; a face is front where it winds counter-clockwise seen from
-/// the ray's origin, turned around for mirrored instances.
+/// Embree's normal is (v1 − v0) × (v2 − v0) reversed by its convention; a face is front where it winds counter-clockwise seen
+/// from the ray's origin, turned around for mirrored instances.
 struct FrontFilter {
     const Scene* scene;
 };
@@ -83,7 +84,8 @@ PlaneDepth depthOnPlane(const std::array<Vec3, 3>& corners, const View& view, co
 }  // namespace
 
 RayReference rayReference(const Scene& scene, const View& view, Facing facing, const Progress& progress) {
-    if (scene.triangleCount() > uint64_t{UINT32_MAX} - 1) throwUsage(CULLSCOPE_TR("The scene has too many triangles for the ray reference."));
+    if (scene.triangleCount() > uint64_t{UINT32_MAX} - 1)
+        throwUsage(CULLSCOPE_TR("The scene has too many triangles for the ray reference."));
     const DevicePointer device(rtcNewDevice(nullptr));
     const ScenePointerRtc tracer(rtcNewScene(device.get()));
     rtcSetSceneFlags(tracer.get(), RTC_SCENE_FLAG_ROBUST);

@@ -113,17 +113,21 @@ std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<fl
 
 namespace {
 
-/// Pixel coordinates (y upward) of a scene triangle's corners; nothing where a corner lies behind the eye.
-std::optional<std::array<Vec2, 3>> projected(const Scene& scene, const View& view, uint64_t triangle) {
+/// A triangle as the raster sees it: corners in pixels (y upward) with their reversed depth in z.
+using RasterTriangle = std::array<Vec3, 3>;
+
+/// Nothing where a corner lies behind the eye.
+std::optional<RasterTriangle> rasterised(const Scene& scene, const View& view, uint64_t triangle) {
     const size_t number = scene.instanceOf(triangle);
     const TriangleMesh& mesh = scene.meshOf(number);
     const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
-    std::array<Vec2, 3> corners;
+    RasterTriangle corners;
     for (size_t i = 0; i < 3; ++i) {
         const Vec3 world(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0));
         const Vec4 clip = view.clipFromEyeRelative() * Vec4(world - view.eye(), 1.0);
         if (!(clip.w > 0.0)) return std::nullopt;
-        corners[i] = {(clip.x / clip.w + 1.0) * 0.5 * view.viewport().width, (clip.y / clip.w + 1.0) * 0.5 * view.viewport().height};
+        corners[i] = {(clip.x / clip.w + 1.0) * 0.5 * view.viewport().width,
+                      (clip.y / clip.w + 1.0) * 0.5 * view.viewport().height, clip.z / clip.w};
     }
     return corners;
 }
@@ -135,19 +139,34 @@ double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
     return glm::length(point - a - along * t);
 }
 
+double distanceToEdges(const RasterTriangle& triangle, const Vec2& point) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < 3; ++i)
+        nearest = std::min(nearest, distanceToSegment(point, Vec2(triangle[i]), Vec2(triangle[(i + 1) % 3])));
+    return nearest;
+}
+
+/// How much the depth of the triangle's plane changes over one pixel: |∂z/∂x| + |∂z/∂y|.
+double depthPerPixel(const RasterTriangle& triangle) {
+    const Vec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    return (std::abs(normal.x) + std::abs(normal.y)) / std::abs(normal.z);
+}
+
 }  // namespace
 
 uint64_t missedBeyondSnapping(const Reference& reference, const std::vector<float>& depth, const Scene& scene, const View& view) {
-    constexpr double kSnapping = 1.0 / 64;
+    constexpr double kNearAnEdge = 1.0 / 64;
+    constexpr double kShift = 1.0 / 128;
     uint64_t beyond = 0;
     const auto width = static_cast<size_t>(reference.size.width);
     for (size_t pixel = 0; pixel < depth.size(); ++pixel) {
         if (!(depth[pixel] < reference.depth[pixel]) || reference.triangle[pixel] == 0) continue;
-        const auto corners = projected(scene, view, reference.triangle[pixel] - 1);
+        const auto triangle = rasterised(scene, view, reference.triangle[pixel] - 1);
         const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
-        double nearest = std::numeric_limits<double>::infinity();
-        for (size_t i = 0; corners && i < 3; ++i) nearest = std::min(nearest, distanceToSegment(centre, (*corners)[i], (*corners)[(i + 1) % 3]));
-        if (!(nearest <= kSnapping)) ++beyond;
+        const double gap = double(reference.depth[pixel]) - double(depth[pixel]);
+        const bool explained =
+            triangle && (distanceToEdges(*triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(*triangle));
+        if (!explained) ++beyond;
     }
     return beyond;
 }

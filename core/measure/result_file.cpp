@@ -26,7 +26,9 @@ Json frameJson(const FrameMeasurement& frame) {
               {"cull_ms", frame.cullMilliseconds},
               {"repetitions", frame.repetitions},
               {"considered_triangles", frame.consideredTriangles}};
-    const auto figure = [&](uint64_t Accuracy::*member) { return frame.accuracy ? Json((*frame.accuracy).*member) : Json(nullptr); };
+    const auto figure = [&](uint64_t Accuracy::*member) {
+        return frame.accuracy ? Json((*frame.accuracy).*member) : Json(nullptr);
+    };
     json["visible_triangles"] = figure(&Accuracy::visibleTriangles);
     json["missed_pixels"] = figure(&Accuracy::missedPixels);
     json["extra_pixels"] = figure(&Accuracy::extraPixels);
@@ -97,8 +99,16 @@ std::string resultJson(const MeasureResult& result) {
     const ToolVersion tool = toolVersion();
     const Scene& scene = *result.request.scene;
     Json json{{"tool", {{"name", tool.name}, {"version", tool.version}, {"commit", tool.commit}}},
-              {"machine", {{"cpu", cpuName()}, {"gl_renderer", result.gl.renderer}, {"gl_version", result.gl.version}, {"gl_software", result.gl.software}}},
-              {"scene", {{"name", scene.name()}, {"sha256", scene.sha256()}, {"triangles", scene.triangleCount()}, {"instances", scene.instances().size()}}},
+              {"machine",
+               {{"cpu", cpuName()},
+                {"gl_renderer", result.gl.renderer},
+                {"gl_version", result.gl.version},
+                {"gl_software", result.gl.software}}},
+              {"scene",
+               {{"name", scene.name()},
+                {"sha256", scene.sha256()},
+                {"triangles", scene.triangleCount()},
+                {"instances", scene.instances().size()}}},
               {"path", result.request.path.name},
               {"interrupted", result.interrupted},
               {"runs", Json::array()}};

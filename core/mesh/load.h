@@ -12,17 +12,17 @@ namespace cullscope {
 
 /// What was wrong with a file and what became of it. All counts are of faces or vertices of the file.
 struct LoadReport {
-    size_t facesRead = 0;            ///< face records in the file, before triangulation
-    size_t trianglesMade = 0;        ///< triangles that the meshes hold
-    size_t degenerateFaces = 0;      ///< dropped: fewer than three different corners, or an area of exactly zero
-    size_t duplicateFaces = 0;       ///< dropped: the same three vertices in the same direction as an earlier one
-    size_t nonManifoldEdges = 0;     ///< kept and counted: edges with more than two triangles
-    size_t nonFiniteVertices = 0;    ///< NaN or infinite; the faces that use them are dropped
-    size_t outOfRangeFaces = 0;      ///< dropped: a corner's index names no vertex
-    size_t unreferencedVertices = 0; ///< dropped: no face uses them
-    size_t normalsMade = 0;          ///< vertices whose normal was missing or unusable and was made from the faces
-    bool analysed = true;            ///< false where duplicates and non-manifold edges were not counted (mesh above kOptionalAnalysisLimit)
-    std::vector<Message> remarks;    ///< anything else that was ignored or mended, a sentence each
+    size_t facesRead = 0;             ///< face records in the file, before triangulation
+    size_t trianglesMade = 0;         ///< triangles that the meshes hold
+    size_t degenerateFaces = 0;       ///< dropped: fewer than three different corners, or an area of exactly zero
+    size_t duplicateFaces = 0;        ///< dropped: the same three vertices in the same direction as an earlier one
+    size_t nonManifoldEdges = 0;      ///< kept and counted: edges with more than two triangles
+    size_t nonFiniteVertices = 0;     ///< NaN or infinite; the faces that use them are dropped
+    size_t outOfRangeFaces = 0;       ///< dropped: a corner's index names no vertex
+    size_t unreferencedVertices = 0;  ///< dropped: no face uses them
+    size_t normalsMade = 0;           ///< vertices whose normal was missing or unusable and was made from the faces
+    bool analysed = true;  ///< false where duplicates and non-manifold edges were not counted (mesh above kOptionalAnalysisLimit)
+    std::vector<Message> remarks;  ///< anything else that was ignored or mended, a sentence each
 
     /// Whether anything was repaired, dropped or found wrong.
     [[nodiscard]] bool clean() const;
@@ -43,15 +43,17 @@ struct LoadedFile {
 };
 
 struct LoadOptions {
-    size_t memoryLimitBytes = 0;   ///< 0: three quarters of the machine's memory; refused before allocating when it would be passed
-    bool hash = true;              ///< compute `sha256`
+    size_t memoryLimitBytes =
+        0;             ///< 0: three quarters of the machine's memory; refused before allocating when it would be passed
+    bool hash = true;  ///< compute `sha256`
 };
 
 /// Reads OBJ, PLY (ASCII, binary, triangle strips), STL (ASCII, binary), OFF or OM; the content decides where it is
 /// unmistakable, else the extension. Coordinates stay as in the file: doubles are kept as floats about a double origin.
 /// Throws Error(Input) with one sentence naming file, line or byte, what is wrong and what to do; Error(Interrupted) within
 /// 100 ms of a stop request. Never allocates by a number that the file merely claims.
-[[nodiscard]] LoadedFile loadMeshFile(const std::filesystem::path& path, const LoadOptions& options = {}, const Progress& progress = {});
+[[nodiscard]] LoadedFile loadMeshFile(const std::filesystem::path& path, const LoadOptions& options = {},
+                                      const Progress& progress = {});
 
 /// Extensions that loadMeshFile reads, lower case without a dot ("obj", "ply", …).
 [[nodiscard]] const std::vector<std::string>& readableMeshExtensions();

@@ -18,7 +18,7 @@ struct Topology {
     size_t inconsistentEdges = 0;  ///< edges that two triangles walk in the same direction
     bool closed = false;           ///< no boundary edge and no non-manifold edge
     bool consistentlyOriented = false;
-    bool outward = false;          ///< the signed volume is positive (meaningful for closed meshes)
+    bool outward = false;  ///< the signed volume is positive (meaningful for closed meshes)
 
     /// Whether back faces can never be seen from outside: what `facing = auto` asks.
     [[nodiscard]] bool frontFacesSuffice() const { return closed && consistentlyOriented && outward; }

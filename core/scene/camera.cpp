@@ -29,7 +29,8 @@ void validate(const Camera& camera, const Viewport& viewport) {
         throwUsage(CULLSCOPE_TR("The camera's eye and target are the same point: move one of them."));
     if (!(glm::length(camera.up) > 0.0)) throwUsage(CULLSCOPE_TR("The camera's up vector is zero: give it a direction."));
     if (!(camera.fovy > Angle::fromDegrees(0)) || !(camera.fovy < Angle::fromDegrees(180)))
-        throwUsage(CULLSCOPE_TR("The field of view must lie between 0 and 180 degrees, not %1."), {std::to_string(camera.fovy.degrees())});
+        throwUsage(CULLSCOPE_TR("The field of view must lie between 0 and 180 degrees, not %1."),
+                   {std::to_string(camera.fovy.degrees())});
     if (!(camera.nearDistance > 0.0) || !(camera.farDistance > camera.nearDistance) || !std::isfinite(camera.farDistance))
         throwUsage(CULLSCOPE_TR("The near distance must be above 0 and below the far distance (near %1, far %2)."),
                    {std::to_string(camera.nearDistance), std::to_string(camera.farDistance)});

@@ -11,7 +11,8 @@ namespace {
 Box3 absoluteBounds(const TriangleMesh& mesh) {
     Box3 box = mesh.localBounds();
     if (box.empty()) return box;
-    const Vec3 room = (glm::abs(mesh.origin()) + glm::max(glm::abs(box.min), glm::abs(box.max))) * std::numeric_limits<double>::epsilon();
+    const Vec3 room =
+        (glm::abs(mesh.origin()) + glm::max(glm::abs(box.min), glm::abs(box.max))) * std::numeric_limits<double>::epsilon();
     box.min += mesh.origin() - room;
     box.max += mesh.origin() + room;
     return box;
@@ -29,7 +30,8 @@ Sphere around(const std::vector<Sphere>& spheres, const Box3& bounds) {
     if (bounds.empty()) return {};
     if (spheres.size() == 1) return spheres.front();
     Sphere sphere{bounds.centre(), 0.0};
-    for (const Sphere& part : spheres) sphere.radius = std::max(sphere.radius, glm::length(part.centre - sphere.centre) + part.radius);
+    for (const Sphere& part : spheres)
+        sphere.radius = std::max(sphere.radius, glm::length(part.centre - sphere.centre) + part.radius);
     return sphere;
 }
 
@@ -85,7 +87,8 @@ bool Scene::frontFacesSuffice() const {
     size_t triangles = 0;
     for (const MeshPointer& mesh : m_meshes) triangles += mesh->triangleCount();
     if (triangles > kOptionalAnalysisLimit) return false;
-    return std::all_of(m_meshes.begin(), m_meshes.end(), [](const MeshPointer& mesh) { return mesh->topology().frontFacesSuffice(); });
+    return std::all_of(m_meshes.begin(), m_meshes.end(),
+                       [](const MeshPointer& mesh) { return mesh->topology().frontFacesSuffice(); });
 }
 
 }  // namespace cullscope

@@ -12,8 +12,8 @@ namespace cullscope {
 
 /// One object of a scene: a mesh put somewhere by an affine transform.
 struct Instance {
-    uint32_t mesh = 0;          ///< index into Scene::meshes()
-    Mat4 worldFromMesh{1.0};    ///< applied to the mesh's double coordinates (origin + position)
+    uint32_t mesh = 0;        ///< index into Scene::meshes()
+    Mat4 worldFromMesh{1.0};  ///< applied to the mesh's double coordinates (origin + position)
     std::string name;
 };
 
@@ -40,7 +40,8 @@ public:
     /// A sphere around the scene: the camera paths' R.
     [[nodiscard]] const Sphere& boundingSphere() const { return m_sphere; }
 
-    /// Hash of everything that is drawn (positions, indices, transforms): lower-case hexadecimal SHA-256. Computed when asked for.
+    /// Hash of everything that is drawn (positions, indices, transforms): lower-case hexadecimal SHA-256. Computed when asked
+    /// for.
     [[nodiscard]] std::string sha256() const;
     [[nodiscard]] size_t bytes() const;
 

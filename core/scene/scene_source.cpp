@@ -44,7 +44,8 @@ public:
         double parsed = 0.0;
         const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), parsed);
         if (error != std::errc() || end != value.data() + value.size() || !(parsed >= least && parsed <= most))
-            throwUsage(CULLSCOPE_TR("%1: %2=%3 is not a number between %4 and %5."), {m_generator, key, value, shortest(least), shortest(most)});
+            throwUsage(CULLSCOPE_TR("%1: %2=%3 is not a number between %4 and %5."),
+                       {m_generator, key, value, shortest(least), shortest(most)});
         return parsed;
     }
 
@@ -57,7 +58,8 @@ public:
         if (!m_values.empty()) {
             std::string known;
             for (const GeneratorParameter& parameter : info.parameters) known += (known.empty() ? "" : ", ") + parameter.key;
-            throwUsage(CULLSCOPE_TR("%1 has no parameter \"%2\". It has: %3."), {m_generator, m_values.begin()->first, known.empty() ? "-" : known});
+            throwUsage(CULLSCOPE_TR("%1 has no parameter \"%2\". It has: %3."),
+                       {m_generator, m_values.begin()->first, known.empty() ? "-" : known});
         }
         const bool takesFile = info.id == "mesh";
         if (!takesFile && !m_unnamed.empty())
@@ -77,7 +79,9 @@ private:
         size_t start = 0;
         for (size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
             size_t end = comma + 1;
-            while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-' || text[end] == '_')) ++end;
+            while (end < text.size() &&
+                   (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-' || text[end] == '_'))
+                ++end;
             if (end == comma + 1 || end >= text.size() || text[end] != '=') continue;
             pieces.emplace_back(text.substr(start, comma - start));
             start = comma + 1;
@@ -101,8 +105,8 @@ struct Request {
 
 OpenedScene sceneOfOne(MeshPointer mesh, const Request& request) {
     std::vector<Instance> instances{{0, Mat4(1.0), mesh->name()}};
-    return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{std::move(mesh)}, std::move(instances)), request.specification,
-            std::nullopt};
+    return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{std::move(mesh)}, std::move(instances)),
+            request.specification, std::nullopt};
 }
 
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
@@ -113,12 +117,15 @@ OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOpti
         instances.push_back({static_cast<uint32_t>(meshes.size()), Mat4(1.0), object.name});
         meshes.push_back(std::move(object.mesh));
     }
-    return {std::make_shared<Scene>(path.filename().string(), std::move(meshes), std::move(instances)), path.string(), std::move(file.report)};
+    return {std::make_shared<Scene>(path.filename().string(), std::move(meshes), std::move(instances)), path.string(),
+            std::move(file.report)};
 }
 
 std::filesystem::path bunnyOrThrow(const SceneSourceOptions& options) {
     if (const auto found = findBunny(options)) return *found;
-    throwInput(CULLSCOPE_TR("No bunny is installed here. Install the package glmark2-data, or name a folder that holds bunny.obj with --models DIR or CULLSCOPE_MODELS."));
+    throwInput(
+        CULLSCOPE_TR("No bunny is installed here. Install the package glmark2-data, or name a folder that holds bunny.obj with "
+                     "--models DIR or CULLSCOPE_MODELS."));
 }
 
 /// A file's path; the word "bunny" stands for the installed one.
@@ -152,7 +159,8 @@ MeshPointer merged(const Scene& scene) {
 
 OpenedScene openResampledMesh(Request& request) {
     if (request.arguments.unnamed().empty()) throwUsage(CULLSCOPE_TR("mesh: names no file. Write mesh:FILE,triangles=N."));
-    OpenedScene opened = sceneOfFile(meshFile(request.arguments.unnamed(), request.options), request.options, request.progress.part(0.0, 0.3));
+    OpenedScene opened =
+        sceneOfFile(meshFile(request.arguments.unnamed(), request.options), request.options, request.progress.part(0.0, 0.3));
     const size_t triangles = request.arguments.count("triangles", double(opened.scene->triangleCount()), 2e9);
     if (triangles == opened.scene->triangleCount()) {
         opened.specification = request.specification;
@@ -185,7 +193,8 @@ OpenedScene openField(Request& request) {
             place[3] = Vec4(Vec3((double(i) - half) * spacing, 0.0, (double(j) - half) * spacing) - centre * scale, 1.0);
             instances.push_back({0, place, mesh->name() + " " + std::to_string(i) + "," + std::to_string(j)});
         }
-    return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{mesh}, std::move(instances)), request.specification, std::move(one.report)};
+    return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{mesh}, std::move(instances)),
+            request.specification, std::move(one.report)};
 }
 
 constexpr double kMostTriangles = 2e9;
@@ -197,11 +206,15 @@ OpenedScene openParametric(Request& request) {
         return sceneOfOne(starMesh(seed, request.arguments.count("triangles", 1e5, kMostTriangles)), request);
     }
     const size_t triangles = request.arguments.count("triangles", id == "teapot" ? 64e3 : 1e5, kMostTriangles);
-    return sceneOfOne(id == "teapot" ? teapotMesh(triangles) : id == "sphere" ? sphereMesh(triangles) : id == "torus" ? torusMesh(triangles) : knotMesh(triangles),
+    return sceneOfOne(id == "teapot"   ? teapotMesh(triangles)
+                      : id == "sphere" ? sphereMesh(triangles)
+                      : id == "torus"  ? torusMesh(triangles)
+                                       : knotMesh(triangles),
                       request);
 }
 
-const GeneratorParameter kTriangles{"triangles", "1e5", CULLSCOPE_TR("how many triangles, to the nearest that the shape's grid allows")};
+const GeneratorParameter kTriangles{"triangles", "1e5",
+                                    CULLSCOPE_TR("how many triangles, to the nearest that the shape's grid allows")};
 
 struct Generator {
     GeneratorInfo info;
@@ -247,7 +260,8 @@ const Generator* generatorOf(std::string_view specification) {
 
 OpenedScene openScene(std::string_view specification, const SceneSourceOptions& options, const Progress& progress) {
     const std::string text(specification);
-    if (text.empty()) throwUsage(CULLSCOPE_TR("No scene is named. Give a mesh file or a generator such as bunny or sphere:triangles=1e5."));
+    if (text.empty())
+        throwUsage(CULLSCOPE_TR("No scene is named. Give a mesh file or a generator such as bunny or sphere:triangles=1e5."));
     const Generator* generator = generatorOf(specification);
     if (generator == nullptr || (text.find(':') == std::string::npos && std::filesystem::is_regular_file(text))) {
         const bool looksLikeFile = std::filesystem::exists(text) || text.find_first_of("./\\") != std::string::npos;
@@ -257,7 +271,8 @@ OpenedScene openScene(std::string_view specification, const SceneSourceOptions& 
         throwUsage(CULLSCOPE_TR("\"%1\" is neither a file nor a generator. Generators: %2."), {text, known});
     }
     const size_t colon = text.find(':');
-    GeneratorArguments arguments(generator->info.id, colon == std::string::npos ? std::string_view() : specification.substr(colon + 1));
+    GeneratorArguments arguments(generator->info.id,
+                                 colon == std::string::npos ? std::string_view() : specification.substr(colon + 1));
     Request request{arguments, generator->info, options, progress, text};
     // A parameter nobody knows is refused before the work, so that a typing error does not cost a minute.
     GeneratorArguments check = arguments;

@@ -15,8 +15,8 @@ namespace cullscope {
 /// A scene and how it came about.
 struct OpenedScene {
     ScenePointer scene;
-    std::string specification;           ///< what was asked for: "field:mesh=…,n=20,spacing=2.5" or a file's path
-    std::optional<LoadReport> report;    ///< where a file was read
+    std::string specification;         ///< what was asked for: "field:mesh=…,n=20,spacing=2.5" or a file's path
+    std::optional<LoadReport> report;  ///< where a file was read
 };
 
 struct SceneSourceOptions {
@@ -26,7 +26,8 @@ struct SceneSourceOptions {
 
 /// Opens SCENE of the command line: a mesh file, or a generator with parameters (`sphere:triangles=1e6`).
 /// Throws Error(Usage) naming the parameter for a bad specification, Error(Input) for a bad file, Error(Interrupted) on stop.
-[[nodiscard]] OpenedScene openScene(std::string_view specification, const SceneSourceOptions& options = {}, const Progress& progress = {});
+[[nodiscard]] OpenedScene openScene(std::string_view specification, const SceneSourceOptions& options = {},
+                                    const Progress& progress = {});
 
 struct GeneratorParameter {
     std::string key;
@@ -44,7 +45,8 @@ struct GeneratorInfo {
 /// `bunny` where one is installed (see findBunny), else `teapot`: nothing to download.
 [[nodiscard]] std::string defaultSceneSpecification(const SceneSourceOptions& options = {});
 
-/// The real bunny: in the given folders, CULLSCOPE_MODELS, the installed data, /usr/share/glmark2/models; empty where there is none.
+/// The real bunny: in the given folders, CULLSCOPE_MODELS, the installed data, /usr/share/glmark2/models; empty where there is
+/// none.
 [[nodiscard]] std::optional<std::filesystem::path> findBunny(const SceneSourceOptions& options);
 
 }  // namespace cullscope

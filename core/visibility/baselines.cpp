@@ -50,14 +50,21 @@ private:
 }  // namespace
 
 StrategyInfo allInfo() {
-    return {"all", CULLSCOPE_TR("All triangles"), CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."), "", {}};
+    return {"all",
+            CULLSCOPE_TR("All triangles"),
+            CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
+            "",
+            {}};
 }
 
 StrategyPointer makeAll(ParameterSet parameters) { return std::make_unique<All>(std::move(parameters)); }
 
 StrategyInfo backfaceInfo() {
-    return {"backface", CULLSCOPE_TR("Back-face culling"),
-            CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."), "", {}};
+    return {"backface",
+            CULLSCOPE_TR("Back-face culling"),
+            CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
+            "",
+            {}};
 }
 
 StrategyPointer makeBackface(ParameterSet parameters) { return std::make_unique<Backface>(std::move(parameters)); }

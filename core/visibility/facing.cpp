@@ -5,7 +5,8 @@
 namespace cullscope {
 
 ParameterDeclaration facingParameter() {
-    return choiceParameter("facing", "auto", CULLSCOPE_TR("Which faces are drawn: both sides, or only those whose front is turned to the eye."),
+    return choiceParameter("facing", "auto",
+                           CULLSCOPE_TR("Which faces are drawn: both sides, or only those whose front is turned to the eye."),
                            {{"auto", CULLSCOPE_TR("front where every mesh is closed, else two-sided")},
                             {"two-sided", CULLSCOPE_TR("both sides")},
                             {"front", CULLSCOPE_TR("front sides only")}});

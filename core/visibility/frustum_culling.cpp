@@ -75,7 +75,8 @@ private:
             const bool outside = distance < -bounds.slack;
             if (trace != nullptr)
                 trace->events.push_back({TraceEvent::Kind::TestedPlane, instance, static_cast<FrustumPlane>(p),
-                                         outside ? Containment::Outside : Containment::Straddles, distance, Cause::OutsideFrustum});
+                                         outside ? Containment::Outside : Containment::Straddles, distance,
+                                         Cause::OutsideFrustum});
             if (outside) return true;
         }
         return false;
@@ -88,13 +89,14 @@ private:
 }  // namespace
 
 StrategyInfo frustumInfo() {
-    return {"frustum",
-            CULLSCOPE_TR("View-frustum culling"),
-            CULLSCOPE_TR("Leaves out objects whose bounds lie outside one of the six planes of the view."),
-            "Assarsson & Möller 2000; Orangelie 2023",
-            {facingParameter(), choiceParameter("box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
-                                                {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
-                                                 {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
+    return {
+        "frustum",
+        CULLSCOPE_TR("View-frustum culling"),
+        CULLSCOPE_TR("Leaves out objects whose bounds lie outside one of the six planes of the view."),
+        "Assarsson & Möller 2000; Orangelie 2023",
+        {facingParameter(), choiceParameter("box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
+                                            {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
+                                             {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
 }
 
 StrategyPointer makeFrustum(ParameterSet parameters) { return std::make_unique<FrustumCulling>(std::move(parameters)); }

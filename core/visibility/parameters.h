@@ -23,7 +23,7 @@ struct ParameterDeclaration {
     ParameterValue defaultValue;
     double minimum = 0.0;  ///< of numbers, inclusive
     double maximum = 0.0;
-    std::string unit;      ///< "", "px", "°", …
+    std::string unit;         ///< "", "px", "°", …
     std::string description;  ///< one English sentence, marked for translation
     std::vector<Choice> choices;
 };

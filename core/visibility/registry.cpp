@@ -29,6 +29,8 @@ StrategyPointer makeStrategy(std::string_view id) {
     return found.make(ParameterSet(found.info.parameters));
 }
 
-StrategyPointer makeStrategy(std::string_view id, ParameterSet parameters) { return findStrategy(id).make(std::move(parameters)); }
+StrategyPointer makeStrategy(std::string_view id, ParameterSet parameters) {
+    return findStrategy(id).make(std::move(parameters));
+}
 
 }  // namespace cullscope

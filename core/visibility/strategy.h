@@ -40,12 +40,12 @@ struct Stage {
 /// The answer to one `cull`.
 struct Verdict {
     DrawList drawList;
-    uint64_t consideredTriangles = 0;  ///< given to OpenGL
+    uint64_t consideredTriangles = 0;                     ///< given to OpenGL
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; what OpenGL culls itself (back faces) is not known here
     uint64_t nodesVisited = 0;
-    uint64_t bytesTouched = 0;         ///< of the strategy's structures
+    uint64_t bytesTouched = 0;  ///< of the strategy's structures
     std::vector<Stage> stages;
-    double cullMilliseconds = 0.0;     ///< all of `cull`
+    double cullMilliseconds = 0.0;  ///< all of `cull`
 };
 
 /// What a strategy built: for `cullbench inspect` and result files.

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/measure/experiment.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/scene_source.h"
+
+namespace cullscope::cullbench {
+
+/// What every command shares.
+struct Context {
+    std::stop_token stop;             ///< Ctrl-C
+    SceneSourceOptions sceneOptions;  ///< --models
+    int exitStatus = 0;               ///< what the command decides besides errors
+};
+
+void addListCommand(CLI::App& app, Context& context);
+void addRenderCommand(CLI::App& app, Context& context);
+void addMeasureCommand(CLI::App& app, Context& context);
+void addExportCommand(CLI::App& app, Context& context);
+void addInspectCommand(CLI::App& app, Context& context);
+void addPathCommand(CLI::App& app, Context& context);
+
+/// A progress bar on standard error where that is a terminal, nothing in a pipe.
+[[nodiscard]] Progress terminalProgress(const Context& context);
+/// Takes the bar off the terminal before something is printed.
+void clearProgress();
+
+/// Opens a scene with a progress bar; says on standard error what the file's loader repaired.
+[[nodiscard]] OpenedScene openSceneForCommand(const std::string& specification, const Context& context);
+
+/// "640x480". Throws Error(Usage).
+[[nodiscard]] Viewport sizeFromText(const std::string& text);
+/// "x,y,z". Throws Error(Usage) naming the option.
+[[nodiscard]] Vec3 vectorFromText(const std::string& option, const std::string& text);
+
+/// Strategies from `-s A,B:key=value` and `-p [A.]key=value`. Throws Error(Usage).
+[[nodiscard]] std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
+                                                              const std::vector<std::string>& parameters);
+
+/// Writes text to a file, whole or not at all; "-" is standard output.
+void writeText(const std::string& path, const std::string& text);
+
+}  // namespace cullscope::cullbench

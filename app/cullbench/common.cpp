@@ -1,0 +1,130 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <cmath>
+#include <iostream>
+
+#include "app/cullbench/commands.h"
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+constexpr int kBarWidth = 30;
+
+void drawBar(double share, std::string_view stage) {
+    const int filled = static_cast<int>(std::lround(std::clamp(share, 0.0, 1.0) * kBarWidth));
+    fmt::print(stderr, "\r[{:#<{}}{:.<{}}] {:3.0f} % {:<24.24}", "", filled, "", kBarWidth - filled, share * 100, stage);
+    std::fflush(stderr);
+}
+
+bool parse(std::string_view text, double& number) {
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
+}
+
+/// Splits "key=value"; throws where there is no '='.
+std::pair<std::string, std::string> keyAndValue(const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos || equals == 0) throwUsage(CULLSCOPE_TR("\"%1\" is not of the form key=value."), {text});
+    return {text.substr(0, equals), text.substr(equals + 1)};
+}
+
+StrategyRequest strategyFromText(const std::string& text) {
+    size_t colon = text.find(':');
+    StrategyRequest request;
+    request.id = text.substr(0, colon);
+    request.parameters = ParameterSet(findStrategy(request.id).info.parameters);
+    while (colon != std::string::npos) {
+        const size_t next = text.find(':', colon + 1);
+        const auto [key, value] = keyAndValue(text.substr(colon + 1, next == std::string::npos ? next : next - colon - 1));
+        request.parameters.setFromText(key, value);
+        colon = next;
+    }
+    return request;
+}
+
+bool declares(const StrategyRequest& request, const std::string& key) {
+    return std::any_of(request.parameters.declarations().begin(), request.parameters.declarations().end(),
+                       [&](const ParameterDeclaration& declaration) { return declaration.key == key; });
+}
+
+/// `A.key=value` goes to every strategy A, `key=value` to every one that has the key.
+void apply(const std::string& text, std::vector<StrategyRequest>& requests) {
+    const auto [name, value] = keyAndValue(text);
+    const size_t dot = name.find('.');
+    const std::string id = dot == std::string::npos ? "" : name.substr(0, dot);
+    const std::string key = dot == std::string::npos ? name : name.substr(dot + 1);
+    bool used = false;
+    for (StrategyRequest& request : requests) {
+        if (id.empty() ? !declares(request, key) : request.id != id) continue;
+        request.parameters.setFromText(key, value);
+        used = true;
+    }
+    if (used) return;
+    if (!id.empty()) throwUsage(CULLSCOPE_TR("-p %1: the strategy \"%2\" is not among those of -s."), {text, id});
+    // With one strategy its own error names what it has.
+    if (requests.size() == 1) requests.front().parameters.setFromText(key, value);
+    throwUsage(CULLSCOPE_TR("-p %1: none of the strategies has a parameter \"%2\"."), {text, key});
+}
+
+}  // namespace
+
+Progress terminalProgress(const Context& context) {
+    Progress progress{nullptr, context.stop};
+    if (isatty(STDERR_FILENO) != 0) progress.report = drawBar;
+    return progress;
+}
+
+void clearProgress() {
+    if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:{}}\r", "", kBarWidth + 36);
+}
+
+OpenedScene openSceneForCommand(const std::string& specification, const Context& context) {
+    OpenedScene opened = openScene(specification, context.sceneOptions, terminalProgress(context));
+    clearProgress();
+    if (opened.report)
+        for (const Message& sentence : opened.report->sentences())
+            fmt::print(stderr, "cullbench: {}: {}\n", specification, sentence.english());
+    return opened;
+}
+
+Viewport sizeFromText(const std::string& text) {
+    const size_t x = text.find_first_of("xX");
+    Viewport size{0, 0};
+    const auto number = [&](size_t from, size_t to, int& value) {
+        const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
+        return error == std::errc() && end == text.data() + to && value >= 1 && value <= 16384;
+    };
+    if (x == std::string::npos || !number(0, x, size.width) || !number(x + 1, text.size(), size.height))
+        throwUsage(CULLSCOPE_TR("--size %1 is not WIDTHxHEIGHT with 1 to 16384 pixels, as in 640x480."), {text});
+    return size;
+}
+
+Vec3 vectorFromText(const std::string& option, const std::string& text) {
+    Vec3 vector(0.0);
+    size_t from = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const size_t comma = axis < 2 ? text.find(',', from) : text.size();
+        if (comma == std::string::npos || !parse(std::string_view(text).substr(from, comma - from), vector[axis]))
+            throwUsage(CULLSCOPE_TR("%1 %2 is not three numbers x,y,z."), {option, text});
+        from = comma + 1;
+    }
+    return vector;
+}
+
+std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
+                                                const std::vector<std::string>& parameters) {
+    std::vector<StrategyRequest> requests;
+    for (const std::string& name : names) requests.push_back(strategyFromText(name));
+    for (const std::string& parameter : parameters) apply(parameter, requests);
+    return requests;
+}
+
+void writeText(const std::string& path, const std::string& text) {
+    writeFileAtomically(path, [&](std::ostream& out) { out << text; });
+}
+
+}  // namespace cullscope::cullbench

@@ -1,0 +1,128 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cullbench/commands.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct Options {
+    std::string what;
+    bool json = false;
+};
+
+const char* typeName(ParameterType type) {
+    switch (type) {
+        case ParameterType::Boolean:
+            return "boolean";
+        case ParameterType::Integer:
+            return "integer";
+        case ParameterType::Real:
+            return "real";
+        case ParameterType::Choice:
+            break;
+    }
+    return "choice";
+}
+
+Json parameterJson(const ParameterDeclaration& parameter) {
+    Json json{{"key", parameter.key}, {"type", typeName(parameter.type)}};
+    std::visit([&](const auto& value) { json["default"] = value; }, parameter.defaultValue);
+    if (parameter.type == ParameterType::Integer || parameter.type == ParameterType::Real) {
+        json["minimum"] = parameter.minimum;
+        json["maximum"] = parameter.maximum;
+        json["unit"] = parameter.unit;
+    }
+    if (parameter.type == ParameterType::Choice)
+        for (const auto& choice : parameter.choices)
+            json["choices"].push_back({{"id", choice.id}, {"description", choice.description}});
+    json["description"] = parameter.description;
+    return json;
+}
+
+Json strategiesJson() {
+    Json list = Json::array();
+    for (const RegisteredStrategy& strategy : strategies()) {
+        Json parameters = Json::array();
+        for (const ParameterDeclaration& parameter : strategy.info.parameters) parameters.push_back(parameterJson(parameter));
+        list.push_back({{"id", strategy.info.id},
+                        {"name", strategy.info.name},
+                        {"description", strategy.info.description},
+                        {"source", strategy.info.source},
+                        {"parameters", parameters}});
+    }
+    return list;
+}
+
+Json scenesJson() {
+    Json list = Json::array();
+    for (const GeneratorInfo& generator : sceneGenerators()) {
+        Json parameters = Json::array();
+        for (const GeneratorParameter& parameter : generator.parameters)
+            parameters.push_back(
+                {{"key", parameter.key}, {"default", parameter.defaultValue}, {"description", parameter.description}});
+        list.push_back({{"id", generator.id}, {"description", generator.description}, {"parameters", parameters}});
+    }
+    return list;
+}
+
+void printStrategies() {
+    fmt::print("Strategies (-s ID, -p key=value)\n");
+    for (const RegisteredStrategy& strategy : strategies()) {
+        fmt::print("  {:<12} {}\n", strategy.info.id, strategy.info.description);
+        for (const ParameterDeclaration& parameter : strategy.info.parameters) {
+            std::string range;
+            for (const auto& choice : parameter.choices) range += (range.empty() ? "" : " | ") + choice.id;
+            if (range.empty()) range = fmt::format("{} … {} {}", parameter.minimum, parameter.maximum, parameter.unit);
+            fmt::print("    {} = {} (default {}): {}\n", parameter.key, range, toText(parameter.defaultValue),
+                       parameter.description);
+        }
+    }
+}
+
+void printScenes() {
+    fmt::print("Scenes: a mesh file (");
+    for (const std::string& extension : readableMeshExtensions())
+        fmt::print("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
+    fmt::print(") or a generator\n");
+    for (const GeneratorInfo& generator : sceneGenerators()) {
+        fmt::print("  {:<12} {}\n", generator.id, generator.description);
+        for (const GeneratorParameter& parameter : generator.parameters)
+            fmt::print("    {} (default {}): {}\n", parameter.key,
+                       parameter.defaultValue.empty() ? "none" : parameter.defaultValue, parameter.description);
+    }
+    fmt::print("Camera paths (--path): a JSON file or\n");
+    for (const BuiltInPath& path : builtInPaths()) fmt::print("  {:<12} {}\n", path.id, path.description);
+}
+
+void run(const Options& options) {
+    const bool everything = options.what.empty();
+    if (options.json) {
+        Json json;
+        if (everything || options.what == "scenes") json["scenes"] = scenesJson();
+        if (everything || options.what == "strategies") json["strategies"] = strategiesJson();
+        // The papers' experiments come with their strategies; the list says truly that there are none yet.
+        if (everything || options.what == "experiments") json["experiments"] = Json::array();
+        fmt::print("{}\n", json.dump(1));
+        return;
+    }
+    if (everything || options.what == "strategies") printStrategies();
+    if (everything || options.what == "scenes") printScenes();
+    if (everything || options.what == "experiments") fmt::print("Experiments: none in this version\n");
+}
+
+}  // namespace
+
+void addListCommand(CLI::App& app, Context& /*context*/) {
+    CLI::App* command = app.add_subcommand("list", "What there is: scenes, strategies with their parameters, experiments");
+    auto options = std::make_shared<Options>();
+    command->add_option("what", options->what, "scenes, strategies or experiments")
+        ->check(CLI::IsMember({"scenes", "strategies", "experiments"}));
+    command->add_flag("--json", options->json, "as JSON");
+    command->callback([options] { run(*options); });
+}
+
+}  // namespace cullscope::cullbench

@@ -1,0 +1,117 @@
+#include <fmt/format.h>
+
+#include "app/cullbench/commands.h"
+#include "core/base/error.h"
+#include "core/gpu/context.h"
+#include "core/measure/result_file.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+struct Options {
+    std::string scene, path, json, csv;
+    std::vector<std::string> strategies, parameters;
+    std::string size = "640x480", upload = "vbo";
+    int windows = 1, repeat = 0;
+    bool noAccuracy = false;
+};
+
+void printTable(const MeasureResult& result, FILE* out) {
+    const Scene& scene = *result.request.scene;
+    fmt::print(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
+               scene.instances().size(), result.runs.front().frames.size(), result.request.path.poses.size(),
+               result.request.path.name, result.request.size.width, result.request.size.height);
+    fmt::print(out, "{}{}\n", result.gl.renderer, result.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
+    fmt::print(out, "{:<24} {:<12} {:>9} {:>9} {:>17} {:>12} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
+               "x all [95 %]", "x backface", "culled", "cull ms", "missed px", "hole px");
+    for (const RunMeasurement& run : result.runs) {
+        if (run.frames.empty()) continue;
+        const Summary& s = run.summary;
+        uint64_t missed = 0, hole = 0;
+        for (const FrameMeasurement& frame : run.frames)
+            if (frame.accuracy) {
+                missed += frame.accuracy->missedPixels;
+                hole = std::max(hole, frame.accuracy->largestHolePixels);
+            }
+        std::string name = run.strategy.id;
+        for (const ParameterDeclaration& parameter : run.strategy.parameters.declarations())
+            if (const ParameterValue& value = run.strategy.parameters.value(parameter.key); value != parameter.defaultValue)
+                name += " " + parameter.key + "=" + toText(value);
+        fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>12.2f} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n", name,
+                   promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
+                   fmt::format("{:.2f} [{:.2f},{:.2f}]", s.speedupVsAll, s.speedupVsAllCi95[0], s.speedupVsAllCi95[1]),
+                   s.speedupVsBackface, s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
+                   result.request.accuracy ? std::to_string(missed) : "-", result.request.accuracy ? std::to_string(hole) : "-");
+    }
+}
+
+MeasureRequest requestOf(const Options& options, const OpenedScene& opened) {
+    MeasureRequest request;
+    request.scene = opened.scene;
+    request.strategies = strategiesFromText(options.strategies, options.parameters);
+    request.path = cameraPath(options.path.empty() ? defaultPathName(*opened.scene) : options.path, *opened.scene);
+    request.size = sizeFromText(options.size);
+    request.windows = options.windows;
+    request.upload = options.upload == "vbo" ? Upload::Vbo : Upload::VertexArray;
+    request.timing.fixedRepetitions = options.repeat;
+    request.accuracy = !options.noAccuracy;
+    return request;
+}
+
+void report(const Options& options, const MeasureResult& result) {
+    if (!options.json.empty()) writeText(options.json, resultJson(result));
+    if (!options.csv.empty()) writeText(options.csv, resultCsv(result));
+    // Where standard output carries data, the table goes beside it.
+    printTable(result, options.json == "-" || options.csv == "-" ? stderr : stdout);
+}
+
+int statusOf(const MeasureResult& result) {
+    int status = 0;
+    for (const RunMeasurement& run : result.runs)
+        if (run.promiseBroken()) {
+            fmt::print(stderr, "cullbench: {} promises to be {} and lost pixels\n", run.strategy.id, promiseId(run.promise));
+            status = 1;
+        }
+    return result.interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
+}
+
+void run(const Options& options, Context& context) {
+    // What can be wrong with the words is said before a long load.
+    (void)strategiesFromText(options.strategies, options.parameters);
+    (void)sizeFromText(options.size);
+    const OpenedScene opened = openSceneForCommand(options.scene, context);
+    const HeadlessContext gl;
+    const MeasureResult result = measure(requestOf(options, opened), terminalProgress(context));
+    clearProgress();
+    report(options, result);
+    context.exitStatus = statusOf(result);
+}
+
+}  // namespace
+
+void addMeasureCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("measure", "Times strategies side by side and counts what each one lost");
+    auto options = std::make_shared<Options>();
+    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,B")->required()->delimiter(',');
+    command
+        ->add_option("-p,--parameter", options->parameters, "parameter: A.key=value, or key=value for every strategy that has it")
+        ->allow_extra_args(false);
+    command->add_option("--path", options->path,
+                        "camera path: file or built-in name (default: fibonacci:16 for one object, walk:16 for many)");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--windows", options->windows, "pictures a frame: 1, 4 or 8")
+        ->check(CLI::IsMember({1, 4, 8}))
+        ->capture_default_str();
+    command->add_option("--upload", options->upload, "vbo or vertex-array")
+        ->check(CLI::IsMember({"vbo", "vertex-array"}))
+        ->capture_default_str();
+    command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
+        ->check(CLI::Range(1, 100000));
+    command->add_flag("--no-accuracy", options->noAccuracy, "time only");
+    command->add_option("--json", options->json, "result file; - is standard output");
+    command->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");
+    command->callback([options, &context] { run(*options, context); });
+}
+
+}  // namespace cullscope::cullbench

@@ -1,0 +1,104 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "app/cullbench/commands.h"
+#include "core/base/error.h"
+#include "core/mesh/save.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+struct ExportOptions {
+    std::string scene, output;
+};
+
+void runExport(const ExportOptions& options, const Context& context) {
+    const OpenedScene opened = openSceneForCommand(options.scene, context);
+    std::vector<PlacedMesh> placed;
+    for (size_t i = 0; i < opened.scene->instances().size(); ++i) {
+        const Instance& instance = opened.scene->instances()[i];
+        placed.push_back({instance.name, &opened.scene->meshOf(i), instance.worldFromMesh});
+    }
+    saveMeshFile(options.output, placed, terminalProgress(context));
+    clearProgress();
+    fmt::print("{}: {} triangles in {} objects\n", options.output, opened.scene->triangleCount(), placed.size());
+}
+
+struct InspectOptions {
+    std::string scene, strategy, json;
+    std::vector<std::string> parameters;
+};
+
+void runInspect(const InspectOptions& options, const Context& context) {
+    const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
+    const OpenedScene opened = openSceneForCommand(options.scene, context);
+    const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
+    strategy->build(*opened.scene, terminalProgress(context));
+    clearProgress();
+    const StructureReport& structure = strategy->structure();
+    const Scene& scene = *opened.scene;
+    const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
+    if (!options.json.empty()) {
+        nlohmann::ordered_json json{{"scene",
+                                     {{"name", scene.name()},
+                                      {"triangles", scene.triangleCount()},
+                                      {"instances", scene.instances().size()},
+                                      {"bytes", scene.bytes()}}},
+                                    {"strategy", request.id},
+                                    {"promise", promiseId(strategy->promise())},
+                                    {"facing", facing},
+                                    {"build_ms", structure.buildMilliseconds},
+                                    {"structure_bytes", structure.bytes}};
+        for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
+        writeText(options.json, json.dump(1) + "\n");
+    }
+    if (options.json == "-") return;
+    fmt::print("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
+               scene.bytes());
+    fmt::print("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
+               structure.buildMilliseconds, structure.bytes);
+    for (const StructureReport::Figure& figure : structure.figures) fmt::print("  {} {}\n", figure.name, figure.value);
+}
+
+struct PathOptions {
+    std::string name, scene, output;
+};
+
+void runPath(const PathOptions& options, const Context& context) {
+    const OpenedScene opened = openSceneForCommand(options.scene, context);
+    const CameraPath path = cameraPath(options.name, *opened.scene);
+    writeCameraPath(options.output, path);
+    if (options.output != "-") fmt::print("{}: {} poses\n", options.output, path.poses.size());
+}
+
+}  // namespace
+
+void addExportCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("export", "Writes any scene as a mesh file, one named object a component");
+    auto options = std::make_shared<ExportOptions>();
+    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    command->add_option("-o,--output", options->output, "FILE.obj, .ply or .stl")->required();
+    command->callback([options, &context] { runExport(*options, context); });
+}
+
+void addInspectCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("inspect", "What a strategy builds for a scene: bytes, build time, nodes");
+    auto options = std::make_shared<InspectOptions>();
+    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    command->add_option("-s,--strategy", options->strategy, "strategy")->required();
+    command->add_option("-p,--parameter", options->parameters, "parameter of the strategy: key=value")->allow_extra_args(false);
+    command->add_option("--json", options->json, "result file; - is standard output");
+    command->callback([options, &context] { runInspect(*options, context); });
+}
+
+void addPathCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("path", "Writes a built-in camera path as a file, for other programs");
+    auto options = std::make_shared<PathOptions>();
+    command->add_option("NAME", options->name, "orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3")->required();
+    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    command->add_option("-o,--output", options->output, "file; - is standard output")->required();
+    command->callback([options, &context] { runPath(*options, context); });
+}
+
+}  // namespace cullscope::cullbench

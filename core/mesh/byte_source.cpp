@@ -1,0 +1,144 @@
+#include "core/mesh/byte_source.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <openssl/evp.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <system_error>
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+/// Small enough that even slow text is parsed within a few milliseconds between two questions for a stop.
+constexpr size_t kBlock = size_t{256} << 10;
+
+std::string systemReason() { return std::error_code(errno, std::generic_category()).message(); }
+
+}  // namespace
+
+struct ByteSource::Hash {
+    EVP_MD_CTX* context = EVP_MD_CTX_new();
+
+    Hash() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
+    ~Hash() { EVP_MD_CTX_free(context); }
+    Hash(const Hash&) = delete;
+    Hash& operator=(const Hash&) = delete;
+
+    [[nodiscard]] std::string hexadecimal() const {
+        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+        unsigned int length = 0;
+        EVP_DigestFinal_ex(context, digest.data(), &length);
+        std::string text;
+        for (unsigned int i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
+        return text;
+    }
+};
+
+ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash)
+    : m_name(path.string()), m_progress(progress) {
+    // Not blocking: opening a pipe that nobody writes to would otherwise wait for ever.
+    m_file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
+    if (m_file < 0)
+        throwInput(CULLSCOPE_TR("%1 cannot be opened: %2. Check the path and the permissions."), {m_name, systemReason()});
+    struct stat status {};
+    const bool known = fstat(m_file, &status) == 0;
+    if (!known || !S_ISREG(status.st_mode) || status.st_size == 0) {
+        close(m_file);
+        if (known && S_ISDIR(status.st_mode)) throwInput(CULLSCOPE_TR("%1 is a folder. Name a mesh file inside it."), {m_name});
+        if (known && S_ISREG(status.st_mode)) throwInput(CULLSCOPE_TR("%1 is empty. Fetch or export the file again."), {m_name});
+        throwInput(CULLSCOPE_TR("%1 is not a regular file. Save the mesh in a file and name that."), {m_name});
+    }
+    m_size = static_cast<uint64_t>(status.st_size);
+    m_buffer.resize(kBlock);
+    if (hash) m_hash = std::make_unique<Hash>();
+}
+
+ByteSource::~ByteSource() { close(m_file); }
+
+bool ByteSource::refill(size_t wanted) {
+    if (m_atEnd) return false;
+    m_progress.check();
+    if (m_begin > 0) {
+        std::memmove(m_buffer.data(), m_buffer.data() + m_begin, m_end - m_begin);
+        m_end -= m_begin;
+        m_begin = 0;
+    }
+    // Grows with what has been read, never by more than a file with so many bytes needs.
+    if (m_buffer.size() < std::min(wanted, m_end + kBlock) || m_end == m_buffer.size()) m_buffer.resize(m_end + kBlock);
+    ssize_t got = 0;
+    do {
+        got = read(m_file, m_buffer.data() + m_end, std::min(kBlock, m_buffer.size() - m_end));
+    } while (got < 0 && errno == EINTR);
+    if (got < 0)
+        throwInput(CULLSCOPE_TR("%1 cannot be read after byte %2: %3. Copy the file again."),
+                   {m_name, std::to_string(m_readBytes), systemReason()});
+    m_atEnd = got == 0;
+    if (m_hash && got > 0) EVP_DigestUpdate(m_hash->context, m_buffer.data() + m_end, static_cast<size_t>(got));
+    m_end += static_cast<size_t>(got);
+    m_readBytes += static_cast<size_t>(got);
+    m_progress.tell(std::min(1.0, static_cast<double>(m_readBytes) / static_cast<double>(m_size)),
+                    CULLSCOPE_TR("Reading the file"));
+    return !m_atEnd;
+}
+
+std::string_view ByteSource::peek(size_t wanted) {
+    wanted = std::min(wanted, kLongestLine);
+    while (m_end - m_begin < wanted && refill(wanted)) {
+    }
+    return {m_buffer.data() + m_begin, m_end - m_begin};
+}
+
+void ByteSource::skip(uint64_t count) {
+    while (count > m_end - m_begin) {
+        count -= m_end - m_begin;
+        m_begin = m_end;
+        if (!refill(1)) return;
+    }
+    m_begin += static_cast<size_t>(count);
+}
+
+void ByteSource::decideLineEnd() {
+    const std::string_view start = peek(kBlock);
+    const bool macintosh = start.find('\n') == std::string_view::npos && start.find('\r') != std::string_view::npos;
+    m_lineEnd = macintosh ? '\r' : '\n';
+}
+
+bool ByteSource::line(std::string_view& text) {
+    if (m_lineEnd == '\0') decideLineEnd();
+    size_t searched = 0;
+    const char* end = nullptr;
+    for (;;) {
+        const char* from = m_buffer.data() + m_begin;
+        end = static_cast<const char*>(std::memchr(from + searched, m_lineEnd, m_end - m_begin - searched));
+        if (end != nullptr) break;
+        searched = m_end - m_begin;
+        if (searched > kLongestLine)
+            throwInput(CULLSCOPE_TR("%1, line %2 is longer than %3 MB. Check that the file is a mesh in a text format."),
+                       {m_name, std::to_string(m_lineNumber + 1), std::to_string(kLongestLine >> 20)});
+        if (!refill(searched + 1)) break;
+    }
+    if (end == nullptr && searched == 0) return false;
+    const size_t length = end != nullptr ? static_cast<size_t>(end - (m_buffer.data() + m_begin)) : searched;
+    text = {m_buffer.data() + m_begin, length};
+    m_begin += length + (end != nullptr ? 1 : 0);
+    if (!text.empty() && text.back() == '\r') text.remove_suffix(1);
+    ++m_lineNumber;
+    return true;
+}
+
+std::string ByteSource::sha256() {
+    do {
+        m_begin = m_end;
+    } while (refill(1));
+    return m_hash ? m_hash->hexadecimal() : std::string();
+}
+
+}  // namespace cullscope

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/progress.h"
+
+namespace cullscope {
+
+/// A file read once from front to back through one buffer. Counts bytes and lines for error messages, reports progress,
+/// asks for a stop before every block, and hashes what passes.
+class ByteSource {
+public:
+    /// Longest line of a text file that is taken: a polygon of a million corners, and short enough to be worked on between two
+    /// questions for a stop.
+    static constexpr size_t kLongestLine = size_t{8} << 20;
+
+    /// Opens a regular, non-empty file. Throws Error(Input) for anything else.
+    ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash);
+    ~ByteSource();
+    ByteSource(const ByteSource&) = delete;
+    ByteSource& operator=(const ByteSource&) = delete;
+
+    /// The path as the user gave it.
+    [[nodiscard]] const std::string& name() const { return m_name; }
+    [[nodiscard]] uint64_t size() const { return m_size; }
+    /// Offset of the first byte that was not skipped.
+    [[nodiscard]] uint64_t position() const { return m_readBytes - (m_end - m_begin); }
+    [[nodiscard]] uint64_t remaining() const { return m_size > position() ? m_size - position() : 0; }
+    /// Number of the line that `line` returned last, from 1.
+    [[nodiscard]] uint64_t lineNumber() const { return m_lineNumber; }
+    void setLineNumber(uint64_t number) { m_lineNumber = number; }
+
+    /// All buffered bytes from the current position: at least `wanted` (up to kLongestLine) unless the file ends before.
+    /// Valid until the next call.
+    [[nodiscard]] std::string_view peek(size_t wanted);
+    /// Passes over `count` bytes, buffered or not.
+    void skip(uint64_t count);
+    /// Takes the next line without its end (LF, CRLF, or CR where the file has no LF); false at the end of the file.
+    [[nodiscard]] bool line(std::string_view& text);
+
+    /// Reads what is left and gives the hash of the whole file; empty where no hash was asked for.
+    [[nodiscard]] std::string sha256();
+
+private:
+    struct Hash;
+
+    bool refill(size_t wanted);
+    void decideLineEnd();
+
+    std::string m_name;
+    Progress m_progress;
+    int m_file = -1;
+    uint64_t m_size = 0;
+    uint64_t m_readBytes = 0;
+    uint64_t m_lineNumber = 0;
+    std::vector<char> m_buffer;
+    size_t m_begin = 0;
+    size_t m_end = 0;
+    bool m_atEnd = false;
+    char m_lineEnd = '\0';  ///< not yet decided
+    std::unique_ptr<Hash> m_hash;
+};
+
+}  // namespace cullscope

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/base/progress.h"
+#include "core/geometry/types.h"
+
+namespace cullscope {
+
+/// Edges of a triangle mesh by how many triangles share them; corners at the same position count as one vertex.
+struct EdgeCounts {
+    size_t boundary = 0;      ///< edges with one triangle
+    size_t nonManifold = 0;   ///< edges with more than two triangles
+    size_t inconsistent = 0;  ///< edges that two triangles walk in the same direction
+};
+
+/// Counts the edges of triangles. Triangles with two corners at one position have no surface and are passed over.
+/// Needs fewer than 2^31 positions. Throws Error(Interrupted) on stop.
+[[nodiscard]] EdgeCounts countEdges(std::span<const Vec3f> positions, std::span<const uint32_t> indices,
+                                    const Progress& progress);
+
+}  // namespace cullscope

@@ -1,0 +1,186 @@
+#include "core/mesh/mesh_assembler.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/mesh/edges.h"
+#include "core/mesh/face_checks.h"
+#include "core/mesh/normals.h"
+#include "core/mesh/steps.h"
+
+namespace cullscope {
+namespace {
+
+/// Smaller objects would vanish in single precision.
+constexpr double kSmallestExtent = 1e-30;
+
+uint64_t threeQuartersOfTheMachine() {
+    const auto pages = static_cast<uint64_t>(std::max(0L, sysconf(_SC_PHYS_PAGES)));
+    return pages * static_cast<uint64_t>(std::max(0L, sysconf(_SC_PAGE_SIZE))) / 4 * 3;
+}
+
+template <typename Value>
+void keepOnly(std::vector<Value>& values, const std::vector<uint32_t>& newNumber) {
+    if (values.empty()) return;
+    size_t kept = 0;
+    for (size_t i = 0; i < values.size(); ++i)
+        if (newNumber[i] != kNoVertex) values[kept++] = values[i];
+    values.resize(kept);
+}
+
+/// Takes vertices out that no face uses any more.
+void dropUnusedVertices(RawMesh& raw, const Progress& progress) {
+    std::vector<uint32_t> newNumber(raw.vertexCount(), kNoVertex);
+    inSteps(raw.triangles.size(), progress, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) newNumber[raw.triangles[i]] = 0;
+    });
+    uint32_t used = 0;
+    for (uint32_t& number : newNumber)
+        if (number != kNoVertex) number = used++;
+    if (used == newNumber.size()) return;
+    progress.check();
+    keepOnly(raw.wide, newNumber);
+    keepOnly(raw.narrow, newNumber);
+    keepOnly(raw.normals, newNumber);
+    inSteps(raw.triangles.size(), progress, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) raw.triangles[i] = newNumber[raw.triangles[i]];
+    });
+}
+
+template <typename Position>
+Box3 boundsOf(std::span<const Position> positions, const Progress& progress) {
+    Box3 bounds;
+    inSteps(positions.size(), progress, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) bounds.add(Vec3(positions[i]));
+    });
+    return bounds;
+}
+
+/// The positions as offsets from `origin`; gives the memory of the old ones back.
+std::vector<Vec3f> takeOffsets(RawMesh& raw, const Vec3& origin, const Progress& progress) {
+    std::vector<Vec3f> offsets = std::move(raw.narrow);
+    if (!raw.wide.empty()) offsets.resize(raw.wide.size());
+    inSteps(offsets.size(), progress, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i) offsets[i] = Vec3f((raw.wide.empty() ? Vec3(offsets[i]) : raw.wide[i]) - origin);
+    });
+    std::vector<Vec3>().swap(raw.wide);
+    return offsets;
+}
+
+bool makeUnit(Vec3f& normal) {
+    const Vec3 wide(normal);
+    const double length = glm::length(wide);
+    if (!std::isfinite(length) || length < 1e-30) return false;
+    normal = Vec3f(wide / length);
+    return true;
+}
+
+/// Normals of the file made unit length, those that cannot be replaced by made ones. Returns how many were made.
+size_t completeNormals(TriangleMesh::Data& data, const Progress& progress) {
+    std::vector<uint32_t> missing;
+    inSteps(data.normals.size(), progress, [&](size_t begin, size_t end) {
+        for (size_t i = begin; i < end; ++i)
+            if (!makeUnit(data.normals[i])) missing.push_back(static_cast<uint32_t>(i));
+    });
+    if (!data.normals.empty() && missing.empty()) return 0;
+    std::vector<Vec3f> made = areaWeightedNormals(data.positions, data.indices, progress);
+    if (data.normals.empty()) {
+        data.normals = std::move(made);
+        return data.normals.size();
+    }
+    for (const uint32_t vertex : missing) data.normals[vertex] = made[vertex];
+    return missing.size();
+}
+
+}  // namespace
+
+MeshAssembler::MeshAssembler(std::string fileName, const LoadOptions& options, const Progress& progress)
+    : m_fileName(std::move(fileName)),
+      m_memoryLimit(options.memoryLimitBytes > 0 ? options.memoryLimitBytes : threeQuartersOfTheMachine()),
+      m_progress(progress) {}
+
+void MeshAssembler::requireMemory(uint64_t bytes) const {
+    const uint64_t needed = bytes + m_bytesMade;
+    if (needed <= m_memoryLimit) return;
+    throwInput(
+        CULLSCOPE_TR(
+            "%1 needs about %2 MB of memory, more than the %3 MB allowed. Simplify the mesh, split the file, or allow more."),
+        {m_fileName, std::to_string((needed >> 20) + 1), std::to_string(m_memoryLimit >> 20)});
+}
+
+void MeshAssembler::add(RawMesh raw, double from, double to) {
+    const Progress progress = m_progress.part(from, to);
+    progress.tell(0.0, CULLSCOPE_TR("Checking the mesh"));
+    // The largest a vertex index may be is 2^31 - 2: edges carry one more bit.
+    if (raw.vertexCount() >= (size_t{1} << 31))
+        throwInput(CULLSCOPE_TR("%1 has more than 2,147,483,647 vertices in one object. Split the object."), {m_fileName});
+    const bool analyse = raw.triangles.size() / 3 + raw.polygonEnds.size() <= kOptionalAnalysisLimit;
+    requireMemory(raw.bytes() + raw.vertexCount() * (2 * sizeof(Vec3f) + 2) + (analyse ? raw.triangles.size() * 16 : 0));
+
+    if (raw.normals.size() != raw.vertexCount()) std::vector<Vec3f>().swap(raw.normals);
+    dropUnusableFaces(raw, report, progress);
+    if (analyse) dropDuplicateFaces(raw, report, progress);
+    m_fannedPolygons += triangulatePolygons(raw, progress);
+    if (raw.triangles.empty()) return;
+    dropUnusedVertices(raw, progress);
+
+    const Box3 bounds = raw.wide.empty() ? boundsOf(std::span<const Vec3f>(raw.narrow), progress)
+                                         : boundsOf(std::span<const Vec3>(raw.wide), progress);
+    if (bounds.diagonal() < kSmallestExtent)
+        throwInput(CULLSCOPE_TR("%1: the object \"%2\" is smaller than 1e-30. Scale it up."), {m_fileName, raw.name});
+    TriangleMesh::Data data;
+    data.origin = bounds.centre();
+    data.positions = takeOffsets(raw, data.origin, progress);
+    data.normals = std::move(raw.normals);
+    data.indices = std::move(raw.triangles);
+    progress.tell(0.5, CULLSCOPE_TR("Checking the mesh"));
+    const bool hadNormals = !data.normals.empty();
+    const size_t made = completeNormals(data, progress);
+    report.normalsMade += made;
+    if (hadNormals) m_unusableNormals += made;
+    if (analyse) report.nonManifoldEdges += countEdges(data.positions, data.indices, progress).nonManifold;
+    report.analysed = report.analysed && analyse;
+    report.trianglesMade += data.indices.size() / 3;
+
+    nameUniquely(raw.name);
+    data.name = raw.name;
+    progress.check();
+    auto mesh = std::make_shared<const TriangleMesh>(std::move(data));
+    m_bytesMade += mesh->bytes();
+    m_objects.push_back({std::move(raw.name), std::move(mesh)});
+}
+
+void MeshAssembler::nameUniquely(std::string& name) {
+    const std::string wanted = name;
+    for (auto found = m_nextNumber.find(name); found != m_nextNumber.end(); found = m_nextNumber.find(name))
+        name = wanted + " (" + std::to_string(m_nextNumber[wanted]++) + ")";
+    m_nextNumber.emplace(name, 2);
+}
+
+std::vector<LoadedObject> MeshAssembler::finish() {
+    if (m_objects.empty()) {
+        if (report.facesRead == 0)
+            throwInput(CULLSCOPE_TR("%1 holds no faces. Export the mesh with its faces, not only points or lines."),
+                       {m_fileName});
+        throwInput(
+            CULLSCOPE_TR("%1 holds no usable face: all %2 are without area, out of range or not finite. Export the mesh again."),
+            {m_fileName, std::to_string(report.facesRead)});
+    }
+    if (m_unusableNormals > 0)
+        report.remarks.push_back({CULLSCOPE_TR("Normals made from the faces because some were missing or unusable: %1."),
+                                  {std::to_string(m_unusableNormals)}});
+    if (m_fannedPolygons > 0)
+        report.remarks.push_back(
+            {CULLSCOPE_TR("Polygons with so many corners that they were cut as fans, which may cover too much: %1."),
+             {std::to_string(m_fannedPolygons)}});
+    if (!report.analysed)
+        report.remarks.push_back(
+            {CULLSCOPE_TR("Duplicate faces and non-manifold edges were not looked for: the mesh has more than %1 faces."),
+             {std::to_string(kOptionalAnalysisLimit)}});
+    return std::move(m_objects);
+}
+
+}  // namespace cullscope

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "core/mesh/byte_source.h"
+#include "core/mesh/mesh_assembler.h"
+
+namespace cullscope {
+
+/// What a reader of one format works with: it reads `source` and gives the objects to `assembler`, counting
+/// `assembler.report.facesRead` itself. `objectName` is for files that name no objects.
+struct ReadJob {
+    ByteSource& source;
+    MeshAssembler& assembler;
+    const Progress& progress;
+    std::string objectName;
+};
+
+void readObj(ReadJob& job);
+void readPly(ReadJob& job);
+void readStl(ReadJob& job);
+void readOff(ReadJob& job);
+void readOm(ReadJob& job);
+
+}  // namespace cullscope

@@ -1,0 +1,129 @@
+#include "core/mesh/resample.h"
+
+#include <unistd.h>
+
+#include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+
+#include "core/base/error.h"
+#include "core/mesh/half_edge_mesh.h"
+
+namespace cullscope {
+namespace {
+
+/// Points, normals, half-edges and the algorithms' own data, measured on the bunny.
+constexpr double kBytesPerTriangle = 400.0;
+
+/// Tells how far the decimation is. (Stops come from HalfEdgeMesh, which also covers the filling of the decimater's heap.)
+class DecimationProgress : public OpenMesh::Decimater::Observer {
+public:
+    DecimationProgress(const Progress& progress, size_t collapses)
+        : Observer(4096), m_progress(progress), m_collapses(collapses) {}
+    void notify(size_t step) override {
+        m_progress.tell(std::min(1.0, static_cast<double>(step) / static_cast<double>(m_collapses)),
+                        CULLSCOPE_TR("Simplifying the mesh"));
+    }
+
+private:
+    const Progress& m_progress;
+    size_t m_collapses;
+};
+
+size_t faceCount(const HalfEdgeMesh& mesh) {
+    size_t count = 0;
+    for ([[maybe_unused]] const auto face : mesh.faces()) ++count;
+    return count;
+}
+
+void decimate(HalfEdgeMesh& mesh, size_t triangles, const Progress& progress) {
+    using Decimater = OpenMesh::Decimater::DecimaterT<HalfEdgeMesh>;
+    mesh.request_vertex_status();
+    mesh.request_edge_status();
+    mesh.request_halfedge_status();
+    mesh.request_face_status();
+    Decimater decimater(mesh);
+    OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadric;
+    decimater.add(quadric);
+    decimater.module(quadric).unset_max_err();
+    decimater.initialize();
+    DecimationProgress observer(progress, std::max<size_t>(1, (mesh.n_faces() - triangles) / 2));
+    decimater.set_observer(&observer);
+    decimater.decimate_to_faces(0, triangles);
+}
+
+/// Collapsing an inner edge takes two triangles, so that the count may end one too low. Halving the longest boundary edge adds
+/// one and changes no surface; a closed mesh always has an even count.
+void addOneTriangle(HalfEdgeMesh& mesh) {
+    HalfEdgeMesh::EdgeHandle longest;
+    for (const auto edge : mesh.edges())
+        if (mesh.is_boundary(edge) &&
+            (!longest.is_valid() || mesh.calc_edge_sqr_length(edge) > mesh.calc_edge_sqr_length(longest)))
+            longest = edge;
+    if (longest.is_valid()) mesh.split(longest, mesh.calc_edge_midpoint(longest));
+}
+
+void refuseTooLarge(double triangles) {
+    const double memory = 0.75 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE));
+    if (triangles * kBytesPerTriangle > memory)
+        throwUsage(
+            CULLSCOPE_TR(
+                "Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine's. "
+                "Ask for fewer triangles."),
+            {std::to_string(static_cast<uint64_t>(triangles * kBytesPerTriangle / (1 << 20)))});
+}
+
+/// Every level of Loop's scheme makes four triangles of one.
+int levelsNeeded(size_t from, size_t triangles) {
+    int levels = 0;
+    double count = static_cast<double>(from);
+    for (; count < static_cast<double>(triangles); count *= 4.0) ++levels;
+    refuseTooLarge(count);
+    return levels;
+}
+
+void subdivide(HalfEdgeMesh& mesh, int levels, const Progress& progress) {
+    OpenMesh::Subdivider::Uniform::LoopT<HalfEdgeMesh> loop;
+    for (int level = 0; level < levels; ++level) {
+        progress.tell(static_cast<double>(level) / levels, CULLSCOPE_TR("Subdividing the mesh"));
+        progress.check();
+        loop(mesh, 1);
+    }
+}
+
+MeshPointer copied(const TriangleMesh& mesh) {
+    TriangleMesh::Data data;
+    data.name = mesh.name();
+    data.origin = mesh.origin();
+    data.positions.assign(mesh.positions().begin(), mesh.positions().end());
+    data.normals.assign(mesh.normals().begin(), mesh.normals().end());
+    data.indices.assign(mesh.indices().begin(), mesh.indices().end());
+    return std::make_shared<const TriangleMesh>(std::move(data));
+}
+
+}  // namespace
+
+MeshPointer resampled(const TriangleMesh& mesh, size_t triangles, const Progress& progress) {
+    if (triangles == 0 || mesh.triangleCount() == 0)
+        throwUsage(CULLSCOPE_TR("A mesh cannot be changed to or from %1 triangles. Ask for at least one triangle."), {"0"});
+    if (triangles == mesh.triangleCount()) return copied(mesh);
+    refuseTooLarge(static_cast<double>(mesh.triangleCount()));
+    HalfEdgeConversion conversion(mesh, progress);
+    HalfEdgeMesh& halfEdges = conversion.mesh();
+    if (halfEdges.n_faces() == 0)
+        throwUsage(CULLSCOPE_TR("The mesh \"%1\" has no surface that could be simplified or subdivided."), {mesh.name()});
+    subdivide(halfEdges, levelsNeeded(halfEdges.n_faces(), triangles), progress.part(0.1, 0.4));
+    if (halfEdges.n_faces() > triangles) decimate(halfEdges, triangles, progress.part(0.4, 0.95));
+
+    if (faceCount(halfEdges) + 1 == triangles) addOneTriangle(halfEdges);
+    const size_t reached = faceCount(halfEdges);
+    const double difference = std::abs(static_cast<double>(reached) - static_cast<double>(triangles));
+    if (difference > 0.001 * static_cast<double>(triangles) + 2.0)
+        throwUsage(CULLSCOPE_TR("The mesh \"%1\" cannot be changed to %2 triangles: its pieces hold together only down to %3. "
+                                "Ask for at least that "
+                                "many."),
+                   {mesh.name(), std::to_string(triangles), std::to_string(reached)});
+    return conversion.flattened(progress);
+}
+
+}  // namespace cullscope

@@ -1,0 +1,173 @@
+// The command line's contract (measurement.md): exit status, fields, files whole or not at all.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/measure/picture_file.h"
+#include "tests/app/process.h"
+
+namespace {
+
+using cullscope::test::ProcessResult;
+using cullscope::test::runProcess;
+using nlohmann::json;
+using testing::HasSubstr;
+
+ProcessResult cullbench(std::vector<std::string> arguments, const std::vector<std::string>& environment = {},
+                        double interruptAfter = 0.0) {
+    arguments.insert(arguments.begin(), CULLBENCH);
+    return runProcess(arguments, environment, interruptAfter);
+}
+
+class CullbenchContract : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = std::filesystem::temp_directory_path() / ("cullbench-contract-" + std::to_string(getpid()));
+        std::filesystem::create_directories(m_folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+    [[nodiscard]] std::string file(const std::string& name) const { return (m_folder / name).string(); }
+    [[nodiscard]] size_t filesWritten() const {
+        return static_cast<size_t>(
+            std::distance(std::filesystem::directory_iterator(m_folder), std::filesystem::directory_iterator()));
+    }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+/// One sentence on standard error that starts with the program's name, and nothing half-written.
+void expectRefusal(const ProcessResult& result, int status, const std::string& mentions) {
+    EXPECT_EQ(result.exitStatus, status) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(mentions));
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_F(CullbenchContract, measureLacksAField) {
+    const ProcessResult result = cullbench({"measure", "sphere:triangles=2000", "-s", "all,backface,frustum", "--path",
+                                            "fibonacci:3", "--size", "64x48", "--repeat", "2", "--json", "-"});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    const json root = json::parse(result.out);
+    for (const char* field : {"name", "version", "commit"}) EXPECT_TRUE(root["tool"].contains(field)) << field;
+    for (const char* field : {"cpu", "gl_renderer", "gl_version"}) EXPECT_TRUE(root["machine"].contains(field)) << field;
+    EXPECT_EQ(root["scene"]["triangles"], 2000);
+    EXPECT_EQ(root["scene"]["instances"], 1);
+    EXPECT_EQ(root["scene"]["sha256"].get<std::string>().size(), 64u);
+    ASSERT_EQ(root["runs"].size(), 3u);
+    for (const json& run : root["runs"]) {
+        for (const char* field : {"strategy", "promise", "facing", "parameters", "width", "height", "windows", "upload",
+                                  "build_ms", "structure_bytes"})
+            EXPECT_TRUE(run.contains(field)) << field;
+        ASSERT_EQ(run["frames"].size(), 3u);
+        for (const char* field : {"pose", "frame_ms", "cull_ms", "considered_triangles", "visible_triangles", "missed_pixels",
+                                  "extra_pixels", "covered_pixels", "largest_hole_px", "false_culled_triangles", "case"})
+            EXPECT_TRUE(run["frames"][0].contains(field)) << field;
+        for (const char* field :
+             {"fps_overall", "fps_mean", "fps_min", "fps_max", "frame_ms_median", "frame_ms_p95", "cull_share", "culled_fraction",
+              "missed_pixel_rate", "speedup_vs_all", "speedup_vs_all_ci95", "speedup_vs_backface"})
+            EXPECT_TRUE(run["summary"].contains(field)) << field;
+    }
+    EXPECT_EQ(root["runs"][0]["summary"]["missed_pixel_rate"], 0.0);
+    EXPECT_GT(root["runs"][0]["frames"][0]["covered_pixels"], 100);
+    EXPECT_DOUBLE_EQ(root["runs"][0]["summary"]["speedup_vs_all"], 1.0);
+}
+
+TEST_F(CullbenchContract, csvDiffersFromJson) {
+    const ProcessResult result = cullbench({"measure", "torus:triangles=500", "-s", "all,frustum", "--path", "orbit:2", "--size",
+                                            "32x32", "--repeat", "1", "--json", file("r.json"), "--csv", file("r.csv")});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    std::ifstream csv(file("r.csv"));
+    std::string header, row;
+    std::getline(csv, header);
+    int rows = 0;
+    while (std::getline(csv, row)) ++rows;
+    EXPECT_EQ(rows, 4);
+    const json root = json::parse(std::ifstream(file("r.json")));
+    for (const auto& [name, value] : root["runs"][0]["frames"][0].items())
+        EXPECT_THAT("," + header + ",", HasSubstr("," + name + ","));
+    EXPECT_EQ(filesWritten(), 2u);
+}
+
+TEST_F(CullbenchContract, wrongUsageIsNotStatus2) {
+    expectRefusal(cullbench({"measure", "sphere", "-s", "nonsense"}), 2, "frustum");
+    expectRefusal(cullbench({"measure", "nonsense", "-s", "all"}), 2, "teapot");
+    expectRefusal(cullbench({"measure", "sphere:triangels=5", "-s", "all"}), 2, "triangels");
+    expectRefusal(cullbench({"measure", "sphere", "-s", "frustum", "-p", "box=cube"}), 2, "p-vertex");
+    expectRefusal(cullbench({"measure", "sphere", "-s", "frustum", "-p", "bux=length"}), 2, "bux");
+    expectRefusal(cullbench({"render", "sphere", "-s", "all", "--size", "0x5", "-o", file("a.png")}), 2, "0x5");
+    expectRefusal(cullbench({"render", "sphere:triangles=20", "-s", "all", "--eye", "1,2", "-o", file("a.png")}), 2, "--eye");
+    expectRefusal(cullbench({"frobnicate"}), 2, "");
+    EXPECT_EQ(filesWritten(), 0u);
+}
+
+TEST_F(CullbenchContract, unreadableInputIsNotStatus3) {
+    expectRefusal(cullbench({"measure", file("absent.obj"), "-s", "all"}), 3, "absent.obj");
+    std::ofstream(file("broken.ply")) << "ply\nformat ascii 1.0\nelement vertex 4000000000\n";
+    expectRefusal(cullbench({"measure", file("broken.ply"), "-s", "all"}), 3, "broken.ply");
+    std::ofstream(file("path.json")) << R"({"fovy_deg": 45, "poses": [{"eye": [0,0,3], "target": [0,0,0]}]})";
+    expectRefusal(cullbench({"measure", "sphere:triangles=20", "-s", "all", "--path", file("path.json")}), 3, "\"up\"");
+}
+
+TEST_F(CullbenchContract, missingOpenGlIsNotStatus4) {
+    const std::vector<std::string> noDriver{"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json"};
+    expectRefusal(cullbench({"measure", "sphere:triangles=20", "-s", "all"}, noDriver), 4, "OpenGL");
+    expectRefusal(cullbench({"measure", "sphere:triangles=20", "-s", "all"}, {"MESA_GL_VERSION_OVERRIDE=3.3"}), 4, "4.5");
+}
+
+TEST_F(CullbenchContract, interruptLosesWhatWasMeasured) {
+    const ProcessResult result = cullbench({"measure", "sphere:triangles=20", "-s", "all", "--path", "fibonacci:1000000",
+                                            "--size", "16x16", "--repeat", "1", "--json", file("partial.json")},
+                                           {}, 4.0);
+    EXPECT_EQ(result.exitStatus, 130) << result.err;
+    const json root = json::parse(std::ifstream(file("partial.json")));
+    EXPECT_EQ(root["interrupted"], true);
+    EXPECT_GT(root["runs"][0]["frames"].size(), 0u);
+    EXPECT_LT(root["runs"][0]["frames"].size(), 1000000u);
+}
+
+TEST_F(CullbenchContract, unwritablePlaceLeavesAFile) {
+    expectRefusal(cullbench({"render", "sphere:triangles=20", "-s", "all", "-o", file("none/a.png")}), 2, "a.png");
+    expectRefusal(cullbench({"render", "sphere:triangles=20", "-s", "all", "-o", file("a.xyz")}), 2, "a.xyz");
+    EXPECT_EQ(filesWritten(), 0u);
+}
+
+TEST_F(CullbenchContract, renderAndExportDisagreeAboutTheScene) {
+    ASSERT_EQ(cullbench({"export", "torus:triangles=5000", "-o", file("torus.obj")}).exitStatus, 0);
+    const std::vector<std::string> camera{"--eye", "1,2,3", "--target", "0,0,0", "--up", "0,1,0", "--size", "80x60"};
+    const auto render = [&](const std::string& scene, const std::string& picture) {
+        std::vector<std::string> arguments{"render", scene, "-s", "backface", "-o", file(picture)};
+        arguments.insert(arguments.end(), camera.begin(), camera.end());
+        return cullbench(arguments);
+    };
+    ASSERT_EQ(render("torus:triangles=5000", "a.png").exitStatus, 0);
+    ASSERT_EQ(render(file("torus.obj"), "b.png").exitStatus, 0);
+    const cullscope::Picture direct = cullscope::readPicture(file("a.png"));
+    const cullscope::Picture exported = cullscope::readPicture(file("b.png"));
+    EXPECT_EQ(direct.rgba, exported.rgba);
+    EXPECT_NE(std::set<uint8_t>(direct.rgba.begin(), direct.rgba.end()).size(), 1u) << "an empty picture shows nothing";
+    EXPECT_FALSE(direct.metadata.empty());
+}
+
+TEST_F(CullbenchContract, listHidesAStrategyOrScene) {
+    const json root = json::parse(cullbench({"list", "--json"}).out);
+    std::vector<std::string> strategies, scenes;
+    for (const json& each : root["strategies"]) strategies.push_back(each["id"]);
+    for (const json& each : root["scenes"]) scenes.push_back(each["id"]);
+    EXPECT_THAT(strategies, testing::IsSupersetOf({"all", "backface", "frustum"}));
+    EXPECT_THAT(scenes, testing::IsSupersetOf({"teapot", "sphere", "torus", "knot", "star", "bunny", "field", "mesh"}));
+    EXPECT_EQ(json::parse(cullbench({"list", "strategies", "--json"}).out).size(), 1u);
+}
+
+TEST_F(CullbenchContract, inspectHidesBytes) {
+    const json root = json::parse(cullbench({"inspect", "sphere:triangles=500", "-s", "frustum", "--json", "-"}).out);
+    EXPECT_GT(root["structure_bytes"], 0);
+    EXPECT_EQ(root["figures"]["objects"], 1);
+}
+
+}  // namespace
