@@ -1,13 +1,10 @@
 #include "core/mesh/byte_source.h"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <openssl/evp.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <system_error>
@@ -23,24 +20,6 @@ constexpr size_t kBlock = size_t{256} << 10;
 std::string systemReason() { return std::error_code(errno, std::generic_category()).message(); }
 
 }  // namespace
-
-struct ByteSource::Hash {
-    EVP_MD_CTX* context = EVP_MD_CTX_new();
-
-    Hash() { EVP_DigestInit_ex(context, EVP_sha256(), nullptr); }
-    ~Hash() { EVP_MD_CTX_free(context); }
-    Hash(const Hash&) = delete;
-    Hash& operator=(const Hash&) = delete;
-
-    [[nodiscard]] std::string hexadecimal() const {
-        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-        unsigned int length = 0;
-        EVP_DigestFinal_ex(context, digest.data(), &length);
-        std::string text;
-        for (unsigned int i = 0; i < length; ++i) text += fmt::format("{:02x}", digest[i]);
-        return text;
-    }
-};
 
 ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash)
     : m_name(path.string()), m_progress(progress) {
@@ -58,7 +37,7 @@ ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progre
     }
     m_size = static_cast<uint64_t>(status.st_size);
     m_buffer.resize(kBlock);
-    if (hash) m_hash = std::make_unique<Hash>();
+    if (hash) m_hash.emplace();
 }
 
 ByteSource::~ByteSource() { close(m_file); }
@@ -81,11 +60,12 @@ bool ByteSource::refill(size_t wanted) {
         throwInput(CULLSCOPE_TR("%1 cannot be read after byte %2: %3. Copy the file again."),
                    {m_name, std::to_string(m_readBytes), systemReason()});
     m_atEnd = got == 0;
-    if (m_hash && got > 0) EVP_DigestUpdate(m_hash->context, m_buffer.data() + m_end, static_cast<size_t>(got));
+    if (m_hash && got > 0) m_hash->addValues(std::span<const char>(m_buffer.data() + m_end, static_cast<size_t>(got)));
     m_end += static_cast<size_t>(got);
     m_readBytes += static_cast<size_t>(got);
-    m_progress.tell(std::min(1.0, static_cast<double>(m_readBytes) / static_cast<double>(m_size)),
-                    CULLSCOPE_TR("Reading the file"));
+    if (m_tells && got > 0)
+        m_progress.tell(std::min(1.0, static_cast<double>(m_readBytes) / static_cast<double>(m_size)),
+                        CULLSCOPE_TR("Reading the file"));
     return !m_atEnd;
 }
 
@@ -135,6 +115,7 @@ bool ByteSource::line(std::string_view& text) {
 }
 
 std::string ByteSource::sha256() {
+    m_tells = false;
     do {
         m_begin = m_end;
     } while (refill(1));

@@ -2,12 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/base/sha256.h"
 
 namespace cullscope {
 
@@ -47,8 +48,6 @@ public:
     [[nodiscard]] std::string sha256();
 
 private:
-    struct Hash;
-
     bool refill(size_t wanted);
     void decideLineEnd();
 
@@ -62,8 +61,9 @@ private:
     size_t m_begin = 0;
     size_t m_end = 0;
     bool m_atEnd = false;
+    bool m_tells = true;    ///< progress; not for what is only hashed after the mesh is made
     char m_lineEnd = '\0';  ///< not yet decided
-    std::unique_ptr<Hash> m_hash;
+    std::optional<Sha256> m_hash;
 };
 
 }  // namespace cullscope

@@ -16,8 +16,11 @@ public:
 
     explicit HalfEdgeMesh(const Progress& progress) : m_progress(progress) {}
 
-    using Base::point;
     [[nodiscard]] const Point& point(VertexHandle vertex) const {
+        poll();
+        return Base::point(vertex);
+    }
+    [[nodiscard]] Point& point(VertexHandle vertex) {
         poll();
         return Base::point(vertex);
     }
@@ -32,7 +35,7 @@ public:
 
 private:
     void poll() const {
-        if (++m_calls % 65536 == 0) m_progress.check();
+        if (++m_calls % 8192 == 0) m_progress.check();
     }
 
     const Progress& m_progress;

@@ -17,11 +17,12 @@ struct LoadReport {
     size_t degenerateFaces = 0;       ///< dropped: fewer than three different corners, or an area of exactly zero
     size_t duplicateFaces = 0;        ///< dropped: the same three vertices in the same direction as an earlier one
     size_t nonManifoldEdges = 0;      ///< kept and counted: edges with more than two triangles
-    size_t nonFiniteVertices = 0;     ///< NaN or infinite; the faces that use them are dropped
+    size_t nonFiniteVertices = 0;     ///< NaN, infinite or beyond 1e30; the faces that use them are dropped
     size_t outOfRangeFaces = 0;       ///< dropped: a corner's index names no vertex
-    size_t unreferencedVertices = 0;  ///< dropped: no face uses them
+    size_t unreferencedVertices = 0;  ///< dropped: no face of the file names them
     size_t normalsMade = 0;           ///< vertices whose normal was missing or unusable and was made from the faces
-    bool analysed = true;  ///< false where duplicates and non-manifold edges were not counted (mesh above kOptionalAnalysisLimit)
+    /// False where duplicate faces and non-manifold edges were not looked for: in meshes above kOptionalAnalysisLimit.
+    bool analysed = true;
     std::vector<Message> remarks;  ///< anything else that was ignored or mended, a sentence each
 
     /// Whether anything was repaired, dropped or found wrong.
@@ -43,8 +44,8 @@ struct LoadedFile {
 };
 
 struct LoadOptions {
-    size_t memoryLimitBytes =
-        0;             ///< 0: three quarters of the machine's memory; refused before allocating when it would be passed
+    /// 0: three quarters of the machine's memory. A file that needs more is refused before anything is allocated for it.
+    size_t memoryLimitBytes = 0;
     bool hash = true;  ///< compute `sha256`
 };
 

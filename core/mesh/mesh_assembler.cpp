@@ -113,6 +113,7 @@ void MeshAssembler::requireMemory(uint64_t bytes) const {
 
 void MeshAssembler::add(RawMesh raw, double from, double to) {
     const Progress progress = m_progress.part(from, to);
+    progress.check();
     progress.tell(0.0, CULLSCOPE_TR("Checking the mesh"));
     // The largest a vertex index may be is 2^31 - 2: edges carry one more bit.
     if (raw.vertexCount() >= (size_t{1} << 31))
@@ -136,6 +137,7 @@ void MeshAssembler::add(RawMesh raw, double from, double to) {
     data.positions = takeOffsets(raw, data.origin, progress);
     data.normals = std::move(raw.normals);
     data.indices = std::move(raw.triangles);
+    progress.check();
     progress.tell(0.5, CULLSCOPE_TR("Checking the mesh"));
     const bool hadNormals = !data.normals.empty();
     const size_t made = completeNormals(data, progress);

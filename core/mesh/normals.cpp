@@ -34,6 +34,7 @@ void sumNormals(std::span<const Vec3f> positions, std::span<const uint32_t> indi
         }
     }
     for (size_t vertex = first; vertex < last; ++vertex) {
+        if (vertex % kStep == 0 && progress.stopRequested()) return;
         const Vec3 sum(normals[vertex]);
         const double length = glm::length(sum);
         normals[vertex] = length > 0.0 && std::isfinite(length) ? Vec3f(sum / length) : Vec3f(0.0F, 0.0F, 1.0F);

@@ -147,7 +147,7 @@ MeshPointer knotMesh(size_t triangles) {
         const Vec3 tangent = glm::normalize(centre(u + 1e-4) - centre(u - 1e-4));
         const Vec3 outward = centre(u);
         const Vec3 first = glm::normalize(outward - tangent * glm::dot(outward, tangent));
-        const Vec3 second = glm::cross(tangent, first);
+        const Vec3 second = glm::cross(first, tangent);
         const Vec3 normal = first * std::cos(v) + second * std::sin(v);
         return std::pair(centre(u) + normal * kTube, normal);
     });

@@ -26,14 +26,15 @@ std::string trimmed(std::string_view text) {
 template <typename Position>
 class SolidBuilder {
 public:
-    SolidBuilder(ReadJob& job, std::vector<Position> RawMesh::*positions) : m_job(job), m_positions(positions) {
+    SolidBuilder(ReadJob& job, std::vector<Position> RawMesh::*positions)
+        : m_job(job), m_positions(positions), m_welder(job.progress) {
         begin(job.objectName);
     }
 
     void begin(const std::string& name) {
         m_mesh = {};
         m_mesh.name = name.empty() ? m_job.objectName : name;
-        m_welder = {};
+        m_welder = Welder<Position>(m_job.progress);
     }
     uint32_t vertex(const Position& position) {
         std::vector<Position>& positions = m_mesh.*m_positions;

@@ -15,12 +15,13 @@ namespace {
 /// Points, normals, half-edges and the algorithms' own data, measured on the bunny.
 constexpr double kBytesPerTriangle = 400.0;
 
-/// Tells how far the decimation is. (Stops come from HalfEdgeMesh, which also covers the filling of the decimater's heap.)
+/// Tells how far the decimation is and leaves it on a stop. (HalfEdgeMesh asks while the decimater's heap is filled.)
 class DecimationProgress : public OpenMesh::Decimater::Observer {
 public:
     DecimationProgress(const Progress& progress, size_t collapses)
-        : Observer(4096), m_progress(progress), m_collapses(collapses) {}
+        : Observer(512), m_progress(progress), m_collapses(collapses) {}
     void notify(size_t step) override {
+        m_progress.check();
         m_progress.tell(std::min(1.0, static_cast<double>(step) / static_cast<double>(m_collapses)),
                         CULLSCOPE_TR("Simplifying the mesh"));
     }

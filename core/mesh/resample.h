@@ -7,8 +7,9 @@ namespace cullscope {
 
 /// `mesh` with `triangles` triangles, or the nearest count that can be reached: fewer by quadric decimation (Garland &
 /// Heckbert 1997), more by Loop subdivision (Loop 1987) followed by decimation down to the count. Half-edges exist only in here.
-/// Throws Error(Usage) where the count cannot be reached within 0.1 % + 2 (say, a mesh that falls apart), Error(Interrupted) on
-/// stop.
+/// Corners at equal positions are joined first and normals made anew. A closed mesh has an even count, so an odd one ends one
+/// beside it. Throws Error(Usage) where the count cannot be reached within 0.1 % + 2 (say, a mesh that falls apart),
+/// Error(Interrupted) on stop.
 [[nodiscard]] MeshPointer resampled(const TriangleMesh& mesh, size_t triangles, const Progress& progress = {});
 
 }  // namespace cullscope

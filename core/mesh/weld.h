@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bit>
 #include <cstring>
 #include <span>
 #include <vector>
@@ -13,6 +14,11 @@ namespace cullscope {
 template <typename Position>
 class Welder {
 public:
+    /// `expected`: how many positions will come, as far as known.
+    explicit Welder(const Progress& progress, size_t expected = 0) : m_progress(&progress) {
+        if (expected > 0) m_table.assign(std::bit_ceil(2 * expected + 2), kFree);
+    }
+
     /// The number of the first position equal to `position`; that of `position` itself, `count`, where it is the first.
     /// `at(i)` gives the position with number i.
     template <typename At>
@@ -48,14 +54,17 @@ private:
     void grow(At&& at) {
         const std::vector<uint32_t> old = std::move(m_table);
         m_table.assign(std::max<size_t>(64, 2 * old.size()), kFree);
-        for (const uint32_t number : old) {
-            if (number == kFree) continue;
-            size_t slot = hash(at(number)) & (m_table.size() - 1);
-            while (m_table[slot] != kFree) slot = (slot + 1) & (m_table.size() - 1);
-            m_table[slot] = number;
-        }
+        inSteps(old.size(), *m_progress, [&](size_t begin, size_t end) {
+            for (size_t i = begin; i < end; ++i) {
+                if (old[i] == kFree) continue;
+                size_t slot = hash(at(old[i])) & (m_table.size() - 1);
+                while (m_table[slot] != kFree) slot = (slot + 1) & (m_table.size() - 1);
+                m_table[slot] = old[i];
+            }
+        });
     }
 
+    const Progress* m_progress;
     std::vector<uint32_t> m_table;
     size_t m_used = 0;
 };
@@ -64,7 +73,7 @@ private:
 template <typename Position>
 std::vector<uint32_t> firstOfEqualPositions(std::span<const Position> positions, const Progress& progress) {
     std::vector<uint32_t> first(positions.size());
-    Welder<Position> welder;
+    Welder<Position> welder(progress, positions.size());
     inSteps(positions.size(), progress, [&](size_t begin, size_t end) {
         for (size_t vertex = begin; vertex < end; ++vertex)
             first[vertex] =
