@@ -25,11 +25,18 @@ public:
     [[nodiscard]] std::vector<uint8_t> readColour() const;  ///< RGBA, width · height · 4 bytes
     [[nodiscard]] std::vector<float> readDepth() const;     ///< width · height samples
 
+    /// Copies the colours into another framebuffer, such as a window's, lower left corner on lower left corner; leaves that one
+    /// bound.
+    void showIn(unsigned framebuffer) const;
+
 private:
     Viewport m_size;
     unsigned m_framebuffer = 0;
     unsigned m_colour = 0;
     unsigned m_depth = 0;
 };
+
+/// Fills a framebuffer that is not ours, such as a window's, with one opaque colour; leaves it bound.
+void fillFramebuffer(unsigned framebuffer, const Vec3f& colour);
 
 }  // namespace cullscope

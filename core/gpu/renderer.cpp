@@ -52,6 +52,7 @@ public:
         glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
         glFrontFace(GL_CCW);
         glDisable(GL_CULL_FACE);
+        glClearColor(0, 0, 0, 0);
         glClearDepth(1.0);
         glDepthMask(GL_TRUE);
         glDepthFunc(GL_LESS);

@@ -108,8 +108,9 @@ private:
         const TimingProtocol& timing = m_request.timing;
         const auto rounds = static_cast<int>(m_contestants.front().frameTimes.size());
         if (timing.fixedRepetitions > 0) return rounds >= timing.fixedRepetitions;
-        if (rounds < timing.leastRepetitions) return false;
-        if (rounds >= timing.mostRepetitions) return true;
+        if (rounds >= std::max(1, timing.mostRepetitions)) return true;
+        // Steadiness compares with the median of two rounds ago: there must be one.
+        if (rounds < std::max(3, timing.leastRepetitions)) return false;
         return std::all_of(m_contestants.begin(), m_contestants.end(), [&](const Contestant& contestant) {
             const double now = quantile(contestant.frameTimes, 0.5);
             if (now > timing.longFrameMilliseconds) return true;

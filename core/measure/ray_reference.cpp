@@ -30,7 +30,17 @@ std::array<Vec3, 3> cornersFromEye(const Scene& scene, size_t instance, uint64_t
     return corners;
 }
 
-void addInstance(RTCDevice device, RTCScene target, const Scene& scene, uint32_t number, const Vec3& eye) {
+/// A power of two that brings everything to at most about 1 from the eye: Embree multiplies three lengths in float, which leaves
+/// its range for scenes of 1e-13 or 1e13 units.
+double scaleToUnit(const Scene& scene, const Vec3& eye) {
+    const Box3& bounds = scene.bounds();
+    if (bounds.empty()) return 1.0;
+    const Vec3 reach = glm::max(glm::abs(bounds.min - eye), glm::abs(bounds.max - eye));
+    const double largest = std::max({reach.x, reach.y, reach.z});
+    return largest > 0.0 ? std::exp2(-std::ilogb(largest)) : 1.0;
+}
+
+void addInstance(RTCDevice device, RTCScene target, const Scene& scene, uint32_t number, const Vec3& eye, double scale) {
     const TriangleMesh& mesh = scene.meshOf(number);
     if (mesh.triangleCount() == 0) return;
     const Mat4& place = scene.instances()[number].worldFromMesh;
@@ -40,15 +50,16 @@ void addInstance(RTCDevice device, RTCScene target, const Scene& scene, uint32_t
         rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, sizeof(Vec3f), mesh.vertexCount()));
     auto* indices = static_cast<uint32_t*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                                                    3 * sizeof(uint32_t), mesh.triangleCount()));
-    for (size_t v = 0; v < mesh.vertexCount(); ++v) vertices[v] = Vec3f(origin + Mat3(place) * Vec3(mesh.positions()[v]));
+    for (size_t v = 0; v < mesh.vertexCount(); ++v)
+        vertices[v] = Vec3f(scale * (origin + Mat3(place) * Vec3(mesh.positions()[v])));
     std::copy(mesh.indices().begin(), mesh.indices().end(), indices);
     rtcCommitGeometry(geometry);
     rtcAttachGeometryByID(target, geometry, number);
     rtcReleaseGeometry(geometry);
 }
 
-/// Embree's normal is (v1 − v0) × (v2 − v0) reversed by its convention; a face is front where it winds counter-clockwise seen
-/// from the ray's origin, turned around for mirrored instances.
+/// Embree's normal is (v1 − v0) × (v2 − v0): a face is front where it points against the ray, turned around for mirrored
+/// instances.
 struct FrontFilter {
     const Scene* scene;
 };
@@ -91,9 +102,10 @@ RayReference rayReference(const Scene& scene, const View& view, Facing facing, c
     rtcSetSceneFlags(tracer.get(), RTC_SCENE_FLAG_ROBUST);
     rtcSetSceneBuildQuality(tracer.get(), RTC_BUILD_QUALITY_MEDIUM);
     FrontFilter filter{&scene};
+    const double scale = scaleToUnit(scene, view.eye());
     for (uint32_t i = 0; i < scene.instances().size(); ++i) {
         progress.check();
-        addInstance(device.get(), tracer.get(), scene, i, view.eye());
+        addInstance(device.get(), tracer.get(), scene, i, view.eye(), scale);
         if (facing != Facing::Front || scene.meshOf(i).triangleCount() == 0) continue;
         RTCGeometry geometry = rtcGetGeometry(tracer.get(), i);
         rtcSetGeometryUserData(geometry, &filter);
@@ -114,14 +126,14 @@ RayReference rayReference(const Scene& scene, const View& view, Facing facing, c
     tbb::parallel_for(tbb::blocked_range<size_t>(0, height), [&](const tbb::blocked_range<size_t>& rows) {
         for (size_t y = rows.begin(); y < rows.end() && !progress.stopRequested(); ++y)
             for (size_t x = 0; x < width; ++x) {
-                // The direction has forward component 1, so that the ray's parameter is the forward distance.
+                // The direction has forward component 1, so that the ray's parameter is the forward distance (scaled).
                 const Vec3 direction = view.direction(double(x) + 0.5, double(y) + 0.5);
                 RTCRayHit ray{};
                 ray.ray.dir_x = float(direction.x);
                 ray.ray.dir_y = float(direction.y);
                 ray.ray.dir_z = float(direction.z);
-                ray.ray.tnear = float(view.camera().nearDistance);
-                ray.ray.tfar = float(view.camera().farDistance);
+                ray.ray.tnear = float(scale * view.camera().nearDistance);
+                ray.ray.tfar = float(scale * view.camera().farDistance);
                 ray.ray.mask = UINT32_MAX;
                 ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
                 RTCIntersectContext context;

@@ -182,7 +182,7 @@ void dropDuplicateTriangles(RawMesh& raw, LoadReport& report, const Progress& pr
 /// Rotates every polygon (which changes no surface) to begin with its smallest vertex, then compares.
 void dropDuplicatePolygons(RawMesh& raw, LoadReport& report, const Progress& progress) {
     filterPolygons(raw, progress, [](std::vector<uint32_t>& corners) {
-        std::ranges::rotate(corners, std::ranges::min_element(corners));
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
         return true;
     });
     const auto corners = [&](size_t face) {

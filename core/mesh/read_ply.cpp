@@ -144,8 +144,7 @@ ListUse useOfList(const PlyElement& element, const PlyProperty& property) {
 
 class BinaryBody {
 public:
-    BinaryBody(ReadJob& job, PlySink& sink, bool bigEndian)
-        : m_job(job), m_source(job.source), m_sink(sink), m_bigEndian(bigEndian) {}
+    BinaryBody(ReadJob& job, PlySink& sink, bool bigEndian) : m_source(job.source), m_sink(sink), m_bigEndian(bigEndian) {}
 
     void readVertices(const PlyElement& element);
     /// Faces, strips, and elements that are passed over.
@@ -159,7 +158,6 @@ private:
     void readRow(const PlyElement& element, uint64_t row);
     void readList(const PlyElement& element, const PlyProperty& property, uint64_t row);
 
-    ReadJob& m_job;
     ByteSource& m_source;
     PlySink& m_sink;
     bool m_bigEndian;

@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
+#include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
 
@@ -37,20 +38,36 @@ size_t faceCount(const HalfEdgeMesh& mesh) {
     return count;
 }
 
+enum class Folds { Refused, Allowed };
+
+void collapseEdges(HalfEdgeMesh& mesh, size_t triangles, Folds folds, const Progress& progress) {
+    OpenMesh::Decimater::DecimaterT<HalfEdgeMesh> decimater(mesh);
+    OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadric;
+    decimater.add(quadric);
+    decimater.module(quadric).unset_max_err();
+    OpenMesh::Decimater::ModNormalFlippingT<HalfEdgeMesh>::Handle flipping;
+    if (folds == Folds::Refused) {
+        decimater.add(flipping);
+        decimater.module(flipping).set_max_normal_deviation(90.0);
+    }
+    decimater.initialize();
+    const size_t faces = faceCount(mesh);
+    DecimationProgress observer(progress, std::max<size_t>(1, (faces - std::min(faces, triangles)) / 2));
+    decimater.set_observer(&observer);
+    decimater.decimate_to_faces(0, triangles);
+}
+
+/// Down to a count. Collapses that would turn a face over are taken only where the count cannot be reached without them.
 void decimate(HalfEdgeMesh& mesh, size_t triangles, const Progress& progress) {
-    using Decimater = OpenMesh::Decimater::DecimaterT<HalfEdgeMesh>;
     mesh.request_vertex_status();
     mesh.request_edge_status();
     mesh.request_halfedge_status();
     mesh.request_face_status();
-    Decimater decimater(mesh);
-    OpenMesh::Decimater::ModQuadricT<HalfEdgeMesh>::Handle quadric;
-    decimater.add(quadric);
-    decimater.module(quadric).unset_max_err();
-    decimater.initialize();
-    DecimationProgress observer(progress, std::max<size_t>(1, (mesh.n_faces() - triangles) / 2));
-    decimater.set_observer(&observer);
-    decimater.decimate_to_faces(0, triangles);
+    mesh.request_face_normals();
+    mesh.update_face_normals();
+    collapseEdges(mesh, triangles, Folds::Refused, progress);
+    mesh.garbage_collection();
+    if (mesh.n_faces() > triangles + 1) collapseEdges(mesh, triangles, Folds::Allowed, progress);
 }
 
 /// Collapsing an inner edge takes two triangles, so that the count may end one too low. Halving the longest boundary edge adds

@@ -62,8 +62,9 @@ CameraPath walk(const Scene& scene, size_t count) {
     constexpr double kDepth = 0.70;
     constexpr double kSway = 0.08;
     CameraPath path = pathAround(scene, "walk:" + std::to_string(count), Angle::fromDegrees(45));
-    const Vec3 half = scene.bounds().halfExtent();
-    const Vec3 centre = scene.bounds().centre();
+    const bool empty = scene.bounds().empty();
+    const Vec3 half = empty ? Vec3(1.0) : scene.bounds().halfExtent();
+    const Vec3 centre = empty ? Vec3(0.0) : scene.bounds().centre();
     // The walker stands upright on a scene that lies flat; y is up unless the scene is clearly flat along z.
     const bool zUp = half.z < 0.5 * half.y;
     const Vec3 up = zUp ? Vec3(0, 0, 1) : Vec3(0, 1, 0);

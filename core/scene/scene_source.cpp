@@ -21,7 +21,8 @@ public:
     GeneratorArguments(std::string generator, std::string_view text) : m_generator(std::move(generator)) {
         for (const std::string& piece : pieces(text)) {
             const size_t equals = piece.find('=');
-            if (equals == std::string::npos)
+            // A file's name may hold an equals sign; what stands before one of a parameter is a plain word.
+            if (equals == std::string::npos || wordLength(piece) != equals)
                 m_unnamed = piece;
             else
                 m_values[piece.substr(0, equals)] = piece.substr(equals + 1);
@@ -73,15 +74,20 @@ private:
         return {buffer.data(), result.ptr};
     }
 
+    /// How many characters of a parameter's name the text begins with.
+    static size_t wordLength(std::string_view text) {
+        const auto end = std::find_if(text.begin(), text.end(), [](char c) {
+            return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_';
+        });
+        return static_cast<size_t>(end - text.begin());
+    }
+
     /// Splits at commas, but only where "name=" follows, so that a file's name may hold commas.
     static std::vector<std::string> pieces(std::string_view text) {
         std::vector<std::string> pieces;
         size_t start = 0;
         for (size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
-            size_t end = comma + 1;
-            while (end < text.size() &&
-                   (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-' || text[end] == '_'))
-                ++end;
+            const size_t end = comma + 1 + wordLength(text.substr(comma + 1));
             if (end == comma + 1 || end >= text.size() || text[end] != '=') continue;
             pieces.emplace_back(text.substr(start, comma - start));
             start = comma + 1;

@@ -1,0 +1,132 @@
+// The desktop: reads the command line, makes sure that there is a display with OpenGL, and puts the window together.
+#include <CLI/CLI.hpp>
+#include <QIcon>
+#include <cstdio>
+
+#include "core/base/error.h"
+#include "core/visibility/registry.h"
+#include "ui/main_window.h"
+#include "ui/startup/display.h"
+#include "ui/startup/window_picture.h"
+
+namespace {
+
+using namespace cullscope;
+
+struct CommandLine {
+    std::string scene;
+    std::vector<std::string> strategies;
+    std::vector<std::filesystem::path> modelFolders;
+    std::string language;
+    Viewport size{1366, 768};
+    std::string screenshot;
+};
+
+Viewport sizeFromText(const std::string& text) {
+    Viewport size;
+    char rest = 0;
+    if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 || size.width < 320 || size.height < 240 ||
+        size.width > 16384 || size.height > 16384)
+        throwUsage("--size %1: write a size such as 1366x768, between 320x240 and 16384x16384.", {text});
+    return size;
+}
+
+std::vector<std::string> strategiesFromText(const std::string& text) {
+    std::vector<std::string> ids;
+    for (const QString& id : QString::fromStdString(text).split(QLatin1Char(',')))
+        ids.push_back(findStrategy(id.toStdString()).info.id);
+    if (ids.size() > ui::Session::kMostViews)
+        throwUsage("-s %1: there are at most %2 views; name one or two strategies.",
+                   {text, std::to_string(ui::Session::kMostViews)});
+    return ids;
+}
+
+CommandLine parse(int argc, char** argv) {
+    CommandLine line;
+    std::string size, strategies;
+    CLI::App parser("Cullscope: shows what each culling strategy draws, how fast, and what it loses.", "cullscope");
+    parser.add_option("SCENE", line.scene, "A mesh file, or a generator such as field:n=20 (cullbench list scenes)");
+    parser.add_option("-s,--strategy", strategies, "The strategy of one view, or A,B of two (cullbench list strategies)");
+    parser
+        .add_option("--models", line.modelFolders, "A folder in which models such as the bunny are looked for; may be repeated")
+        ->expected(1);
+    parser.add_option("--language", line.language, "The language of the window")->check(CLI::IsMember({"en", "ko", "zh_CN"}));
+    parser.add_option("--size", size, "The size of the window, as WIDTHxHEIGHT");
+    parser.add_option("--screenshot", line.screenshot, "Save a picture of the window once the figures are there, and leave");
+    parser.set_version_flag("--version", CULLSCOPE_VERSION);
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        const int status = parser.exit(error);
+        std::exit(status == 0 ? 0 : int(ErrorKind::Usage));
+    }
+    if (!size.empty()) line.size = sizeFromText(size);
+    if (!strategies.empty()) line.strategies = strategiesFromText(strategies);
+    return line;
+}
+
+void chooseLanguage(ui::Language& language, const std::string& asked) {
+    const QString stored = QSettings().value(QStringLiteral("language")).toString();
+    if (!asked.empty())
+        language.use(QString::fromStdString(asked));
+    else
+        language.use(ui::Language::isKnown(stored) ? stored : ui::Language::ofSystem());
+}
+
+int show(QApplication& application, const CommandLine& line) {
+    ui::Language language;
+    chooseLanguage(language, line.language);
+    ui::Appearance appearance;
+    appearance.setMode(ui::Appearance::fromId(QSettings().value(QStringLiteral("appearance")).toString()));
+
+    ui::Session::Options options;
+    options.sceneSource.modelFolders = line.modelFolders;
+    ui::Session session(options);
+    QObject::connect(&session, &ui::Session::messageRaised, [](ui::Severity severity, const Message& message) {
+        if (severity == ui::Severity::Error) std::fprintf(stderr, "cullscope: %s\n", message.english().c_str());
+    });
+    for (size_t i = 0; i < line.strategies.size(); ++i) session.slot(int(i)).choose(line.strategies[i]);
+    if (line.strategies.size() == 1) {
+        session.setActiveView(0);
+        session.setViewCount(1);
+    }
+
+    ui::MainWindow window(session, language, appearance);
+    window.resize(line.size.width, line.size.height);
+    window.show();
+    const std::string scene = line.scene.empty() ? defaultSceneSpecification(options.sceneSource) : line.scene;
+    std::unique_ptr<ui::WindowPicture> picture;
+    if (!line.screenshot.empty()) {
+        picture = std::make_unique<ui::WindowPicture>(window, session, QString::fromStdString(line.screenshot));
+        QObject::connect(picture.get(), &ui::WindowPicture::done, &application, &QCoreApplication::exit);
+    }
+    session.open(QString::fromStdString(scene));
+    return QApplication::exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        const CommandLine line = parse(argc, argv);
+        ui::requireDisplay();
+        ui::setDefaultSurfaceFormat();
+        QCoreApplication::setOrganizationName(QStringLiteral("cullscope"));
+        QCoreApplication::setApplicationName(QStringLiteral("cullscope"));
+        int qtArgc = 1;
+        const std::unique_ptr<QApplication> application = ui::makeApplication(qtArgc, argv);
+        QGuiApplication::setDesktopFileName(QStringLiteral("cullscope"));
+        QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/cullscope.svg")));
+        try {
+            static_cast<void>(ui::requireOpenGl());
+            return show(*application, line);
+        } catch (const Error& error) {
+            std::fprintf(stderr, "cullscope: %s\n", error.what());
+            ui::showWithoutTerminal(error);
+            return int(error.kind());
+        }
+    } catch (const Error& error) {
+        std::fprintf(stderr, "cullscope: %s\n", error.what());
+        return int(error.kind());
+    }
+}

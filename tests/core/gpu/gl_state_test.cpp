@@ -1,0 +1,115 @@
+#include "core/base/error.h"
+#include "core/gpu/program.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+GLint integer(GLenum name) {
+    GLint value = -1;
+    glGetIntegerv(name, &value);
+    return value;
+}
+
+/// Everything that the renderer touches and Qt reckons with, by name.
+void expectDefaults() {
+    EXPECT_EQ(integer(GL_CLIP_ORIGIN), GL_LOWER_LEFT);
+    EXPECT_EQ(integer(GL_CLIP_DEPTH_MODE), GL_NEGATIVE_ONE_TO_ONE);
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST})
+        EXPECT_FALSE(glIsEnabled(capability)) << std::hex << capability;
+    EXPECT_EQ(integer(GL_DEPTH_FUNC), GL_LESS);
+    EXPECT_EQ(integer(GL_DEPTH_WRITEMASK), GL_TRUE);
+    EXPECT_EQ(integer(GL_CULL_FACE_MODE), GL_BACK);
+    EXPECT_EQ(integer(GL_FRONT_FACE), GL_CCW);
+    for (const GLenum binding : {GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_ARRAY_BUFFER_BINDING,
+                                 GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_TEXTURE_BINDING_2D})
+        EXPECT_EQ(integer(binding), 0) << std::hex << binding;
+    GLfloat clearDepth = 0;
+    glGetFloatv(GL_DEPTH_CLEAR_VALUE, &clearDepth);
+    EXPECT_EQ(clearDepth, 1.0f);
+    std::array<GLboolean, 4> mask{};
+    glGetBooleanv(GL_COLOR_WRITEMASK, mask.data());
+    EXPECT_THAT(mask, testing::Each(GLboolean{GL_TRUE}));
+    std::array<GLfloat, 4> clearColour{9, 9, 9, 9};
+    glGetFloatv(GL_COLOR_CLEAR_VALUE, clearColour.data());
+    EXPECT_THAT(clearColour, testing::Each(0.0f));
+    GLint image = -1;
+    glGetIntegeri_v(GL_IMAGE_BINDING_NAME, 0, &image);
+    EXPECT_EQ(image, 0);
+    EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 4);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+/// A framebuffer that some caller has bound.
+class Bound {
+public:
+    Bound() { glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id()); }
+    ~Bound() { glBindFramebuffer(GL_FRAMEBUFFER, 0); }
+    Bound(const Bound&) = delete;
+    Bound& operator=(const Bound&) = delete;
+    void expectStillBound() const {
+        EXPECT_EQ(integer(GL_DRAW_FRAMEBUFFER_BINDING), GLint(m_framebuffer.id()));
+        EXPECT_EQ(integer(GL_READ_FRAMEBUFFER_BINDING), GLint(m_framebuffer.id()));
+    }
+
+private:
+    Framebuffer m_framebuffer{{8, 8}};
+};
+
+class GlState : public testing::TestWithParam<Upload> {};
+
+TEST_P(GlState, rendererLeavesSomethingBehind) {
+    if (GetParam() == Upload::VertexArray && !GlEnvironment::info().compatibilityProfile)
+        GTEST_SKIP() << "no compatibility profile";
+    const ScenePointer scene = sceneOf({squareMesh(1, -5), squareMesh(1, -6)}, {scaling({-1, 1, 1}), Mat4(1.0)});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {32, 32});
+    const SceneBuffers buffers(scene, GetParam());
+    for (const Facing facing : {Facing::TwoSided, Facing::Front}) {
+        const Bound bound;
+        (void)picture(buffers, view, everything(*scene, facing));
+        expectDefaults();
+        bound.expectStillBound();
+        (void)GlEnvironment::renderer().drawItemBuffer(buffers, view, everything(*scene, facing));
+        expectDefaults();
+        bound.expectStillBound();
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Uploads, GlState, testing::Values(Upload::Vbo, Upload::VertexArray),
+                         [](const auto& upload) { return upload.param == Upload::Vbo ? "vbo" : "vertexArray"; });
+
+TEST(CallersState, changesThePicture) {
+    const ScenePointer scene = sceneOf({squareMesh(1, -5)});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {32, 32});
+    const Picture clean = picture(scene, view, Facing::Front);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, 4, 4);
+    glEnable(GL_BLEND);
+    glDepthFunc(GL_NEVER);
+    glFrontFace(GL_CW);
+    glColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glDepthMask(GL_FALSE);
+    EXPECT_EQ(picture(scene, view, Facing::Front), clean);
+    expectDefaults();
+}
+
+TEST(Program, brokenShaderIsAccepted) {
+    try {
+        const Program program("#version 450\nvoid main() { gl_Position = nonsense; }\n", "#version 450\nvoid main() {}\n");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::OpenGl);
+        EXPECT_THAT(error.what(), testing::HasSubstr("nonsense")) << "the driver's log is missing";
+    }
+}
+
+TEST(HeadlessContext, contextIsTooOldOrNameless) {
+    const GlInfo info = requireOpenGl45();
+    EXPECT_GE(info.major * 10 + info.minor, 45);
+    EXPECT_FALSE(info.renderer.empty());
+    EXPECT_EQ(info.version, GlEnvironment::info().version);
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,164 @@
+#include "core/gpu/renderer.h"
+
+#include "core/mesh/parametric.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/gpu/pixel_edges.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+View lookingAt(const Vec3& eye, const Vec3& target, Viewport size = {160, 120}, double nearDistance = 0.05,
+               double farDistance = 100) {
+    return {{eye, target, {0, 1, 0}, Angle::fromDegrees(45), nearDistance, farDistance}, size};
+}
+
+size_t covered(const std::vector<float>& depth) { return depth.size() - size_t(std::count(depth.begin(), depth.end(), 0.0f)); }
+
+TEST(Renderer, case18NearerOfTwoDistantSurfacesLoses) {
+    // Near 0.01, far 1e6, squares at 1000 and 1000.01: a reversed float depth tells them apart, in both orders.
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.01, 1e6}, {64, 64});
+    const ScenePointer scene = sceneOf({squareMesh(1000, -1000.0f), squareMesh(1000, -1000.01f)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    DrawList list = everything(*scene, Facing::TwoSided);
+    for (int order = 0; order < 2; ++order) {
+        const Renderer::ItemBuffer items = GlEnvironment::renderer().drawItemBuffer(buffers, view, list);
+        EXPECT_THAT(items.triangle, testing::Each(testing::AnyOf(1u, 2u))) << "order " << order;
+        std::reverse(list.ranges.begin(), list.ranges.end());
+    }
+}
+
+TEST(Renderer, depthIsNotTheDistance) {
+    const View view = lookingAt({0, 0, 0}, {0, 0, -1}, {64, 48}, 0.1, 1000);
+    for (const float distance : {0.125f, 1.0f, 7.0f, 900.0f}) {
+        const ScenePointer scene = sceneOf({squareMesh(10 * distance, -distance)});
+        for (const float depth : picture(scene, view, Facing::TwoSided).depth)
+            ASSERT_NEAR(view.distanceFromDepth(depth), distance, 1e-5 * distance);
+    }
+}
+
+TEST(Renderer, surfaceOutsideNearAndFarIsDrawn) {
+    const View view = lookingAt({0, 0, 0}, {0, 0, -1}, {16, 16}, 1, 10);
+    EXPECT_EQ(covered(picture(sceneOf({squareMesh(100, -0.999f)}), view, Facing::TwoSided).depth), 0u);
+    EXPECT_EQ(covered(picture(sceneOf({squareMesh(100, -10.01f)}), view, Facing::TwoSided).depth), 0u);
+    EXPECT_EQ(covered(picture(sceneOf({squareMesh(100, -1.001f)}), view, Facing::TwoSided).depth), 256u);
+    EXPECT_EQ(covered(picture(sceneOf({squareMesh(100, -9.99f)}), view, Facing::TwoSided).depth), 256u);
+}
+
+TEST(Renderer, backFaceIsDrawnOrFrontFaceLeftOut) {
+    const ScenePointer square = sceneOf({squareMesh(1, 0)});
+    EXPECT_GT(covered(picture(square, lookingAt({0, 0, 3}, {0, 0, 0}), Facing::Front).depth), 0u);
+    EXPECT_EQ(covered(picture(square, lookingAt({0, 0, -3}, {0, 0, 0}), Facing::Front).depth), 0u);
+    EXPECT_GT(covered(picture(square, lookingAt({0, 0, -3}, {0, 0, 0}), Facing::TwoSided).depth), 0u);
+}
+
+TEST(Renderer, rangesOfAMultiDrawDifferFromTheWhole) {
+    const ScenePointer scene = copiesOf(knotMesh(3000), {Mat4(1.0), translation({0.5, 0.4, 0})});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View view = lookingAt({0, 0, 6}, Vec3(0.0));
+    const DrawList whole = everything(*scene, Facing::Front);
+    DrawList parts{Facing::Front, {}};
+    for (const DrawRange& range : whole.ranges)
+        for (uint32_t first = 0; first < range.indexCount; first += 300)
+            parts.ranges.push_back({range.instance, first, std::min(300u, range.indexCount - first)});
+    ASSERT_GT(parts.ranges.size(), 10u);
+    EXPECT_EQ(picture(buffers, view, parts), picture(buffers, view, whole));
+    const auto items = [&](const DrawList& list) {
+        return GlEnvironment::renderer().drawItemBuffer(buffers, view, list).triangle;
+    };
+    EXPECT_EQ(items(parts), items(whole));
+}
+
+TEST(Renderer, rangeThatIsNotInTheListIsDrawn) {
+    const ScenePointer scene = sceneOf({squareMesh(10, -5)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View view = lookingAt({0, 0, 0}, {0, 0, -1});
+    const Picture half = picture(buffers, view, {Facing::TwoSided, {{0, 3, 3}}});
+    EXPECT_GT(covered(half.depth), half.depth.size() / 3);
+    EXPECT_LT(covered(half.depth), half.depth.size() * 2 / 3);
+    const Renderer::ItemBuffer items = GlEnvironment::renderer().drawItemBuffer(buffers, view, {Facing::TwoSided, {{0, 3, 3}}});
+    EXPECT_THAT(items.triangle, testing::Each(testing::AnyOf(0u, 2u))) << "numbers count in the scene, not in the range";
+    EXPECT_EQ(covered(picture(buffers, view, {}).depth), 0u);
+}
+
+TEST(Renderer, vertexArraysDrawOtherPicturesThanBuffers) {
+    if (!GlEnvironment::info().compatibilityProfile) GTEST_SKIP() << "no compatibility profile";
+    const ScenePointer scene = sceneOf({knotMesh(3000), teapotMesh(2000), starMesh(7, 2000)},
+                                       {Mat4(1.0), translation({3, 0, 0}), translation({-3, 0, 0}) * scaling({-1, 1, .4})});
+    const View view = lookingAt({1, 2, 9}, Vec3(0.0));
+    for (const Facing facing : {Facing::TwoSided, Facing::Front})
+        EXPECT_EQ(picture(scene, view, facing, Upload::VertexArray), picture(scene, view, facing, Upload::Vbo));
+    const SceneBuffers client(scene, Upload::VertexArray);
+    const SceneBuffers buffer(scene, Upload::Vbo);
+    const DrawList list = everything(*scene, Facing::TwoSided);
+    Renderer& renderer = GlEnvironment::renderer();
+    EXPECT_EQ(renderer.drawItemBuffer(client, view, list).triangle, renderer.drawItemBuffer(buffer, view, list).triangle);
+}
+
+TEST(Renderer, sceneWithoutTrianglesOrWithAnEmptyMeshFails) {
+    const View view = lookingAt({0, 0, 0}, {0, 0, -1});
+    EXPECT_EQ(covered(picture(std::make_shared<Scene>("empty", std::vector<MeshPointer>{}, std::vector<Instance>{}), view,
+                              Facing::Front)
+                          .depth),
+              0u);
+    const ScenePointer scene = sceneOf({meshOf({{0, 0, 0}}, {}), squareMesh(10, -5)});
+    EXPECT_EQ(covered(picture(scene, view, Facing::Front).depth), 160u * 120u);
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+/// Counts the pixels at which front faces alone show something else than both sides, away from the edges of what is seen.
+uint64_t lostBesideEdges(const ScenePointer& scene, const Camera& camera, const Viewport& size, uint64_t& pixels) {
+    const View view(camera, size);
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const Renderer::ItemBuffer both =
+        GlEnvironment::renderer().drawItemBuffer(buffers, view, everything(*scene, Facing::TwoSided));
+    const std::vector<float> front = picture(buffers, view, everything(*scene, Facing::Front)).depth;
+    pixels += covered(both.depth);
+    const PixelEdges edges(*scene, camera, size);
+    uint64_t lost = 0;
+    for (size_t pixel = 0; pixel < front.size(); ++pixel)
+        if (front[pixel] != both.depth[pixel] && edges.toEdgeOf(both.triangle[pixel] - 1, pixel) > kEdgePixels) ++lost;
+    return lost;
+}
+
+TEST(Renderer, case30MirroredOrFlattenedInstanceLosesAFrontFace) {
+    uint64_t pixels = 0;
+    const std::vector<MeshPointer> meshes{sphereMesh(2000), torusMesh(2000), knotMesh(4000), starMesh(7, 2000)};
+    for (const Vec3& scale :
+         {Vec3(1, 1, 1), Vec3(-1, 1, 1), Vec3(1, 1, .1), Vec3(-1, 1, .1), Vec3(-1, -1, 1), Vec3(-1, -1, -1), Vec3(-3, .01, 1)})
+        for (const MeshPointer& mesh : meshes)
+            for (const Vec3& direction : {Vec3(0, 0, 1), Vec3(.5, .7, -.3), Vec3(-1, .01, 0)}) {
+                const ScenePointer scene = sceneOf({mesh}, {translation({3, -2, 1}) * scaling(scale)});
+                const Vec3 target(3, -2, 1);
+                const Camera camera{target + glm::normalize(direction) * (4.0 * std::max(1.0, std::abs(scale.x))),
+                                    target,
+                                    {0, 1, 0},
+                                    Angle::fromDegrees(45),
+                                    0.05,
+                                    100};
+                EXPECT_EQ(lostBesideEdges(scene, camera, {160, 120}, pixels), 0u)
+                    << mesh->name() << " scaled by " << scale.x << "," << scale.y << "," << scale.z << " from " << direction.x
+                    << "," << direction.y;
+            }
+    EXPECT_GT(pixels, 100'000u);
+}
+
+TEST(Renderer, mirroredInstanceIsLitLikeItsMirrorImage) {
+    // Looking down −z at a body mirrored in x: the picture's mirror image, up to rounding of colours and snapping at edges.
+    const MeshPointer star = starMesh(7, 4000);
+    const Viewport size{120, 120};
+    const View view = lookingAt({0, 0, 4}, Vec3(0.0), size);
+    const Picture plain = picture(sceneOf({star}), view, Facing::Front);
+    const Picture mirrored = picture(sceneOf({star}, {scaling({-1, 1, 1})}), view, Facing::Front);
+    size_t different = 0;
+    for (size_t y = 0; y < 120; ++y)
+        for (size_t x = 0; x < 120; ++x) {
+            const int a = plain.colour[4 * (y * 120 + x)];
+            const int b = mirrored.colour[4 * (y * 120 + 119 - x)];
+            if (std::abs(a - b) > 3) ++different;
+        }
+    EXPECT_LT(different, 120u * 120u / 200);
+}
+
+}  // namespace
+}  // namespace cullscope::test

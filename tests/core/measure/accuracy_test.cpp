@@ -1,0 +1,202 @@
+#include "core/measure/reference.h"
+#include "core/mesh/parametric.h"
+#include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+/// Four triangles in two meshes: numbers 0, 1 and 2, 3.
+ScenePointer fourTriangles() { return sceneOf({squareMesh(1, 0), squareMesh(1, 1)}); }
+
+/// A reference of 4 × 3 pixels made by hand from its depths and triangle numbers + 1, bottom row first.
+Reference handMade(std::vector<float> depth, std::vector<uint32_t> triangle) {
+    Reference reference;
+    reference.size = {4, 3};
+    reference.depth = std::move(depth);
+    reference.triangle = std::move(triangle);
+    for (const uint32_t number : reference.triangle)
+        if (number != 0) reference.visibleTriangles.push_back(number - 1);
+    reference.coveredPixels = reference.visibleTriangles.size();
+    std::ranges::sort(reference.visibleTriangles);
+    const auto repeated = std::ranges::unique(reference.visibleTriangles);
+    reference.visibleTriangles.erase(repeated.begin(), repeated.end());
+    return reference;
+}
+
+Reference someReference() {
+    return handMade({.5f, .5f, 0, 0,        //
+                     .5f, .5f, .25f, .25f,  //
+                     0, 0, .25f, .25f},
+                    {1, 1, 0, 0,  //
+                     1, 2, 3, 3,  //
+                     0, 0, 3, 3});
+}
+
+const DrawList kAllFour{Facing::TwoSided, {{0, 0, 6}, {1, 0, 6}}};
+
+TEST(Compare, equalPicturesDiffer) {
+    const Reference reference = someReference();
+    const Accuracy accuracy = compare(reference, reference.depth, kAllFour, *fourTriangles());
+    EXPECT_EQ(accuracy.coveredPixels, 8u);
+    EXPECT_EQ(accuracy.missedPixels, 0u);
+    EXPECT_EQ(accuracy.extraPixels, 0u);
+    EXPECT_EQ(accuracy.largestHolePixels, 0u);
+    EXPECT_EQ(accuracy.missedPixelRate(), 0.0);
+    EXPECT_EQ(accuracy.visibleTriangles, 3u);
+    EXPECT_EQ(accuracy.submittedTriangles, 4u);
+    EXPECT_EQ(accuracy.falselyCulledTriangles, 0u);
+    EXPECT_EQ(accuracy.needlesslyDrawnTriangles, 1u);
+    EXPECT_EQ(accuracy.needlesslyDrawnShare(), 0.25);
+}
+
+TEST(Compare, missedAndExtraPixelsAreMixedUp) {
+    const Reference reference = someReference();
+    std::vector<float> depth = reference.depth;
+    depth[0] = 0.0f;                              // nothing where a surface is: missed
+    depth[4] = .4f;                               // a farther surface: missed
+    depth[5] = .6f;                               // a nearer one: extra
+    depth[3] = .1f;                               // one where none is: extra
+    depth[11] = std::nextafter(depth[11], 0.0f);  // one ulp farther: missed
+    const Accuracy accuracy = compare(reference, depth, kAllFour, *fourTriangles());
+    EXPECT_EQ(accuracy.missedPixels, 3u);
+    EXPECT_EQ(accuracy.extraPixels, 2u);
+    EXPECT_EQ(accuracy.largestHolePixels, 2u) << "pixels 0 and 4 lie above each other";
+    EXPECT_DOUBLE_EQ(accuracy.missedPixelRate(), 3.0 / 8.0);
+    EXPECT_EQ(missedMask(reference, depth), (std::vector<uint8_t>{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}));
+}
+
+TEST(Compare, holeGrowsAcrossACornerOrAroundTheRowsEnd) {
+    Reference reference = handMade(std::vector<float>(12, .5f), std::vector<uint32_t>(12, 1));
+    const auto hole = [&](std::vector<size_t> missing) {
+        std::vector<float> depth = reference.depth;
+        for (const size_t pixel : missing) depth[pixel] = 0.0f;
+        return compare(reference, depth, kAllFour, *fourTriangles()).largestHolePixels;
+    };
+    EXPECT_EQ(hole({0, 5, 10}), 1u) << "a diagonal";
+    EXPECT_EQ(hole({3, 4}), 1u) << "the end of a row and the start of the next";
+    EXPECT_EQ(hole({0, 1, 2, 3}), 4u);
+    EXPECT_EQ(hole({0, 4, 8, 2, 6}), 3u) << "the larger of two";
+    EXPECT_EQ(hole({0, 1, 2, 3, 4, 7, 8, 9, 10, 11}), 10u) << "a ring";
+    std::vector<size_t> everything(12);
+    for (size_t i = 0; i < 12; ++i) everything[i] = i;
+    EXPECT_EQ(hole(everything), 12u);
+}
+
+TEST(Compare, triangleOutsideTheListCountsAsDrawn) {
+    const Reference reference = someReference();  // sees 0, 1 and 2
+    const auto counts = [&](std::vector<DrawRange> ranges) {
+        const Accuracy accuracy = compare(reference, reference.depth, {Facing::TwoSided, std::move(ranges)}, *fourTriangles());
+        return std::array<uint64_t, 3>{accuracy.submittedTriangles, accuracy.falselyCulledTriangles,
+                                       accuracy.needlesslyDrawnTriangles};
+    };
+    using Counts = std::array<uint64_t, 3>;
+    EXPECT_EQ(counts({}), (Counts{0, 3, 0}));
+    EXPECT_EQ(counts({{0, 0, 6}}), (Counts{2, 1, 0}));
+    EXPECT_EQ(counts({{1, 3, 3}}), (Counts{1, 3, 1}));
+    EXPECT_EQ(counts({{1, 0, 6}, {0, 3, 3}}), (Counts{3, 1, 1})) << "in any order";
+    EXPECT_EQ(counts({{0, 0, 3}, {0, 0, 6}, {0, 3, 3}}), (Counts{2, 1, 0})) << "what is drawn twice counts once";
+    EXPECT_EQ(counts({{0, 0, 0}, {1, 3, 0}}), (Counts{0, 3, 0})) << "an empty range draws nothing";
+}
+
+TEST(Compare, emptyReferenceDividesByZero) {
+    const Reference reference = handMade(std::vector<float>(12, 0.0f), std::vector<uint32_t>(12, 0));
+    const Accuracy accuracy = compare(reference, reference.depth, {}, *fourTriangles());
+    EXPECT_EQ(accuracy.missedPixelRate(), 0.0);
+    EXPECT_EQ(accuracy.falselyCulledShare(), 0.0);
+    EXPECT_EQ(accuracy.needlesslyDrawnShare(), 0.0);
+}
+
+View overThree() { return {{{0, 3, 12}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {200, 150}}; }
+ScenePointer threeBodies() {
+    return sceneOf({knotMesh(4000), starMesh(7, 3000), sphereMesh(1000), sphereMesh(1000)},
+                   {translation({-2.5, 0, 0}), translation({2, 0, 0}), translation({0, 0, -5}), translation({50, 0, 0})});
+}
+
+TEST(Accuracy, conservativeStrategyMissesAPixel) {
+    const ScenePointer scene = threeBodies();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    for (const RegisteredStrategy& registered : strategies()) {
+        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        strategy->build(*scene);
+        const Verdict verdict = strategy->cull(overThree());
+        const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), strategy->facing());
+        const Accuracy accuracy =
+            compare(reference, picture(buffers, overThree(), verdict.drawList).depth, verdict.drawList, *scene);
+        EXPECT_GT(accuracy.coveredPixels, 2000u);
+        EXPECT_EQ(accuracy.missedPixels, 0u) << registered.info.id;
+        EXPECT_EQ(accuracy.extraPixels, 0u) << registered.info.id;
+        EXPECT_EQ(accuracy.falselyCulledTriangles, 0u) << registered.info.id;
+        EXPECT_EQ(accuracy.submittedTriangles, verdict.consideredTriangles);
+    }
+}
+
+TEST(Accuracy, removedObjectIsMiscounted) {
+    const ScenePointer scene = threeBodies();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), Facing::TwoSided);
+    for (uint32_t removed = 0; removed < 3; ++removed) {
+        DrawList lossy = everything(*scene, Facing::TwoSided);
+        std::erase_if(lossy.ranges, [&](const DrawRange& range) { return range.instance == removed; });
+        // Counted apart: every pixel whose triangle belongs to the removed object, every different triangle of it.
+        uint64_t pixels = 0;
+        std::vector<uint32_t> triangles;
+        for (const uint32_t number : reference.triangle) {
+            if (number == 0 || scene->instanceOf(number - 1) != removed) continue;
+            ++pixels;
+            triangles.push_back(number);
+        }
+        std::ranges::sort(triangles);
+        const auto repeated = std::ranges::unique(triangles);
+        triangles.erase(repeated.begin(), repeated.end());
+
+        const Accuracy accuracy = compare(reference, picture(buffers, overThree(), lossy).depth, lossy, *scene);
+        EXPECT_GT(pixels, 100u);
+        EXPECT_EQ(accuracy.missedPixels, pixels) << removed;
+        EXPECT_EQ(accuracy.falselyCulledTriangles, triangles.size()) << removed;
+        EXPECT_EQ(accuracy.extraPixels, 0u);
+        EXPECT_LE(accuracy.largestHolePixels, pixels);
+        EXPECT_GT(accuracy.largestHolePixels, pixels / 4);
+        EXPECT_EQ(accuracy.submittedTriangles, scene->triangleCount() - scene->meshOf(removed).triangleCount());
+        EXPECT_EQ(accuracy.needlesslyDrawnTriangles,
+                  accuracy.submittedTriangles - (reference.visibleTriangles.size() - triangles.size()));
+    }
+}
+
+TEST(MissedBeyondSnapping, edgePixelCountsOrInnerPixelDoesNot) {
+    // A square from (−1, −1) to (1, 1), 64 × 64 pixels of 1/32 each: its diagonal runs through pixel centres, its middle
+    // triangles do not.
+    const ScenePointer scene = sceneOf({squareMesh(1, -1)});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 10}, {64, 64});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
+    const auto beyond = [&](size_t x, size_t y) {
+        std::vector<float> depth = reference.depth;
+        depth[y * 64 + x] = 0.0f;
+        return missedBeyondSnapping(reference, depth, *scene, view);
+    };
+    EXPECT_EQ(missedBeyondSnapping(reference, reference.depth, *scene, view), 0u);
+    EXPECT_EQ(beyond(20, 20), 0u) << "on the diagonal";
+    EXPECT_EQ(beyond(20, 40), 1u) << "within the upper triangle";
+    EXPECT_EQ(beyond(40, 20), 1u) << "within the lower triangle";
+    EXPECT_EQ(missedBeyondSnapping(reference, std::vector<float>(64 * 64, 0.0f), *scene, view), 64u * 64u - 64u);
+}
+
+TEST(MissedBeyondSnapping, backFaceCullingLosesASurfaceOfAClosedMesh) {
+    for (const MeshPointer& mesh : {knotMesh(20000), torusMesh(20000), starMesh(7, 20000), sphereMesh(50000)}) {
+        const ScenePointer scene = sceneOf({mesh});
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        for (const Vec3& eye : {Vec3(0, 0, 5), Vec3(3, 2, -2), Vec3(-4, .1, 0)}) {
+            const View view({eye, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {320, 240});
+            const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
+            EXPECT_EQ(
+                missedBeyondSnapping(reference, picture(buffers, view, everything(*scene, Facing::Front)).depth, *scene, view),
+                0u)
+                << mesh->name();
+        }
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+
+namespace cullscope::test {
+
+/// 113 bits of mantissa. Everything between a camera's doubles and an answer is computed in it.
+__extension__ typedef __float128 Quad;
+
+/// How an object lies to a frustum in (nearly) exact arithmetic.
+struct ObjectTruth {
+    bool visible = false;    ///< a part of a triangle lies within the closed frustum
+    bool straddles = false;  ///< visible, and some vertex lies outside
+    /// The least distance of a vertex from each plane (left, right, bottom, top, near, far), over its distance from the eye; 1 at
+    /// most.
+    std::array<double, 6> closest{1, 1, 1, 1, 1, 1};
+};
+
+/// Decides what a frustum shows, and shares no code with the library: reads eye, target, up, fovy, near, far and the picture's
+/// size, builds the six half-spaces itself, puts every vertex into the world and clips every triangle against the six. Error
+/// bound: every sum has terms below 2^38 of the largest coordinate in play (aspects to 2^14, tangents to 2^7, 1e9 against 1e-6
+/// ...) and is rounded to 2^-113 of them, so a plane is misplaced by less than 2^-100 of the scene's coordinates: 1e-23 at 1e7.
+/// Closed half-spaces: what touches a plane counts as visible, which is the stricter demand on a culling test.
+class ExactVisibility {
+public:
+    ExactVisibility(const Camera& camera, const Viewport& viewport);
+
+    [[nodiscard]] ObjectTruth judge(const Scene& scene, size_t instance) const;
+
+private:
+    /// inside where n·p + offset >= 0, with p relative to the eye
+    struct HalfSpace {
+        std::array<Quad, 3> normal;  ///< unit length
+        Quad offset;
+    };
+    std::array<HalfSpace, 6> m_halfSpaces;
+    std::array<Quad, 3> m_eye;
+};
+
+/// Every number of a camera with 17 digits, for a counterexample.
+[[nodiscard]] std::string described(const Camera& camera, const Viewport& viewport);
+
+}  // namespace cullscope::test

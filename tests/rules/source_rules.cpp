@@ -1,0 +1,238 @@
+#include "tests/rules/source_rules.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <regex>
+#include <set>
+
+namespace cullscope::rules {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A line of a text file and its number.
+struct Line {
+    int number = 0;
+    std::string text;
+};
+
+std::vector<Line> linesOf(const fs::path& file) {
+    std::vector<Line> lines;
+    std::ifstream stream(file);
+    std::string text;
+    for (int number = 1; std::getline(stream, text); ++number) lines.push_back({number, text});
+    return lines;
+}
+
+std::vector<fs::path> filesBelow(const fs::path& folder, const std::set<std::string>& namesOrExtensions) {
+    std::vector<fs::path> files;
+    if (!fs::is_directory(folder)) return files;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+        const fs::path& path = entry.path();
+        const bool wanted =
+            namesOrExtensions.contains(path.extension().string()) || namesOrExtensions.contains(path.filename().string());
+        if (entry.is_regular_file() && wanted) files.push_back(path);
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+std::optional<size_t> levelOf(std::string_view layer) {
+    const auto found = std::find(layers().begin(), layers().end(), layer);
+    if (found == layers().end()) return std::nullopt;
+    return static_cast<size_t>(found - layers().begin());
+}
+
+/// "core/mesh/load.h" → "core", "mesh", "load.h".
+std::vector<std::string> partsOf(const fs::path& path) {
+    std::vector<std::string> parts;
+    for (const fs::path& part : path) parts.push_back(part.string());
+    return parts;
+}
+
+/// "mesh" for "core/mesh/load.h"; empty for a file outside core and for one in core itself.
+std::string layerOf(const fs::path& path) {
+    const std::vector<std::string> parts = partsOf(path);
+    return parts.size() > 2 && parts[0] == "core" ? parts[1] : std::string();
+}
+
+bool isCullbench(const fs::path& file) { return *file.begin() == "app" && file.string().find("cullbench") != std::string::npos; }
+
+/// What is wrong with an include of the library's own headers by a file of core; empty where nothing is.
+std::string wrongInCore(const Include& include) {
+    const std::vector<std::string> target = partsOf(include.name);
+    if (!include.quoted) return target[0] == "core" ? "names a header of the project in angle brackets" : "";
+    if (target[0] == "ui" || target[0] == "app" || target[0] == "tests")
+        return "core includes " + target[0] + ": " + include.name;
+    if (target[0] == "embedded") return "";  // made by the build (packaging/cmake/EmbedText.cmake)
+    if (target[0] != "core") return "is not named from the root of the tree: " + include.name;
+    const std::string layer = layerOf(include.file);
+    const std::string targetLayer = layerOf(include.name);
+    if (targetLayer.empty()) return "";
+    if (layer.empty()) return "a header of all layers includes one layer's: " + include.name;
+    const std::optional<size_t> level = levelOf(layer);
+    const std::optional<size_t> targetLevel = levelOf(targetLayer);
+    if (!targetLevel) return "names no layer: " + include.name;
+    if (level && *targetLevel > *level)
+        return "layer " + layer + " includes the higher layer " + targetLayer + ": " + include.name;
+    return "";
+}
+
+std::string wrongInUi(const Include& include) {
+    const std::string top = partsOf(include.name)[0];
+    if (top == "app" || top == "tests") return "ui includes " + top + ": " + include.name;
+    const bool generated = fs::path(include.name).extension() == ".moc" || include.name.starts_with("ui_");
+    if (include.quoted && top != "core" && top != "ui" && !generated)
+        return "is not named from the root of the tree: " + include.name;
+    return "";
+}
+
+std::string wrongInApp(const Include& include) {
+    if (isCullbench(include.file) && partsOf(include.name)[0] == "ui") return "cullbench includes ui: " + include.name;
+    return "";
+}
+
+/// The text of a CMake line without its comment.
+std::string withoutComment(const std::string& text) { return text.substr(0, text.find('#')); }
+
+std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
+    std::vector<std::string> found;
+    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) found.push_back((*match)[1]);
+    return found;
+}
+
+/// What is wrong with a line of a CMakeLists.txt in core or ui.
+std::vector<std::string> wrongLinks(const fs::path& file, const std::string& text) {
+    static const std::regex kOwnTarget(R"(\bcullscope(?:::|_)(\w+))");
+    static const std::regex kQt(R"(\b(Qt6?::\w+))");
+    static const std::regex kOpenGl(R"(\b(PkgConfig::epoxy|OpenGL::\w+|EGL::\w+))");
+    static const std::regex kOpenMesh(R"(\b(OpenMesh(?:Core|Tools)\w*))");
+    const bool inCore = *file.begin() == "core";
+    const std::string layer = layerOf(file);
+    std::vector<std::string> wrong;
+    for (const std::string& target : matches(text, kOwnTarget)) {
+        if (inCore && (target == "ui" || target == "app")) wrong.push_back("core links " + target);
+        const std::optional<size_t> level = levelOf(layer);
+        const std::optional<size_t> targetLevel = levelOf(target);
+        if (level && targetLevel && *targetLevel > *level)
+            wrong.push_back("layer " + layer + " links the higher layer " + target);
+        if (!inCore && target == "app") wrong.push_back("ui links app");
+    }
+    if (inCore) {
+        for (const std::string& library : matches(text, kQt)) wrong.push_back("core links Qt: " + library);
+    }
+    if (layer != "gpu") {
+        for (const std::string& library : matches(text, kOpenGl))
+            wrong.push_back("OpenGL is linked outside core/gpu: " + library);
+    }
+    if (layer != "mesh") {
+        for (const std::string& library : matches(text, kOpenMesh))
+            wrong.push_back("OpenMesh is linked outside core/mesh: " + library);
+    }
+    return wrong;
+}
+
+}  // namespace
+
+std::ostream& operator<<(std::ostream& out, const Offence& offence) {
+    out << offence.file.generic_string();
+    if (offence.line > 0) out << ':' << offence.line;
+    return out << ": " << offence.what;
+}
+
+const std::vector<std::string>& layers() {
+    static const std::vector<std::string> kLayers = {"base",   "geometry", "mesh",       "scene",  "spatial",
+                                                     "raster", "gpu",      "visibility", "measure"};
+    return kLayers;
+}
+
+std::vector<Include> includesBelow(const fs::path& root, const std::vector<std::string>& folders) {
+    static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]+)[>"])");
+    std::vector<Include> includes;
+    for (const std::string& folder : folders) {
+        for (const fs::path& file : filesBelow(root / folder, {".h", ".cpp"})) {
+            for (const Line& line : linesOf(file)) {
+                std::smatch match;
+                if (!std::regex_search(line.text, match, kInclude)) continue;
+                includes.push_back({fs::relative(file, root), line.number, match[2], match[1] == "\""});
+            }
+        }
+    }
+    return includes;
+}
+
+std::vector<Offence> layeringOffences(const fs::path& root) {
+    std::vector<Offence> offences;
+    for (const Include& include : includesBelow(root, {"core", "ui", "app"})) {
+        const std::string top = include.file.begin()->string();
+        const std::string what = top == "core" ? wrongInCore(include) : top == "ui" ? wrongInUi(include) : wrongInApp(include);
+        if (!what.empty()) offences.push_back({include.file, include.line, what});
+    }
+    for (const fs::directory_entry& entry : fs::directory_iterator(root / "core")) {
+        const std::string name = entry.path().filename().string();
+        if (entry.is_directory() && !levelOf(name)) offences.push_back({"core/" + name, 0, "is a folder of core but no layer"});
+    }
+    return offences;
+}
+
+std::vector<Offence> libraryOffences(const fs::path& root) {
+    static const std::regex kQt(R"(^(Qt[A-Z]\w*(/.*)?|Q[A-Z]\w*|q[a-z0-9]+\.h)$)");
+    static const std::regex kOpenGl(
+        R"(^((epoxy|GL|GLES\d?|EGL|KHR)/.*|(QtOpenGL/)?QOpenGL(ExtraFunctions|Functions.*|Buffer|Texture|Shader.*|Framebuffer.*|VertexArray.*))$)");
+    static const std::regex kOpenMesh(R"(^OpenMesh/)");
+    std::vector<Offence> offences;
+    for (const Include& include : includesBelow(root, {"core", "ui", "app"})) {
+        const auto report = [&](const std::string& what) {
+            offences.push_back({include.file, include.line, what + include.name});
+        };
+        const bool withoutQt = *include.file.begin() == "core" || isCullbench(include.file);
+        const std::string layer = layerOf(include.file);
+        if (withoutQt && std::regex_search(include.name, kQt)) report("uses Qt: ");
+        if (layer != "gpu" && std::regex_search(include.name, kOpenGl)) report("uses OpenGL outside core/gpu: ");
+        if (layer != "mesh" && std::regex_search(include.name, kOpenMesh)) report("uses OpenMesh outside core/mesh: ");
+    }
+    return offences;
+}
+
+std::vector<Offence> linkOffences(const fs::path& root) {
+    std::vector<Offence> offences;
+    for (const char* folder : {"core", "ui"}) {
+        for (const fs::path& file : filesBelow(root / folder, {"CMakeLists.txt", ".cmake"})) {
+            const fs::path relative = fs::relative(file, root);
+            for (const Line& line : linesOf(file)) {
+                for (const std::string& what : wrongLinks(relative, withoutComment(line.text)))
+                    offences.push_back({relative, line.number, what});
+            }
+        }
+    }
+    return offences;
+}
+
+std::vector<Offence> topLevelOffences(const fs::path& root) {
+    static const std::set<std::string> kPlaces = {"CMakeLists.txt",
+                                                  "CMakePresets.json",
+                                                  "README.md",
+                                                  "LICENSE",
+                                                  "CHANGELOG.md",
+                                                  "CONTRIBUTING.md",
+                                                  "app",
+                                                  "core",
+                                                  "ui",
+                                                  "resources",
+                                                  "tests",
+                                                  "packaging"};
+    std::vector<Offence> offences;
+    for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
+        const std::string name = entry.path().filename().string();
+        if (kPlaces.contains(name) || name.starts_with(".")) continue;
+        // What a build or an editor leaves there is no part of the project.
+        if (name.starts_with("build") || name == "compile_commands.json" || name == "CMakeUserPresets.json") continue;
+        offences.push_back({name, 0, "has no place at the top of the tree"});
+    }
+    return offences;
+}
+
+}  // namespace cullscope::rules

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <filesystem>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cullscope::rules {
+
+/// An `#include` line.
+struct Include {
+    std::filesystem::path file;  ///< relative to the tree's root
+    int line = 0;
+    std::string name;  ///< what stands between the quotes or the angle brackets
+    bool quoted = false;
+};
+
+/// Every `#include` of the .h and .cpp files below the given folders of `root`, files in alphabetical order.
+[[nodiscard]] std::vector<Include> includesBelow(const std::filesystem::path& root, const std::vector<std::string>& folders);
+
+/// A place that breaks a rule.
+struct Offence {
+    std::filesystem::path file;  ///< relative to the tree's root
+    int line = 0;                ///< 0: the file or folder as a whole
+    std::string what;
+
+    bool operator==(const Offence&) const = default;
+};
+std::ostream& operator<<(std::ostream& out, const Offence& offence);
+
+/// The layers of core, from the ground up.
+[[nodiscard]] const std::vector<std::string>& layers();
+
+/// Includes that point down the list of layers, from core to ui or app, or from ui to app; folders of core that are no layer.
+[[nodiscard]] std::vector<Offence> layeringOffences(const std::filesystem::path& root);
+
+/// Includes of Qt in core or in cullbench, of OpenGL outside core/gpu, and of OpenMesh outside core/mesh.
+[[nodiscard]] std::vector<Offence> libraryOffences(const std::filesystem::path& root);
+
+/// The same two rules in what the CMakeLists.txt files of core and ui name.
+[[nodiscard]] std::vector<Offence> linkOffences(const std::filesystem::path& root);
+
+/// Files and folders at the top of the tree that have no place there; build folders and dot-files may be there.
+[[nodiscard]] std::vector<Offence> topLevelOffences(const std::filesystem::path& root);
+
+}  // namespace cullscope::rules

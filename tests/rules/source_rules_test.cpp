@@ -1,0 +1,149 @@
+#include "tests/rules/source_rules.h"
+
+#include <unistd.h>
+
+#include <fstream>
+
+namespace cullscope::rules {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// A small tree without an offence, in a temporary folder.
+class PlantedTree : public testing::Test {
+protected:
+    PlantedTree() : m_root(fs::temp_directory_path() / ("cullscope rules " + std::to_string(getpid()))) {
+        write("core/precompiled.h", "#include <vector>\n");
+        write("core/base/error.h", "#include <string>\n");
+        write("core/mesh/load.cpp", "#include \"core/base/error.h\"\n#include <OpenMesh/Core/IO/MeshIO.hh>\n");
+        write("core/gpu/context.cpp", "#include <epoxy/gl.h>\n#include \"core/mesh/load.h\"\n");
+        write("core/mesh/CMakeLists.txt",
+              "cullscope_layer(mesh LINKS cullscope::base PRIVATE_LINKS OpenMeshCore)  # not Qt6::Core\n");
+        write("ui/window.cpp",
+              "#include \"ui/window.h\"\n#include \"core/gpu/context.h\"\n#include <QWidget>\n#include \"window.moc\"\n");
+        write("app/cullbench.cpp", "#include \"core/mesh/load.h\"\n");
+        write("app/cullscope.cpp", "#include \"ui/window.h\"\n#include <QApplication>\n");
+    }
+    ~PlantedTree() override {
+        std::error_code ignored;
+        fs::remove_all(m_root, ignored);
+    }
+
+    void write(const fs::path& file, const std::string& text) const {
+        fs::create_directories((m_root / file).parent_path());
+        std::ofstream(m_root / file) << text;
+    }
+    [[nodiscard]] const fs::path& root() const { return m_root; }
+
+private:
+    fs::path m_root;
+};
+
+TEST_F(PlantedTree, treeWithoutOffence) {
+    EXPECT_THAT(layeringOffences(root()), IsEmpty());
+    EXPECT_THAT(libraryOffences(root()), IsEmpty());
+    EXPECT_THAT(linkOffences(root()), IsEmpty());
+    EXPECT_THAT(topLevelOffences(root()), IsEmpty());
+}
+
+TEST_F(PlantedTree, layerThatIncludesAHigherOne) {
+    write("core/mesh/save.cpp", "\n  #  include \"core/scene/scene.h\"\n");
+    EXPECT_THAT(layeringOffences(root()),
+                ElementsAre(Offence{"core/mesh/save.cpp", 2, "layer mesh includes the higher layer scene: core/scene/scene.h"}));
+}
+
+TEST_F(PlantedTree, coreThatIncludesUiOrApp) {
+    write("core/measure/run.cpp", "#include \"ui/session.h\"\n#include \"app/version.h\"\n");
+    EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"core/measure/run.cpp", 1, "core includes ui: ui/session.h"},
+                                                      Offence{"core/measure/run.cpp", 2, "core includes app: app/version.h"}));
+}
+
+TEST_F(PlantedTree, includeThatHidesItsLayer) {
+    write("core/mesh/save.cpp", "#include \"../scene/scene.h\"\n#include <core/scene/scene.h>\n");
+    EXPECT_EQ(layeringOffences(root()).size(), 2u);
+}
+
+TEST_F(PlantedTree, commonHeaderThatIncludesALayer) {
+    write("core/precompiled.h", "#include \"core/mesh/load.h\"\n");
+    EXPECT_EQ(layeringOffences(root()).size(), 1u);
+}
+
+TEST_F(PlantedTree, folderThatIsNoLayer) {
+    write("core/helpers/text.h", "");
+    EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"core/helpers", 0, "is a folder of core but no layer"}));
+}
+
+TEST_F(PlantedTree, uiThatIncludesApp) {
+    write("ui/panel.cpp", "#include \"app/arguments.h\"\n");
+    EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"ui/panel.cpp", 1, "ui includes app: app/arguments.h"}));
+}
+
+TEST_F(PlantedTree, cullbenchThatIncludesUiOrQt) {
+    write("app/cullbench_render.cpp", "#include \"ui/session.h\"\n#include <QImage>\n");
+    EXPECT_THAT(layeringOffences(root()),
+                ElementsAre(Offence{"app/cullbench_render.cpp", 1, "cullbench includes ui: ui/session.h"}));
+    EXPECT_THAT(libraryOffences(root()), ElementsAre(Offence{"app/cullbench_render.cpp", 2, "uses Qt: QImage"}));
+}
+
+TEST_F(PlantedTree, qtInCore) {
+    for (const char* header : {"QString", "QtCore/QString", "QtGlobal", "qstring.h"}) {
+        write("core/base/text.cpp", std::string("#include <") + header + ">\n");
+        EXPECT_THAT(libraryOffences(root()), ElementsAre(Offence{"core/base/text.cpp", 1, std::string("uses Qt: ") + header}));
+    }
+}
+
+TEST_F(PlantedTree, openGlOutsideItsLayer) {
+    for (const char* header : {"epoxy/gl.h", "GL/gl.h", "EGL/egl.h", "QOpenGLFunctions_4_5_Core", "QOpenGLFramebufferObject"}) {
+        write("ui/view.cpp", std::string("#include <") + header + ">\n");
+        EXPECT_THAT(libraryOffences(root()),
+                    ElementsAre(Offence{"ui/view.cpp", 1, std::string("uses OpenGL outside core/gpu: ") + header}));
+    }
+    write("ui/view.cpp", "#include <QOpenGLWidget>\n#include <QOpenGLContext>\n");
+    EXPECT_THAT(libraryOffences(root()), IsEmpty());
+}
+
+TEST_F(PlantedTree, openMeshOutsideItsLayer) {
+    write("core/scene/scene.cpp", "#include <OpenMesh/Core/Mesh/Traits.hh>\n");
+    EXPECT_THAT(libraryOffences(root()),
+                ElementsAre(Offence{"core/scene/scene.cpp", 1, "uses OpenMesh outside core/mesh: OpenMesh/Core/Mesh/Traits.hh"}));
+}
+
+TEST_F(PlantedTree, linksToHigherLayersAndForeignLibraries) {
+    write("core/mesh/CMakeLists.txt",
+          "cullscope_layer(mesh\n  LINKS cullscope::scene cullscope::ui\n  PRIVATE_LINKS Qt6::Core PkgConfig::epoxy)\n");
+    write("core/scene/CMakeLists.txt", "cullscope_layer(scene LINKS cullscope_mesh OpenMeshTools)\n");
+    write("ui/CMakeLists.txt", "target_link_libraries(cullscope_ui PRIVATE Qt6::Widgets cullscope::measure cullscope::app)\n");
+    const std::vector<Offence> offences = linkOffences(root());
+    EXPECT_THAT(offences,
+                ElementsAre(Offence{"core/mesh/CMakeLists.txt", 2, "layer mesh links the higher layer scene"},
+                            Offence{"core/mesh/CMakeLists.txt", 2, "core links ui"},
+                            Offence{"core/mesh/CMakeLists.txt", 3, "core links Qt: Qt6::Core"},
+                            Offence{"core/mesh/CMakeLists.txt", 3, "OpenGL is linked outside core/gpu: PkgConfig::epoxy"},
+                            Offence{"core/scene/CMakeLists.txt", 1, "OpenMesh is linked outside core/mesh: OpenMeshTools"},
+                            Offence{"ui/CMakeLists.txt", 1, "ui links app"}));
+}
+
+TEST_F(PlantedTree, strayFileAtTheTop) {
+    write("notes.txt", "");
+    write("build-clang/x", "");
+    write(".gitignore", "");
+    EXPECT_THAT(topLevelOffences(root()), ElementsAre(Offence{"notes.txt", 0, "has no place at the top of the tree"}));
+}
+
+/// The project's own tree.
+const fs::path& project() {
+    static const fs::path kProject = CULLSCOPE_SOURCE_DIR;
+    return kProject;
+}
+
+TEST(SourceRules, includesAreFoundAtAll) { EXPECT_GT(includesBelow(project(), {"core", "ui", "app", "tests"}).size(), 100u); }
+TEST(SourceRules, dependenciesPointUpTheList) { EXPECT_THAT(layeringOffences(project()), IsEmpty()); }
+TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
+TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }
+TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()), IsEmpty()); }
+
+}  // namespace
+}  // namespace cullscope::rules

@@ -1,0 +1,114 @@
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+
+#include "core/visibility/registry.h"
+#include "tests/ui/test_scene.h"
+#include "ui/models/figure_model.h"
+#include "ui/models/report_model.h"
+#include "ui/models/scene_model.h"
+#include "ui/models/strategy_model.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+namespace {
+
+constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+
+Figures someFigures() {
+    Figures figures;
+    figures.state = Figures::State::Ready;
+    figures.speedup = 3.14;
+    figures.frameMilliseconds = 4.0;
+    figures.consideredTriangles = 15;
+    figures.sceneTriangles = 100;
+    return figures;
+}
+
+TEST(Models, strategiesAreTheRegistrys) {
+    StrategyModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    ASSERT_EQ(model.rowCount(), int(strategies().size()));
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const std::string id = model.index(row).data(StrategyModel::IdRole).toString().toStdString();
+        EXPECT_EQ(id, strategies()[size_t(row)].info.id);
+        EXPECT_EQ(model.rowOf(id), row);
+    }
+    EXPECT_EQ(model.rowOf("none of these"), -1);
+    model.retranslate();
+}
+
+TEST(Models, reportSaysWhatWasRepairedOrThatNothingWas) {
+    ReportModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    EXPECT_EQ(model.rowCount(), 0);
+    model.setReport(LoadReport{});
+    EXPECT_EQ(model.rowCount(), 1);
+    EXPECT_TRUE(model.clean());
+    LoadReport report;
+    report.degenerateFaces = 12;
+    report.duplicateFaces = 3;
+    model.setReport(report);
+    EXPECT_FALSE(model.clean());
+    ASSERT_EQ(model.rowCount(), 2);
+    EXPECT_TRUE(model.index(0).data().toString().contains(QStringLiteral("12")));
+    model.setReport(std::nullopt);
+    EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(Models, sceneFactsNameTheTriangles) {
+    SceneModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    EXPECT_EQ(model.rowCount(), 0);
+    model.setScene(openScene("sphere:triangles=1280").scene);
+    ASSERT_GT(model.rowCount(), 1);
+    EXPECT_EQ(model.index(1, 1).data().toString().toStdString(), "1,280");
+    model.retranslate();
+    model.setScene(nullptr);
+    EXPECT_EQ(model.rowCount(), 0);
+}
+
+TEST(Models, figuresAreColumnsOfTheShownViews) {
+    FigureModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    Figures stale;
+    stale.state = Figures::State::Stale;
+    model.setColumns({{0, stale}, {1, someFigures()}});
+    ASSERT_EQ(model.columnCount(), 2);
+    EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("…"));
+    EXPECT_EQ(model.index(0, 1).data().toString(), QStringLiteral("×3.1"));
+    model.setFigures(0, someFigures());
+    EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("×3.1"));
+    EXPECT_EQ(model.headerData(1, Qt::Horizontal, Qt::DisplayRole).toString(), QStringLiteral("B"));
+    model.setColumns({});
+    EXPECT_EQ(model.columnCount(), 0);
+}
+
+TEST(Wording, headerOfFigures) {
+    Figures figures = someFigures();
+    EXPECT_EQ(figureLine(figures), QStringLiteral("×3.1 · 15 % · 0 missed"));
+    figures.accuracy.missedPixels = 1234;
+    figures.speedup.reset();
+    EXPECT_EQ(figureLine(figures), QStringLiteral("×… · 15 % · 1,234 missed"));
+    figures.state = Figures::State::Stale;
+    EXPECT_EQ(figureLine(figures), QStringLiteral("…"));
+    figures.state = Figures::State::Nothing;
+    EXPECT_EQ(figureLine(figures), QString());
+}
+
+TEST(Wording, aShareIsNeverRoundedToNothingOrToAll) {
+    EXPECT_EQ(percentText(0.0), QStringLiteral("0"));
+    EXPECT_EQ(percentText(1e-6), QStringLiteral("<0.1"));
+    EXPECT_EQ(percentText(0.015), QStringLiteral("1.5"));
+    EXPECT_EQ(percentText(0.999), QStringLiteral("99"));
+    EXPECT_EQ(percentText(1.0), QStringLiteral("100"));
+}
+
+TEST(Wording, ratiosHaveTwoDigits) {
+    EXPECT_EQ(ratioText(0.97), QStringLiteral("0.97"));
+    EXPECT_EQ(ratioText(3.14), QStringLiteral("3.1"));
+    EXPECT_EQ(ratioText(15.2), QStringLiteral("15"));
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,145 @@
+#include "ui/session/navigation.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace cullscope::ui {
+namespace {
+
+constexpr Viewport kSize{640, 480};
+
+/// Where a world point shows, in pixels with y upward.
+Vec2 pixelOf(const View& view, const Vec3& point) {
+    const Vec4 clip = view.clipFromEyeRelative() * Vec4(point - view.eye(), 1.0);
+    return {(clip.x / clip.w * 0.5 + 0.5) * kSize.width, (clip.y / clip.w * 0.5 + 0.5) * kSize.height};
+}
+
+bool finite(const Camera& camera) {
+    const auto ok = [](const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+    return ok(camera.eye) && ok(camera.target) && glm::length(camera.eye - camera.target) > 0.0;
+}
+
+TEST(Navigation, zoomKeepsThePointUnderThePointer) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> unit(-1.0, 1.0);
+    for (int i = 0; i < 200; ++i) {
+        Camera camera;
+        camera.eye = Vec3(unit(random), unit(random), 3.0 + unit(random));
+        const Vec3 point(unit(random), unit(random), unit(random));
+        const Vec2 before = pixelOf(View(camera, kSize), point);
+        for (const double factor : {0.85, 1.3}) {
+            const Vec2 after = pixelOf(View(zoomed(camera, point, factor, 1.0), kSize), point);
+            EXPECT_NEAR(before.x, after.x, 1e-6);
+            EXPECT_NEAR(before.y, after.y, 1e-6);
+        }
+    }
+}
+
+TEST(Navigation, zoomNeverSticksOrGoesThroughNaN) {
+    for (const Vec3& offset : {Vec3(0.0), Vec3(1e7, -1e7, 3e6)}) {
+        const Sphere scene{offset, 1.0};
+        Camera camera;
+        camera.eye += offset;
+        camera.target += offset;
+        for (int step = 0; step < 1000; ++step) {
+            const Camera next = withClipPlanes(zoomed(camera, offset, 0.85, 1.0), scene, std::nullopt);
+            ASSERT_TRUE(finite(next)) << step;
+            ASSERT_NE(next.eye, camera.eye) << step;
+            ASSERT_NO_THROW(validate(next, kSize)) << step;
+            camera = next;
+        }
+        // The way went through the point and on; from there the wheel leads out again.
+        EXPECT_LT(camera.eye.z, offset.z);
+        const double before = glm::length(camera.eye - offset);
+        for (int step = 0; step < 50; ++step) camera = zoomed(camera, offset, 1.2, 1.0);
+        EXPECT_GT(glm::length(camera.eye - offset), before);
+    }
+}
+
+TEST(Navigation, zoomWithTheEyeOnThePointStaysFinite) {
+    Camera camera;
+    EXPECT_TRUE(finite(zoomed(camera, camera.eye, 0.5, 1.0)));
+    EXPECT_TRUE(finite(zoomed(camera, camera.eye, 2.0, 1.0)));
+}
+
+TEST(Navigation, turntableNeverFlips) {
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z}) {
+        Camera camera;
+        camera.eye = Vec3(1.0, 2.0, 3.0);
+        std::mt19937 random(2);
+        std::uniform_real_distribution<double> degrees(-400.0, 400.0);
+        const double distance = glm::length(camera.eye - camera.target);
+        for (int i = 0; i < 1000; ++i) {
+            camera = turned(camera, up, Angle::fromDegrees(degrees(random)), Angle::fromDegrees(degrees(random)));
+            ASSERT_TRUE(finite(camera));
+            EXPECT_NEAR(glm::length(camera.eye - camera.target), distance, 1e-9);
+            // Up stays up in the picture.
+            EXPECT_GT(glm::dot(View(camera, kSize).frustum().up, axisVector(up)), 0.0);
+        }
+    }
+}
+
+TEST(Navigation, turningRightShowsTheOtherSide) {
+    Camera camera;
+    const Camera half = turned(camera, UpAxis::Y, Angle::fromDegrees(180.0), {});
+    EXPECT_NEAR(half.eye.z, -camera.eye.z, 1e-9);
+    EXPECT_NEAR(half.eye.x, 0.0, 1e-9);
+}
+
+TEST(Navigation, panKeepsTheGrabbedPointUnderThePointer) {
+    const View view(Camera{}, kSize);
+    const Vec3 point(0.3, -0.2, 0.5);
+    const Vec2 from = pixelOf(view, point);
+    const Vec2 to = from + Vec2(37.0, -81.0);
+    const double distance = glm::dot(point - view.eye(), view.frustum().forward);
+    const Vec2 after = pixelOf(View(panned(view, distance, from, to), kSize), point);
+    EXPECT_NEAR(after.x, to.x, 1e-6);
+    EXPECT_NEAR(after.y, to.y, 1e-6);
+}
+
+TEST(Navigation, centredPointStandsInTheMiddleAtTheSameDepth) {
+    const View view(Camera{}, kSize);
+    const Vec3 point(0.4, 0.3, -0.6);
+    const Camera camera = centredOn(view, point);
+    const Vec2 after = pixelOf(View(camera, kSize), point);
+    EXPECT_NEAR(after.x, 320.0, 1e-6);
+    EXPECT_NEAR(after.y, 240.0, 1e-6);
+    EXPECT_EQ(camera.target, point);
+    EXPECT_NEAR(glm::length(point - camera.eye), glm::dot(point - view.eye(), view.frustum().forward), 1e-9);
+}
+
+TEST(Navigation, pointUnderReadsBackADepthSample) {
+    const View view(Camera{}, kSize);
+    const Vec3 point(0.1, 0.2, 0.3);
+    const double distance = glm::dot(point - view.eye(), view.frustum().forward);
+    const Vec3 found = pointUnder(view, pixelOf(view, point), view.depthFromDistance(distance));
+    EXPECT_NEAR(glm::length(found - point), 0.0, 1e-6);
+    // Nothing drawn there: the target's plane.
+    EXPECT_NEAR(pointUnder(view, Vec2(320.0, 240.0), 0.0).z, 0.0, 1e-9);
+}
+
+TEST(Navigation, framedSceneLiesInThePicture) {
+    const Sphere sphere{Vec3(5.0, -3.0, 100.0), 7.0};
+    for (const double aspect : {0.5, 1.0, 2.0}) {
+        const Camera camera = framed(Camera{}, UpAxis::Y, sphere, aspect);
+        const double distance = glm::length(camera.eye - sphere.centre);
+        const double halfHeight = camera.fovy.radians() / 2.0;
+        const double halfWidth = std::atan(std::tan(halfHeight) * aspect);
+        EXPECT_GE(distance * std::sin(std::min(halfHeight, halfWidth)), sphere.radius);
+    }
+}
+
+TEST(Navigation, clipPlanesHoldTheScene) {
+    const Sphere scene{Vec3(0.0), 2.0};
+    Camera camera;
+    camera.eye = Vec3(0.0, 0.0, 10.0);
+    const Camera set = withClipPlanes(camera, scene, std::nullopt);
+    EXPECT_LT(set.nearDistance, 8.0);
+    EXPECT_GT(set.farDistance, 12.0);
+    EXPECT_DOUBLE_EQ(withClipPlanes(camera, scene, 9.0).nearDistance, 9.0);
+    EXPECT_LT(withClipPlanes(camera, scene, 1e9).nearDistance, set.farDistance);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,120 @@
+#include "ui/panels/parameter_form.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QSlider>
+#include <QSpinBox>
+
+namespace cullscope::ui {
+namespace {
+
+ParameterDeclaration number(std::string key, ParameterType type, ParameterValue value, double from, double to, std::string unit) {
+    ParameterDeclaration declaration;
+    declaration.key = std::move(key);
+    declaration.type = type;
+    declaration.defaultValue = std::move(value);
+    declaration.minimum = from;
+    declaration.maximum = to;
+    declaration.unit = std::move(unit);
+    declaration.description = "A sentence about " + declaration.key + ".";
+    return declaration;
+}
+
+ParameterSet everyType() {
+    ParameterDeclaration boolean = number("on", ParameterType::Boolean, true, 0, 0, "");
+    return ParameterSet(
+        {boolean, number("count", ParameterType::Integer, int64_t(7), 1, 64, "cells"),
+         number("size", ParameterType::Real, 2.5, 0.0, 10.0, "px"), number("wide", ParameterType::Real, 1.0, 1e-4, 1e4, ""),
+         choiceParameter("box", "p-vertex", "How.", {{"p-vertex", "by its corner"}, {"length", "by its length"}})});
+}
+
+struct Form : ::testing::Test {
+    Form() {
+        form.setParameters(everyType());
+        QObject::connect(&form, &ParameterForm::edited, [this](const ParameterSet& parameters) {
+            ++edits;
+            last = parameters;
+        });
+    }
+
+    template <typename Widget>
+    Widget* field(const char* key) {
+        return form.findChild<Widget*>(QString::fromLatin1(key));
+    }
+
+    ParameterForm form;
+    ParameterSet last;
+    int edits = 0;
+};
+
+TEST_F(Form, fieldsFollowTheDeclaredTypes) {
+    ASSERT_TRUE(field<QCheckBox>("on"));
+    EXPECT_TRUE(field<QCheckBox>("on")->isChecked());
+    auto* count = field<QSpinBox>("count");
+    ASSERT_TRUE(count);
+    EXPECT_EQ(count->minimum(), 1);
+    EXPECT_EQ(count->maximum(), 64);
+    EXPECT_EQ(count->value(), 7);
+    EXPECT_EQ(count->suffix(), QStringLiteral(" cells"));
+    EXPECT_EQ(count->toolTip(), QStringLiteral("A sentence about count."));
+    auto* size = field<QWidget>("size");
+    ASSERT_TRUE(size && size->findChild<QSlider*>() && size->findChild<QDoubleSpinBox*>());
+    EXPECT_DOUBLE_EQ(size->findChild<QDoubleSpinBox*>()->value(), 2.5);
+    EXPECT_EQ(size->findChild<QSlider*>()->value(), 250);
+    auto* box = field<QComboBox>("box");
+    ASSERT_TRUE(box);
+    EXPECT_EQ(box->count(), 2);
+    EXPECT_EQ(box->currentData().toString(), QStringLiteral("p-vertex"));
+}
+
+TEST_F(Form, changesAreToldAtOnce) {
+    field<QCheckBox>("on")->click();
+    EXPECT_FALSE(last.boolean("on"));
+    field<QSpinBox>("count")->setValue(9);
+    EXPECT_EQ(last.integer("count"), 9);
+    field<QComboBox>("box")->setCurrentIndex(1);
+    EXPECT_EQ(last.choice("box"), "length");
+    field<QWidget>("size")->findChild<QSlider*>()->setValue(500);
+    EXPECT_DOUBLE_EQ(last.real("size"), 5.0);
+    EXPECT_EQ(edits, 4);
+}
+
+TEST_F(Form, wideRangesSlideByTheirLogarithm) {
+    auto* wide = field<QWidget>("wide");
+    EXPECT_EQ(wide->findChild<QSlider*>()->value(), 500);
+    wide->findChild<QSlider*>()->setValue(1000);
+    EXPECT_DOUBLE_EQ(last.real("wide"), 1e4);
+}
+
+TEST_F(Form, sliderAndNumberMoveTogether) {
+    auto* size = field<QWidget>("size");
+    size->findChild<QDoubleSpinBox*>()->setValue(7.5);
+    EXPECT_EQ(size->findChild<QSlider*>()->value(), 750);
+    EXPECT_DOUBLE_EQ(last.real("size"), 7.5);
+    EXPECT_EQ(edits, 1);
+}
+
+TEST_F(Form, showingValuesIsNoEdit) {
+    ParameterSet other = everyType();
+    other.set("count", int64_t(30));
+    form.setParameters(other);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(edits, 0);
+    EXPECT_EQ(field<QSpinBox>("count")->value(), 30);
+}
+
+TEST_F(Form, anotherLanguageKeepsTheValues) {
+    field<QSpinBox>("count")->setValue(11);
+    QEvent change(QEvent::LanguageChange);
+    QApplication::sendEvent(&form, &change);
+    QApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+    EXPECT_EQ(field<QSpinBox>("count")->value(), 11);
+    EXPECT_EQ(edits, 1);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,86 @@
+// The program itself, as a process: exit statuses and the picture it saves.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QImage>
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "tests/ui/test_scene.h"
+
+namespace cullscope::ui {
+namespace {
+
+struct Ended {
+    int status = -1;
+    QString errors;
+};
+
+Ended runProgram(const QStringList& arguments, const std::function<void(QProcessEnvironment&)>& change = {}) {
+    const QTemporaryDir home;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home.path());
+    if (change) change(environment);
+    QProcess process;
+    process.setProcessEnvironment(environment);
+    process.start(QStringLiteral(CULLSCOPE_PROGRAM), arguments);
+    EXPECT_TRUE(process.waitForFinished(kPatience));
+    EXPECT_EQ(process.exitStatus(), QProcess::NormalExit);
+    return {process.exitCode(), QString::fromUtf8(process.readAllStandardError())};
+}
+
+TEST(Program, withoutOpenGlItEndsWithASentence) {
+    for (const char* platform : {"offscreen", "minimal"}) {
+        const Ended ended = runProgram({}, [&](QProcessEnvironment& environment) {
+            environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QString::fromLatin1(platform));
+        });
+        EXPECT_EQ(ended.status, 4) << platform;
+        EXPECT_TRUE(ended.errors.startsWith(QStringLiteral("cullscope: "))) << ended.errors.toStdString();
+        EXPECT_TRUE(ended.errors.contains(QStringLiteral("cullbench")));
+    }
+}
+
+TEST(Program, withoutADisplayItEndsWithASentence) {
+    const Ended none = runProgram({}, [](QProcessEnvironment& environment) {
+        environment.remove(QStringLiteral("DISPLAY"));
+        environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    });
+    EXPECT_EQ(none.status, 4);
+    EXPECT_TRUE(none.errors.contains(QStringLiteral("cullbench")));
+    const Ended unreachable = runProgram({}, [](QProcessEnvironment& environment) {
+        environment.insert(QStringLiteral("DISPLAY"), QStringLiteral("localhost:4711"));
+        environment.remove(QStringLiteral("WAYLAND_DISPLAY"));
+    });
+    EXPECT_EQ(unreachable.status, 4);
+    EXPECT_EQ(unreachable.errors.count(QLatin1Char('\n')), 1) << unreachable.errors.toStdString();
+}
+
+TEST(Program, wrongUsageEndsWithTwo) {
+    EXPECT_EQ(runProgram({QStringLiteral("--nonsense")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("nonsense")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("all,all,all")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("--size"), QStringLiteral("wide")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("--language"), QStringLiteral("xx")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("--help")}).status, 0);
+}
+
+TEST(Program, savesAPictureOfItsWindow) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png"));
+    const Ended ended = runProgram({QStringLiteral("-s"), QStringLiteral("all,frustum"), QStringLiteral("sphere:triangles=1280"),
+                                    QStringLiteral("--size"), QStringLiteral("900x600"), QStringLiteral("--screenshot"), file});
+    EXPECT_EQ(ended.status, 0) << ended.errors.toStdString();
+    EXPECT_EQ(QImage(file).size(), QSize(900, 600));
+}
+
+TEST(Program, aSceneThatCannotBeReadIsSaidAndShown) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png"));
+    const Ended ended = runProgram({QStringLiteral("/nonexistent.obj"), QStringLiteral("--screenshot"), file});
+    EXPECT_EQ(ended.status, 3);
+    EXPECT_TRUE(ended.errors.contains(QStringLiteral("/nonexistent.obj"))) << ended.errors.toStdString();
+    EXPECT_FALSE(QImage(file).isNull());
+}
+
+}  // namespace
+}  // namespace cullscope::ui

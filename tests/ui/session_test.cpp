@@ -1,0 +1,201 @@
+#include "ui/session/session.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <atomic>
+
+#include "core/base/error.h"
+#include "core/visibility/registry.h"
+#include "tests/ui/test_scene.h"
+#include "ui/session/background.h"
+#include "ui/session/cullbench_command.h"
+
+namespace cullscope::ui {
+namespace {
+
+TEST(JobNumbers, onlyTheNewestCounts) {
+    JobNumbers jobs;
+    const uint64_t first = jobs.begin();
+    EXPECT_TRUE(jobs.isCurrent(first));
+    const uint64_t second = jobs.begin();
+    EXPECT_FALSE(jobs.isCurrent(first));
+    EXPECT_TRUE(jobs.isCurrent(second));
+    jobs.invalidate();
+    EXPECT_FALSE(jobs.isCurrent(second));
+}
+
+TEST(Background, staleResultsAreDropped) {
+    std::vector<int> delivered;
+    std::atomic<bool> release{false};
+    Background background;
+    for (int i = 0; i < 5; ++i)
+        background.start([&, i](const std::stop_token&) -> Background::Delivery {
+            while (!release) std::this_thread::yield();
+            return [&delivered, i] { delivered.push_back(i); };
+        });
+    release = true;
+    ASSERT_TRUE(waitUntil([&] { return !background.busy(); }));
+    QTest::qWait(50);
+    EXPECT_EQ(delivered, std::vector<int>{4});
+}
+
+TEST(Background, cancelledWorkBringsNothing) {
+    bool delivered = false;
+    Background background;
+    background.start([&](const std::stop_token& stop) -> Background::Delivery {
+        while (!stop.stop_requested()) std::this_thread::yield();
+        return [&delivered] { delivered = true; };
+    });
+    background.cancel();
+    EXPECT_FALSE(background.busy());
+    QTest::qWait(50);
+    EXPECT_FALSE(delivered);
+}
+
+/// Opens "slow" only when told to stop, refuses "bad", and leaves the rest to core.
+OpenedScene slowOrBad(const std::string& specification, const Progress& progress) {
+    if (specification == "bad") throwInput("%1 is bad.", {"bad"});
+    while (specification == "slow") {
+        progress.tell(0.5, "Reading the file");
+        progress.check();
+        std::this_thread::yield();
+    }
+    return openScene(specification, {}, progress);
+}
+
+TEST(Session, failedAndCancelledLoadingLeavesTheSceneAsItWas) {
+    Session::Options options = sessionOptions(false);
+    options.opener = slowOrBad;
+    Session session(options);
+    std::vector<std::string> said;
+    QObject::connect(&session, &Session::messageRaised,
+                     [&](Severity, const Message& message) { said.push_back(message.english()); });
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    const OpenedScenePointer before = session.opened();
+    ASSERT_TRUE(before);
+    const Camera camera = session.camera();
+
+    openAndWait(session, QStringLiteral("bad"));
+    EXPECT_EQ(session.opened(), before);
+    session.open(QStringLiteral("slow"));
+    EXPECT_TRUE(session.loader().loading());
+    session.loader().cancel();
+    EXPECT_FALSE(session.loader().loading());
+    EXPECT_EQ(session.opened(), before);
+    EXPECT_EQ(session.camera(), camera);
+    EXPECT_EQ(said, (std::vector<std::string>{"bad is bad.", "Opening slow was cancelled."}));
+}
+
+TEST(Session, aNewerOpenTakesThePlaceOfAnOlderOne) {
+    Session::Options options = sessionOptions(false);
+    options.opener = slowOrBad;
+    Session session(options);
+    int scenes = 0;
+    QObject::connect(&session, &Session::sceneChanged, [&] { ++scenes; });
+    session.open(QStringLiteral("slow"));
+    session.open(QStringLiteral("sphere:triangles=320"));
+    ASSERT_TRUE(waitUntil([&] { return !session.loader().loading(); }));
+    ASSERT_TRUE(session.opened());
+    EXPECT_EQ(session.opened()->specification, "sphere:triangles=320");
+    EXPECT_EQ(scenes, 1);
+}
+
+TEST(Session, openingKeepsStrategiesAndLayout) {
+    Session session(sessionOptions(false));
+    session.slot(0).choose("all");
+    session.setViewCount(1);
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    openAndWait(session, QStringLiteral("torus:triangles=400"));
+    EXPECT_EQ(session.slot(0).id(), "all");
+    EXPECT_EQ(session.viewCount(), 1);
+}
+
+TEST(Session, manyQuickChangesOfAParameterEndWithTheLast) {
+    Session session(sessionOptions(false));
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    StrategySlot& slot = session.slot(1);
+    ASSERT_EQ(slot.id(), "frustum");
+    ParameterSet parameters = slot.parameters();
+    for (int i = 0; i < 101; ++i) {
+        parameters.setFromText("box", i % 2 == 0 ? "length" : "p-vertex");
+        slot.setParameters(parameters);
+    }
+    ASSERT_TRUE(waitUntil([&] { return slot.built() && !slot.building(); }));
+    EXPECT_EQ(slot.built()->strategy->parameters(), parameters);
+    EXPECT_EQ(slot.parameters().choice("box"), "length");
+}
+
+TEST(Session, homeFollowsTheUpAxis) {
+    Session session(sessionOptions(false));
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    session.setUpAxis(UpAxis::Z);
+    EXPECT_EQ(session.camera().up, Vec3(0, 0, 1));
+    session.setUpAxis(UpAxis::Y);
+    EXPECT_EQ(session.camera().up, Vec3(0, 1, 0));
+}
+
+TEST(CullbenchCommand, repeatsTheView) {
+    const RegisteredStrategy& frustum = findStrategy("frustum");
+    ParameterSet parameters(frustum.info.parameters);
+    parameters.setFromText("box", "length");
+    Camera camera;
+    camera.eye = Vec3(-1.5, 0.1, 3.0);
+    const QString command = cullbenchCommand("/my models/it's.obj", "frustum", parameters, camera, {640, 480});
+    EXPECT_EQ(command.toStdString(),
+              "cullbench render '/my models/it'\\''s.obj' -s frustum -p box=length --eye=-1.5,0.1,3 --target=0,0,0 --up=0,1,0 "
+              "--fovy=45 --near=0.05 --far=1000 --size=640x480 -o view.png");
+}
+
+TEST(Figures, medianOfEvenAndOddCounts) {
+    EXPECT_DOUBLE_EQ(median({3.0, 1.0, 2.0}), 2.0);
+    EXPECT_DOUBLE_EQ(median({4.0, 1.0, 2.0, 3.0}), 2.5);
+}
+
+/// The whole way: scene to graphics card, strategies, truth.
+TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
+    Session session(sessionOptions(true));
+    session.setViewport(0, {160, 120});
+    session.setViewport(1, {160, 120});
+    openAndWait(session, QStringLiteral("sphere:triangles=1280"));
+    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled(); }));
+    for (const int view : {0, 1}) {
+        const Figures& figures = session.figures(view);
+        ASSERT_EQ(figures.state, Figures::State::Ready);
+        EXPECT_EQ(figures.accuracy.missedPixels, 0u);
+        EXPECT_GT(figures.accuracy.coveredPixels, 1000u);
+        EXPECT_EQ(figures.sceneTriangles, session.opened()->scene->triangleCount());
+        EXPECT_TRUE(figures.speedup.has_value());
+    }
+    // backface against itself is one and the same measurement.
+    EXPECT_DOUBLE_EQ(*session.figures(0).speedup, 1.0);
+}
+
+TEST(Session, truthIsComputedOnceForViewsThatShareIt) {
+    Session session(sessionOptions(true));
+    session.setViewport(0, {160, 120});
+    session.setViewport(1, {160, 120});
+    openAndWait(session, QStringLiteral("sphere:triangles=1280"));
+    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled(); }));
+    const size_t before = session.meter()->referencesComputed();
+    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(30.0), {}));
+    EXPECT_EQ(session.figures(0).state, Figures::State::Stale);
+    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled(); }));
+    EXPECT_EQ(session.figures(0).facing, session.figures(1).facing);
+    EXPECT_EQ(session.meter()->referencesComputed(), before + 1);
+}
+
+TEST(Session, movingTheCameraMakesFiguresStale) {
+    Session session(sessionOptions(true));
+    session.setViewport(0, {160, 120});
+    session.setViewport(1, {160, 120});
+    openAndWait(session, QStringLiteral("sphere:triangles=1280"));
+    for (int i = 0; i < 20; ++i) {
+        session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {}));
+        QTest::qWait(5);
+        EXPECT_EQ(session.figures(1).state, Figures::State::Stale);
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::ui

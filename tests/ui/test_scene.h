@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QSignalSpy>
+#include <QTest>
+#include <functional>
+#include <thread>
+
+#include "core/scene/scene_source.h"
+#include "ui/session/session.h"
+
+namespace cullscope::ui {
+
+/// How long a test waits for something that takes a moment; generous, because a busy machine is no error.
+inline constexpr int kPatience = 60'000;  // ms
+
+/// A session on the generators alone.
+inline Session::Options sessionOptions(bool graphics) {
+    Session::Options options;
+    options.graphics = graphics;
+    return options;
+}
+
+inline bool waitUntil(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); }
+
+/// Opens a scene and waits for it.
+inline void openAndWait(Session& session, const QString& specification) {
+    session.open(specification);
+    ASSERT_TRUE(waitUntil([&] { return !session.loader().loading(); }));
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,105 @@
+// The catalogues are complete: what lupdate finds in the sources now is what they translate, all of it.
+#include <gtest/gtest.h>
+
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QSet>
+#include <QTemporaryDir>
+#include <QXmlStreamReader>
+
+#include "ui/text/language.h"
+
+namespace cullscope::ui {
+namespace {
+
+struct Entry {
+    QString context, source, comment, translation;
+    bool unfinished = false;
+};
+
+QList<Entry> readCatalogue(const QString& path) {
+    QFile file(path);
+    EXPECT_TRUE(file.open(QIODevice::ReadOnly)) << path.toStdString();
+    QXmlStreamReader xml(&file);
+    QList<Entry> entries;
+    QString context;
+    while (!xml.atEnd()) {
+        if (xml.readNext() != QXmlStreamReader::StartElement) continue;
+        if (xml.name() == QLatin1String("name")) context = xml.readElementText();
+        if (xml.name() == QLatin1String("message")) entries.push_back({context, {}, {}, {}, false});
+        if (xml.name() == QLatin1String("source")) entries.back().source = xml.readElementText();
+        if (xml.name() == QLatin1String("comment")) entries.back().comment = xml.readElementText();
+        if (xml.name() == QLatin1String("translation")) {
+            entries.back().unfinished = xml.attributes().hasAttribute(QLatin1String("type"));
+            entries.back().translation = xml.readElementText(QXmlStreamReader::IncludeChildElements);
+        }
+    }
+    EXPECT_FALSE(xml.hasError()) << xml.errorString().toStdString();
+    return entries;
+}
+
+QSet<QString> keys(const QList<Entry>& entries) {
+    QSet<QString> result;
+    for (const Entry& entry : entries)
+        result.insert(entry.context + QLatin1Char('|') + entry.source + QLatin1Char('|') + entry.comment);
+    return result;
+}
+
+QSet<QString> places(const QString& text) {
+    static const QRegularExpression place(QStringLiteral("%[1-9]"));
+    QSet<QString> result;
+    for (auto match = place.globalMatch(text); match.hasNext();) result.insert(match.next().captured());
+    return result;
+}
+
+QString catalogue(const char* language) {
+    return QStringLiteral(CULLSCOPE_SOURCE_DIR "/resources/translations/cullscope_%1.ts").arg(QLatin1String(language));
+}
+
+TEST(Translation, nothingIsUnfinishedAndEveryPlaceIsKept) {
+    for (const char* language : {"ko", "zh_CN"}) {
+        const QList<Entry> entries = readCatalogue(catalogue(language));
+        EXPECT_GT(entries.size(), 200);
+        for (const Entry& entry : entries) {
+            const std::string where = std::string(language) + ": " + entry.source.toStdString();
+            EXPECT_FALSE(entry.unfinished) << where;
+            EXPECT_FALSE(entry.translation.isEmpty()) << where;
+            EXPECT_EQ(places(entry.source), places(entry.translation)) << where;
+        }
+    }
+}
+
+TEST(Translation, everySentenceInTheSourcesIsInTheCatalogues) {
+    const QTemporaryDir folder;
+    const QString fresh = folder.filePath(QStringLiteral("fresh_ko.ts"));
+    QProcess update;
+    update.start(QStringLiteral(CULLSCOPE_SOURCE_DIR "/ui/translation/update.sh"),
+                 {QStringLiteral(CULLSCOPE_LUPDATE), QStringLiteral(CULLSCOPE_SOURCE_DIR), folder.path(), fresh});
+    ASSERT_TRUE(update.waitForFinished(60'000));
+    ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();
+    const QSet<QString> wanted = keys(readCatalogue(fresh));
+    for (const char* language : {"ko", "zh_CN"}) {
+        const QSet<QString> known = keys(readCatalogue(catalogue(language)));
+        for (const QString& missing : wanted - known)
+            ADD_FAILURE() << language << " lacks: " << missing.toStdString() << " (build update_translations, then translate)";
+        for (const QString& gone : known - wanted) ADD_FAILURE() << language << " keeps what is gone: " << gone.toStdString();
+    }
+    // Core's sentences are all in the context in which the desktop looks for them.
+    for (const QString& key : wanted) {
+        const QString context = key.section(QLatin1Char('|'), 0, 0);
+        EXPECT_TRUE(context == QLatin1String("core") || context == QLatin1String("Wording") ||
+                    context.startsWith(QLatin1String("cullscope::ui::")))
+            << context.toStdString();
+    }
+}
+
+TEST(Translation, cataloguesTravelInTheProgram) {
+    for (const Language::Known& language : Language::known()) {
+        if (language.id == QStringLiteral("en")) continue;
+        EXPECT_TRUE(QFile::exists(QStringLiteral(":/i18n/cullscope_%1.qm").arg(language.id)));
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::ui

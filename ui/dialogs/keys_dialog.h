@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QDialog>
+
+namespace cullscope::ui {
+
+/// All mouse moves and keys on one page.
+class KeysDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit KeysDialog(QWidget* parent = nullptr);
+};
+
+}  // namespace cullscope::ui

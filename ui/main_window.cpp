@@ -1,0 +1,254 @@
+#include "ui/main_window.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QTabWidget>
+#include <QVBoxLayout>
+
+#include "core/mesh/load.h"
+#include "core/visibility/registry.h"
+#include "ui/dialogs/about_dialog.h"
+#include "ui/dialogs/generate_dialog.h"
+#include "ui/dialogs/keys_dialog.h"
+#include "ui/session/cullbench_command.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kDockWidth = 380;
+constexpr const char* kLanguageSetting = "language";
+constexpr const char* kAppearanceSetting = "appearance";
+constexpr const char* kFolderSetting = "folder";
+
+/// The one local file that is dragged; empty where it is none or several.
+QString draggedFile(const QMimeData& data) {
+    const QList<QUrl> urls = data.urls();
+    return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
+}
+
+}  // namespace
+
+MainWindow::MainWindow(Session& session, Language& language, Appearance& appearance, QWidget* parent)
+    : QMainWindow(parent),
+      m_session(session),
+      m_language(language),
+      m_appearance(appearance),
+      m_actions(new WindowActions(this)),
+      m_toolBar(new QToolBar(this)) {
+    m_actions->fill(*menuBar());
+    m_actions->fill(*m_toolBar);
+    m_toolBar->setObjectName(QStringLiteral("toolbar"));
+    m_toolBar->setMovable(false);
+    m_toolBar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_toolBar->setIconSize({20, 20});
+    if (auto* button = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_actions->generate->menuAction())))
+        button->setPopupMode(QToolButton::InstantPopup);
+    addToolBar(m_toolBar);
+    setAcceptDrops(true);
+    makeCentre();
+    makeDock();
+    makeStatusBar();
+    wireCommands();
+    wireSession();
+    retranslate();
+    showState();
+}
+
+void MainWindow::makeCentre() {
+    auto* centre = new QWidget(this);
+    auto* layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    m_message = new MessageBar(centre);
+    m_stack = new QStackedWidget(centre);
+    m_empty = new EmptyState(m_session, m_actions->generate, m_stack);
+    m_views = new ViewGrid(m_session, m_stack);
+    m_stack->addWidget(m_empty);
+    m_stack->addWidget(m_views);
+    layout->addWidget(m_message);
+    layout->addWidget(m_stack, 1);
+    setCentralWidget(centre);
+}
+
+void MainWindow::makeDock() {
+    m_dock = new QDockWidget(this);
+    m_dock->setObjectName(QStringLiteral("inside"));
+    m_dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    auto* content = new QWidget(m_dock);
+    auto* layout = new QVBoxLayout(content);
+    m_strategy = new StrategyPanel(m_session, content);
+    m_tabs = new QTabWidget(content);
+    m_figures = new FigurePanel(m_session, m_tabs);
+    m_scene = new ScenePanel(m_session, m_tabs);
+    m_tabs->addTab(m_figures, QString());
+    m_tabs->addTab(m_scene, QString());
+    m_legend = new LegendPanel(m_session, content);
+    layout->addWidget(m_strategy);
+    layout->addWidget(m_tabs, 1);
+    layout->addWidget(m_legend);
+    content->setMinimumWidth(300);
+    m_dock->setWidget(content);
+    addDockWidget(Qt::RightDockWidgetArea, m_dock);
+    resizeDocks({m_dock}, {kDockWidth}, Qt::Horizontal);
+    m_actions->viewMenu->addSeparator();
+    m_actions->viewMenu->addAction(m_dock->toggleViewAction());
+}
+
+void MainWindow::makeStatusBar() {
+    m_loading = new LoadingStrip(m_session.loader(), this);
+    m_gl = new QLabel(this);
+    m_software = new QLabel(this);
+    m_software->setAutoFillBackground(true);
+    m_software->setBackgroundRole(QPalette::ToolTipBase);
+    m_software->setForegroundRole(QPalette::ToolTipText);
+    m_software->setMargin(3);
+    statusBar()->addWidget(m_loading, 1);
+    statusBar()->addPermanentWidget(m_software);
+    statusBar()->addPermanentWidget(m_gl);
+    statusBar()->setSizeGripEnabled(false);
+    statusBar()->setContentsMargins(0, 0, 6, 0);
+    // Of the same height with and without the strip, so that loading does not change the size of the views.
+    statusBar()->setFixedHeight(m_loading->sizeHint().height() + 2);
+}
+
+void MainWindow::wireCommands() {
+    connect(m_actions->open, &QAction::triggered, this, &MainWindow::openByDialog);
+    connect(m_empty, &EmptyState::openRequested, this, &MainWindow::openByDialog);
+    connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
+    connect(m_actions, &WindowActions::generatorChosen, this, &MainWindow::generate);
+    connect(m_actions->home, &QAction::triggered, &m_session, &Session::goHome);
+    connect(m_actions->frame, &QAction::triggered, &m_session, &Session::frameScene);
+    connect(m_actions->views, &QActionGroup::triggered, this,
+            [this](const QAction* action) { m_session.setViewCount(action->data().toString().toInt()); });
+    connect(m_actions->upAxis, &QActionGroup::triggered, this,
+            [this](const QAction* action) { m_session.setUpAxis(action == m_actions->upZ ? UpAxis::Z : UpAxis::Y); });
+    connect(m_actions, &WindowActions::languageChosen, this, [this](const QString& id) {
+        m_language.use(id);
+        m_settings.setValue(QLatin1String(kLanguageSetting), id);
+    });
+    connect(m_actions->appearance, &QActionGroup::triggered, this, [this](const QAction* action) {
+        m_appearance.setMode(Appearance::fromId(action->data().toString()));
+        m_settings.setValue(QLatin1String(kAppearanceSetting), action->data());
+    });
+    connect(m_actions->keys, &QAction::triggered, this, [this] { KeysDialog(this).exec(); });
+    connect(m_actions->about, &QAction::triggered, this,
+            [this] { AboutDialog(m_session.gpu() ? m_session.gpu()->info() : GlInfo{}, this).exec(); });
+    connect(m_views, &ViewGrid::menuRequested, this, &MainWindow::showMenuOf);
+}
+
+void MainWindow::wireSession() {
+    connect(&m_session, &Session::sceneChanged, this, [this] {
+        m_message->hide();
+        showState();
+        m_views->pane(m_session.activeView()).picture().setFocus();
+    });
+    connect(&m_session, &Session::viewCountChanged, this, &MainWindow::showState);
+    connect(&m_session, &Session::cameraChanged, this,
+            [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
+    connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
+    connect(&m_language, &Language::changed, this, &MainWindow::showState);
+}
+
+void MainWindow::showState() {
+    const OpenedScenePointer& opened = m_session.opened();
+    m_stack->setCurrentWidget(opened ? static_cast<QWidget*>(m_views) : m_empty);
+    (m_session.viewCount() == 1 ? m_actions->oneView : m_actions->twoViews)->setChecked(true);
+    (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true);
+    for (QAction* action : m_actions->languages->actions()) action->setChecked(action->data().toString() == m_language.current());
+    for (QAction* action : m_actions->appearance->actions())
+        action->setChecked(action->data().toString() == Appearance::id(m_appearance.mode()));
+    m_actions->home->setEnabled(opened != nullptr);
+    m_actions->frame->setEnabled(opened != nullptr);
+    const QString scene = opened ? QString::fromStdString(opened->scene->name()) : QString();
+    setWindowTitle(scene.isEmpty() ? QStringLiteral("Cullscope") : tr("%1 – Cullscope").arg(scene));
+}
+
+void MainWindow::retranslate() {
+    m_actions->retranslate();
+    m_dock->setWindowTitle(tr("Strategy and figures"));
+    m_toolBar->setWindowTitle(tr("Toolbar"));
+    m_tabs->setTabText(0, tr("Figures"));
+    m_tabs->setTabText(1, tr("Scene"));
+    const GlInfo gl = m_session.gpu() ? m_session.gpu()->info() : GlInfo{};
+    m_software->setText(tr("Software OpenGL"));
+    m_software->setToolTip(tr("The processor draws: times are not those of a graphics card."));
+    m_software->setVisible(gl.software);
+    m_gl->setText(QString::fromStdString(gl.renderer));
+    m_gl->setToolTip(QString::fromStdString(gl.version));
+    showState();
+}
+
+void MainWindow::openByDialog() {
+    QStringList patterns;
+    for (const std::string& extension : readableMeshExtensions()) {
+        const QString name = QString::fromStdString(extension);
+        patterns << QStringLiteral("*.") + name << QStringLiteral("*.") + name.toUpper();
+    }
+    const QString file = QFileDialog::getOpenFileName(
+        this, tr("Open a mesh file"), m_settings.value(QLatin1String(kFolderSetting)).toString(),
+        tr("Mesh files (%1)").arg(patterns.join(QLatin1Char(' '))) + QStringLiteral(";;") + tr("All files (*)"));
+    if (file.isEmpty()) return;
+    m_settings.setValue(QLatin1String(kFolderSetting), QFileInfo(file).absolutePath());
+    m_session.open(file);
+}
+
+void MainWindow::generate(int generator) {
+    const GeneratorInfo& info = sceneGenerators()[size_t(generator)];
+    if (info.parameters.empty()) {
+        m_session.open(QString::fromStdString(info.id));
+        return;
+    }
+    GenerateDialog dialog(info, this);
+    if (dialog.exec() == QDialog::Accepted) m_session.open(dialog.specification());
+}
+
+void MainWindow::showMenuOf(int view, const QPoint& position) {
+    const OpenedScenePointer& opened = m_session.opened();
+    if (!opened) return;
+    SceneView& picture = m_views->pane(view).picture();
+    QMenu menu(this);
+    menu.addAction(tr("Copy the picture"), this, [&picture] { QGuiApplication::clipboard()->setImage(picture.picture()); });
+    menu.addAction(tr("Copy the cullbench command"), this, [this, view, &picture] {
+        const StrategySlot& slot = m_session.slot(view);
+        QGuiApplication::clipboard()->setText(cullbenchCommand(m_session.opened()->specification, slot.id(), slot.parameters(),
+                                                               m_session.camera(), picture.renderSize()));
+    });
+    menu.addSeparator();
+    QMenu* choices = menu.addMenu(tr("Strategy"));
+    for (const RegisteredStrategy& strategy : strategies()) {
+        QAction* action = choices->addAction(translated(strategy.info.name));
+        action->setCheckable(true);
+        action->setChecked(strategy.info.id == m_session.slot(view).id());
+        connect(action, &QAction::triggered, this, [this, view, id = strategy.info.id] { m_session.slot(view).choose(id); });
+    }
+    menu.addSeparator();
+    menu.addActions({m_actions->home, m_actions->frame});
+    menu.exec(position);
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QMainWindow::changeEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (!draggedFile(*event->mimeData()).isEmpty()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    const QString file = draggedFile(*event->mimeData());
+    if (file.isEmpty()) return;
+    event->acceptProposedAction();
+    m_session.open(file);
+}
+
+}  // namespace cullscope::ui

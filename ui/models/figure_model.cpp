@@ -1,0 +1,139 @@
+#include "ui/models/figure_model.h"
+
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+void FigureModel::setColumns(std::vector<Column> columns) {
+    beginResetModel();
+    m_columns = std::move(columns);
+    endResetModel();
+}
+
+void FigureModel::setFigures(int view, const Figures& figures) {
+    for (size_t column = 0; column < m_columns.size(); ++column) {
+        if (m_columns[column].view != view) continue;
+        m_columns[column].figures = figures;
+        emit dataChanged(index(0, int(column)), index(RowCount - 1, int(column)), {Qt::DisplayRole});
+    }
+}
+
+QString FigureModel::title(int row) {
+    switch (row) {
+        case Speedup:
+            return tr("Speed against backface");
+        case Frame:
+            return tr("Frame");
+        case Fps:
+            return tr("Frames per second");
+        case Cull:
+            return tr("Culling");
+        case Submitted:
+            return tr("Submitted triangles");
+        case Visible:
+            return tr("Visible triangles");
+        case InVain:
+            return tr("Drawn in vain");
+        case Missed:
+            return tr("Missed pixels");
+        case Hole:
+            return tr("Largest hole");
+        case Covered:
+            return tr("Covered pixels");
+        default:
+            return {};
+    }
+}
+
+QString FigureModel::explanation(int row) {
+    switch (row) {
+        case Speedup:
+            return tr("Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera");
+        case Frame:
+            return tr(
+                "Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted");
+        case Fps:
+            return tr("1 / (cull + draw)");
+        case Cull:
+            return tr("Time in which the strategy decides what to draw");
+        case Submitted:
+            return tr("Triangles given to OpenGL");
+        case Visible:
+            return tr("Triangles that truly show in at least one pixel");
+        case InVain:
+            return tr("Submitted triangles that show in no pixel");
+        case Missed:
+            return tr("Pixels in which the truth has a surface and this picture a farther one or none");
+        case Hole:
+            return tr("Pixels of the largest connected group of missed pixels");
+        case Covered:
+            return tr("Pixels in which the truth has a surface");
+        default:
+            return {};
+    }
+}
+
+QString FigureModel::value(const Figures& figures, int row) {
+    if (figures.state == Figures::State::Stale) return QStringLiteral("…");
+    if (figures.state != Figures::State::Ready) return QStringLiteral("–");
+    const Accuracy& accuracy = figures.accuracy;
+    switch (row) {
+        case Speedup:
+            return figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : QStringLiteral("–");
+        case Frame:
+            return millisecondsText(figures.frameMilliseconds);
+        case Fps:
+            return figures.frameMilliseconds > 0.0 ? ratioText(1000.0 / figures.frameMilliseconds) : QStringLiteral("–");
+        case Cull:
+            return millisecondsText(figures.cullMilliseconds);
+        case Submitted:
+            return countText(figures.consideredTriangles);
+        case Visible:
+            return countText(accuracy.visibleTriangles);
+        case InVain:
+            return countText(accuracy.needlesslyDrawnTriangles);
+        case Missed:
+            return countText(accuracy.missedPixels);
+        case Hole:
+            return countText(accuracy.largestHolePixels);
+        case Covered:
+            return countText(accuracy.coveredPixels);
+        default:
+            return {};
+    }
+}
+
+QVariant FigureModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    switch (role) {
+        case Qt::DisplayRole:
+            return value(m_columns[size_t(index.column())].figures, index.row());
+        case Qt::ToolTipRole:
+            return explanation(index.row());
+        case Qt::TextAlignmentRole:
+            return int(Qt::AlignRight | Qt::AlignVCenter);
+        default:
+            return {};
+    }
+}
+
+QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (section < 0) return {};
+    if (orientation == Qt::Vertical) {
+        if (section >= RowCount) return {};
+        if (role == Qt::DisplayRole) return title(section);
+        if (role == Qt::ToolTipRole) return explanation(section);
+        return {};
+    }
+    if (section >= int(m_columns.size())) return {};
+    if (role == Qt::DisplayRole) return viewLetter(m_columns[size_t(section)].view);
+    if (role == Qt::TextAlignmentRole) return int(Qt::AlignRight | Qt::AlignVCenter);
+    return {};
+}
+
+void FigureModel::retranslate() {
+    emit headerDataChanged(Qt::Vertical, 0, RowCount - 1);
+    if (!m_columns.empty()) emit dataChanged(index(0, 0), index(RowCount - 1, int(m_columns.size()) - 1));
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "ui/session/figures.h"
+
+namespace cullscope::ui {
+
+/// The figures of the shown views: a figure a row, a view a column, "…" while stale.
+class FigureModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    struct Column {
+        int view = 0;
+        Figures figures;
+    };
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setColumns(std::vector<Column> columns);
+    void setFigures(int view, const Figures& figures);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : RowCount; }
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override {
+        return parent.isValid() ? 0 : int(m_columns.size());
+    }
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void retranslate();
+
+private:
+    enum Row { Speedup, Frame, Fps, Cull, Submitted, Visible, InVain, Missed, Hole, Covered, RowCount };
+
+    [[nodiscard]] static QString title(int row);
+    [[nodiscard]] static QString explanation(int row);
+    [[nodiscard]] static QString value(const Figures& figures, int row);
+
+    std::vector<Column> m_columns;
+};
+
+}  // namespace cullscope::ui

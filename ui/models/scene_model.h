@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "core/scene/scene.h"
+
+namespace cullscope::ui {
+
+/// Facts of a scene: what in column 0, how much in column 1.
+class SceneModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    /// Null: no rows.
+    void setScene(const ScenePointer& scene);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : 2; }
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    void retranslate();
+
+private:
+    enum Row { Name, Triangles, Vertices, Objects, Meshes, Size, Memory, RowCount };
+
+    [[nodiscard]] static QString title(int row);
+    [[nodiscard]] QString value(int row) const;
+
+    ScenePointer m_scene;
+};
+
+}  // namespace cullscope::ui

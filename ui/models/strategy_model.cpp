@@ -1,0 +1,35 @@
+#include "ui/models/strategy_model.h"
+
+#include "core/visibility/registry.h"
+#include "ui/text/translated.h"
+
+namespace cullscope::ui {
+
+int StrategyModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(strategies().size()); }
+
+QVariant StrategyModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    const StrategyInfo& info = strategies()[size_t(index.row())].info;
+    switch (role) {
+        case Qt::DisplayRole:
+            return translated(info.name);
+        case Qt::ToolTipRole:
+            return translated(info.description);
+        case IdRole:
+            return QString::fromStdString(info.id);
+        default:
+            return {};
+    }
+}
+
+int StrategyModel::rowOf(const std::string& id) const {
+    for (size_t row = 0; row < strategies().size(); ++row)
+        if (strategies()[row].info.id == id) return int(row);
+    return -1;
+}
+
+void StrategyModel::retranslate() {
+    if (rowCount() > 0) emit dataChanged(index(0), index(rowCount() - 1), {Qt::DisplayRole, Qt::ToolTipRole});
+}
+
+}  // namespace cullscope::ui

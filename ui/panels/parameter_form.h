@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/visibility/parameters.h"
+
+class QFormLayout;
+
+namespace cullscope::ui {
+
+/// A form made from declared parameters: a check box, a spin box, a slider with a number, or a list, each with its unit
+/// and its sentence. What is changed is told at once.
+class ParameterForm : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ParameterForm(QWidget* parent = nullptr);
+
+    /// Shows these values; builds the fields anew where the declarations are others.
+    void setParameters(const ParameterSet& parameters);
+    [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
+
+signals:
+    void edited(const cullscope::ParameterSet& parameters);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void rebuild();
+    QWidget* field(const ParameterDeclaration& declaration);
+    QWidget* checkBox(const ParameterDeclaration& declaration);
+    QWidget* spinBox(const ParameterDeclaration& declaration);
+    QWidget* sliderWithNumber(const ParameterDeclaration& declaration);
+    QWidget* list(const ParameterDeclaration& declaration);
+    void take(const std::string& key, const ParameterValue& value);
+
+    ParameterSet m_parameters;
+    QWidget* m_fields = nullptr;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "core/scene/camera.h"
+#include "ui/session/built_strategy.h"
+#include "ui/session/figures.h"
+#include "ui/session/gpu_thread.h"
+#include "ui/session/job_numbers.h"
+
+namespace cullscope::ui {
+
+/// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per
+/// camera, size and facing rule), then their speed beside `backface`, interleaved. A newer request makes an older one stale:
+/// it stops after the frame in hand and brings nothing any more.
+class FigureMeter : public QObject {
+    Q_OBJECT
+
+public:
+    struct Subject {
+        int view = 0;
+        BuiltStrategyPointer strategy;
+        Viewport size;
+    };
+
+    explicit FigureMeter(GpuThread& gpu, QObject* parent = nullptr);
+    ~FigureMeter() override;
+
+    void measure(const SceneBuffersPointer& buffers, const Camera& camera, std::vector<Subject> subjects);
+    void cancel() { m_jobs.invalidate(); }
+    /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
+    [[nodiscard]] size_t referencesComputed();
+
+signals:
+    void measured(int view, const cullscope::ui::Figures& figures);
+
+private:
+    struct Bench;  ///< what lives on the GPU thread
+
+    void deliver(uint64_t job, int view, const Figures& figures);
+
+    GpuThread& m_gpu;
+    JobNumbers m_jobs;
+    std::shared_ptr<Bench> m_bench;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/message.h"
+#include "core/measure/reference.h"
+#include "core/visibility/strategy.h"
+
+namespace cullscope::ui {
+
+/// What is known of one view's speed and error at the present camera.
+struct Figures {
+    enum class State {
+        Nothing,    ///< there is no scene
+        Stale,      ///< the camera, the size or the strategy changed since; being measured or about to be
+        OnRequest,  ///< the scene is so large that truth is measured only when asked for
+        Ready,
+        Failed  ///< `failure` says why
+    };
+    State state = State::Nothing;
+    Message failure;
+
+    double frameMilliseconds = 0.0;  ///< median, cull + draw
+    double cullMilliseconds = 0.0;   ///< median
+    std::optional<double> speedup;   ///< median ratio of `backface`'s frame time to this one's
+    uint64_t consideredTriangles = 0;
+    uint64_t sceneTriangles = 0;
+    Facing facing = Facing::TwoSided;
+    Viewport size;
+    Accuracy accuracy;
+
+    [[nodiscard]] double submittedShare() const {
+        return sceneTriangles == 0 ? 0.0 : double(consideredTriangles) / double(sceneTriangles);
+    }
+};
+
+/// The middle value; of an even count the mean of the two middle ones. Not of nothing.
+[[nodiscard]] double median(std::vector<double> values);
+
+}  // namespace cullscope::ui

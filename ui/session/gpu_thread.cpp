@@ -1,0 +1,61 @@
+#include "ui/session/gpu_thread.h"
+
+#include "core/base/error.h"
+#include "core/gpu/renderer.h"
+
+namespace cullscope::ui {
+
+GpuThread::GpuThread() : m_context(std::make_unique<QOpenGLContext>()) {
+    m_surface.setFormat(QSurfaceFormat::defaultFormat());
+    m_surface.create();
+    m_context->setFormat(QSurfaceFormat::defaultFormat());
+    m_context->setShareContext(QOpenGLContext::globalShareContext());
+    if (!m_context->create() || !m_surface.isValid())
+        throwOpenGl(
+            QT_TRANSLATE_NOOP("core", "No OpenGL context can be made on this display. Install a graphics driver or Mesa."));
+    m_context->moveToThread(&m_thread);
+    m_worker.moveToThread(&m_thread);
+    m_thread.setObjectName(QStringLiteral("cullscope-gpu"));
+    m_thread.start();
+    std::exception_ptr failure;
+    run([&] {
+        try {
+            if (!m_context->makeCurrent(&m_surface))
+                throwOpenGl(
+                    QT_TRANSLATE_NOOP("core", "The OpenGL context cannot be used on this display. Update the graphics driver."));
+            m_info = requireOpenGl45();
+        } catch (...) {
+            failure = std::current_exception();
+        }
+    });
+    if (!failure) return;
+    run([this] { m_context.reset(); });
+    m_thread.quit();
+    m_thread.wait();
+    std::rethrow_exception(failure);
+}
+
+GpuThread::~GpuThread() {
+    run([this] {
+        m_context->doneCurrent();
+        m_context.reset();
+        m_worker.moveToThread(QCoreApplication::instance()->thread());
+    });
+    m_thread.quit();
+    m_thread.wait();
+}
+
+void GpuThread::post(std::function<void()> work) { QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::QueuedConnection); }
+
+void GpuThread::run(const std::function<void()>& work) {
+    QMetaObject::invokeMethod(&m_worker, work, Qt::BlockingQueuedConnection);
+}
+
+SceneBuffersPointer GpuThread::upload(const ScenePointer& scene) {
+    auto buffers = std::make_unique<SceneBuffers>(scene, Upload::Vbo);
+    // Other contexts of the share group see the data only once it has arrived.
+    waitForGpu();
+    return {buffers.release(), [this](SceneBuffers* freed) { post([freed] { delete freed; }); }};
+}
+
+}  // namespace cullscope::ui

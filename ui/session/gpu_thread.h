@@ -1,0 +1,46 @@
+#pragma once
+
+#include <QObject>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QThread>
+#include <functional>
+#include <memory>
+
+#include "core/gpu/context.h"
+#include "core/gpu/scene_buffers.h"
+
+namespace cullscope::ui {
+
+using SceneBuffersPointer = std::shared_ptr<const SceneBuffers>;
+
+/// A thread with an OpenGL context of its own in the desktop's share group: uploads scenes and measures, so that
+/// neither stops the window. Made, asked and destroyed on the window's thread; needs Qt::AA_ShareOpenGLContexts.
+class GpuThread {
+public:
+    /// Throws Error(OpenGl) where there is no OpenGL 4.5.
+    GpuThread();
+    /// Finishes what was posted.
+    ~GpuThread();
+    GpuThread(const GpuThread&) = delete;
+    GpuThread& operator=(const GpuThread&) = delete;
+
+    /// Runs `work` on the thread with the context current, in the order of posting.
+    void post(std::function<void()> work);
+    /// Runs `work` there and waits for it.
+    void run(const std::function<void()>& work);
+
+    /// Uploads a scene (on the thread: call from posted work only). The buffers are freed on the thread, whoever lets go of them.
+    [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene);
+
+    [[nodiscard]] const GlInfo& info() const { return m_info; }
+
+private:
+    QOffscreenSurface m_surface;
+    std::unique_ptr<QOpenGLContext> m_context;
+    QThread m_thread;
+    QObject m_worker;
+    GlInfo m_info;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,147 @@
+#include "ui/session/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/scene/camera_path.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMaximumElevation = 89.5;  // degrees: a turntable has no way over the pole
+constexpr double kClosest = 1e-4;           // of the scene's radius
+constexpr double kReachBeyond = 0.05;       // of the scene's radius: where the target lies after going through a point
+constexpr double kFarthest = 1e4;           // of the scene's radius
+constexpr double kNearestNearPlane = 1e-7;  // of the far plane: what a float depth buffer still tells apart
+constexpr double kFramingMargin = 1.04;
+
+/// The horizontal axes that azimuth is counted in: azimuth 0 looks from `front`, 90° from `side`.
+struct Turntable {
+    Vec3 up, front, side;
+};
+
+Turntable turntable(UpAxis up) {
+    if (up == UpAxis::Y) return {Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(1, 0, 0)};
+    return {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0)};
+}
+
+/// `offset` turned about the turntable's axis and towards it; same length.
+Vec3 turnedOffset(const Vec3& offset, UpAxis up, Angle azimuth, Angle elevation) {
+    const Turntable table = turntable(up);
+    const double length = glm::length(offset);
+    const double height = std::clamp(glm::dot(offset, table.up) / length, -1.0, 1.0);
+    const double limit = Angle::fromDegrees(kMaximumElevation).radians();
+    const double newElevation = std::clamp(std::asin(height) + elevation.radians(), -limit, limit);
+    const double newAzimuth = std::atan2(glm::dot(offset, table.side), glm::dot(offset, table.front)) + azimuth.radians();
+    const Vec3 horizontal = std::cos(newAzimuth) * table.front + std::sin(newAzimuth) * table.side;
+    return length * (std::sin(newElevation) * table.up + std::cos(newElevation) * horizontal);
+}
+
+}  // namespace
+
+Vec3 axisVector(UpAxis up) { return turntable(up).up; }
+
+Camera turned(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
+    Camera result = camera;
+    result.up = axisVector(up);
+    result.eye = camera.target + turnedOffset(camera.eye - camera.target, up, azimuth, elevation);
+    return result;
+}
+
+Camera looked(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
+    Camera result = camera;
+    result.up = axisVector(up);
+    result.target = camera.eye + turnedOffset(camera.target - camera.eye, up, azimuth, elevation);
+    return result;
+}
+
+Camera panned(const View& view, double distance, const Vec2& from, const Vec2& to) {
+    Camera result = view.camera();
+    const Vec3 shift = distance * (view.direction(from.x, from.y) - view.direction(to.x, to.y));
+    result.eye += shift;
+    result.target += shift;
+    return result;
+}
+
+Camera zoomed(const Camera& camera, const Vec3& point, double factor, double sceneRadius) {
+    Camera result = camera;
+    const Vec3 offset = camera.eye - point;
+    const double distance = glm::length(offset);
+    const double reach = glm::length(camera.eye - camera.target);
+    const double closest = kClosest * sceneRadius;
+    if (factor > 1.0 && distance * factor > kFarthest * sceneRadius) return result;
+    if (factor < 1.0 && (distance * factor < closest || reach * factor < closest)) {
+        const Vec3 forward = (camera.target - camera.eye) / reach;
+        const bool ahead = distance > 0.0 && glm::dot(-offset, forward) > 0.0;
+        const double next = kReachBeyond * sceneRadius;
+        const Vec3 step = ahead ? std::max(distance, closest) / distance * -offset : next * forward;
+        result.eye += (1.0 - factor) * step;
+        result.target = result.eye + next * forward;
+        return result;
+    }
+    result.eye = point + factor * offset;
+    result.target = point + factor * (camera.target - point);
+    return result;
+}
+
+Camera flown(const View& view, const Vec3& step) {
+    Camera result = view.camera();
+    const Frustum& frustum = view.frustum();
+    const Vec3 shift = step.x * frustum.right + step.y * frustum.up + step.z * frustum.forward;
+    result.eye += shift;
+    result.target += shift;
+    return result;
+}
+
+Camera centredOn(const View& view, const Vec3& point) {
+    Camera result = view.camera();
+    const Vec3& forward = view.frustum().forward;
+    const double depth = glm::dot(point - result.eye, forward);
+    if (!(depth > 0.0)) return result;
+    result.eye = point - depth * forward;
+    result.target = point;
+    return result;
+}
+
+Camera framed(const Camera& camera, UpAxis up, const Sphere& sphere, double aspect) {
+    Camera result = turned(camera, up, {}, {});
+    const double halfHeight = camera.fovy.radians() / 2.0;
+    const double halfWidth = std::atan(std::tan(halfHeight) * aspect);
+    const double radius = sphere.radius > 0.0 ? sphere.radius : 1.0;
+    const double distance = kFramingMargin * radius / std::sin(std::min(halfHeight, halfWidth));
+    const Vec3 direction = glm::normalize(result.eye - result.target);
+    result.target = sphere.centre;
+    result.eye = sphere.centre + distance * direction;
+    return result;
+}
+
+Camera homeCamera(const Scene& scene, UpAxis up, double aspect) {
+    Camera camera = overviewCamera(scene, aspect);
+    if (up == UpAxis::Y) return camera;
+    const Vec3 offset = camera.eye - camera.target;
+    camera.eye = camera.target + Vec3(offset.x, -offset.z, offset.y);
+    camera.up = axisVector(up);
+    return camera;
+}
+
+Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear) {
+    Camera result = camera;
+    const double radius = scene.radius > 0.0 ? scene.radius : 1.0;
+    const double toCentre = glm::length(camera.eye - scene.centre);
+    const double reach = glm::length(camera.eye - camera.target);
+    result.farDistance = 1.01 * (toCentre + radius);
+    const double aroundScene = std::max(0.99 * (toCentre - radius), 1e-4 * radius);
+    const double wanted = chosenNear.value_or(std::min(aroundScene, 0.05 * reach));
+    result.nearDistance = std::clamp(wanted, kNearestNearPlane * result.farDistance, 0.9 * result.farDistance);
+    return result;
+}
+
+Vec3 pointUnder(const View& view, const Vec2& pixel, double depth) {
+    const Camera& camera = view.camera();
+    double distance = glm::dot(camera.target - camera.eye, view.frustum().forward);
+    if (depth > 0.0) distance = view.distanceFromDepth(depth);
+    return camera.eye + distance * view.direction(pixel.x, pixel.y);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,54 @@
+#include "ui/startup/window_picture.h"
+
+#include <QPixmap>
+#include <QSaveFile>
+#include <cstdio>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kInterval = 50;     // ms between two looks
+constexpr int kSettleTime = 150;  // ms for the window to paint what arrived last
+
+}  // namespace
+
+WindowPicture::WindowPicture(MainWindow& window, Session& session, QString file, QObject* parent)
+    : QObject(parent), m_window(window), m_session(session), m_file(std::move(file)) {
+    m_poll.setInterval(kInterval);
+    connect(&m_poll, &QTimer::timeout, this, &WindowPicture::look);
+    connect(&session.loader(), &SceneLoader::failed, this, [this] { m_failed = true; });
+    m_poll.start();
+}
+
+bool WindowPicture::settled() const {
+    if (m_session.loader().loading()) return false;
+    return m_failed || (m_session.opened() && m_session.buffers() && m_session.figuresSettled());
+}
+
+void WindowPicture::look() {
+    if (!settled()) return;
+    m_poll.stop();
+    QTimer::singleShot(kSettleTime, this, &WindowPicture::take);
+}
+
+void WindowPicture::take() {
+    // Grabbing may lay the window out anew, which makes figures stale: then once more.
+    const QPixmap picture = m_window.grab();
+    if (!settled()) {
+        m_poll.start();
+        return;
+    }
+    const QByteArray format = m_file.section(QLatin1Char('.'), -1).toLatin1();
+    QSaveFile file(m_file);
+    if (!file.open(QIODevice::WriteOnly) || !picture.save(&file, format.constData()) || !file.commit()) {
+        std::fprintf(stderr,
+                     "cullscope: %s cannot be written. Name a file ending in .png or .jpg in a folder that can be written to.\n",
+                     qPrintable(m_file));
+        emit done(2);
+        return;
+    }
+    emit done(m_failed ? 3 : 0);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <QColor>
+#include <QPainter>
+#include <QRectF>
+
+#include "core/visibility/strategy.h"
+
+namespace cullscope::ui {
+
+/// Draws the shape that stands for a promise: a disc (exact set), a square (lossless), a triangle (lossy).
+void drawPromiseMarker(QPainter& painter, const QRectF& place, Promise promise, const QColor& colour);
+
+}  // namespace cullscope::ui

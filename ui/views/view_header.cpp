@@ -1,0 +1,131 @@
+#include "ui/views/view_header.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+
+#include "core/visibility/registry.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+#include "ui/views/promise_marker.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kMargin = 8;
+constexpr int kMarkerSize = 11;
+constexpr int kFontPixels = 14;
+
+/// Grey that keeps a contrast of at least 4.5 to the background of either palette.
+QColor subdued(const QPalette& palette) {
+    const QColor text = palette.color(QPalette::WindowText);
+    const QColor back = palette.color(QPalette::Window);
+    const auto mix = [](int a, int b) { return (65 * a + 35 * b) / 100; };
+    return {mix(text.red(), back.red()), mix(text.green(), back.green()), mix(text.blue(), back.blue())};
+}
+
+}  // namespace
+
+ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
+    : QWidget(parent), m_session(session), m_view(view), m_measure(new QToolButton(this)) {
+    setFixedHeight(2 * kLineHeight);
+    QFont font = this->font();
+    font.setPixelSize(kFontPixels);
+    setFont(font);
+    m_measure->hide();
+    m_measure->setFixedHeight(kLineHeight);
+    connect(m_measure, &QToolButton::clicked, &session, &Session::requestFigures);
+    const auto mine = [this](int changed) {
+        if (changed == m_view) refresh();
+    };
+    connect(&session, &Session::strategyChosen, this, mine);
+    connect(&session, &Session::strategyBuilt, this, mine);
+    connect(&session, &Session::figuresChanged, this, mine);
+    connect(&session, &Session::activeViewChanged, this, &ViewHeader::refresh);
+    connect(&session, &Session::viewCountChanged, this, &ViewHeader::refresh);
+    refresh();
+}
+
+std::optional<Promise> ViewHeader::promise() const {
+    const BuiltStrategyPointer& built = m_session.slot(m_view).built();
+    if (!built) return std::nullopt;
+    return built->strategy->promise();
+}
+
+QString ViewHeader::firstLine() const {
+    const QString name = translated(findStrategy(m_session.slot(m_view).id()).info.name);
+    return promise() ? tr("%1: %2", "strategy: promise").arg(name, promiseWord(*promise())) : name;
+}
+
+QString ViewHeader::secondLine() const { return figureLine(m_session.figures(m_view)); }
+
+void ViewHeader::refresh() {
+    const Figures& figures = m_session.figures(m_view);
+    m_measure->setText(tr("Measure"));
+    m_measure->setToolTip(tr("Compare this large scene with the truth now; this may take a while"));
+    m_measure->setVisible(figures.state == Figures::State::OnRequest);
+    placeButton();
+    const StrategyInfo& info = findStrategy(m_session.slot(m_view).id()).info;
+    QStringList lines{translated(info.description)};
+    if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
+    const QString details = figureDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
+    if (!details.isEmpty()) lines << details;
+    setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(lines.join(QLatin1Char('\n')).toHtmlEscaped()));
+    setAccessibleName(
+        tr("View %1: %2, %3", "letter, strategy and promise, figures").arg(viewLetter(m_view), firstLine(), secondLine()));
+    update();
+}
+
+void ViewHeader::placeButton() {
+    m_measure->resize(m_measure->sizeHint().width(), kLineHeight);
+    m_measure->move(width() - m_measure->width() - kMargin, kLineHeight);
+}
+
+void ViewHeader::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QPalette& colours = palette();
+    painter.fillRect(rect(), colours.color(QPalette::Window));
+    const bool active = m_session.activeView() == m_view;
+    if (active && m_session.viewCount() > 1) painter.fillRect(0, 0, 4, height(), colours.color(QPalette::Highlight));
+
+    QFont bold = font();
+    bold.setBold(true);
+    const StrategyInfo& info = findStrategy(m_session.slot(m_view).id()).info;
+    int x = kMargin;
+    const auto write = [&](int line, const QString& text, const QFont& face, const QColor& colour) {
+        const int room = width() - kMargin - x;
+        const QFontMetrics metrics(face);
+        painter.setFont(face);
+        painter.setPen(colour);
+        painter.drawText(QRect(x, line * kLineHeight, room, kLineHeight), Qt::AlignLeft | Qt::AlignVCenter,
+                         metrics.elidedText(text, Qt::ElideRight, room));
+        x += metrics.horizontalAdvance(text) + kMargin;
+    };
+    const QColor text = colours.color(QPalette::WindowText);
+    if (m_session.viewCount() > 1) write(0, viewLetter(m_view), bold, subdued(colours));
+    write(0, translated(info.name), bold, text);
+    if (promise()) {
+        const QRectF place(x, (kLineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize);
+        drawPromiseMarker(painter, place, *promise(), text);
+        x += kMarkerSize + kMargin / 2;
+        write(0, promiseWord(*promise()), font(), text);
+    }
+    const QString id = QString::fromStdString(info.id);
+    if (x + QFontMetrics(font()).horizontalAdvance(id) + kMargin <= width()) write(0, id, font(), subdued(colours));
+
+    x = kMargin;
+    const Figures& figures = m_session.figures(m_view);
+    const bool lost = figures.state == Figures::State::Ready && figures.accuracy.missedPixels > 0;
+    write(1, secondLine(), lost ? bold : font(), figures.state == Figures::State::Ready ? text : subdued(colours));
+}
+
+void ViewHeader::resizeEvent(QResizeEvent*) { placeButton(); }
+
+void ViewHeader::mousePressEvent(QMouseEvent*) { m_session.setActiveView(m_view); }
+
+void ViewHeader::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) refresh();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QToolButton>
+#include <QWidget>
+
+#include "ui/session/session.h"
+
+namespace cullscope::ui {
+
+/// Two lines over a view: what draws it and what it promises; how fast it is, how much it submits and what it misses.
+class ViewHeader : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int kLineHeight = 20;
+
+    ViewHeader(Session& session, int view, QWidget* parent = nullptr);
+
+    [[nodiscard]] QSize sizeHint() const override { return {320, 2 * kLineHeight}; }
+    [[nodiscard]] QString firstLine() const;
+    [[nodiscard]] QString secondLine() const;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void placeButton();
+    [[nodiscard]] std::optional<Promise> promise() const;
+
+    Session& m_session;
+    int m_view;
+    QToolButton* m_measure;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,218 @@
+#include "ui/views/view_input.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <cmath>
+
+#include "ui/views/scene_view.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kClickReach = 4.0;  // pixels: less is a click, more a drag
+constexpr double kDegreesPerPixel = 0.4;
+constexpr double kDegreesPerKey = 5.0;
+constexpr double kPixelsPerKey = 40.0;
+constexpr double kZoomPerNotch = 0.85;
+constexpr double kNearPerNotch = 1.25;
+constexpr double kFovyPerNotch = 1.06;
+constexpr double kNarrowestFovy = 1.0;  // degrees
+constexpr double kWidestFovy = 150.0;
+constexpr int kFlightInterval = 16;   // ms
+constexpr double kFlightSpeed = 0.6;  // scene radii a second
+constexpr double kHurry = 4.0;
+constexpr double kLongestFlightStep = 0.1;  // seconds: a slow picture does not throw the camera out of the scene
+
+bool flies(int key) {
+    switch (key) {
+        case Qt::Key_W:
+        case Qt::Key_A:
+        case Qt::Key_S:
+        case Qt::Key_D:
+        case Qt::Key_Q:
+        case Qt::Key_E:
+            return true;
+        default:
+            return false;
+    }
+}
+
+Camera withFovy(const Camera& camera, double factor) {
+    Camera result = camera;
+    result.fovy = Angle::fromDegrees(std::clamp(camera.fovy.degrees() * factor, kNarrowestFovy, kWidestFovy));
+    return result;
+}
+
+}  // namespace
+
+ViewInput::ViewInput(Session& session, SceneView& view) : m_session(session), m_view(view) {
+    m_flight.setInterval(kFlightInterval);
+    connect(&m_flight, &QTimer::timeout, this, &ViewInput::fly);
+}
+
+bool ViewInput::wantsKey(const QKeyEvent& event) {
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier);
+    return modifiers == Qt::NoModifier && flies(event.key());
+}
+
+void ViewInput::press(const QMouseEvent& event) {
+    m_session.setActiveView(m_view.view());
+    m_pressed = m_last = event.position();
+    m_moved = false;
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    switch (event.button()) {
+        case Qt::LeftButton:
+            m_drag = shift ? Drag::Pan : Drag::Turn;
+            break;
+        case Qt::MiddleButton:
+            m_drag = Drag::Pan;
+            break;
+        case Qt::RightButton:
+            m_drag = Drag::Look;
+            break;
+        default:
+            m_drag = Drag::None;
+    }
+}
+
+void ViewInput::beginDrag() {
+    m_moved = true;
+    m_last = m_pressed;
+    if (m_drag != Drag::Pan) return;
+    const View seen = m_view.camera();
+    m_grabbedDistance = glm::dot(m_view.pointAt(m_pressed) - seen.eye(), seen.frustum().forward);
+}
+
+void ViewInput::move(const QMouseEvent& event) {
+    if (m_drag == Drag::None || !m_session.opened()) return;
+    const QPointF way = event.position() - m_pressed;
+    if (!m_moved && std::hypot(way.x(), way.y()) < kClickReach) return;
+    if (!m_moved) beginDrag();
+    const QPointF step = event.position() - m_last;
+    const Angle azimuth = Angle::fromDegrees(-kDegreesPerPixel * step.x());
+    const Angle elevation = Angle::fromDegrees(kDegreesPerPixel * step.y());
+    const Camera& camera = m_session.camera();
+    switch (m_drag) {
+        case Drag::Turn:
+            m_session.setCamera(turned(camera, m_session.upAxis(), azimuth, elevation));
+            break;
+        case Drag::Look:
+            m_session.setCamera(looked(camera, m_session.upAxis(), azimuth * 0.5, elevation * -0.5));
+            break;
+        case Drag::Pan:
+            m_session.setCamera(
+                panned(m_view.camera(), m_grabbedDistance, m_view.pixelAt(m_last), m_view.pixelAt(event.position())));
+            break;
+        case Drag::None:
+            break;
+    }
+    m_last = event.position();
+}
+
+bool ViewInput::release(const QMouseEvent& event) {
+    const bool menu = event.button() == Qt::RightButton && m_drag == Drag::Look && !m_moved && m_keys.isEmpty();
+    m_drag = Drag::None;
+    return menu;
+}
+
+void ViewInput::doubleClick(const QMouseEvent& event) {
+    m_drag = Drag::None;
+    if (event.button() != Qt::LeftButton || !m_session.opened()) return;
+    m_session.setCamera(centredOn(m_view.camera(), m_view.pointAt(event.position())));
+}
+
+void ViewInput::wheel(QWheelEvent& event) {
+    event.accept();
+    if (!m_session.opened()) return;
+    // Some systems turn a wheel with a modifier key sideways.
+    const QPoint angle = event.angleDelta();
+    const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
+    const Camera& camera = m_session.camera();
+    if (event.modifiers().testFlag(Qt::ControlModifier)) {
+        m_session.setChosenNear(camera.nearDistance * std::pow(kNearPerNotch, notches));
+    } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
+        m_session.setCamera(withFovy(camera, std::pow(kFovyPerNotch, -notches)));
+    } else {
+        // The point under the pointer stays there while zooming: it need not be looked up again before the next picture.
+        if (m_view.pictureIsCurrent() || m_zoomPosition != event.position()) m_zoomPoint = m_view.pointAt(event.position());
+        m_zoomPosition = event.position();
+        const double radius = m_session.opened()->scene->boundingSphere().radius;
+        m_session.setCamera(zoomed(camera, m_zoomPoint, std::pow(kZoomPerNotch, notches), radius));
+    }
+}
+
+bool ViewInput::keyPress(const QKeyEvent& event) {
+    if (!m_session.opened()) return false;
+    if (wantsKey(event)) {
+        if (!event.isAutoRepeat()) m_keys.insert(event.key());
+        if (!m_flight.isActive()) {
+            m_clock.start();
+            m_flight.start();
+        }
+        return true;
+    }
+    const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
+    if (event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) return false;
+    QPointF way;
+    switch (event.key()) {
+        case Qt::Key_Left:
+            way = {-1.0, 0.0};
+            break;
+        case Qt::Key_Right:
+            way = {1.0, 0.0};
+            break;
+        case Qt::Key_Up:
+            way = {0.0, -1.0};
+            break;
+        case Qt::Key_Down:
+            way = {0.0, 1.0};
+            break;
+        case Qt::Key_Plus:
+        case Qt::Key_Equal:
+        case Qt::Key_Minus: {
+            const double factor = event.key() == Qt::Key_Minus ? 1.0 / kZoomPerNotch : kZoomPerNotch;
+            const double radius = m_session.opened()->scene->boundingSphere().radius;
+            m_session.setCamera(zoomed(m_session.camera(), m_session.camera().target, factor, radius));
+            return true;
+        }
+        default:
+            return false;
+    }
+    const Camera& camera = m_session.camera();
+    if (shift) {
+        const double distance = glm::length(camera.target - camera.eye);
+        const Vec2 step = kPixelsPerKey * Vec2(way.x(), -way.y());
+        m_session.setCamera(panned(m_view.camera(), distance, Vec2(0.0), step));
+    } else {
+        m_session.setCamera(turned(camera, m_session.upAxis(), Angle::fromDegrees(kDegreesPerKey * way.x()),
+                                   Angle::fromDegrees(-kDegreesPerKey * way.y())));
+    }
+    return true;
+}
+
+bool ViewInput::keyRelease(const QKeyEvent& event) {
+    if (!flies(event.key())) return false;
+    if (!event.isAutoRepeat()) m_keys.remove(event.key());
+    if (m_keys.isEmpty()) m_flight.stop();
+    return true;
+}
+
+void ViewInput::stop() {
+    m_keys.clear();
+    m_flight.stop();
+    m_drag = Drag::None;
+}
+
+void ViewInput::fly() {
+    if (!m_session.opened()) return;
+    const double seconds = std::min(m_clock.restart() / 1000.0, kLongestFlightStep);
+    const double hurry = QGuiApplication::keyboardModifiers().testFlag(Qt::ShiftModifier) ? kHurry : 1.0;
+    const double length = hurry * kFlightSpeed * seconds * m_session.opened()->scene->boundingSphere().radius;
+    const auto held = [this](int key) { return m_keys.contains(key) ? 1.0 : 0.0; };
+    const Vec3 step(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q), held(Qt::Key_W) - held(Qt::Key_S));
+    if (step != Vec3(0.0)) m_session.setCamera(flown(m_view.camera(), length * step));
+}
+
+}  // namespace cullscope::ui

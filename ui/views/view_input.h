@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPointF>
+#include <QSet>
+#include <QTimer>
+
+#include "ui/session/session.h"
+
+class QKeyEvent;
+class QMouseEvent;
+class QWheelEvent;
+
+namespace cullscope::ui {
+
+class SceneView;
+
+/// Turns mouse and keys on a view into moves of the session's camera, in the way people know from other programs:
+/// left drag turns, middle drag or Shift+left pans, right drag looks around while W A S D Q E fly, the wheel zooms to the
+/// pointer, Ctrl+wheel moves the near plane, Shift+wheel the field of view, a double click sets the centre of rotation.
+class ViewInput : public QObject {
+    Q_OBJECT
+
+public:
+    ViewInput(Session& session, SceneView& view);
+
+    void press(const QMouseEvent& event);
+    void move(const QMouseEvent& event);
+    /// True where this was a right click without a drag: the menu is wanted.
+    [[nodiscard]] bool release(const QMouseEvent& event);
+    void doubleClick(const QMouseEvent& event);
+    void wheel(QWheelEvent& event);
+    /// False: not for the camera.
+    bool keyPress(const QKeyEvent& event);
+    bool keyRelease(const QKeyEvent& event);
+    /// Forgets pressed keys and buttons.
+    void stop();
+
+    [[nodiscard]] static bool wantsKey(const QKeyEvent& event);
+
+private:
+    enum class Drag { None, Turn, Pan, Look };
+
+    void beginDrag();
+    void fly();
+
+    Session& m_session;
+    SceneView& m_view;
+    Drag m_drag = Drag::None;
+    bool m_moved = false;
+    QPointF m_pressed;
+    QPointF m_last;
+    double m_grabbedDistance = 1.0;
+    QPointF m_zoomPosition{-1.0, -1.0};
+    Vec3 m_zoomPoint{0.0};
+    QSet<int> m_keys;
+    QTimer m_flight;
+    QElapsedTimer m_clock;
+};
+
+}  // namespace cullscope::ui
