@@ -155,6 +155,7 @@ TEST(Figures, medianOfEvenAndOddCounts) {
 /// The whole way: scene to graphics card, strategies, truth.
 TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
     Session session(sessionOptions(true));
+    session.slot(0).choose("backface");
     session.setViewport(0, {160, 120});
     session.setViewport(1, {160, 120});
     openAndWait(session, QStringLiteral("sphere:triangles=1280"));
@@ -173,6 +174,7 @@ TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
 
 TEST(Session, truthIsComputedOnceForViewsThatShareIt) {
     Session session(sessionOptions(true));
+    session.slot(0).choose("frustum");
     session.setViewport(0, {160, 120});
     session.setViewport(1, {160, 120});
     openAndWait(session, QStringLiteral("sphere:triangles=1280"));
