@@ -1,0 +1,66 @@
+#include <unistd.h>
+
+#include <fstream>
+
+#include "core/base/atomic_file.h"
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+class AtomicFile : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = std::filesystem::temp_directory_path() / ("cullscope-atomic-" + std::to_string(getpid()));
+        std::filesystem::create_directories(m_folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+    [[nodiscard]] std::filesystem::path file(const char* name) const { return m_folder / name; }
+    static std::string contents(const std::filesystem::path& path) {
+        std::ifstream in(path);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+    [[nodiscard]] std::ptrdiff_t filesInFolder() const {
+        return std::distance(std::filesystem::directory_iterator(m_folder), std::filesystem::directory_iterator());
+    }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+TEST_F(AtomicFile, failedWriteTouchesTheOldFile) {
+    writeFileAtomically(file("a.txt"), [](std::ostream& out) { out << "old"; });
+    EXPECT_THROW(writeFileAtomically(file("a.txt"),
+                                     [](std::ostream& out) {
+                                         out << "half of the n";
+                                         throwInterrupted();
+                                     }),
+                 Error);
+    EXPECT_EQ(contents(file("a.txt")), "old");
+    EXPECT_EQ(filesInFolder(), 1);
+}
+
+TEST_F(AtomicFile, failedStreamLeavesAFile) {
+    EXPECT_THROW(writeFileAtomically(file("b.txt"), [](std::ostream& out) { out.setstate(std::ios::badbit); }), Error);
+    EXPECT_EQ(filesInFolder(), 0);
+}
+
+TEST_F(AtomicFile, placeThatDoesNotExistIsNotNamed) {
+    try {
+        writeFileAtomically(file("none") / "c.txt", [](std::ostream& out) { out << 1; });
+        FAIL() << "written into a folder that does not exist";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Usage);
+        EXPECT_THAT(error.what(), testing::HasSubstr("c.txt"));
+    }
+}
+
+TEST_F(AtomicFile, newFileHasOtherContents) {
+    writeFileAtomically(file("d.txt"), [](std::ostream& out) { out << "old and long"; });
+    writeFileAtomically(file("d.txt"), [](std::ostream& out) { out << "new"; });
+    EXPECT_EQ(contents(file("d.txt")), "new");
+    EXPECT_EQ(filesInFolder(), 1);
+}
+
+}  // namespace
+}  // namespace cullscope
