@@ -19,10 +19,35 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
     return temporary;
 }
 
+[[noreturn]] void refuse(const std::filesystem::path& path, const std::string& reason) {
+    throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."), {path.string(), reason});
+}
+
+/// A device or pipe has no place that a finished file could take; it gets the bytes as they come.
+bool isStream(const std::filesystem::path& path) {
+    std::error_code ignored;
+    const std::filesystem::file_status status = std::filesystem::status(path, ignored);
+    return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
+}
+
+void writeStream(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
+    errno = 0;
+    std::ofstream out(path, std::ios::binary);
+    if (out) write(out);
+    out.close();
+    if (!out) refuse(path, std::strerror(errno != 0 ? errno : EIO));
+}
+
 }  // namespace
 
-void writeFileAtomicallyByName(const std::filesystem::path& path,
+void writeFileAtomicallyByName(const std::filesystem::path& link,
                                const std::function<void(const std::filesystem::path&)>& write) {
+    std::error_code noSuchFile;
+    // A symbolic link stays one: the file that it names is replaced.
+    const std::filesystem::path target = std::filesystem::canonical(link, noSuchFile);
+    const std::filesystem::path path = noSuchFile ? link : target;
+    if (!noSuchFile && !std::filesystem::is_regular_file(path))
+        throwUsage(CULLSCOPE_TR("%1 is a folder or a device: name a file to write."), {link.string()});
     const std::filesystem::path temporary = temporaryBeside(path);
     try {
         write(temporary);
@@ -30,8 +55,7 @@ void writeFileAtomicallyByName(const std::filesystem::path& path,
     } catch (const std::filesystem::filesystem_error& failure) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
-        throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
-                   {path.string(), failure.code().message()});
+        refuse(path, failure.code().message());
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
@@ -43,8 +67,10 @@ void writeFileAtomically(const std::filesystem::path& path, const std::function<
     if (path == "-") {
         write(std::cout);
         std::cout.flush();
+        if (!std::cout) refuse("standard output", std::strerror(errno != 0 ? errno : EIO));
         return;
     }
+    if (isStream(path)) return writeStream(path, write);
     writeFileAtomicallyByName(path, [&](const std::filesystem::path& temporary) {
         errno = 0;
         std::ofstream out(temporary, std::ios::binary);

@@ -55,6 +55,23 @@ TEST_F(AtomicFile, placeThatDoesNotExistIsNotNamed) {
     }
 }
 
+TEST_F(AtomicFile, deviceIsReplacedByAFile) {
+    EXPECT_THROW(writeFileAtomically("/dev/full", [](std::ostream& out) { out << "no room"; }), Error);
+    writeFileAtomically("/dev/null", [](std::ostream& out) { out << "gone"; });
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+}
+
+TEST_F(AtomicFile, linkIsReplacedByAFileOrFolderOverwritten) {
+    writeFileAtomically(file("real.txt"), [](std::ostream& out) { out << "old"; });
+    std::filesystem::create_symlink(file("real.txt"), file("link.txt"));
+    writeFileAtomically(file("link.txt"), [](std::ostream& out) { out << "new"; });
+    EXPECT_TRUE(std::filesystem::is_symlink(file("link.txt")));
+    EXPECT_EQ(contents(file("real.txt")), "new");
+    std::filesystem::create_directory(file("folder"));
+    EXPECT_THROW(writeFileAtomically(file("folder"), [](std::ostream& out) { out << 1; }), Error);
+}
+
 TEST_F(AtomicFile, newFileHasOtherContents) {
     writeFileAtomically(file("d.txt"), [](std::ostream& out) { out << "old and long"; });
     writeFileAtomically(file("d.txt"), [](std::ostream& out) { out << "new"; });
