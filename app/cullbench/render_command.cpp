@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
 #include "core/gpu/context.h"
@@ -13,6 +15,7 @@ struct Options {
     std::string scene, strategy, output, path, eye, target, up;
     std::vector<std::string> parameters;
     std::string size = "640x480";
+    std::string background, surface;
     double fovy = 45.0, nearDistance = 0.0, farDistance = 0.0;
     size_t pose = 0;
 };
@@ -33,6 +36,16 @@ Camera cameraOf(const Options& options, const Scene& scene, const Viewport& size
     if (options.nearDistance > 0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0) camera.farDistance = options.farDistance;
     return camera;
+}
+
+/// "RRGGBB", as in web pages; nothing given keeps the fallback.
+Vec3f colourFromText(const std::string& option, const std::string& text, const Vec3f& fallback) {
+    if (text.empty()) return fallback;
+    unsigned value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
+    if (text.size() != 6 || error != std::errc() || end != text.data() + text.size())
+        throwUsage(CULLSCOPE_TR("%1 %2 is not a colour of six hexadecimal digits, as in FFFFFF."), {option, text});
+    return Vec3f(float(value >> 16), float(value >> 8 & 255), float(value & 255)) / 255.0f;
 }
 
 std::string text(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
@@ -56,6 +69,9 @@ std::vector<std::pair<std::string, std::string>> metadata(const Options& options
 void run(const Options& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
     const std::vector<StrategyRequest> requests = strategiesFromText({options.strategy}, options.parameters);
+    DrawStyle style;
+    style.background = colourFromText("--background", options.background, style.background);
+    style.surface = colourFromText("--surface", options.surface, style.surface);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const Camera camera = cameraOf(options, *opened.scene, size);
     const View view(camera, size);
@@ -65,7 +81,7 @@ void run(const Options& options, const Context& context) {
     Framebuffer target(size);
     const StrategyPointer strategy = makeStrategy(requests.front().id, requests.front().parameters);
     strategy->build(*opened.scene, terminalProgress(context));
-    const FrameResult frame = renderFrame(renderer, buffers, *strategy, view, target);
+    const FrameResult frame = renderFrame(renderer, buffers, *strategy, view, target, style);
     writePicture(options.output, {size, target.readColour(), metadata(options, requests.front(), camera)});
     fmt::print("{}: {} of {} triangles submitted; {} on {}\n", options.output, frame.verdict.consideredTriangles,
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());
@@ -88,6 +104,8 @@ void addRenderCommand(CLI::App& app, Context& context) {
     auto* path = command->add_option("--path", options->path, "camera path: file or built-in name")->excludes(eye);
     command->add_option("--pose", options->pose, "pose of the path, from 0")->needs(path);
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command->add_option("--background", options->background, "colour behind the scene, RRGGBB");
+    command->add_option("--surface", options->surface, "colour of the surfaces, RRGGBB");
     command->add_option("-o,--output", options->output, "picture file: .png, .jpg, .tif, .exr")->required();
     command->callback([options, &context] { run(*options, context); });
 }
