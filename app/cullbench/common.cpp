@@ -37,6 +37,8 @@ StrategyRequest strategyFromText(const std::string& text) {
     StrategyRequest request;
     request.id = text.substr(0, colon);
     request.parameters = ParameterSet(findStrategy(request.id).info.parameters);
+    if (request.parameters.declarations().empty() && colon != std::string::npos)
+        throwUsage(CULLSCOPE_TR("The strategy \"%1\" has no parameters."), {request.id});
     while (colon != std::string::npos) {
         const size_t next = text.find(':', colon + 1);
         const auto [key, value] = keyAndValue(text.substr(colon + 1, next == std::string::npos ? next : next - colon - 1));

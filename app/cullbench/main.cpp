@@ -56,6 +56,8 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& failure) {
         return app.exit(failure) == 0 ? 0 : static_cast<int>(ErrorKind::Usage);
     }
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
+        throwUsage(CULLSCOPE_TR("Standard output cannot be written: %1. Send it somewhere else."), {systemReason(errno)});
     return context.exitStatus;
 }
 

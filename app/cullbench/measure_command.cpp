@@ -1,4 +1,8 @@
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <filesystem>
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
@@ -58,11 +62,30 @@ MeasureRequest requestOf(const Options& options, const OpenedScene& opened) {
     return request;
 }
 
+/// The table first: a result file that cannot be written any more must not take it along, nor the other file.
 void report(const Options& options, const MeasureResult& result) {
-    if (!options.json.empty()) writeText(options.json, resultJson(result));
-    if (!options.csv.empty()) writeText(options.csv, resultCsv(result));
     // Where standard output carries data, the table goes beside it.
     printTable(result, options.json == "-" || options.csv == "-" ? stderr : stdout);
+    std::optional<Error> failure;
+    for (const auto& [path, text] : {std::pair(options.json, &resultJson), std::pair(options.csv, &resultCsv)}) try {
+            if (!path.empty()) writeText(path, text(result));
+        } catch (const Error& error) {
+            failure = error;
+        }
+    if (failure) throw *failure;
+}
+
+/// Refuses a place that cannot be written before the work, not after it.
+void checkOutputs(const Options& options) {
+    if (options.json == "-" && options.csv == "-")
+        throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
+    for (const std::string& path : {options.json, options.csv}) {
+        if (path.empty() || path == "-") continue;
+        const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+        if (access(folder.c_str(), W_OK) != 0)
+            throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
+                       {path, systemReason(errno)});
+    }
 }
 
 int statusOf(const MeasureResult& result) {
@@ -79,6 +102,7 @@ void run(const Options& options, Context& context) {
     // What can be wrong with the words is said before a long load.
     (void)strategiesFromText(options.strategies, options.parameters);
     (void)sizeFromText(options.size);
+    checkOutputs(options);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
     const MeasureResult result = measure(requestOf(options, opened), terminalProgress(context));

@@ -17,22 +17,25 @@ struct Options {
     std::string size = "640x480";
     std::string background, surface;
     double fovy = 45.0, nearDistance = 0.0, farDistance = 0.0;
-    size_t pose = 0;
+    int64_t pose = 0;
 };
 
 Camera cameraOf(const Options& options, const Scene& scene, const Viewport& size) {
     Camera camera = overviewCamera(scene, double(size.width) / size.height);
     if (!options.path.empty()) {
         const CameraPath path = cameraPath(options.path, scene);
-        if (options.pose >= path.poses.size())
+        if (static_cast<size_t>(options.pose) >= path.poses.size())
             throwUsage(CULLSCOPE_TR("--pose %1: the path %2 has %3 poses, counted from 0."),
                        {std::to_string(options.pose), options.path, std::to_string(path.poses.size())});
-        camera = path.camera(options.pose);
+        camera = path.camera(static_cast<size_t>(options.pose));
     }
     if (!options.eye.empty()) camera.eye = vectorFromText("--eye", options.eye);
     if (!options.target.empty()) camera.target = vectorFromText("--target", options.target);
     if (!options.up.empty()) camera.up = vectorFromText("--up", options.up);
-    if (options.path.empty()) camera.fovy = Angle::fromDegrees(options.fovy);
+    if (options.path.empty()) {
+        camera.fovy = Angle::fromDegrees(options.fovy);
+        fitDepthRange(camera, scene);
+    }
     if (options.nearDistance > 0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0) camera.farDistance = options.farDistance;
     return camera;
@@ -81,10 +84,13 @@ void run(const Options& options, const Context& context) {
     Framebuffer target(size);
     const StrategyPointer strategy = makeStrategy(requests.front().id, requests.front().parameters);
     strategy->build(*opened.scene, terminalProgress(context));
+    clearProgress();
+    terminalProgress(context).check();
     const FrameResult frame = renderFrame(renderer, buffers, *strategy, view, target, style);
     writePicture(options.output, {size, target.readColour(), metadata(options, requests.front(), camera)});
-    fmt::print("{}: {} of {} triangles submitted; {} on {}\n", options.output, frame.verdict.consideredTriangles,
-               opened.scene->triangleCount(), gl.info().renderer, gl.platform());
+    // Where the picture went to standard output, the words go beside it.
+    fmt::print(options.output == "-" ? stderr : stdout, "{}: {} of {} triangles submitted; {} on {}\n", options.output,
+               frame.verdict.consideredTriangles, opened.scene->triangleCount(), gl.info().renderer, gl.platform());
 }
 
 }  // namespace
@@ -98,15 +104,19 @@ void addRenderCommand(CLI::App& app, Context& context) {
     auto* eye = command->add_option("--eye", options->eye, "eye, x,y,z (default: all of the scene in view)");
     command->add_option("--target", options->target, "what is looked at, x,y,z");
     command->add_option("--up", options->up, "up, x,y,z");
-    command->add_option("--fovy", options->fovy, "vertical field of view in degrees")->capture_default_str();
-    command->add_option("--near", options->nearDistance, "near distance");
-    command->add_option("--far", options->farDistance, "far distance");
-    auto* path = command->add_option("--path", options->path, "camera path: file or built-in name")->excludes(eye);
-    command->add_option("--pose", options->pose, "pose of the path, from 0")->needs(path);
+    auto* fovy = command->add_option("--fovy", options->fovy, "vertical field of view in degrees")->capture_default_str();
+    command->add_option("--near", options->nearDistance, "near distance (default: from the eye's place)")
+        ->check(CLI::PositiveNumber);
+    command->add_option("--far", options->farDistance, "far distance (default: from the eye's place)")
+        ->check(CLI::PositiveNumber);
+    auto* path =
+        command->add_option("--path", options->path, "camera path: file or built-in name")->excludes(eye)->excludes(fovy);
+    command->add_option("--pose", options->pose, "pose of the path, from 0")->needs(path)->check(CLI::NonNegativeNumber);
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--background", options->background, "colour behind the scene, RRGGBB");
     command->add_option("--surface", options->surface, "colour of the surfaces, RRGGBB");
-    command->add_option("-o,--output", options->output, "picture file: .png, .jpg, .tif, .exr")->required();
+    command->add_option("-o,--output", options->output, "picture file: .png, .jpg, .tif, .exr; - is standard output (PNG)")
+        ->required();
     command->callback([options, &context] { run(*options, context); });
 }
 

@@ -22,7 +22,8 @@ void runExport(const ExportOptions& options, const Context& context) {
     }
     saveMeshFile(options.output, placed, terminalProgress(context));
     clearProgress();
-    fmt::print("{}: {} triangles in {} objects\n", options.output, opened.scene->triangleCount(), placed.size());
+    fmt::print(options.output == "-" ? stderr : stdout, "{}: {} triangles in {} objects\n", options.output,
+               opened.scene->triangleCount(), placed.size());
 }
 
 struct InspectOptions {
@@ -51,7 +52,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                     {"build_ms", structure.buildMilliseconds},
                                     {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
-        writeText(options.json, json.dump(1) + "\n");
+        writeText(options.json, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     }
     if (options.json == "-") return;
     fmt::print("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
@@ -78,7 +79,10 @@ void addExportCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("export", "Writes any scene as a mesh file, one named object a component");
     auto options = std::make_shared<ExportOptions>();
     command->add_option("SCENE", options->scene, "mesh file or generator")->required();
-    command->add_option("-o,--output", options->output, "FILE.obj, .ply or .stl")->required();
+    command
+        ->add_option("-o,--output", options->output,
+                     "FILE.obj, .ply or .stl; - is standard output (OBJ). Only OBJ keeps the objects apart")
+        ->required();
     command->callback([options, &context] { runExport(*options, context); });
 }
 

@@ -3,7 +3,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <fstream>
 #include <iostream>
 #include <system_error>
@@ -35,7 +34,7 @@ void writeStream(const std::filesystem::path& path, const std::function<void(std
     std::ofstream out(path, std::ios::binary);
     if (out) write(out);
     out.close();
-    if (!out) refuse(path, std::strerror(errno != 0 ? errno : EIO));
+    if (!out) refuse(path, systemReason(errno != 0 ? errno : EIO));
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ void writeFileAtomicallyByName(const std::filesystem::path& link,
     } catch (const std::filesystem::filesystem_error& failure) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
-        refuse(path, failure.code().message());
+        refuse(path, systemReason(failure.code().value()));
     } catch (...) {
         std::error_code ignored;
         std::filesystem::remove(temporary, ignored);
@@ -67,7 +66,7 @@ void writeFileAtomically(const std::filesystem::path& path, const std::function<
     if (path == "-") {
         write(std::cout);
         std::cout.flush();
-        if (!std::cout) refuse("standard output", std::strerror(errno != 0 ? errno : EIO));
+        if (!std::cout) refuse("standard output", systemReason(errno != 0 ? errno : EIO));
         return;
     }
     if (isStream(path)) return writeStream(path, write);

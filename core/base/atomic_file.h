@@ -8,7 +8,8 @@
 namespace cullscope {
 
 /// Writes a file whole or not at all: `write` fills a temporary file beside `path`, which then takes its place.
-/// "-" is standard output; devices and pipes are written as they are. Throws Error(Usage) naming the path and the system's reason; the old file, if any, stays.
+/// "-" is standard output; devices and pipes are written as they are. Throws Error(Usage) naming the path and the system's
+/// reason; the old file, if any, stays.
 void writeFileAtomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 /// The same for libraries that want a file name: `write` gets the temporary name (with the same extension) to write to.

@@ -27,6 +27,10 @@ private:
     Message m_message;
 };
 
+/// What the system says of a failed call (an `errno`): marked for translation where users meet it, else the system's English.
+/// Goes into a message's arguments; a user interface translates arguments that are marked texts.
+[[nodiscard]] std::string systemReason(int errorNumber);
+
 [[noreturn]] void throwUsage(std::string_view text, std::vector<std::string> arguments = {});
 [[noreturn]] void throwInput(std::string_view text, std::vector<std::string> arguments = {});
 [[noreturn]] void throwOpenGl(std::string_view text, std::vector<std::string> arguments = {});

@@ -57,7 +57,8 @@ EGLContext createContext(EGLDisplay display, EGLConfig config) {
             context != EGL_NO_CONTEXT)
             return context;
     }
-    return EGL_NO_CONTEXT;
+    // Whatever there is: requireOpenGl45 then says which version was found.
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
 }
 
 /// Makes a context on a display and makes it current.

@@ -129,7 +129,9 @@ private:
             frame.cullMilliseconds = quantile(contestant.cullTimes, 0.5);
             frame.repetitions = static_cast<int>(contestant.frameTimes.size());
             if (m_progress.stopRequested()) return false;
+            if (contestant.strategy->promiseAt(view) == Promise::Approximate) contestant.run.promise = Promise::Approximate;
             const Verdict verdict = contestant.strategy->cull(view);
+            frame.stages = verdict.stages;
             frame.consideredTriangles = verdict.consideredTriangles;
             if (m_request.accuracy && contestant.askedFor) {
                 std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];

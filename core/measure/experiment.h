@@ -46,6 +46,7 @@ struct FrameMeasurement {
     size_t pose = 0;
     double frameMilliseconds = 0.0;  ///< median; cull + draw of all windows
     double cullMilliseconds = 0.0;   ///< median
+    std::vector<Stage> stages;       ///< of one cull
     int repetitions = 0;
     uint64_t consideredTriangles = 0;  ///< of one window
     std::optional<Accuracy> accuracy;
@@ -68,7 +69,7 @@ struct Summary {
 /// One strategy over a path.
 struct RunMeasurement {
     StrategyRequest strategy;
-    Promise promise = Promise::Approximate;
+    Promise promise = Promise::Approximate;  ///< the least over the poses measured
     Facing facing = Facing::TwoSided;
     Facing referenceFacing = Facing::TwoSided;
     StructureReport structure;

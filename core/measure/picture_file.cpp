@@ -1,6 +1,11 @@
 #include "core/measure/picture_file.h"
 
 #include <OpenImageIO/imageio.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <fstream>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
@@ -18,23 +23,51 @@ std::vector<uint8_t> upsideDown(const std::vector<uint8_t>& rows, const Viewport
     return flipped;
 }
 
+/// A file in memory: picture libraries want a name to write to, and some end the program where a disk is full.
+class MemoryFile {
+public:
+    MemoryFile() : m_descriptor(memfd_create("picture", MFD_CLOEXEC)) {
+        if (m_descriptor < 0) throwUsage(CULLSCOPE_TR("The picture cannot be made: %1."), {systemReason(errno)});
+    }
+    ~MemoryFile() { close(m_descriptor); }
+    MemoryFile(const MemoryFile&) = delete;
+    MemoryFile& operator=(const MemoryFile&) = delete;
+
+    [[nodiscard]] std::string name() const { return "/proc/self/fd/" + std::to_string(m_descriptor); }
+
+private:
+    int m_descriptor;
+};
+
+[[noreturn]] void refuseFormat(const std::filesystem::path& path) {
+    throwUsage(CULLSCOPE_TR("%1: pictures are written as .png, .jpg, .tif or .exr; choose one of these endings."),
+               {path.string()});
+}
+
+/// The picture as a file of the format that a name ends in.
+void encode(const MemoryFile& file, const std::filesystem::path& path, const Picture& picture) {
+    const std::string format = path == "-" ? "png" : path.extension().string();
+    const auto output =
+        format.empty() ? nullptr : OIIO::ImageOutput::create("picture" + (format[0] == '.' ? format : "." + format));
+    if (!output) {
+        (void)OIIO::geterror();
+        refuseFormat(path);
+    }
+    const std::vector<uint8_t> rows = upsideDown(picture.rgba, picture.size);
+    OIIO::ImageSpec spec(picture.size.width, picture.size.height, 4, OIIO::TypeDesc::UINT8);
+    for (const auto& [name, text] : picture.metadata) spec.attribute(name, text);
+    const bool written =
+        output->open(file.name(), spec) && output->write_image(OIIO::TypeDesc::UINT8, rows.data()) && output->close();
+    if (!written) throwUsage(CULLSCOPE_TR("%1 cannot be written: %2"), {path.string(), output->geterror()});
+}
+
 }  // namespace
 
 void writePicture(const std::filesystem::path& path, const Picture& picture) {
-    const std::vector<uint8_t> rows = upsideDown(picture.rgba, picture.size);
-    writeFileAtomicallyByName(path, [&](const std::filesystem::path& temporary) {
-        const auto output = OIIO::ImageOutput::create(temporary.string());
-        if (!output) {
-            (void)OIIO::geterror();
-            throwUsage(CULLSCOPE_TR("%1: pictures are written as .png, .jpg, .tif or .exr; choose one of these endings."),
-                       {path.string()});
-        }
-        OIIO::ImageSpec spec(picture.size.width, picture.size.height, 4, OIIO::TypeDesc::UINT8);
-        for (const auto& [name, text] : picture.metadata) spec.attribute(name, text);
-        const bool written =
-            output->open(temporary.string(), spec) && output->write_image(OIIO::TypeDesc::UINT8, rows.data()) && output->close();
-        if (!written) throwUsage(CULLSCOPE_TR("%1 cannot be written: %2"), {path.string(), output->geterror()});
-    });
+    const MemoryFile file;
+    encode(file, path, picture);
+    std::ifstream encoded(file.name(), std::ios::binary);
+    writeFileAtomically(path, [&](std::ostream& out) { out << encoded.rdbuf(); });
 }
 
 Picture readPicture(const std::filesystem::path& path) {

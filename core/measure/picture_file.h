@@ -18,7 +18,7 @@ struct Picture {
     std::vector<std::pair<std::string, std::string>> metadata;
 };
 
-/// Writes PNG, JPEG, TIFF or whatever OpenImageIO knows by the extension, whole or not at all.
+/// Writes PNG, JPEG, TIFF or whatever OpenImageIO knows by the extension, whole or not at all; "-" is standard output, as PNG.
 /// Throws Error(Usage) where the extension is unknown or the place cannot be written.
 void writePicture(const std::filesystem::path& path, const Picture& picture);
 

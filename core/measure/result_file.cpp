@@ -37,6 +37,8 @@ Json frameJson(const FrameMeasurement& frame) {
     json["false_culled_triangles"] = figure(&Accuracy::falselyCulledTriangles);
     json["needlessly_drawn_triangles"] = figure(&Accuracy::needlesslyDrawnTriangles);
     json["missed_beyond_snapping"] = frame.accuracy ? Json(frame.missedBeyondSnapping) : Json(nullptr);
+    json["stages_ms"] = Json::object();
+    for (const Stage& stage : frame.stages) json["stages_ms"][stage.name] = stage.milliseconds;
     json["case"] = nullptr;
     return json;
 }

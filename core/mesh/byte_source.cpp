@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <system_error>
 
 #include "core/base/error.h"
 
@@ -17,8 +16,6 @@ namespace {
 /// Small enough that even slow text is parsed within a few milliseconds between two questions for a stop.
 constexpr size_t kBlock = size_t{256} << 10;
 
-std::string systemReason() { return std::error_code(errno, std::generic_category()).message(); }
-
 }  // namespace
 
 ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash)
@@ -26,7 +23,7 @@ ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progre
     // Not blocking: opening a pipe that nobody writes to would otherwise wait for ever.
     m_file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (m_file < 0)
-        throwInput(CULLSCOPE_TR("%1 cannot be opened: %2. Check the path and the permissions."), {m_name, systemReason()});
+        throwInput(CULLSCOPE_TR("%1 cannot be opened: %2. Check the path and the permissions."), {m_name, systemReason(errno)});
     struct stat status {};
     const bool known = fstat(m_file, &status) == 0;
     if (!known || !S_ISREG(status.st_mode) || status.st_size == 0) {
@@ -58,7 +55,7 @@ bool ByteSource::refill(size_t wanted) {
     } while (got < 0 && errno == EINTR);
     if (got < 0)
         throwInput(CULLSCOPE_TR("%1 cannot be read after byte %2: %3. Copy the file again."),
-                   {m_name, std::to_string(m_readBytes), systemReason()});
+                   {m_name, std::to_string(m_readBytes), systemReason(errno)});
     m_atEnd = got == 0;
     if (m_hash && got > 0) m_hash->addValues(std::span<const char>(m_buffer.data() + m_end, static_cast<size_t>(got)));
     m_end += static_cast<size_t>(got);

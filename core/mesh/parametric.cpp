@@ -12,31 +12,46 @@ namespace {
 
 constexpr double kTau = 2.0 * std::numbers::pi;
 
-void checkCount(size_t triangles, size_t least) {
-    if (triangles < least || triangles > (size_t{1} << 31))
-        throwUsage(CULLSCOPE_TR("This shape takes between %1 and %2 triangles, not %3."),
-                   {std::to_string(least), std::to_string(size_t{1} << 31), std::to_string(triangles)});
+constexpr size_t kMostTriangles = 2'000'000'000;
+
+void checkCount(const char* shape, size_t triangles, size_t least) {
+    if (triangles < least || triangles > kMostTriangles)
+        throwUsage(CULLSCOPE_TR("%1 takes between %2 and %3 triangles, not %4."),
+                   {shape, std::to_string(least), std::to_string(kMostTriangles), std::to_string(triangles)});
+}
+
+/// Says how far the rows of a tessellation are, and stops where that was asked for.
+void row(const Progress& progress, size_t done, size_t all) {
+    progress.check();
+    progress.tell(double(done) / double(all), CULLSCOPE_TR("Tessellating the shape"));
 }
 
 /// A closed grid of u × v quads on a surface that is periodic in both directions.
 template <typename Surface>
-MeshPointer periodicGrid(const char* name, size_t triangles, double aspect, const Surface& surface) {
-    checkCount(triangles, 18);
+MeshPointer periodicGrid(const char* name, size_t triangles, double aspect, const Progress& progress, const Surface& surface) {
+    checkCount(name, triangles, 18);
     const auto across = static_cast<uint32_t>(std::max(3.0, std::round(std::sqrt(double(triangles) / 2.0 / aspect))));
     const auto along = static_cast<uint32_t>(std::max(3.0, std::round(double(triangles) / 2.0 / across)));
     TriangleMesh::Data data;
     data.name = name;
-    for (uint32_t u = 0; u < along; ++u)
+    data.positions.reserve(size_t{along} * across);
+    data.normals.reserve(size_t{along} * across);
+    data.indices.reserve(size_t{along} * across * 6);
+    for (uint32_t u = 0; u < along; ++u) {
+        row(progress, u, 2 * size_t{along});
         for (uint32_t v = 0; v < across; ++v) {
             const auto [position, normal] = surface(kTau * u / along, kTau * v / across);
             data.positions.emplace_back(position);
             data.normals.emplace_back(glm::normalize(normal));
         }
+    }
     const auto vertex = [&](uint32_t u, uint32_t v) { return (u % along) * across + v % across; };
-    for (uint32_t u = 0; u < along; ++u)
+    for (uint32_t u = 0; u < along; ++u) {
+        row(progress, along + u, 2 * size_t{along});
         for (uint32_t v = 0; v < across; ++v)
             data.indices.insert(data.indices.end(), {vertex(u, v), vertex(u + 1, v), vertex(u + 1, v + 1),  //
                                                      vertex(u, v), vertex(u + 1, v + 1), vertex(u, v + 1)});
+    }
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
@@ -48,7 +63,10 @@ struct Geodesic {
 
 class GeodesicBuilder {
 public:
-    explicit GeodesicBuilder(uint32_t frequency) : m_frequency(frequency) {
+    GeodesicBuilder(uint32_t frequency, const Progress& progress) : m_frequency(frequency), m_progress(progress) {
+        const size_t squared = size_t{frequency} * frequency;
+        m_geodesic.directions.reserve(10 * squared + 2);
+        m_geodesic.indices.reserve(60 * squared);
         const double golden = std::numbers::phi;
         for (const double s : {-1.0, 1.0})
             for (const double t : {-golden, golden}) {
@@ -74,16 +92,24 @@ private:
     void divide(uint32_t a, uint32_t b, uint32_t c) {
         const auto& d = m_geodesic.directions;
         if (glm::dot(glm::cross(d[b] - d[a], d[c] - d[a]), d[a]) < 0) std::swap(b, c);
-        std::vector<std::vector<uint32_t>> rows(m_frequency + 1);
-        for (uint32_t i = 0; i <= m_frequency; ++i)
-            for (uint32_t j = 0; j + i <= m_frequency; ++j)
-                rows[i].push_back(vertex({std::pair{a, m_frequency - i - j}, std::pair{b, j}, std::pair{c, i}}));
-        for (uint32_t i = 0; i < m_frequency; ++i)
+        std::vector<uint32_t> below = verticesOfRow(a, b, c, 0);
+        for (uint32_t i = 0; i < m_frequency; ++i) {
+            row(m_progress, m_rows++, 20 * size_t{m_frequency});
+            const std::vector<uint32_t> above = verticesOfRow(a, b, c, i + 1);
             for (uint32_t j = 0; j + i < m_frequency; ++j) {
-                m_geodesic.indices.insert(m_geodesic.indices.end(), {rows[i][j], rows[i][j + 1], rows[i + 1][j]});
+                m_geodesic.indices.insert(m_geodesic.indices.end(), {below[j], below[j + 1], above[j]});
                 if (j + i + 1 < m_frequency)
-                    m_geodesic.indices.insert(m_geodesic.indices.end(), {rows[i][j + 1], rows[i + 1][j + 1], rows[i + 1][j]});
+                    m_geodesic.indices.insert(m_geodesic.indices.end(), {below[j + 1], above[j + 1], above[j]});
             }
+            below = above;
+        }
+    }
+
+    std::vector<uint32_t> verticesOfRow(uint32_t a, uint32_t b, uint32_t c, uint32_t i) {
+        std::vector<uint32_t> vertices;
+        for (uint32_t j = 0; j + i <= m_frequency; ++j)
+            vertices.push_back(vertex({std::pair{a, m_frequency - i - j}, std::pair{b, j}, std::pair{c, i}}));
+        return vertices;
     }
 
     /// The vertex with integer barycentric weights; the same one from either side of an edge.
@@ -99,25 +125,33 @@ private:
             sum += m_geodesic.directions[corner] * double(weight);
         }
         if (used == 2) return key[0] - 1;
+        // A vertex inside a face belongs to that face alone; those on edges are shared.
+        if (used == 6) {
+            m_geodesic.directions.push_back(glm::normalize(sum));
+            return static_cast<uint32_t>(m_geodesic.directions.size() - 1);
+        }
         const auto [entry, isNew] = m_vertices.try_emplace(key, static_cast<uint32_t>(m_geodesic.directions.size()));
         if (isNew) m_geodesic.directions.push_back(glm::normalize(sum));
         return entry->second;
     }
 
     uint32_t m_frequency;
+    const Progress& m_progress;
+    size_t m_rows = 0;  ///< done
     Geodesic m_geodesic;
     std::map<std::array<uint32_t, 6>, uint32_t> m_vertices;
 };
 
-Geodesic geodesic(size_t triangles) {
-    checkCount(triangles, 20);
-    return GeodesicBuilder(static_cast<uint32_t>(std::max(1.0, std::round(std::sqrt(double(triangles) / 20.0))))).build();
+Geodesic geodesic(const char* shape, size_t triangles, const Progress& progress) {
+    checkCount(shape, triangles, 20);
+    const double frequency = std::max(1.0, std::round(std::sqrt(double(triangles) / 20.0)));
+    return GeodesicBuilder(static_cast<uint32_t>(frequency), progress).build();
 }
 
 }  // namespace
 
-MeshPointer sphereMesh(size_t triangles) {
-    Geodesic sphere = geodesic(triangles);
+MeshPointer sphereMesh(size_t triangles, const Progress& progress) {
+    Geodesic sphere = geodesic("sphere", triangles, progress);
     TriangleMesh::Data data;
     data.name = "sphere";
     data.positions.assign(sphere.directions.begin(), sphere.directions.end());
@@ -126,22 +160,22 @@ MeshPointer sphereMesh(size_t triangles) {
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
-MeshPointer torusMesh(size_t triangles) {
+MeshPointer torusMesh(size_t triangles, const Progress& progress) {
     constexpr double kTube = 0.25;
-    return periodicGrid("torus", triangles, 1.0 / kTube, [](double u, double v) {
+    return periodicGrid("torus", triangles, 1.0 / kTube, progress, [](double u, double v) {
         const Vec3 outward(std::cos(u), 0, -std::sin(u));
         const Vec3 normal = outward * std::cos(v) + Vec3(0, std::sin(v), 0);
         return std::pair(outward + normal * kTube, normal);
     });
 }
 
-MeshPointer knotMesh(size_t triangles) {
+MeshPointer knotMesh(size_t triangles, const Progress& progress) {
     constexpr double kTube = 0.25;
     const auto centre = [](double t) {
         const double r = 1.0 + 0.5 * std::cos(3 * t);
         return Vec3(r * std::cos(2 * t), r * std::sin(2 * t), 0.5 * std::sin(3 * t));
     };
-    return periodicGrid("knot", triangles, 8.0, [&](double u, double v) {
+    return periodicGrid("knot", triangles, 8.0, progress, [&](double u, double v) {
         // A frame from the curve's own tangent and its pull toward the axis: smooth and periodic, as the curve never runs along
         // it.
         const Vec3 tangent = glm::normalize(centre(u + 1e-4) - centre(u - 1e-4));
@@ -153,8 +187,8 @@ MeshPointer knotMesh(size_t triangles) {
     });
 }
 
-MeshPointer starMesh(uint64_t seed, size_t triangles) {
-    Geodesic sphere = geodesic(triangles);
+MeshPointer starMesh(uint64_t seed, size_t triangles, const Progress& progress) {
+    Geodesic sphere = geodesic("star", triangles, progress);
     struct Bump {
         Vec3 direction;
         double height, sharpness;
@@ -164,7 +198,9 @@ MeshPointer starMesh(uint64_t seed, size_t triangles) {
     for (Bump& bump : bumps) bump = {random.direction(), random.between(-0.3, 0.3), random.between(8.0, 60.0)};
     TriangleMesh::Data data;
     data.name = "star";
+    data.positions.reserve(sphere.directions.size());
     for (const Vec3& direction : sphere.directions) {
+        if (data.positions.size() % 65536 == 0) progress.check();
         double sum = 0.0;
         for (const Bump& bump : bumps)
             sum += bump.height * std::exp(bump.sharpness * (glm::dot(direction, bump.direction) - 1.0));

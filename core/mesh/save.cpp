@@ -174,7 +174,7 @@ using WriteFormat = void (*)(Writer&, std::span<const PlacedMesh>);
 
 WriteFormat writerFor(const std::filesystem::path& path) {
     const std::string extension = extensionOf(path);
-    if (extension == ".obj") return writeObj;
+    if (extension == ".obj" || path == "-") return writeObj;
     if (extension == ".ply") return writePly;
     if (extension == ".stl") return writeStl;
     throwUsage(CULLSCOPE_TR("%1: meshes are written as .obj, .ply or .stl. Choose one of these endings."), {path.string()});
@@ -184,7 +184,7 @@ WriteFormat writerFor(const std::filesystem::path& path) {
 void refuseTooMany(const std::filesystem::path& path, std::span<const PlacedMesh> meshes) {
     uint64_t most = 0;
     for (const PlacedMesh& placed : meshes) most += std::max(placed.mesh->vertexCount(), placed.mesh->triangleCount());
-    if (most >= (uint64_t{1} << 32) && extensionOf(path) != ".obj")
+    if (most >= (uint64_t{1} << 32) && extensionOf(path) != ".obj" && path != "-")
         throwUsage(CULLSCOPE_TR("%1: the scene has too many triangles for one file of this format. Write an OBJ file."),
                    {path.string()});
 }

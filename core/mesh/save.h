@@ -17,7 +17,8 @@ struct PlacedMesh {
 };
 
 /// Writes OBJ (one named object an entry, 17 significant digits), PLY (binary, double where float would lose) or binary STL
-/// by the extension, whole or not at all. Throws Error(Usage) for another extension or an unwritable place.
+/// by the extension, whole or not at all; "-" is standard output, as OBJ. Throws Error(Usage) for another extension or an
+/// unwritable place.
 void saveMeshFile(const std::filesystem::path& path, std::span<const PlacedMesh> meshes, const Progress& progress = {});
 
 }  // namespace cullscope

@@ -105,13 +105,19 @@ Vec3 evaluate(const Patch& patch, double u, double v) {
 /// Welds points of neighbouring patches: their borders are the same curves, evaluated with the same rounding up to 1e-9.
 class Welder {
 public:
-    uint32_t vertex(const Vec3& p) {
+    explicit Welder(size_t vertices) { m_positions.reserve(vertices); }
+
+    /// The vertex at a point that several patches may have.
+    uint32_t shared(const Vec3& p) {
         const auto grid = [](double x) { return static_cast<int64_t>(std::llround(x * 1e8)); };
         const auto [entry, isNew] =
             m_known.try_emplace({grid(p.x), grid(p.y), grid(p.z)}, static_cast<uint32_t>(m_positions.size()));
-        // y up and centred on the axis, at the height of the data's middle.
-        if (isNew) m_positions.emplace_back(Vec3(p.x, p.z - 1.575, -p.y));
-        return entry->second;
+        return isNew ? own(p) : entry->second;
+    }
+    /// A new vertex, y up and centred on the axis, at the height of the data's middle.
+    uint32_t own(const Vec3& p) {
+        m_positions.emplace_back(Vec3(p.x, p.z - 1.575, -p.y));
+        return static_cast<uint32_t>(m_positions.size() - 1);
     }
     std::vector<Vec3f> takePositions() { return std::move(m_positions); }
 
@@ -126,27 +132,40 @@ void addTriangle(std::vector<uint32_t>& indices, uint32_t a, uint32_t b, uint32_
 
 }  // namespace
 
-MeshPointer teapotMesh(size_t triangles) {
-    if (triangles < 56 || triangles > 100'000'000)
-        throwUsage(CULLSCOPE_TR("This shape takes between %1 and %2 triangles, not %3."),
-                   {"56", "100000000", std::to_string(triangles)});
+MeshPointer teapotMesh(size_t triangles, const Progress& progress) {
+    if (triangles < 56 || triangles > 2'000'000'000)
+        throwUsage(CULLSCOPE_TR("%1 takes between %2 and %3 triangles, not %4."),
+                   {"teapot", "56", "2000000000", std::to_string(triangles)});
     // Eight of the 32 patches end in a pole and lose one triangle a step there: 64 n² − 8 n in all.
     const auto steps = static_cast<uint32_t>(std::max(1.0, std::round((8 + std::sqrt(64 + 256.0 * double(triangles))) / 128)));
-    Welder welder;
+    const std::vector<Patch> patches = teapotPatches();
+    Welder welder(patches.size() * size_t{steps} * steps);
     TriangleMesh::Data data;
     data.name = "teapot";
-    const std::vector<Patch> patches = teapotPatches();
+    data.indices.reserve(patches.size() * size_t{steps} * steps * 6);
     for (size_t p = 0; p < patches.size(); ++p) {
-        const auto corner = [&](uint32_t i, uint32_t j) {
-            return welder.vertex(evaluate(patches[p], double(i) / steps, double(j) / steps));
+        const auto verticesOfRow = [&](uint32_t i) {
+            std::vector<uint32_t> vertices;
+            for (uint32_t j = 0; j <= steps; ++j) {
+                const bool onBorder = i == 0 || i == steps || j == 0 || j == steps;
+                const Vec3 point = evaluate(patches[p], double(i) / steps, double(j) / steps);
+                vertices.push_back(onBorder ? welder.shared(point) : welder.own(point));
+            }
+            return vertices;
         };
-        for (uint32_t i = 0; i < steps; ++i)
+        std::vector<uint32_t> below = verticesOfRow(0);
+        for (uint32_t i = 0; i < steps; ++i) {
+            progress.check();
+            progress.tell((double(p) + double(i) / steps) / double(patches.size()), CULLSCOPE_TR("Tessellating the shape"));
+            const std::vector<uint32_t> above = verticesOfRow(i + 1);
             for (uint32_t j = 0; j < steps; ++j) {
-                std::array<uint32_t, 4> quad{corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)};
+                std::array<uint32_t, 4> quad{below[j], above[j], above[j + 1], below[j + 1]};
                 if (flipped(p)) std::swap(quad[1], quad[3]);
                 addTriangle(data.indices, quad[0], quad[1], quad[2]);
                 addTriangle(data.indices, quad[0], quad[2], quad[3]);
             }
+            below = above;
+        }
     }
     data.positions = welder.takePositions();
     return std::make_shared<TriangleMesh>(std::move(data));

@@ -25,6 +25,8 @@ Vec3 rightOf(const Vec3& forward, const Vec3& up) {
 void validate(const Camera& camera, const Viewport& viewport) {
     if (!finite(camera.eye) || !finite(camera.target) || !finite(camera.up))
         throwUsage(CULLSCOPE_TR("The camera's eye, target and up must be finite numbers."));
+    if (!std::isfinite(glm::length(camera.target - camera.eye)) || !std::isfinite(glm::length(camera.up)))
+        throwUsage(CULLSCOPE_TR("The camera's eye, target and up must be finite numbers."));
     if (!(glm::length(camera.target - camera.eye) > 0.0))
         throwUsage(CULLSCOPE_TR("The camera's eye and target are the same point: move one of them."));
     if (!(glm::length(camera.up) > 0.0)) throwUsage(CULLSCOPE_TR("The camera's up vector is zero: give it a direction."));

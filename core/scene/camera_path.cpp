@@ -140,8 +140,8 @@ Camera CameraPath::camera(size_t pose) const {
 CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
     if (auto path = builtIn(nameOrFile, scene)) return *path;
     const std::filesystem::path file{std::string(nameOrFile)};
-    if (!std::filesystem::exists(file))
-        throwUsage(CULLSCOPE_TR("\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, "
+    if (!std::filesystem::is_regular_file(file))
+        throwInput(CULLSCOPE_TR("\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, "
                                 "walk:N, case-1, case-2, case-3."),
                    {std::string(nameOrFile)});
     return readCameraPath(file);
@@ -161,12 +161,24 @@ Camera overviewCamera(const Scene& scene, double aspect) {
     return camera;
 }
 
+void fitDepthRange(Camera& camera, const Scene& scene) {
+    const double radius = radiusOf(scene);
+    const double distance = glm::length(camera.eye - scene.boundingSphere().centre);
+    // Outside the scene nothing lies nearer than its sphere; inside, near shrinks with the scene. Reversed depth bears the ratio.
+    camera.nearDistance = std::max(distance - radius, radius * 1e-3) * 0.5;
+    camera.farDistance = (distance + radius) * 2.0;
+}
+
 CameraPath readCameraPath(const std::filesystem::path& file) {
     std::ifstream in(file, std::ios::binary);
     if (!in) throwInput(CULLSCOPE_TR("%1 cannot be opened: check the name and that you may read it."), {file.string()});
     nlohmann::json json;
     try {
         json = nlohmann::json::parse(in);
+    } catch (const nlohmann::json::out_of_range&) {
+        throwInput(
+            CULLSCOPE_TR("%1 holds a number that is too large. A camera path has the fields fovy_deg, near, far and poses."),
+            {file.string()});
     } catch (const nlohmann::json::parse_error& failure) {
         throwInput(
             CULLSCOPE_TR("%1 is not JSON: it breaks off at byte %2. A camera path has the fields fovy_deg, near, far and poses."),

@@ -25,7 +25,7 @@ struct CameraPath {
 };
 
 /// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
-/// Throws Error(Usage) for an unknown name, Error(Input) naming file and field for a bad file.
+/// Throws Error(Usage) for a bad number of poses, Error(Input) naming file and field for a bad or missing file.
 [[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);
 
 /// The path that a scene is measured on when none is given: `fibonacci:16` for one object, `walk:16` for many.
@@ -33,6 +33,9 @@ struct CameraPath {
 
 /// The camera that a window shows a scene with at first: all of it in view, slightly from above.
 [[nodiscard]] Camera overviewCamera(const Scene& scene, double aspect);
+
+/// Near and far for an eye anywhere: the whole scene lies before far, and what is a thousandth of its distance away before near.
+void fitDepthRange(Camera& camera, const Scene& scene);
 
 /// Reads and writes the JSON form (measurement.md, "Camera path").
 [[nodiscard]] CameraPath readCameraPath(const std::filesystem::path& file);

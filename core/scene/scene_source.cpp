@@ -24,6 +24,8 @@ public:
             // A file's name may hold an equals sign; what stands before one of a parameter is a plain word.
             if (equals == std::string::npos || wordLength(piece) != equals)
                 m_unnamed = piece;
+            else if (equals + 1 == piece.size())
+                throwUsage(CULLSCOPE_TR("%1: %2 has no value."), {m_generator, piece});
             else
                 m_values[piece.substr(0, equals)] = piece.substr(equals + 1);
         }
@@ -50,8 +52,15 @@ public:
         return parsed;
     }
 
+    double wholeNumber(const std::string& key, double fallback, double least, double most) {
+        const double value = number(key, fallback, least, most);
+        if (value != std::floor(value))
+            throwUsage(CULLSCOPE_TR("%1: %2 is a whole number, not %3."), {m_generator, key, shortest(value)});
+        return value;
+    }
+
     size_t count(const std::string& key, double fallback, double most) {
-        return static_cast<size_t>(std::llround(number(key, fallback, 1, most)));
+        return static_cast<size_t>(wholeNumber(key, fallback, 1, most));
     }
 
     /// Refuses what nobody asked for: call after everything known was taken.
@@ -147,12 +156,14 @@ OpenedScene openBunny(Request& request) {
 }
 
 /// All objects of a scene as one mesh, for generators that take "a mesh".
-MeshPointer merged(const Scene& scene) {
+MeshPointer merged(const Scene& scene, const Progress& progress) {
     if (scene.instances().size() == 1) return scene.meshes()[scene.instances()[0].mesh];
     TriangleMesh::Data data;
     data.name = scene.name();
     data.origin = scene.bounds().centre();
+    data.indices.reserve(scene.triangleCount() * 3);
     for (const Instance& instance : scene.instances()) {
+        progress.check();
         const TriangleMesh& mesh = *scene.meshes()[instance.mesh];
         const auto first = static_cast<uint32_t>(data.positions.size());
         for (size_t v = 0; v < mesh.vertexCount(); ++v)
@@ -172,8 +183,13 @@ OpenedScene openResampledMesh(Request& request) {
         opened.specification = request.specification;
         return opened;
     }
-    OpenedScene result = sceneOfOne(resampled(*merged(*opened.scene), triangles, request.progress.part(0.3, 1.0)), request);
+    OpenedScene result =
+        sceneOfOne(resampled(*merged(*opened.scene, request.progress), triangles, request.progress.part(0.3, 1.0)), request);
     result.report = std::move(opened.report);
+    if (result.report && result.scene->triangleCount() != triangles)
+        result.report->remarks.push_back(
+            {CULLSCOPE_TR("%1 triangles were made where %2 were asked for: a closed mesh has an even number."),
+             {std::to_string(result.scene->triangleCount()), std::to_string(triangles)}});
     return result;
 }
 
@@ -182,7 +198,7 @@ OpenedScene openField(Request& request) {
     const size_t n = request.arguments.count("n", 20, 2000);
     const double spacing = request.arguments.number("spacing", 2.5, 0.0, 1e9);
     OpenedScene one = sceneOfFile(meshFile(file, request.options), request.options, request.progress);
-    MeshPointer mesh = merged(*one.scene);
+    MeshPointer mesh = merged(*one.scene, request.progress);
 
     const Vec3 centre = mesh->origin() + mesh->localBounds().centre();
     double farthestSquared = 0.0;
@@ -192,32 +208,34 @@ OpenedScene openField(Request& request) {
     }
     const double scale = 1.0 / std::sqrt(farthestSquared);
     std::vector<Instance> instances;
-    for (size_t i = 0; i < n; ++i)
+    for (size_t i = 0; i < n; ++i) {
+        request.progress.check();
         for (size_t j = 0; j < n; ++j) {
             const double half = (double(n) - 1) / 2.0;
             Mat4 place(scale);
             place[3] = Vec4(Vec3((double(i) - half) * spacing, 0.0, (double(j) - half) * spacing) - centre * scale, 1.0);
             instances.push_back({0, place, mesh->name() + " " + std::to_string(i) + "," + std::to_string(j)});
         }
+    }
     return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{mesh}, std::move(instances)),
             request.specification, std::move(one.report)};
 }
 
 constexpr double kMostTriangles = 2e9;
 
-OpenedScene openParametric(Request& request) {
+MeshPointer parametricMesh(Request& request) {
     const std::string& id = request.info.id;
-    if (id == "star") {
-        const auto seed = static_cast<uint64_t>(request.arguments.number("seed", 7, 0, 9e15));
-        return sceneOfOne(starMesh(seed, request.arguments.count("triangles", 1e5, kMostTriangles)), request);
-    }
+    const Progress& progress = request.progress;
     const size_t triangles = request.arguments.count("triangles", id == "teapot" ? 64e3 : 1e5, kMostTriangles);
-    return sceneOfOne(id == "teapot"   ? teapotMesh(triangles)
-                      : id == "sphere" ? sphereMesh(triangles)
-                      : id == "torus"  ? torusMesh(triangles)
-                                       : knotMesh(triangles),
-                      request);
+    if (id == "star")
+        return starMesh(static_cast<uint64_t>(request.arguments.wholeNumber("seed", 7, 0, 9e15)), triangles, progress);
+    if (id == "teapot") return teapotMesh(triangles, progress);
+    if (id == "sphere") return sphereMesh(triangles, progress);
+    if (id == "torus") return torusMesh(triangles, progress);
+    return knotMesh(triangles, progress);
 }
+
+OpenedScene openParametric(Request& request) { return sceneOfOne(parametricMesh(request), request); }
 
 const GeneratorParameter kTriangles{"triangles", "1e5",
                                     CULLSCOPE_TR("how many triangles, to the nearest that the shape's grid allows")};

@@ -15,6 +15,7 @@ protected:
         report.figures = {{"objects", double(scene.instances().size())}};
     }
     void decide(const View& /*view*/, Verdict& verdict, Trace* trace) override {
+        const StageTimer stage(verdict, CULLSCOPE_TR("listing"));
         for (uint32_t i = 0; i < scene().instances().size(); ++i) {
             const size_t indices = scene().meshOf(i).indices().size();
             if (indices > 0) verdict.drawList.ranges.push_back({i, 0, static_cast<uint32_t>(indices)});
@@ -22,6 +23,10 @@ protected:
         }
     }
 };
+
+bool contains(const Box3& box, const Vec3& point) {
+    return glm::all(glm::greaterThanEqual(point, box.min)) && glm::all(glm::lessThanEqual(point, box.max));
+}
 
 class All final : public Everything {
 public:
@@ -34,6 +39,12 @@ class Backface final : public Everything {
 public:
     using Everything::Everything;
     [[nodiscard]] Promise promise() const override { return m_closed ? Promise::Conservative : Promise::Approximate; }
+    /// Inside a closed mesh there are only back faces to be seen; an eye in an object's box may be inside.
+    [[nodiscard]] Promise promiseAt(const View& view) const override {
+        for (size_t i = 0; i < scene().instances().size(); ++i)
+            if (contains(scene().instanceBox(i), view.eye())) return Promise::Approximate;
+        return promise();
+    }
     [[nodiscard]] Facing facing() const override { return Facing::Front; }
     [[nodiscard]] Facing referenceFacing() const override { return Facing::TwoSided; }
 

@@ -51,6 +51,7 @@ protected:
     }
 
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
+        const StageTimer stage(verdict, CULLSCOPE_TR("plane tests"));
         const auto count = static_cast<uint32_t>(scene().instances().size());
         for (uint32_t i = 0; i < count; ++i) {
             const uint64_t triangles = scene().meshOf(i).triangleCount();

@@ -48,6 +48,23 @@ struct Verdict {
     double cullMilliseconds = 0.0;  ///< all of `cull`
 };
 
+/// Adds the time from its making to its end to a verdict as a stage.
+class StageTimer {
+public:
+    StageTimer(Verdict& verdict, const char* name) : m_verdict(verdict), m_name(name) {}
+    ~StageTimer() {
+        const std::chrono::duration<double, std::milli> passed = std::chrono::steady_clock::now() - m_start;
+        m_verdict.stages.push_back({m_name, passed.count()});
+    }
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+private:
+    Verdict& m_verdict;
+    const char* m_name;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
 /// What a strategy built: for `cullbench inspect` and result files.
 struct StructureReport {
     double buildMilliseconds = 0.0;
@@ -77,6 +94,8 @@ public:
 
     /// What it promises for the built scene with its parameters.
     [[nodiscard]] virtual Promise promise() const = 0;
+    /// What it promises at a view, where that depends on the eye's place; never more than `promise()`.
+    [[nodiscard]] virtual Promise promiseAt(const View& /*view*/) const { return promise(); }
     /// The facing rule for the built scene.
     [[nodiscard]] virtual Facing facing() const = 0;
     /// The facing rule of the ground truth that it is measured against: its own, except for `backface`.
