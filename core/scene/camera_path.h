@@ -25,7 +25,8 @@ struct CameraPath {
 };
 
 /// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
-/// Throws Error(Usage) for a bad number of poses, Error(Input) naming file and field for a bad or missing file.
+/// Throws Error(Usage) for an unknown name or a bad number of poses, Error(Input) naming file and field for a bad or missing
+/// file.
 [[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);
 
 /// The path that a scene is measured on when none is given: `fibonacci:16` for one object, `walk:16` for many.

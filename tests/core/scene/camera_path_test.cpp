@@ -96,7 +96,7 @@ TEST(CameraPath, unknownNameIsTaken) {
             (void)cameraPath(name, *scene);
             FAIL() << name;
         } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::Usage) << name;
+            EXPECT_EQ(error.kind(), name[0] == '/' ? ErrorKind::Input : ErrorKind::Usage) << name;
         }
     }
     for (const char* name : {"orbit:0", "walk:-1", "fibonacci:many", "orbit:", "walk:4x", "walk:1000001"})

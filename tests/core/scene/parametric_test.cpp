@@ -9,11 +9,11 @@ namespace {
 
 struct Shape {
     const char* name;
-    MeshPointer (*make)(size_t triangles);
+    MeshPointer (*make)(size_t triangles, const Progress& progress);
     bool closed;
 };
 
-MeshPointer star(size_t triangles) { return starMesh(7, triangles); }
+MeshPointer star(size_t triangles, const Progress& progress) { return starMesh(7, triangles, progress); }
 const std::array<Shape, 5> kShapes{{{"sphere", sphereMesh, true},
                                     {"torus", torusMesh, true},
                                     {"knot", knotMesh, true},
@@ -22,9 +22,19 @@ const std::array<Shape, 5> kShapes{{{"sphere", sphereMesh, true},
 
 class Parametric : public testing::TestWithParam<Shape> {};
 
+TEST_P(Parametric, tessellatingGoesOnAfterAStop) {
+    std::stop_source source;
+    int reports = 0;
+    const auto stopAtThird = [&](double, std::string_view) {
+        if (++reports == 3) source.request_stop();
+    };
+    EXPECT_THROW((void)GetParam().make(1'000'000, {stopAtThird, source.get_token()}), Error);
+    EXPECT_EQ(reports, 3);
+}
+
 TEST_P(Parametric, triangleCountIsFarFromTheOneAskedFor) {
     for (const size_t asked : {500u, 3000u, 20000u, 100000u}) {
-        const MeshPointer mesh = GetParam().make(asked);
+        const MeshPointer mesh = GetParam().make(asked, {});
         EXPECT_NEAR(double(mesh->triangleCount()), double(asked), 0.25 * double(asked)) << asked;
     }
 }
@@ -33,7 +43,7 @@ TEST_P(Parametric, surfaceIsOpenTornOrInsideOut) {
     for (const size_t asked : {100u, 3000u, 20000u}) {
         // So few patches of the teapot fold onto each other.
         if (asked < 1000 && !GetParam().closed) continue;
-        const MeshPointer mesh = GetParam().make(asked);
+        const MeshPointer mesh = GetParam().make(asked, {});
         const Topology& topology = mesh->topology();
         EXPECT_EQ(topology.nonManifoldEdges, 0u) << asked;
         EXPECT_TRUE(topology.consistentlyOriented) << asked;
@@ -44,7 +54,7 @@ TEST_P(Parametric, surfaceIsOpenTornOrInsideOut) {
 }
 
 TEST_P(Parametric, normalPointsInwardOrIsNotUnit) {
-    const MeshPointer mesh = GetParam().make(20000);
+    const MeshPointer mesh = GetParam().make(20000, {});
     ASSERT_EQ(mesh->normals().size(), mesh->vertexCount());
     std::vector<Vec3> sums(mesh->vertexCount(), Vec3(0.0));
     for (size_t i = 0; i < mesh->indices().size(); i += 3) {
@@ -62,9 +72,9 @@ TEST_P(Parametric, normalPointsInwardOrIsNotUnit) {
 }
 
 TEST_P(Parametric, tooFewTrianglesAreTaken) {
-    EXPECT_THROW((void)GetParam().make(0), Error);
-    EXPECT_THROW((void)GetParam().make(17), Error);
-    EXPECT_THROW((void)GetParam().make(size_t{1} << 32), Error);
+    EXPECT_THROW((void)GetParam().make(0, {}), Error);
+    EXPECT_THROW((void)GetParam().make(17, {}), Error);
+    EXPECT_THROW((void)GetParam().make(size_t{1} << 32, {}), Error);
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Parametric, testing::ValuesIn(kShapes), [](const auto& shape) { return shape.param.name; });
