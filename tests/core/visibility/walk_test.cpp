@@ -32,7 +32,7 @@ ScenePointer fieldOf(const MeshPointer& mesh) {
 TEST(Walk, frustumCullsAnotherShareThanThePaperOfSpheres) { EXPECT_NEAR(culledShare(*fieldOf(sphereMesh(320))), 0.79, 0.03); }
 
 TEST(Walk, frustumCullsAnotherShareThanThePaperOfBunnies) {
-    if (!findBunny({})) GTEST_SKIP() << "no bunny is installed";
+    ASSERT_TRUE(findBunny({}).has_value()) << "glmark2-data is in packaging/packages.txt and not installed";
     EXPECT_NEAR(culledShare(*openScene("field:mesh=bunny,n=20,spacing=2.5").scene), 0.79, 0.03);
 }
 
