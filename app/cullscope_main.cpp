@@ -2,23 +2,27 @@
 #include <CLI/CLI.hpp>
 #include <QIcon>
 #include <cstdio>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/visibility/registry.h"
 #include "ui/main_window.h"
 #include "ui/startup/display.h"
+#include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 
 namespace {
 
 using namespace cullscope;
 
+constexpr QSize kUsualSize{1366, 768};
+
 struct CommandLine {
     std::string scene;
     std::vector<std::string> strategies;
     std::vector<std::filesystem::path> modelFolders;
     std::string language;
-    Viewport size{1366, 768};
+    std::optional<Viewport> size;  ///< none: as large as the screen has place for
     std::string screenshot;
 };
 
@@ -51,7 +55,8 @@ CommandLine parse(int argc, char** argv) {
         .add_option("--models", line.modelFolders, "A folder in which models such as the bunny are looked for; may be repeated")
         ->expected(1);
     parser.add_option("--language", line.language, "The language of the window")->check(CLI::IsMember({"en", "ko", "zh_CN"}));
-    parser.add_option("--size", size, "The size of the window, as WIDTHxHEIGHT");
+    parser.add_option("--size", size,
+                      "The size of the window, as WIDTHxHEIGHT (default: 1366x768, or the screen where it is smaller)");
     parser.add_option("--screenshot", line.screenshot, "Save a picture of the window once the figures are there, and leave");
     parser.set_version_flag("--version", CULLSCOPE_VERSION);
     try {
@@ -92,8 +97,12 @@ int show(QApplication& application, const CommandLine& line) {
     }
 
     ui::MainWindow window(session, language, appearance);
-    window.resize(line.size.width, line.size.height);
-    window.show();
+    if (line.size) {
+        window.resize(line.size->width, line.size->height);
+        window.show();
+    } else {
+        ui::showFitting(window, kUsualSize);
+    }
     const std::string scene = line.scene.empty() ? defaultSceneSpecification(options.sceneSource) : line.scene;
     std::unique_ptr<ui::WindowPicture> picture;
     if (!line.screenshot.empty()) {

@@ -7,7 +7,9 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMimeData>
+#include <QScrollArea>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QVBoxLayout>
 
@@ -25,6 +27,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kDockWidth = 380;
+constexpr int kNarrowestDock = 320;
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
 constexpr const char* kFolderSetting = "folder";
@@ -68,14 +71,13 @@ void MainWindow::makeCentre() {
     auto* layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    m_message = new MessageBar(centre);
     m_stack = new QStackedWidget(centre);
     m_empty = new EmptyState(m_session, m_actions->generate, m_stack);
     m_views = new ViewGrid(m_session, m_stack);
     m_stack->addWidget(m_empty);
     m_stack->addWidget(m_views);
-    layout->addWidget(m_message);
-    layout->addWidget(m_stack, 1);
+    layout->addWidget(m_stack);
+    m_message = new MessageBar(centre);
     setCentralWidget(centre);
 }
 
@@ -83,7 +85,13 @@ void MainWindow::makeDock() {
     m_dock = new QDockWidget(this);
     m_dock->setObjectName(QStringLiteral("inside"));
     m_dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-    auto* content = new QWidget(m_dock);
+    // What the dock holds must never decide how large the window is: it scrolls.
+    m_dockScroll = new QScrollArea(m_dock);
+    m_dockScroll->setWidgetResizable(true);
+    m_dockScroll->setFrameShape(QFrame::NoFrame);
+    m_dockScroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_dockScroll->setFocusPolicy(Qt::NoFocus);
+    auto* content = new QWidget(m_dockScroll);
     auto* layout = new QVBoxLayout(content);
     m_strategy = new StrategyPanel(m_session, content);
     m_tabs = new QTabWidget(content);
@@ -95,8 +103,9 @@ void MainWindow::makeDock() {
     layout->addWidget(m_strategy);
     layout->addWidget(m_tabs, 1);
     layout->addWidget(m_legend);
-    content->setMinimumWidth(300);
-    m_dock->setWidget(content);
+    m_dockScroll->setWidget(content);
+    m_dockScroll->setMinimumWidth(kNarrowestDock);
+    m_dock->setWidget(m_dockScroll);
     addDockWidget(Qt::RightDockWidgetArea, m_dock);
     resizeDocks({m_dock}, {kDockWidth}, Qt::Horizontal);
     m_actions->viewMenu->addSeparator();
@@ -117,7 +126,7 @@ void MainWindow::makeStatusBar() {
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(0, 0, 6, 0);
     // Of the same height with and without the strip, so that loading does not change the size of the views.
-    statusBar()->setFixedHeight(m_loading->sizeHint().height() + 2);
+    statusBar()->setFixedHeight(m_loading->sizeHint().height() + 4);
 }
 
 void MainWindow::wireCommands() {
@@ -176,6 +185,7 @@ void MainWindow::retranslate() {
     m_actions->retranslate();
     m_dock->setWindowTitle(tr("Strategy and figures"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
+    m_tabs->tabBar()->setAccessibleName(tr("Figures and scene"));
     m_tabs->setTabText(0, tr("Figures"));
     m_tabs->setTabText(1, tr("Scene"));
     const GlInfo gl = m_session.gpu() ? m_session.gpu()->info() : GlInfo{};
@@ -187,15 +197,22 @@ void MainWindow::retranslate() {
     showState();
 }
 
-void MainWindow::openByDialog() {
+QString MainWindow::meshFileTypes() {
+    QStringList names;
     QStringList patterns;
     for (const std::string& extension : readableMeshExtensions()) {
         const QString name = QString::fromStdString(extension);
+        names << name;
         patterns << QStringLiteral("*.") + name << QStringLiteral("*.") + name.toUpper();
     }
-    const QString file = QFileDialog::getOpenFileName(
-        this, tr("Open a mesh file"), m_settings.value(QLatin1String(kFolderSetting)).toString(),
-        tr("Mesh files (%1)").arg(patterns.join(QLatin1Char(' '))) + QStringLiteral(";;") + tr("All files (*)"));
+    const QString meshes = tr("Meshes (%1)").arg(names.join(QStringLiteral(", ")));
+    return QStringLiteral("%1 (%2);;%3 (*)").arg(meshes, patterns.join(QLatin1Char(' ')), tr("All files"));
+}
+
+void MainWindow::openByDialog() {
+    const QString file =
+        QFileDialog::getOpenFileName(this, tr("Open a mesh file"), m_settings.value(QLatin1String(kFolderSetting)).toString(),
+                                     meshFileTypes(), nullptr, QFileDialog::HideNameFilterDetails);
     if (file.isEmpty()) return;
     m_settings.setValue(QLatin1String(kFolderSetting), QFileInfo(file).absolutePath());
     m_session.open(file);
@@ -217,11 +234,8 @@ void MainWindow::showMenuOf(int view, const QPoint& position) {
     SceneView& picture = m_views->pane(view).picture();
     QMenu menu(this);
     menu.addAction(tr("Copy the picture"), this, [&picture] { QGuiApplication::clipboard()->setImage(picture.picture()); });
-    menu.addAction(tr("Copy the cullbench command"), this, [this, view, &picture] {
-        const StrategySlot& slot = m_session.slot(view);
-        QGuiApplication::clipboard()->setText(cullbenchCommand(m_session.opened()->specification, slot.id(), slot.parameters(),
-                                                               m_session.camera(), picture.renderSize()));
-    });
+    menu.addAction(tr("Copy the cullbench command"), this,
+                   [&picture] { QGuiApplication::clipboard()->setText(cullbenchCommand(picture.request())); });
     menu.addSeparator();
     QMenu* choices = menu.addMenu(tr("Strategy"));
     for (const RegisteredStrategy& strategy : strategies()) {

@@ -19,6 +19,7 @@
 #include "ui/window_actions.h"
 
 class QDockWidget;
+class QScrollArea;
 class QTabWidget;
 class QToolBar;
 
@@ -36,6 +37,10 @@ public:
     [[nodiscard]] MessageBar& message() { return *m_message; }
     [[nodiscard]] StrategyPanel& strategyPanel() { return *m_strategy; }
     [[nodiscard]] LegendPanel& legend() { return *m_legend; }
+    [[nodiscard]] FigurePanel& figures() { return *m_figures; }
+    [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
+    /// The types that the dialog for opening offers, as QFileDialog takes them.
+    [[nodiscard]] static QString meshFileTypes();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -64,6 +69,7 @@ private:
     EmptyState* m_empty;
     ViewGrid* m_views;
     QDockWidget* m_dock;
+    QScrollArea* m_dockScroll;
     StrategyPanel* m_strategy;
     QTabWidget* m_tabs;
     FigurePanel* m_figures;

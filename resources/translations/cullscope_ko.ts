@@ -76,6 +76,10 @@
         <source>OpenGL: %1</source>
         <translation>OpenGL: %1</translation>
     </message>
+    <message>
+        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
+        <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -330,10 +334,6 @@
     <message>
         <source>%1, line %2: &quot;%3&quot; is not a corner of a face. Correct the line or export the file again.</source>
         <translation>%1 파일 %2행: &quot;%3&quot;은(는) 면의 꼭짓점이 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
-    </message>
-    <message>
-        <source>This shape takes between %1 and %2 triangles, not %3.</source>
-        <translation>이 형상의 삼각형은 %1~%2개여야 하며 %3개는 안 됩니다.</translation>
     </message>
     <message>
         <source>%1, line %2: the PLY header has no end_header. Fetch or export the file again.</source>
@@ -723,6 +723,90 @@
         <source>too small</source>
         <translation>너무 작음</translation>
     </message>
+    <message>
+        <source>There is not enough memory to draw this view. Make the window or the scene smaller.</source>
+        <translation>이 뷰를 그릴 메모리가 부족합니다. 창이나 장면을 더 작게 하세요.</translation>
+    </message>
+    <message>
+        <source>This view cannot be drawn: %1</source>
+        <translation>이 뷰를 그릴 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>%1 is a folder or a device: name a file to write.</source>
+        <translation>%1은(는) 폴더나 장치입니다. 쓸 파일의 이름을 지정하세요.</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>그런 파일이나 폴더가 없습니다</translation>
+    </message>
+    <message>
+        <source>a part of the path is no folder</source>
+        <translation>경로의 일부가 폴더가 아닙니다</translation>
+    </message>
+    <message>
+        <source>permission is denied</source>
+        <translation>권한이 없습니다</translation>
+    </message>
+    <message>
+        <source>the place is read-only</source>
+        <translation>읽기 전용인 곳입니다</translation>
+    </message>
+    <message>
+        <source>no space is left</source>
+        <translation>남은 공간이 없습니다</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>폴더입니다</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>이름이 너무 깁니다</translation>
+    </message>
+    <message>
+        <source>the device reports an error</source>
+        <translation>장치가 오류를 알렸습니다</translation>
+    </message>
+    <message>
+        <source>The picture cannot be made: %1.</source>
+        <translation>그림을 만들 수 없습니다: %1.</translation>
+    </message>
+    <message>
+        <source>%1 takes between %2 and %3 triangles, not %4.</source>
+        <translation>%1의 삼각형 수는 %2에서 %3까지이며 %4은(는) 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>Tessellating the shape</source>
+        <translation>모양을 삼각형으로 나누는 중</translation>
+    </message>
+    <message>
+        <source>%1 is no camera path file that can be read: check the name.</source>
+        <translation>%1은(는) 읽을 수 있는 카메라 경로 파일이 아닙니다. 이름을 확인하세요.</translation>
+    </message>
+    <message>
+        <source>%1 holds a number that is too large. A camera path has the fields fovy_deg, near, far and poses.</source>
+        <translation>%1에 너무 큰 수가 있습니다. 카메라 경로에는 fovy_deg, near, far, poses 필드가 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no value.</source>
+        <translation>%1: %2에 값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2 is a whole number, not %3.</source>
+        <translation>%1: %2은(는) 정수여야 하며 %3은(는) 안 됩니다.</translation>
+    </message>
+    <message>
+        <source>%1 triangles were made where %2 were asked for: a closed mesh has an even number.</source>
+        <translation>삼각형 %2개를 요청했으나 %1개를 만들었습니다. 닫힌 메시의 삼각형 수는 짝수입니다.</translation>
+    </message>
+    <message>
+        <source>listing</source>
+        <translation>목록 만들기</translation>
+    </message>
+    <message>
+        <source>plane tests</source>
+        <translation>평면 검사</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -865,12 +949,24 @@ OpenGL %2
         <source>Pixels in which the truth has a surface</source>
         <translation>정답에 면이 있는 픽셀</translation>
     </message>
+    <message>
+        <source>– beyond snapping</source>
+        <translation>– 맞춤을 넘는 것</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 정답은 양면을 그릴 때 셉니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::FigurePanel</name>
     <message>
         <source>Figures</source>
         <translation>수치</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>소프트웨어 OpenGL: 그래픽 카드의 시간이 아님</translation>
     </message>
 </context>
 <context>
@@ -1118,14 +1214,6 @@ OpenGL %2
         <translation>메시 파일 열기</translation>
     </message>
     <message>
-        <source>Mesh files (%1)</source>
-        <translation>메시 파일 (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>모든 파일 (*)</translation>
-    </message>
-    <message>
         <source>Copy the picture</source>
         <translation>그림 복사</translation>
     </message>
@@ -1136,6 +1224,18 @@ OpenGL %2
     <message>
         <source>Strategy</source>
         <translation>전략</translation>
+    </message>
+    <message>
+        <source>Figures and scene</source>
+        <translation>수치와 장면</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>메시(%1)</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>모든 파일</translation>
     </message>
 </context>
 <context>

@@ -76,6 +76,10 @@
         <source>OpenGL: %1</source>
         <translation>OpenGL：%1</translation>
     </message>
+    <message>
+        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
+        <translation>丢失像素中无法用光栅 1/256 像素对齐解释的：%1</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -330,10 +334,6 @@
     <message>
         <source>%1, line %2: &quot;%3&quot; is not a corner of a face. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是面的顶点。请改正该行或重新导出文件。</translation>
-    </message>
-    <message>
-        <source>This shape takes between %1 and %2 triangles, not %3.</source>
-        <translation>此形状的三角形数须在 %1 到 %2 之间，不能是 %3。</translation>
     </message>
     <message>
         <source>%1, line %2: the PLY header has no end_header. Fetch or export the file again.</source>
@@ -723,6 +723,90 @@
         <source>too small</source>
         <translation>过小</translation>
     </message>
+    <message>
+        <source>There is not enough memory to draw this view. Make the window or the scene smaller.</source>
+        <translation>内存不足，无法绘制此视图。请缩小窗口或使用更小的场景。</translation>
+    </message>
+    <message>
+        <source>This view cannot be drawn: %1</source>
+        <translation>无法绘制此视图：%1</translation>
+    </message>
+    <message>
+        <source>%1 is a folder or a device: name a file to write.</source>
+        <translation>%1 是文件夹或设备：请指定要写入的文件。</translation>
+    </message>
+    <message>
+        <source>there is no such file or folder</source>
+        <translation>没有这样的文件或文件夹</translation>
+    </message>
+    <message>
+        <source>a part of the path is no folder</source>
+        <translation>路径中的一部分不是文件夹</translation>
+    </message>
+    <message>
+        <source>permission is denied</source>
+        <translation>没有权限</translation>
+    </message>
+    <message>
+        <source>the place is read-only</source>
+        <translation>该位置是只读的</translation>
+    </message>
+    <message>
+        <source>no space is left</source>
+        <translation>没有剩余空间</translation>
+    </message>
+    <message>
+        <source>it is a folder</source>
+        <translation>它是一个文件夹</translation>
+    </message>
+    <message>
+        <source>the name is too long</source>
+        <translation>名称过长</translation>
+    </message>
+    <message>
+        <source>the device reports an error</source>
+        <translation>设备报告了错误</translation>
+    </message>
+    <message>
+        <source>The picture cannot be made: %1.</source>
+        <translation>无法生成图像：%1。</translation>
+    </message>
+    <message>
+        <source>%1 takes between %2 and %3 triangles, not %4.</source>
+        <translation>%1 的三角形数须在 %2 到 %3 之间，不能是 %4。</translation>
+    </message>
+    <message>
+        <source>Tessellating the shape</source>
+        <translation>正在细分形状</translation>
+    </message>
+    <message>
+        <source>%1 is no camera path file that can be read: check the name.</source>
+        <translation>%1 不是可读取的相机路径文件：请检查名称。</translation>
+    </message>
+    <message>
+        <source>%1 holds a number that is too large. A camera path has the fields fovy_deg, near, far and poses.</source>
+        <translation>%1 含有过大的数。相机路径包含字段 fovy_deg、near、far 和 poses。</translation>
+    </message>
+    <message>
+        <source>%1: %2 has no value.</source>
+        <translation>%1：%2 没有值。</translation>
+    </message>
+    <message>
+        <source>%1: %2 is a whole number, not %3.</source>
+        <translation>%1：%2 是整数，不能是 %3。</translation>
+    </message>
+    <message>
+        <source>%1 triangles were made where %2 were asked for: a closed mesh has an even number.</source>
+        <translation>要求 %2 个三角形，实际生成 %1 个：封闭网格的三角形数是偶数。</translation>
+    </message>
+    <message>
+        <source>listing</source>
+        <translation>列出</translation>
+    </message>
+    <message>
+        <source>plane tests</source>
+        <translation>平面测试</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -865,12 +949,24 @@ OpenGL %2
         <source>Pixels in which the truth has a surface</source>
         <translation>真实结果中有表面的像素</translation>
     </message>
+    <message>
+        <source>– beyond snapping</source>
+        <translation>– 超出对齐误差</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真实结果画双面时统计</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::FigurePanel</name>
     <message>
         <source>Figures</source>
         <translation>数据</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>软件 OpenGL：并非显卡的时间</translation>
     </message>
 </context>
 <context>
@@ -1118,14 +1214,6 @@ OpenGL %2
         <translation>打开网格文件</translation>
     </message>
     <message>
-        <source>Mesh files (%1)</source>
-        <translation>网格文件 (%1)</translation>
-    </message>
-    <message>
-        <source>All files (*)</source>
-        <translation>所有文件 (*)</translation>
-    </message>
-    <message>
         <source>Copy the picture</source>
         <translation>复制图像</translation>
     </message>
@@ -1136,6 +1224,18 @@ OpenGL %2
     <message>
         <source>Strategy</source>
         <translation>策略</translation>
+    </message>
+    <message>
+        <source>Figures and scene</source>
+        <translation>数据和场景</translation>
+    </message>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>网格（%1）</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
     </message>
 </context>
 <context>

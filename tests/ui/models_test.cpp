@@ -68,6 +68,24 @@ TEST(Models, sceneFactsNameTheTriangles) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
+TEST(Models, aMissedEdgePixelOfBackfaceWentUnexplained) {
+    FigureModel model;
+    Figures figures = someFigures();
+    figures.accuracy.missedPixels = 7;
+    model.setColumns({{0, figures}});
+    const auto valueOf = [&](const QString& title) {
+        for (int row = 0; row < model.rowCount(); ++row)
+            if (model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString() == title)
+                return model.index(row, 0).data().toString();
+        return QStringLiteral("no such row");
+    };
+    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("–"));
+    figures.missedBeyondSnapping = 2;
+    model.setFigures(0, figures);
+    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("2"));
+    EXPECT_TRUE(figureDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
+}
+
 TEST(Models, figuresAreColumnsOfTheShownViews) {
     FigureModel model;
     const QAbstractItemModelTester tester(&model, kFatal);

@@ -40,6 +40,15 @@ TEST(Program, withoutOpenGlItEndsWithASentence) {
     }
 }
 
+TEST(Program, anUnknownPlatformWasCalledAnUnreachableDisplay) {
+    const Ended ended = runProgram({}, [](QProcessEnvironment& environment) {
+        environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("nonsense"));
+    });
+    EXPECT_EQ(ended.status, 4);
+    EXPECT_EQ(ended.errors.count(QLatin1Char('\n')), 1) << ended.errors.toStdString();
+    EXPECT_TRUE(ended.errors.contains(QStringLiteral("QT_QPA_PLATFORM"))) << ended.errors.toStdString();
+}
+
 TEST(Program, withoutADisplayItEndsWithASentence) {
     const Ended none = runProgram({}, [](QProcessEnvironment& environment) {
         environment.remove(QStringLiteral("DISPLAY"));

@@ -3,6 +3,9 @@
 #include <QApplication>
 #include <QComboBox>
 #include <QMimeData>
+#include <QProcess>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QTemporaryDir>
 #include <QWheelEvent>
 
@@ -10,6 +13,7 @@
 #include "core/measure/frame.h"
 #include "tests/ui/test_scene.h"
 #include "ui/main_window.h"
+#include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 
 namespace cullscope::ui {
@@ -46,12 +50,14 @@ struct Window : ::testing::Test {
 
 TEST_F(Window, headersShowStrategyPromiseAndFigures) {
     const ViewHeader& header = window.views().pane(1).header();
-    EXPECT_EQ(header.firstLine().toStdString(), "View-frustum culling: lossless");
-    EXPECT_TRUE(header.secondLine().endsWith(QStringLiteral(" % · 0 missed"))) << header.secondLine().toStdString();
+    EXPECT_EQ(header.firstLine().toStdString(), "Back-face culling: lossless");
+    EXPECT_TRUE(header.secondLine().endsWith(QStringLiteral(" missed"))) << header.secondLine().toStdString();
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(10.0), {}));
     EXPECT_EQ(header.secondLine(), QStringLiteral("…"));
     settle();
-    EXPECT_TRUE(header.secondLine().contains(QStringLiteral("0 missed")));
+    EXPECT_TRUE(header.secondLine().endsWith(QStringLiteral(" missed")));
+    EXPECT_EQ(session.figures(1).lostPixels(), 0u);
+    EXPECT_TRUE(window.views().pane(0).header().secondLine().endsWith(QStringLiteral(" % · 0 missed")));
 }
 
 TEST_F(Window, viewsHaveTheSameSize) {
@@ -74,6 +80,8 @@ TEST_F(Window, picturesAreTheFramebuffersPixels) {
 }
 
 TEST_F(Window, viewsThatAreNotDirtyAreNotDrawn) {
+    session.slot(1).choose("frustum");
+    settle();
     const size_t first = picture(0).drawnPictures();
     const size_t second = picture(1).drawnPictures();
     ParameterSet parameters = session.slot(1).parameters();
@@ -123,8 +131,10 @@ TEST_F(Window, wheelZoomsLensAndNearPlaneSayThatTheyChanged) {
 }
 
 TEST_F(Window, doubleClickSetsTheCentreOfRotationOnTheSurface) {
-    const QPointF middle(picture(0).width() / 2.0 - 40.0, picture(0).height() / 2.0);
-    const Vec3 point = picture(0).pointAt(middle);
+    QPointF middle(picture(0).width() / 2.0, picture(0).height() / 2.0);
+    while (middle.x() > 0.0 && !picture(0).surfaceAt(middle)) middle.rx() -= 10.0;
+    ASSERT_GT(middle.x(), 0.0);
+    const Vec3 point = picture(0).pointAt(middle.toPoint());
     QTest::mouseDClick(&picture(0), Qt::LeftButton, {}, middle.toPoint());
     EXPECT_NEAR(glm::length(session.camera().target - point), 0.0, 0.05);
 }
@@ -185,10 +195,10 @@ TEST_F(Window, messagesAreShownInTheLanguageOfTheWindow) {
 TEST_F(Window, choosingAStrategyChangesTheActiveViewOnly) {
     session.setActiveView(0);
     QComboBox& choice = window.strategyPanel().choice();
-    choice.setCurrentIndex(choice.findData(QStringLiteral("all"), StrategyModel::IdRole));
+    choice.setCurrentIndex(choice.findData(QStringLiteral("frustum"), StrategyModel::IdRole));
     emit choice.activated(choice.currentIndex());
-    EXPECT_EQ(session.slot(0).id(), "all");
-    EXPECT_EQ(session.slot(1).id(), "frustum");
+    EXPECT_EQ(session.slot(0).id(), "frustum");
+    EXPECT_EQ(session.slot(1).id(), "backface");
 }
 
 TEST_F(Window, reparentedViewsDrawTheSamePictureAgain) {
@@ -208,6 +218,118 @@ TEST_F(Window, reparentedViewsDrawTheSamePictureAgain) {
     stack->setCurrentWidget(&views);
     settle();
     EXPECT_EQ(picture(0).picture(), before);
+}
+
+TEST_F(Window, aDoubleClickBesideTheMeshMovedTheCentre) {
+    const Camera before = session.camera();
+    ASSERT_FALSE(picture(0).surfaceAt({3.0, 3.0}));
+    QTest::mouseDClick(&picture(0), Qt::LeftButton, {}, {3, 3});
+    EXPECT_EQ(session.camera(), before);
+}
+
+TEST_F(Window, aMessageResizedTheViewsAndMadeFiguresStale) {
+    const Viewport size = picture(0).renderSize();
+    const Camera camera = session.camera();
+    openAndWait(session, QStringLiteral("/nonexistent/file.obj"));
+    QApplication::processEvents();
+    ASSERT_TRUE(window.message().isVisible());
+    EXPECT_EQ(picture(0).renderSize(), size);
+    EXPECT_EQ(session.camera(), camera);
+    EXPECT_EQ(session.figures(0).state, Figures::State::Ready);
+    EXPECT_EQ(session.figures(1).state, Figures::State::Ready);
+    // It lies inside the middle of the window, wherever that ends.
+    window.resize(900, 650);
+    QApplication::processEvents();
+    EXPECT_TRUE(window.message().parentWidget()->rect().contains(window.message().geometry()));
+}
+
+TEST_F(Window, activatingAViewWithManyParametersMadeTheWindowGrow) {
+    session.slot(0).choose("frustum");
+    window.resize(900, 420);
+    settle();
+    EXPECT_EQ(window.size(), QSize(900, 420));
+    const Viewport size = picture(0).renderSize();
+    for (const int view : {0, 1, 0}) {
+        session.setActiveView(view);
+        QApplication::processEvents();
+        QTest::qWait(50);
+        EXPECT_EQ(window.size(), QSize(900, 420));
+        EXPECT_EQ(picture(0).renderSize(), size);
+        EXPECT_EQ(session.figures(0).state, Figures::State::Ready);
+    }
+}
+
+TEST_F(Window, theTabBarHadNoName) {
+    session.setActiveView(0);
+    session.slot(0).choose("frustum");
+    QWidget* choice = &window.strategyPanel().choice();
+    std::vector<QWidget*> stops;
+    QWidget* widget = choice;
+    do {
+        if ((widget->focusPolicy() & Qt::TabFocus) != 0 && !widget->focusProxy() && widget->isVisible()) stops.push_back(widget);
+        widget = widget->nextInFocusChain();
+    } while (widget != choice);
+    const auto place = [&](const QWidget* wanted) { return std::find(stops.begin(), stops.end(), wanted) - stops.begin(); };
+    const auto* parameter = window.strategyPanel().form().findChild<QWidget*>(QStringLiteral("box"));
+    ASSERT_TRUE(parameter);
+    EXPECT_LT(place(choice), place(parameter));
+    EXPECT_LT(place(choice), place(window.tabs().tabBar()));
+    EXPECT_LT(place(window.tabs().tabBar()), place(&window.figures().table()));
+    EXPECT_LT(place(&window.figures().table()), std::ptrdiff_t(stops.size()));
+    EXPECT_FALSE(window.tabs().tabBar()->accessibleName().isEmpty());
+}
+
+TEST_F(Window, theWheelOverTheDockChangedTheStrategy) {
+    QComboBox& choice = window.strategyPanel().choice();
+    picture(0).setFocus();
+    const int before = choice.currentIndex();
+    QWheelEvent event({5.0, 5.0}, choice.mapToGlobal(QPointF(5.0, 5.0)), {}, {0, -120}, Qt::NoButton, {}, Qt::NoScrollPhase,
+                      false);
+    QApplication::sendEvent(&choice, &event);
+    EXPECT_EQ(choice.currentIndex(), before);
+}
+
+TEST_F(Window, theCopiedCommandDrewAnotherPicture) {
+    for (const char* strategy : {"backface", "all"}) {
+        session.slot(0).choose(strategy);
+        session.setCamera(zoomed(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(33.3), Angle::fromDegrees(7.7)),
+                                 session.camera().target, 0.8, 1.0));
+        settle();
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("view.png"));
+        QProcess cullbench;
+        cullbench.setWorkingDirectory(folder.path());
+        cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(picture(0).request(), file));
+        ASSERT_TRUE(cullbench.waitForFinished(kPatience));
+        ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
+        EXPECT_EQ(QImage(file).convertToFormat(QImage::Format_RGB888),
+                  picture(0).picture().convertToFormat(QImage::Format_RGB888));
+    }
+}
+
+TEST(FileDialog, typesWereAListOfPatterns) {
+    const QString meshes = MainWindow::meshFileTypes().section(QStringLiteral(";;"), 0, 0);
+    EXPECT_TRUE(meshes.startsWith(QStringLiteral("Meshes (obj, "))) << meshes.toStdString();
+    EXPECT_TRUE(meshes.contains(QStringLiteral(" (*.obj *.OBJ "))) << meshes.toStdString();
+}
+
+TEST(StartSize, theStatusBarWasBelowTheScreen) {
+    const QMargins frame(4, 40, 4, 4);
+    const QSize wanted(1366, 768);
+    const Start small = startOn({0, 0, 1366, 768}, frame, wanted);
+    EXPECT_TRUE(small.maximized);
+    EXPECT_EQ(small.size, QSize(1358, 724));
+    // What Qt makes of 1366x768 at a scale of 1.5.
+    EXPECT_EQ(startOn({0, 0, 911, 512}, frame, wanted).size, QSize(903, 468));
+    const Start large = startOn({0, 27, 1920, 1053}, frame, wanted);
+    EXPECT_FALSE(large.maximized);
+    EXPECT_EQ(large.size, wanted);
+}
+
+TEST_F(Window, theStatusBarDecidedTheLeastHeight) {
+    // The window at 1366x768 and a scale of 1.5 leaves 911x472.
+    EXPECT_LE(window.minimumSizeHint().width(), 900);
+    EXPECT_LE(window.minimumSizeHint().height(), 400);
 }
 
 TEST_F(Window, pictureOfTheWindowIsSaved) {

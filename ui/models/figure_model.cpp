@@ -36,6 +36,8 @@ QString FigureModel::title(int row) {
             return tr("Drawn in vain");
         case Missed:
             return tr("Missed pixels");
+        case Beyond:
+            return tr("– beyond snapping");
         case Hole:
             return tr("Largest hole");
         case Covered:
@@ -64,6 +66,11 @@ QString FigureModel::explanation(int row) {
             return tr("Submitted triangles that show in no pixel");
         case Missed:
             return tr("Pixels in which the truth has a surface and this picture a farther one or none");
+        case Beyond:
+            return tr(
+                "Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the "
+                "strategy "
+                "draws front faces only and the truth both sides");
         case Hole:
             return tr("Pixels of the largest connected group of missed pixels");
         case Covered:
@@ -94,6 +101,8 @@ QString FigureModel::value(const Figures& figures, int row) {
             return countText(accuracy.needlesslyDrawnTriangles);
         case Missed:
             return countText(accuracy.missedPixels);
+        case Beyond:
+            return figures.missedBeyondSnapping ? countText(*figures.missedBeyondSnapping) : QStringLiteral("–");
         case Hole:
             return countText(accuracy.largestHolePixels);
         case Covered:

@@ -2,33 +2,34 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QVBoxLayout>
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr int kRowHeight = 20;  // all rows show at once on a screen of 768 lines
+constexpr int kRowHeight = 20;
 
 }  // namespace
 
 FigurePanel::FigurePanel(Session& session, QWidget* parent)
-    : QTableView(parent), m_session(session), m_model(new FigureModel(this)) {
-    setModel(m_model);
-    setFrameShape(QFrame::NoFrame);
-    setShowGrid(false);
-    setSelectionMode(QAbstractItemView::NoSelection);
-    setTabKeyNavigation(false);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    horizontalHeader()->setSectionsClickable(false);
-    verticalHeader()->setSectionsClickable(false);
-    verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setMinimumSectionSize(kRowHeight);
-    verticalHeader()->setDefaultSectionSize(kRowHeight);
-    verticalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    setStyleSheet(
-        QStringLiteral("QHeaderView, QHeaderView::section, QTableCornerButton::section { border: 0; background: palette(base); "
-                       "padding: 1px 4px; }"));
+    : QWidget(parent),
+      m_session(session),
+      m_model(new FigureModel(this)),
+      m_table(new QTableView(this)),
+      m_software(new QLabel(this)) {
+    setUpTable();
+    m_software->setWordWrap(true);
+    m_software->setMargin(4);
+    m_software->setAutoFillBackground(true);
+    m_software->setBackgroundRole(QPalette::ToolTipBase);
+    m_software->setForegroundRole(QPalette::ToolTipText);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_table, 1);
+    layout->addWidget(m_software);
+    setFocusProxy(m_table);
     connect(&session, &Session::viewCountChanged, this, &FigurePanel::refresh);
     connect(&session, &Session::activeViewChanged, this, [this] {
         if (m_session.viewCount() == 1) refresh();
@@ -37,12 +38,37 @@ FigurePanel::FigurePanel(Session& session, QWidget* parent)
     refresh();
 }
 
+void FigurePanel::setUpTable() {
+    m_table->setModel(m_model);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setShowGrid(false);
+    m_table->setSelectionMode(QAbstractItemView::NoSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setSectionsClickable(false);
+    QHeaderView& rows = *m_table->verticalHeader();
+    rows.setSectionsClickable(false);
+    rows.setSectionResizeMode(QHeaderView::Fixed);
+    rows.setMinimumSectionSize(kRowHeight);
+    rows.setDefaultSectionSize(kRowHeight);
+    rows.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->setStyleSheet(
+        QStringLiteral("QHeaderView, QHeaderView::section, QTableCornerButton::section { border: 0; background: palette(base); "
+                       "padding: 1px 4px; }"));
+}
+
 void FigurePanel::refresh() {
-    setAccessibleName(tr("Figures"));
+    m_table->setAccessibleName(tr("Figures"));
+    m_software->setText(tr("Software OpenGL: not the times of a graphics card"));
+    m_software->setVisible(m_session.gpu() && m_session.gpu()->info().software);
     std::vector<FigureModel::Column> columns;
     for (int view = 0; view < Session::kMostViews; ++view)
         if (m_session.shown(view)) columns.push_back({view, m_session.figures(view)});
     m_model->setColumns(std::move(columns));
+    // The dock scrolls as a whole: a table that scrolled inside it would be hard to reach.
+    m_table->ensurePolished();
+    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + m_table->verticalHeader()->length() + 4);
 }
 
 void FigurePanel::changeEvent(QEvent* event) {
@@ -50,7 +76,7 @@ void FigurePanel::changeEvent(QEvent* event) {
         m_model->retranslate();
         refresh();
     }
-    QTableView::changeEvent(event);
+    QWidget::changeEvent(event);
 }
 
 }  // namespace cullscope::ui

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QLabel>
 #include <QTableView>
 
 #include "ui/models/figure_model.h"
@@ -7,21 +8,26 @@
 
 namespace cullscope::ui {
 
-/// The figures of the shown views beside each other.
-class FigurePanel : public QTableView {
+/// The figures of the shown views beside each other, all rows at once; below them, where the processor draws, that it does.
+class FigurePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit FigurePanel(Session& session, QWidget* parent = nullptr);
 
+    [[nodiscard]] QTableView& table() { return *m_table; }
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void setUpTable();
     void refresh();
 
     Session& m_session;
     FigureModel* m_model;
+    QTableView* m_table;
+    QLabel* m_software;
 };
 
 }  // namespace cullscope::ui

@@ -8,6 +8,12 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+constexpr int kInset = 8;
+
+}  // namespace
+
 MessageBar::MessageBar(QWidget* parent)
     : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_close(new QToolButton(this)) {
     auto* layout = new QHBoxLayout(this);
@@ -24,6 +30,7 @@ MessageBar::MessageBar(QWidget* parent)
     m_close->setAutoRaise(true);
     m_close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
+    parent->installEventFilter(this);
     hide();
 }
 
@@ -32,6 +39,7 @@ void MessageBar::show(Severity severity, const Message& message) {
     m_message = message;
     refresh();
     setVisible(!message.empty());
+    raise();
 }
 
 void MessageBar::refresh() {
@@ -43,6 +51,18 @@ void MessageBar::refresh() {
     m_text->setAccessibleName(m_text->text());
     m_close->setToolTip(tr("Close this message"));
     m_close->setAccessibleName(m_close->toolTip());
+    place();
+}
+
+void MessageBar::place() {
+    const QSize room = parentWidget()->size() - QSize(2 * kInset, 2 * kInset);
+    const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(room.width()) : sizeHint().height();
+    setGeometry(kInset, parentWidget()->height() - kInset - height, room.width(), height);
+}
+
+bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) place();
+    return QFrame::eventFilter(watched, event);
 }
 
 void MessageBar::changeEvent(QEvent* event) {

@@ -11,6 +11,7 @@
 #include <QSpinBox>
 #include <cmath>
 
+#include "ui/panels/wheel_guard.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -77,6 +78,7 @@ void ParameterForm::rebuild() {
         m_fields->hide();
         m_fields->deleteLater();
     }
+    m_stops.clear();
     m_fields = new QWidget(this);
     auto* form = new QFormLayout(m_fields);
     form->setContentsMargins(0, 0, 0, 0);
@@ -100,6 +102,20 @@ void ParameterForm::rebuild() {
         form->addRow(none);
     }
     layout()->addWidget(m_fields);
+    orderTabs();
+}
+
+void ParameterForm::setTabPredecessor(QWidget* widget) {
+    m_tabPredecessor = widget;
+    orderTabs();
+}
+
+void ParameterForm::orderTabs() {
+    QWidget* last = m_tabPredecessor;
+    for (QWidget* stop : m_stops) {
+        if (last) setTabOrder(last, stop);
+        last = stop;
+    }
 }
 
 QWidget* ParameterForm::field(const ParameterDeclaration& declaration) {
@@ -126,6 +142,7 @@ QWidget* ParameterForm::field(const ParameterDeclaration& declaration) {
 
 QWidget* ParameterForm::checkBox(const ParameterDeclaration& declaration) {
     auto* box = new QCheckBox;
+    m_stops.push_back(box);
     box->setChecked(m_parameters.boolean(declaration.key));
     connect(box, &QCheckBox::toggled, this, [this, key = declaration.key](bool on) { take(key, on); });
     return box;
@@ -133,6 +150,8 @@ QWidget* ParameterForm::checkBox(const ParameterDeclaration& declaration) {
 
 QWidget* ParameterForm::spinBox(const ParameterDeclaration& declaration) {
     auto* box = new QSpinBox;
+    m_stops.push_back(box);
+    leaveWheelUnlessFocused(*box);
     const auto bounded = [](double value) { return int(std::clamp(value, double(INT_MIN), double(INT_MAX))); };
     box->setRange(bounded(declaration.minimum), bounded(declaration.maximum));
     box->setSuffix(suffix(declaration));
@@ -149,6 +168,9 @@ QWidget* ParameterForm::sliderWithNumber(const ParameterDeclaration& declaration
     auto* slider = new QSlider(Qt::Horizontal);
     auto* number = new QDoubleSpinBox;
     both->setFocusProxy(number);
+    m_stops.insert(m_stops.end(), {slider, number});
+    leaveWheelUnlessFocused(*slider);
+    leaveWheelUnlessFocused(*number);
     slider->setRange(0, kSliderSteps);
     slider->setAccessibleName(QString::fromStdString(declaration.key));
     number->setAccessibleName(QString::fromStdString(declaration.key));
@@ -174,6 +196,8 @@ QWidget* ParameterForm::sliderWithNumber(const ParameterDeclaration& declaration
 
 QWidget* ParameterForm::list(const ParameterDeclaration& declaration) {
     auto* box = new QComboBox;
+    m_stops.push_back(box);
+    leaveWheelUnlessFocused(*box);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(8);
     for (const ParameterDeclaration::Choice& choice : declaration.choices) {

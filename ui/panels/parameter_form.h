@@ -18,6 +18,8 @@ public:
 
     /// Shows these values; builds the fields anew where the declarations are others.
     void setParameters(const ParameterSet& parameters);
+    /// The Tab key goes from this widget (of the same window) through the fields to what came after it.
+    void setTabPredecessor(QWidget* widget);
     [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
 
 signals:
@@ -28,6 +30,7 @@ protected:
 
 private:
     void rebuild();
+    void orderTabs();
     QWidget* field(const ParameterDeclaration& declaration);
     QWidget* checkBox(const ParameterDeclaration& declaration);
     QWidget* spinBox(const ParameterDeclaration& declaration);
@@ -37,6 +40,8 @@ private:
 
     ParameterSet m_parameters;
     QWidget* m_fields = nullptr;
+    QWidget* m_tabPredecessor = nullptr;
+    std::vector<QWidget*> m_stops;  ///< of the Tab key, in order
 };
 
 }  // namespace cullscope::ui

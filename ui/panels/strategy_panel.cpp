@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/visibility/registry.h"
+#include "ui/panels/wheel_guard.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -53,6 +54,8 @@ StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_description->setWordWrap(true);
     m_description->setTextFormat(Qt::RichText);
+    leaveWheelUnlessFocused(*m_choice);
+    m_form->setTabPredecessor(m_choice);
     layout->addWidget(m_choice);
     layout->addWidget(m_description);
     layout->addWidget(m_form);

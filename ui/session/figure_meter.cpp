@@ -58,8 +58,7 @@ struct FigureMeter::Bench {
     }
 
     FrameResult draw(const SceneBuffers& buffers, BuiltStrategy& built, const View& view) {
-        const std::lock_guard lock(built.mutex);
-        return renderFrame(*renderer, buffers, *built.strategy, view, target(view.viewport()));
+        return renderShared(*renderer, buffers, built, view, target(view.viewport()));
     }
 
     /// Everything of `figures` that is not a ratio.
@@ -74,8 +73,10 @@ struct FigureMeter::Bench {
         figures.facing = frame.verdict.drawList.facing;
         figures.size = view.viewport();
         const std::vector<float> depth = framebuffer->readDepth();
-        figures.accuracy =
-            compare(reference(buffers, view, built.strategy->referenceFacing()), depth, frame.verdict.drawList, buffers.scene());
+        const Reference& truth = reference(buffers, view, built.strategy->referenceFacing());
+        figures.accuracy = compare(truth, depth, frame.verdict.drawList, buffers.scene());
+        if (figures.facing != truth.facing)
+            figures.missedBeyondSnapping = missedBeyondSnapping(truth, depth, buffers.scene(), view);
         return figures;
     }
 

@@ -29,7 +29,12 @@ struct Figures {
     Facing facing = Facing::TwoSided;
     Viewport size;
     Accuracy accuracy;
+    /// How many of the missed pixels the raster's snapping does not explain; only where the strategy draws by another facing
+    /// rule than the truth (`backface`).
+    std::optional<uint64_t> missedBeyondSnapping;
 
+    /// Missed pixels that break a promise.
+    [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
     [[nodiscard]] double submittedShare() const {
         return sceneTriangles == 0 ? 0.0 : double(consideredTriangles) / double(sceneTriangles);
     }

@@ -15,6 +15,7 @@ GpuThread::GpuThread() : m_context(std::make_unique<QOpenGLContext>()) {
             QT_TRANSLATE_NOOP("core", "No OpenGL context can be made on this display. Install a graphics driver or Mesa."));
     m_context->moveToThread(&m_thread);
     m_worker.moveToThread(&m_thread);
+    m_mailbox->worker = &m_worker;
     m_thread.setObjectName(QStringLiteral("cullscope-gpu"));
     m_thread.start();
     std::exception_ptr failure;
@@ -36,6 +37,10 @@ GpuThread::GpuThread() : m_context(std::make_unique<QOpenGLContext>()) {
 }
 
 GpuThread::~GpuThread() {
+    {
+        const std::lock_guard lock(m_mailbox->mutex);
+        m_mailbox->worker = nullptr;
+    }
     run([this] {
         m_context->doneCurrent();
         m_context.reset();
@@ -55,7 +60,14 @@ SceneBuffersPointer GpuThread::upload(const ScenePointer& scene) {
     auto buffers = std::make_unique<SceneBuffers>(scene, Upload::Vbo);
     // Other contexts of the share group see the data only once it has arrived.
     waitForGpu();
-    return {buffers.release(), [this](SceneBuffers* freed) { post([freed] { delete freed; }); }};
+    return {buffers.release(), [mailbox = m_mailbox](SceneBuffers* freed) {
+                const std::lock_guard lock(mailbox->mutex);
+                // Without the thread there is no context in which to free them: OpenGL has freed its part, ours ends with the
+                // process.
+                if (mailbox->worker)
+                    QMetaObject::invokeMethod(
+                        mailbox->worker, [freed] { delete freed; }, Qt::QueuedConnection);
+            }};
 }
 
 }  // namespace cullscope::ui

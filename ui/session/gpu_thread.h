@@ -6,6 +6,7 @@
 #include <QThread>
 #include <functional>
 #include <memory>
+#include <mutex>
 
 #include "core/gpu/context.h"
 #include "core/gpu/scene_buffers.h"
@@ -30,16 +31,24 @@ public:
     /// Runs `work` there and waits for it.
     void run(const std::function<void()>& work);
 
-    /// Uploads a scene (on the thread: call from posted work only). The buffers are freed on the thread, whoever lets go of them.
+    /// Uploads a scene (on the thread: call from posted work only). The buffers are freed on the thread, whoever lets go of them;
+    /// those that outlive this object went with its context.
     [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene);
 
     [[nodiscard]] const GlInfo& info() const { return m_info; }
 
 private:
+    /// Outlives the thread, for what is freed late.
+    struct Mailbox {
+        std::mutex mutex;
+        QObject* worker = nullptr;  ///< null: the thread is gone
+    };
+
     QOffscreenSurface m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
     QThread m_thread;
     QObject m_worker;
+    std::shared_ptr<Mailbox> m_mailbox = std::make_shared<Mailbox>();
     GlInfo m_info;
 };
 

@@ -11,7 +11,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kRestBeforeMeasuring = 200;  // ms
-constexpr std::array<const char*, Session::kMostViews> kFirstStrategies{"all", "frustum"};
+constexpr std::array<const char*, Session::kMostViews> kFirstStrategies{"all", "backface"};
 
 SceneLoader::Opener openerFor(const Session::Options& options) {
     if (options.opener) return options.opener;
@@ -24,6 +24,8 @@ SceneLoader::Opener openerFor(const Session::Options& options) {
 
 Session::Session(Options options, QObject* parent)
     : QObject(parent), m_sceneSource(options.sceneSource), m_loader(openerFor(options)) {
+    m_uploader =
+        options.uploader ? options.uploader : [](GpuThread& gpu, const ScenePointer& scene) { return gpu.upload(scene); };
     if (options.graphics) {
         m_gpu = std::make_unique<GpuThread>();
         m_meter = std::make_unique<FigureMeter>(*m_gpu);
@@ -80,6 +82,7 @@ void Session::makeViews() {
 void Session::show(const OpenedScenePointer& opened) {
     m_opened = opened;
     m_buffers = nullptr;
+    m_uploadFailure = {};
     m_chosenNear.reset();
     m_camera = Camera{};
     for (ViewState& view : m_views) view.slot->setScene(opened->scene);
@@ -103,12 +106,12 @@ void Session::upload() {
                 Qt::QueuedConnection);
         };
         try {
-            hand([this, buffers = m_gpu->upload(scene)] { takeBuffers(buffers); });
+            hand([this, buffers = m_uploader(*m_gpu, scene)] { takeBuffers(buffers); });
         } catch (const Error& error) {
-            hand([this, message = error.message()] { raise(Severity::Error, message); });
+            hand([this, message = error.message()] { giveUpUpload(message); });
         } catch (const std::exception& error) {
             const Message message{QT_TRANSLATE_NOOP("core", "The scene cannot be given to OpenGL: %1"), {error.what()}};
-            hand([this, message] { raise(Severity::Error, message); });
+            hand([this, message] { giveUpUpload(message); });
         }
     });
 }
@@ -117,6 +120,12 @@ void Session::takeBuffers(const SceneBuffersPointer& buffers) {
     m_buffers = buffers;
     emit buffersChanged();
     makeStale();
+}
+
+void Session::giveUpUpload(const Message& message) {
+    m_uploadFailure = message;
+    makeStale();
+    raise(Severity::Error, message);
 }
 
 double Session::aspect() const {
@@ -185,6 +194,10 @@ void Session::makeStale() {
         const bool failed = figures(view).state == Figures::State::Failed && !slot(view).built();
         Figures stale;
         stale.state = m_opened ? Figures::State::Stale : Figures::State::Nothing;
+        if (!m_uploadFailure.empty()) {
+            stale.state = Figures::State::Failed;
+            stale.failure = m_uploadFailure;
+        }
         if (!failed && figures(view).state != stale.state) setFigures(view, stale);
     }
     m_rest.start();

@@ -31,8 +31,9 @@ public:
 
     struct Options {
         SceneSourceOptions sceneSource;
-        SceneLoader::Opener opener;  ///< empty: core's openScene
-        bool graphics = true;        ///< false: no OpenGL, for tests of the rest
+        SceneLoader::Opener opener;                                                    ///< empty: core's openScene
+        std::function<SceneBuffersPointer(GpuThread&, const ScenePointer&)> uploader;  ///< empty: GpuThread::upload
+        bool graphics = true;  ///< false: no OpenGL, for tests of the rest
     };
 
     /// Throws Error(OpenGl) where graphics are wanted and there is no OpenGL 4.5.
@@ -45,6 +46,8 @@ public:
     /// Null: nothing opened yet.
     [[nodiscard]] const OpenedScenePointer& opened() const { return m_opened; }
     [[nodiscard]] const SceneBuffersPointer& buffers() const { return m_buffers; }
+    /// Why OpenGL did not take the present scene; empty: it did, or it is on its way.
+    [[nodiscard]] const Message& uploadFailure() const { return m_uploadFailure; }
     [[nodiscard]] const SceneSourceOptions& sceneSource() const { return m_sceneSource; }
 
     // Camera
@@ -104,6 +107,7 @@ private:
     void show(const OpenedScenePointer& opened);
     void upload();
     void takeBuffers(const SceneBuffersPointer& buffers);
+    void giveUpUpload(const Message& message);
     [[nodiscard]] double aspect() const;
     void makeStale();
     void setFigures(int view, const Figures& figures);
@@ -115,6 +119,8 @@ private:
     std::unique_ptr<GpuThread> m_gpu;
     std::unique_ptr<FigureMeter> m_meter;
     SceneBuffersPointer m_buffers;
+    Message m_uploadFailure;
+    std::function<SceneBuffersPointer(GpuThread&, const ScenePointer&)> m_uploader;
     JobNumbers m_uploads;
 
     Camera m_camera;

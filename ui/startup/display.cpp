@@ -23,17 +23,28 @@ constexpr const char* kUnreachable =
 
 constexpr int kMessageTime = 20'000;  // ms
 
+constexpr const char* kUnknownPlatform =
+    "cullscope: the Qt platform that QT_QPA_PLATFORM names is unknown here or has no OpenGL. Unset QT_QPA_PLATFORM, or use "
+    "cullbench, which needs no display.\n";
+
+std::string askedPlatform() { return qEnvironmentVariable("QT_QPA_PLATFORM").section(QLatin1Char(':'), 0, 0).toStdString(); }
+
+/// One of those that fail only for want of a display.
+bool usualPlatform(const std::string& platform) {
+    return platform.empty() || platform == "xcb" || platform.starts_with("wayland");
+}
+
 /// Qt ends the process by qFatal when no platform plugin can start; its warnings on the way there say the same at length.
 void endWithSentence(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type != QtFatalMsg) return;
-    std::fputs(kUnreachable, stderr);
+    std::fputs(usualPlatform(askedPlatform()) ? kUnreachable : kUnknownPlatform, stderr);
     std::_Exit(int(ErrorKind::OpenGl));
 }
 
 }  // namespace
 
 void requireDisplay() {
-    const std::string platform = qEnvironmentVariable("QT_QPA_PLATFORM").section(QLatin1Char(':'), 0, 0).toStdString();
+    const std::string platform = askedPlatform();
     constexpr std::array withoutOpenGl{"offscreen", "minimal", "minimalegl", "vnc", "linuxfb"};
     for (const char* refused : withoutOpenGl)
         if (platform == refused)
@@ -43,8 +54,7 @@ void requireDisplay() {
                         {platform});
     const bool x11 = !qEnvironmentVariableIsEmpty("DISPLAY");
     const bool wayland = !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
-    const bool needsOne = platform.empty() || platform == "xcb" || platform.starts_with("wayland");
-    if (needsOne && !x11 && !wayland)
+    if (usualPlatform(platform) && !x11 && !wayland)
         throwOpenGl(QT_TRANSLATE_NOOP("core",
                                       "There is no display: neither DISPLAY nor WAYLAND_DISPLAY is set. Start cullscope in a "
                                       "desktop session, or use cullbench, which needs no display."));

@@ -23,7 +23,8 @@ WindowPicture::WindowPicture(MainWindow& window, Session& session, QString file,
 
 bool WindowPicture::settled() const {
     if (m_session.loader().loading()) return false;
-    return m_failed || (m_session.opened() && m_session.buffers() && m_session.figuresSettled());
+    const bool uploaded = m_session.buffers() || !m_session.uploadFailure().empty();
+    return m_failed || (m_session.opened() && uploaded && m_session.figuresSettled());
 }
 
 void WindowPicture::look() {
@@ -48,7 +49,7 @@ void WindowPicture::take() {
         emit done(2);
         return;
     }
-    emit done(m_failed ? 3 : 0);
+    emit done(m_failed ? 3 : m_session.uploadFailure().empty() ? 0 : 4);
 }
 
 }  // namespace cullscope::ui

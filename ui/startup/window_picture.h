@@ -16,7 +16,8 @@ public:
     WindowPicture(MainWindow& window, Session& session, QString file, QObject* parent = nullptr);
 
 signals:
-    /// `status` is the program's exit status: 0, 2 where the file cannot be written, 3 where the scene could not be opened.
+    /// `status` is the program's exit status: 0, 2 where the file cannot be written, 3 where the scene could not be opened,
+    /// 4 where OpenGL did not take it.
     void done(int status);
 
 private:

@@ -95,8 +95,11 @@ QString figureDetails(const Figures& figures, const GlInfo& gl) {
                           countText(figures.accuracy.visibleTriangles))
               << QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
                      .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
-                          countText(figures.accuracy.largestHolePixels))
-              << QCoreApplication::translate("Wording", "Truth: item buffer of %1 × %2 pixels, %3")
+                          countText(figures.accuracy.largestHolePixels));
+        if (figures.missedBeyondSnapping)
+            lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")
+                         .arg(countText(*figures.missedBeyondSnapping));
+        lines << QCoreApplication::translate("Wording", "Truth: item buffer of %1 × %2 pixels, %3")
                      .arg(figures.size.width)
                      .arg(figures.size.height)
                      .arg(facingWord(figures.facing));

@@ -1,14 +1,27 @@
 #include "ui/views/scene_view.h"
 
+#include <QCoreApplication>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <cmath>
+#include <new>
 
 #include "core/base/error.h"
-#include "core/measure/frame.h"
 #include "ui/views/view_input.h"
 
 namespace cullscope::ui {
+
+namespace {
+
+// In 8 bits a channel, so that `cullbench render --background --surface` repeats the picture.
+constexpr QRgb kDarkBackground = 0x14171c;
+constexpr QRgb kDarkSurface = 0xccccc7;
+constexpr QRgb kLightBackground = 0xffffff;
+constexpr QRgb kLightSurface = 0xb8b8b3;
+
+Vec3f colour(QRgb rgb) { return Vec3f(float(qRed(rgb)), float(qGreen(rgb)), float(qBlue(rgb))) / 255.0f; }
+
+}  // namespace
 
 SceneView::SceneView(Session& session, int view, QWidget* parent)
     : QOpenGLWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
@@ -59,21 +72,31 @@ Vec2 SceneView::pixelAt(const QPointF& position) const {
     return {position.x() * scale, renderSize().height - position.y() * scale};
 }
 
-Vec3 SceneView::pointAt(const QPointF& position) {
-    const Vec2 pixel = pixelAt(position);
-    const View seen = camera();
-    double depth = 0.0;
-    if (m_framebuffer && !m_dirty && m_framebuffer->size() == seen.viewport()) {
-        if (m_depth.empty()) {
-            makeCurrent();
-            m_depth = m_framebuffer->readDepth();
-            doneCurrent();
-        }
-        const int x = std::clamp(int(pixel.x), 0, seen.viewport().width - 1);
-        const int y = std::clamp(int(pixel.y), 0, seen.viewport().height - 1);
-        depth = m_depth[size_t(y) * size_t(seen.viewport().width) + size_t(x)];
+double SceneView::depthAt(const QPointF& position) {
+    const Viewport size = renderSize();
+    if (!m_framebuffer || m_dirty || !(m_framebuffer->size() == size)) return 0.0;
+    if (m_depth.empty()) {
+        makeCurrent();
+        m_depth = m_framebuffer->readDepth();
+        doneCurrent();
     }
-    return pointUnder(seen, pixel, depth);
+    const Vec2 pixel = pixelAt(position);
+    const int x = std::clamp(int(pixel.x), 0, size.width - 1);
+    const int y = std::clamp(int(pixel.y), 0, size.height - 1);
+    return m_depth[size_t(y) * size_t(size.width) + size_t(x)];
+}
+
+Vec3 SceneView::pointAt(const QPointF& position) { return pointUnder(camera(), pixelAt(position), depthAt(position)); }
+
+std::optional<Vec3> SceneView::surfaceAt(const QPointF& position) {
+    if (m_dirty) {
+        makeCurrent();
+        draw();
+        doneCurrent();
+    }
+    const double depth = depthAt(position);
+    if (depth <= 0.0) return std::nullopt;
+    return pointUnder(camera(), pixelAt(position), depth);
 }
 
 QImage SceneView::picture() {
@@ -89,12 +112,22 @@ QImage SceneView::picture() {
     return image;
 }
 
+PictureRequest SceneView::request() const {
+    const StrategySlot& slot = m_session.slot(m_view);
+    return {m_session.opened()->specification,
+            m_session.sceneSource().modelFolders,
+            slot.id(),
+            slot.parameters(),
+            m_session.camera(),
+            renderSize(),
+            style()};
+}
+
 DrawStyle SceneView::style() const {
-    DrawStyle style;
     const bool dark = palette().color(QPalette::Window).lightness() < 128;
-    if (dark) return style;
-    style.background = Vec3f(1.0f);
-    style.surface = Vec3f(0.72f, 0.72f, 0.70f);
+    DrawStyle style;
+    style.background = colour(dark ? kDarkBackground : kLightBackground);
+    style.surface = colour(dark ? kDarkSurface : kLightSurface);
     return style;
 }
 
@@ -112,13 +145,22 @@ void SceneView::draw() {
             m_framebuffer = nullptr;
             return;
         }
-        const std::lock_guard lock(built->mutex);
-        renderFrame(*m_renderer, *buffers, *built->strategy, camera(), *m_framebuffer, style());
+        renderShared(*m_renderer, *buffers, *built, camera(), *m_framebuffer, style());
         ++m_drawnPictures;
     } catch (const Error& error) {
-        m_framebuffer = nullptr;
-        if (!std::exchange(m_complained, true)) m_session.raise(Severity::Error, error.message());
+        complain(error.message());
+    } catch (const std::bad_alloc&) {
+        complain(
+            {QT_TRANSLATE_NOOP("core", "There is not enough memory to draw this view. Make the window or the scene smaller."),
+             {}});
+    } catch (const std::exception& error) {
+        complain({QT_TRANSLATE_NOOP("core", "This view cannot be drawn: %1"), {error.what()}});
     }
+}
+
+void SceneView::complain(const Message& message) {
+    m_framebuffer = nullptr;
+    if (!std::exchange(m_complained, true)) m_session.raise(Severity::Error, message);
 }
 
 void SceneView::paintGL() {

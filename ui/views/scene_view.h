@@ -2,9 +2,11 @@
 
 #include <QOpenGLWidget>
 #include <memory>
+#include <optional>
 
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/renderer.h"
+#include "ui/session/cullbench_command.h"
 #include "ui/session/session.h"
 
 namespace cullscope::ui {
@@ -25,6 +27,8 @@ public:
     [[nodiscard]] Viewport renderSize() const;
     /// The world point under a position in the widget.
     [[nodiscard]] Vec3 pointAt(const QPointF& position);
+    /// The same, but nothing where no surface is drawn there.
+    [[nodiscard]] std::optional<Vec3> surfaceAt(const QPointF& position);
     /// Whether the picture shows the present camera and strategy.
     [[nodiscard]] bool pictureIsCurrent() const { return !m_dirty && m_framebuffer; }
     /// Pixels of the picture (y upward) from a position in the widget.
@@ -33,6 +37,10 @@ public:
     [[nodiscard]] View camera() const;
     /// The picture as it is drawn, without the window.
     [[nodiscard]] QImage picture();
+    /// The colours in which it is drawn: those of the window's palette, in 8 bits a channel.
+    [[nodiscard]] DrawStyle style() const;
+    /// Everything that the picture depends on; only with a scene.
+    [[nodiscard]] PictureRequest request() const;
     /// How many pictures were drawn so far: a view that is not dirty is not drawn.
     [[nodiscard]] size_t drawnPictures() const { return m_drawnPictures; }
 
@@ -61,7 +69,8 @@ private:
     void makeDirty();
     void draw();
     void present();
-    [[nodiscard]] DrawStyle style() const;
+    void complain(const Message& message);
+    [[nodiscard]] double depthAt(const QPointF& position);
 
     Session& m_session;
     int m_view;

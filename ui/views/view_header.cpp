@@ -115,7 +115,7 @@ void ViewHeader::paintEvent(QPaintEvent*) {
 
     x = kMargin;
     const Figures& figures = m_session.figures(m_view);
-    const bool lost = figures.state == Figures::State::Ready && figures.accuracy.missedPixels > 0;
+    const bool lost = figures.state == Figures::State::Ready && figures.lostPixels() > 0;
     write(1, secondLine(), lost ? bold : font(), figures.state == Figures::State::Ready ? text : subdued(colours));
 }
 

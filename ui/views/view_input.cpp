@@ -120,7 +120,9 @@ bool ViewInput::release(const QMouseEvent& event) {
 void ViewInput::doubleClick(const QMouseEvent& event) {
     m_drag = Drag::None;
     if (event.button() != Qt::LeftButton || !m_session.opened()) return;
-    m_session.setCamera(centredOn(m_view.camera(), m_view.pointAt(event.position())));
+    // Beside the scene there is nothing to turn about.
+    if (const std::optional<Vec3> point = m_view.surfaceAt(event.position()))
+        m_session.setCamera(centredOn(m_view.camera(), *point));
 }
 
 void ViewInput::wheel(QWheelEvent& event) {

@@ -1,0 +1,22 @@
+#include "ui/session/built_strategy.h"
+
+#include <chrono>
+
+#include "core/gpu/context.h"
+
+namespace cullscope::ui {
+
+FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,
+                         Framebuffer& target, const DrawStyle& style) {
+    std::unique_lock lock(built.mutex);
+    const auto start = std::chrono::steady_clock::now();
+    FrameResult result;
+    result.verdict = built.strategy->cull(view);
+    lock.unlock();
+    renderer.draw(buffers, view, result.verdict.drawList, target, style);
+    waitForGpu();
+    result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+}  // namespace cullscope::ui
