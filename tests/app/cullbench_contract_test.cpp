@@ -145,10 +145,10 @@ TEST_F(CullbenchContract, fullDiskLeavesHalfAPictureOrIsNotNoticed) {
         EXPECT_EQ(
             cullbench({"render", "sphere:triangles=20", "-s", "all", "-o", std::string("/dev/full/x.") + ending}).exitStatus, 2);
     const ProcessResult result =
-        runProcess({"/bin/sh", "-c", std::string(CULLBENCH) + " path orbit:3 sphere:triangles=20 -o - > /dev/full"});
+        runProcess({"/bin/sh", "-c", "'" CULLBENCH "' path orbit:3 sphere:triangles=20 -o - > /dev/full"});
     EXPECT_EQ(result.exitStatus, 2);
     EXPECT_THAT(result.err, HasSubstr("standard output"));
-    EXPECT_EQ(runProcess({"/bin/sh", "-c", std::string(CULLBENCH) + " list > /dev/full"}).exitStatus, 2);
+    EXPECT_EQ(runProcess({"/bin/sh", "-c", "'" CULLBENCH "' list > /dev/full"}).exitStatus, 2);
 }
 
 TEST_F(CullbenchContract, unwritableResultIsFoundAfterTheMeasurement) {
