@@ -6,10 +6,10 @@
 
 #include "core/base/error.h"
 #include "core/visibility/registry.h"
-#include "ui/main_window.h"
 #include "ui/startup/display.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
+#include "ui/window/main_window.h"
 
 namespace {
 
@@ -40,7 +40,7 @@ std::vector<std::string> strategiesFromText(const std::string& text) {
     for (const QString& id : QString::fromStdString(text).split(QLatin1Char(',')))
         ids.push_back(findStrategy(id.toStdString()).info.id);
     if (ids.size() > ui::Session::kMostViews)
-        throwUsage("-s %1: there are at most %2 views; name one or two strategies.",
+        throwUsage("-s %1: there are at most %2 views; name as many strategies or fewer.",
                    {text, std::to_string(ui::Session::kMostViews)});
     return ids;
 }
@@ -50,7 +50,8 @@ CommandLine parse(int argc, char** argv) {
     std::string size, strategies;
     CLI::App parser("Cullscope: shows what each culling strategy draws, how fast, and what it loses.", "cullscope");
     parser.add_option("SCENE", line.scene, "A mesh file, or a generator such as field:n=20 (cullbench list scenes)");
-    parser.add_option("-s,--strategy", strategies, "The strategy of one view, or A,B of two (cullbench list strategies)");
+    parser.add_option("-s,--strategy", strategies,
+                      "The strategies of the views, A,B,…: as many as 8 (cullbench list strategies)");
     parser
         .add_option("--models", line.modelFolders, "A folder in which models such as the bunny are looked for; may be repeated")
         ->expected(1);
@@ -78,6 +79,22 @@ void chooseLanguage(ui::Language& language, const std::string& asked) {
         language.use(ui::Language::isKnown(stored) ? stored : ui::Language::ofSystem());
 }
 
+/// Without a choice: a strategy that leaves something out of any scene, and beside it a view that watches it from outside.
+void showStrategies(ui::Session& session, const std::vector<std::string>& chosen) {
+    session.setActiveView(0);
+    if (chosen.empty()) {
+        session.slot(0).choose("backface");
+        session.observe(1, 0);
+        ui::ViewSetup watching = session.setup(1);
+        watching.look = {Colouring::Verdicts, true, true, false};
+        session.setSetup(1, watching);
+        return;
+    }
+    for (size_t i = 0; i < chosen.size(); ++i) session.slot(int(i)).choose(chosen[i]);
+    for (const int count : ui::Session::kViewCounts)
+        if (size_t(count) >= chosen.size()) return session.setViewCount(count);
+}
+
 int show(QApplication& application, const CommandLine& line) {
     ui::Language language;
     chooseLanguage(language, line.language);
@@ -90,11 +107,7 @@ int show(QApplication& application, const CommandLine& line) {
     QObject::connect(&session, &ui::Session::messageRaised, [](ui::Severity severity, const Message& message) {
         if (severity == ui::Severity::Error) std::fprintf(stderr, "cullscope: %s\n", message.english().c_str());
     });
-    for (size_t i = 0; i < line.strategies.size(); ++i) session.slot(int(i)).choose(line.strategies[i]);
-    if (line.strategies.size() == 1) {
-        session.setActiveView(0);
-        session.setViewCount(1);
-    }
+    showStrategies(session, line.strategies);
 
     ui::MainWindow window(session, language, appearance);
     if (line.size) {

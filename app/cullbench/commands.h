@@ -32,11 +32,18 @@ void addPathCommand(CLI::App& app, Context& context);
 /// Takes the bar off the terminal before something is printed.
 void clearProgress();
 
-/// Opens a scene with a progress bar; says on standard error what the file's loader repaired.
-[[nodiscard]] OpenedScene openSceneForCommand(const std::string& specification, const Context& context);
+/// The scene that a command works on.
+struct SceneChoice {
+    std::string specification;  ///< SCENE
+    std::string hide;           ///< --hide, as in "3,7-9"
+};
+void addSceneOptions(CLI::App& command, SceneChoice& choice);
+
+/// Opens a scene with a progress bar, without what is hidden; says on standard error what the file's loader repaired.
+[[nodiscard]] OpenedScene openSceneForCommand(const SceneChoice& choice, const Context& context);
 
 /// "640x480". Throws Error(Usage).
-[[nodiscard]] Viewport sizeFromText(const std::string& text);
+[[nodiscard]] Viewport sizeFromText(const std::string& text, const std::string& option = "--size");
 /// "x,y,z". Throws Error(Usage) naming the option.
 [[nodiscard]] Vec3 vectorFromText(const std::string& option, const std::string& text);
 

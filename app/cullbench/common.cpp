@@ -8,6 +8,7 @@
 #include "app/cullbench/commands.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/scene/hidden.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -84,16 +85,22 @@ void clearProgress() {
     if (isatty(STDERR_FILENO) != 0) fmt::print(stderr, "\r{:{}}\r", "", kBarWidth + 36);
 }
 
-OpenedScene openSceneForCommand(const std::string& specification, const Context& context) {
-    OpenedScene opened = openScene(specification, context.sceneOptions, terminalProgress(context));
+void addSceneOptions(CLI::App& command, SceneChoice& choice) {
+    command.add_option("SCENE", choice.specification, "mesh file or generator")->required();
+    command.add_option("--hide", choice.hide, "objects to leave out: numbers from 0 and ranges, as in 3,7-9");
+}
+
+OpenedScene openSceneForCommand(const SceneChoice& choice, const Context& context) {
+    OpenedScene opened = openScene(choice.specification, context.sceneOptions, terminalProgress(context));
     clearProgress();
     if (opened.report)
         for (const Message& sentence : opened.report->sentences())
-            fmt::print(stderr, "cullbench: {}: {}\n", specification, sentence.english());
+            fmt::print(stderr, "cullbench: {}: {}\n", choice.specification, sentence.english());
+    opened.scene = withoutInstances(opened.scene, hiddenFromText(choice.hide, opened.scene->instances().size()));
     return opened;
 }
 
-Viewport sizeFromText(const std::string& text) {
+Viewport sizeFromText(const std::string& text, const std::string& option) {
     const size_t x = text.find_first_of("xX");
     Viewport size{0, 0};
     const auto number = [&](size_t from, size_t to, int& value) {
@@ -101,7 +108,7 @@ Viewport sizeFromText(const std::string& text) {
         return error == std::errc() && end == text.data() + to && value >= 1 && value <= 16384;
     };
     if (x == std::string::npos || !number(0, x, size.width) || !number(x + 1, text.size(), size.height))
-        throwUsage(CULLSCOPE_TR("--size %1 is not WIDTHxHEIGHT with 1 to 16384 pixels, as in 640x480."), {text});
+        throwUsage(CULLSCOPE_TR("%1 %2 is not WIDTHxHEIGHT with 1 to 16384 pixels, as in 640x480."), {option, text});
     return size;
 }
 

@@ -13,7 +13,8 @@ namespace cullscope::cullbench {
 namespace {
 
 struct Options {
-    std::string scene, path, json, csv;
+    SceneChoice scene;
+    std::string path, json, csv;
     std::vector<std::string> strategies, parameters;
     std::string size = "640x480", upload = "vbo";
     int windows = 1, repeat = 0;
@@ -116,7 +117,7 @@ void run(const Options& options, Context& context) {
 void addMeasureCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("measure", "Times strategies side by side and counts what each one lost");
     auto options = std::make_shared<Options>();
-    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    addSceneOptions(*command, options->scene);
     command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,B")->required()->delimiter(',');
     command
         ->add_option("-p,--parameter", options->parameters, "parameter: A.key=value, or key=value for every strategy that has it")

@@ -1,23 +1,27 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "app/cullbench/commands.h"
+#include "app/cullbench/overlays.h"
 #include "core/base/error.h"
 #include "core/gpu/context.h"
-#include "core/measure/frame.h"
 #include "core/measure/picture_file.h"
+#include "core/measure/picture_metadata.h"
 
 namespace cullscope::cullbench {
 namespace {
 
 struct Options {
-    std::string scene, strategy, output, path, eye, target, up;
+    SceneChoice scene;
+    std::string strategy, output, path, eye, target, up;
     std::vector<std::string> parameters;
     std::string size = "640x480";
     std::string background, surface;
     double fovy = 45.0, nearDistance = 0.0, farDistance = 0.0;
     int64_t pose = 0;
+    OverlayOptions overlays;
 };
 
 Camera cameraOf(const Options& options, const Scene& scene, const Viewport& size) {
@@ -51,46 +55,91 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
     return Vec3f(float(value >> 16), float(value >> 8 & 255), float(value & 255)) / 255.0f;
 }
 
-std::string text(const Vec3& v) { return fmt::format("{},{},{}", v.x, v.y, v.z); }
+/// What the picture shows, for its metadata.
+PictureSubject subjectOf(const Options& options, const StrategyRequest& strategy, const ViewLook& look, const View& culling,
+                         const View& viewing, const Verdict& verdict) {
+    PictureSubject subject;
+    subject.scene = options.scene.specification;
+    subject.hidden = options.scene.hide;
+    subject.strategy = strategy.id;
+    subject.parameters = strategy.parameters;
+    subject.culling = culling.camera();
+    subject.viewing = viewing.camera();
+    subject.cullingSize = culling.viewport();
+    subject.size = viewing.viewport();
+    subject.look = look;
+    subject.submittedTriangles = verdict.consideredTriangles;
+    return subject;
+}
 
-/// Everything that repeats the picture.
-std::vector<std::pair<std::string, std::string>> metadata(const Options& options, const StrategyRequest& strategy,
-                                                          const Camera& camera) {
-    std::vector<std::pair<std::string, std::string>> pairs{{"cullscope:scene", options.scene},
-                                                           {"cullscope:strategy", strategy.id},
-                                                           {"cullscope:eye", text(camera.eye)},
-                                                           {"cullscope:target", text(camera.target)},
-                                                           {"cullscope:up", text(camera.up)},
-                                                           {"cullscope:fovy_deg", fmt::format("{}", camera.fovy.degrees())},
-                                                           {"cullscope:near", fmt::format("{}", camera.nearDistance)},
-                                                           {"cullscope:far", fmt::format("{}", camera.farDistance)}};
-    for (const ParameterDeclaration& declaration : strategy.parameters.declarations())
-        pairs.emplace_back("cullscope:parameter:" + declaration.key, toText(strategy.parameters.value(declaration.key)));
-    return pairs;
+/// One line of how many triangles are in each state that occurs.
+std::string described(const TriangleStates& states) {
+    std::string text;
+    for (size_t i = 0; i < kTriangleStateCount; ++i)
+        if (states.counts[i] > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", states.counts[i],
+                                triangleStateName(static_cast<TriangleState>(i)));
+    return text;
+}
+
+/// Draws the picture with its overlays; gives the verdict and the states, empty without `verdicts`.
+std::pair<Verdict, TriangleStates> drawPicture(Strategy& strategy, const ScenePointer& scene, const View& culling,
+                                               const View& viewing, const ViewLook& look, const DrawStyle& style,
+                                               Framebuffer& target) {
+    Renderer renderer;
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Trace trace;
+    std::pair<Verdict, TriangleStates> result;
+    auto& [verdict, states] = result;
+    verdict = strategy.cull(culling, needsTrace(look) ? &trace : nullptr);
+    if (look.boxes && strategy.inside(trace).nodes.empty())
+        throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
+    if (look.colouring == Colouring::Verdicts) {
+        const Reference truth = itemBufferReference(renderer, buffers, culling, strategy.referenceFacing());
+        states = triangleStates(*scene, culling, verdict.drawList, trace, &truth);
+    }
+    const TriangleStates* known = look.colouring == Colouring::Verdicts ? &states : nullptr;
+    drawViewPicture(renderer, buffers, strategy, culling, viewing, verdict, trace, known, look, style, target);
+    return result;
+}
+
+/// Depth and triangles of what the strategy drew, whatever lies over it.
+void addDepth(Picture& picture, const ScenePointer& scene, const View& viewing, const DrawList& drawn) {
+    Renderer renderer;
+    Renderer::ItemBuffer items = renderer.drawItemBuffer(SceneBuffers(scene, Upload::Vbo), viewing, drawn);
+    picture.depth = forwardDistances(items.depth, viewing);
+    picture.triangle = std::move(items.triangle);
 }
 
 void run(const Options& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
-    const std::vector<StrategyRequest> requests = strategiesFromText({options.strategy}, options.parameters);
+    const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
+    const ViewLook look = lookOf(options.overlays, request.id);
     DrawStyle style;
     style.background = colourFromText("--background", options.background, style.background);
     style.surface = colourFromText("--surface", options.surface, style.surface);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const Camera camera = cameraOf(options, *opened.scene, size);
-    const View view(camera, size);
+    const Camera viewing = viewingCamera(options.overlays, camera, *opened.scene);
+    const View view(camera, cullingSize(options.overlays, size));
+    const View viewingView(viewing, size);
     const HeadlessContext gl;
-    Renderer renderer;
-    const SceneBuffers buffers(opened.scene, Upload::Vbo);
     Framebuffer target(size);
-    const StrategyPointer strategy = makeStrategy(requests.front().id, requests.front().parameters);
+    const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
     strategy->build(*opened.scene, terminalProgress(context));
     clearProgress();
     terminalProgress(context).check();
-    const FrameResult frame = renderFrame(renderer, buffers, *strategy, view, target, style);
-    writePicture(options.output, {size, target.readColour(), metadata(options, requests.front(), camera)});
+    const auto [verdict, states] = drawPicture(*strategy, opened.scene, view, viewingView, look, style, target);
+    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, look, view, viewingView, verdict));
+    std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
+    Picture picture{size, target.readColour(), std::move(metadata)};
+    if (keepsDepth(options.output)) addDepth(picture, opened.scene, viewingView, verdict.drawList);
+    writePicture(options.output, picture);
     // Where the picture went to standard output, the words go beside it.
-    fmt::print(options.output == "-" ? stderr : stdout, "{}: {} of {} triangles submitted; {} on {}\n", options.output,
-               frame.verdict.consideredTriangles, opened.scene->triangleCount(), gl.info().renderer, gl.platform());
+    std::FILE* words = options.output == "-" ? stderr : stdout;
+    fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, verdict.consideredTriangles,
+               opened.scene->triangleCount(), gl.info().renderer, gl.platform());
+    if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
 }
 
 }  // namespace
@@ -98,7 +147,7 @@ void run(const Options& options, const Context& context) {
 void addRenderCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("render", "Draws one picture of a scene with a strategy");
     auto options = std::make_shared<Options>();
-    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    addSceneOptions(*command, options->scene);
     command->add_option("-s,--strategy", options->strategy, "strategy")->required();
     command->add_option("-p,--parameter", options->parameters, "parameter of the strategy: key=value")->allow_extra_args(false);
     auto* eye = command->add_option("--eye", options->eye, "eye, x,y,z (default: all of the scene in view)");
@@ -115,6 +164,7 @@ void addRenderCommand(CLI::App& app, Context& context) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--background", options->background, "colour behind the scene, RRGGBB");
     command->add_option("--surface", options->surface, "colour of the surfaces, RRGGBB");
+    addOverlayOptions(*command, options->overlays);
     command->add_option("-o,--output", options->output, "picture file: .png, .jpg, .tif, .exr; - is standard output (PNG)")
         ->required();
     command->callback([options, &context] { run(*options, context); });

@@ -10,7 +10,8 @@ namespace cullscope::cullbench {
 namespace {
 
 struct ExportOptions {
-    std::string scene, output;
+    SceneChoice scene;
+    std::string output;
 };
 
 void runExport(const ExportOptions& options, const Context& context) {
@@ -27,7 +28,8 @@ void runExport(const ExportOptions& options, const Context& context) {
 }
 
 struct InspectOptions {
-    std::string scene, strategy, json;
+    SceneChoice scene;
+    std::string strategy, json;
     std::vector<std::string> parameters;
 };
 
@@ -63,7 +65,8 @@ void runInspect(const InspectOptions& options, const Context& context) {
 }
 
 struct PathOptions {
-    std::string name, scene, output;
+    SceneChoice scene;
+    std::string name, output;
 };
 
 void runPath(const PathOptions& options, const Context& context) {
@@ -78,7 +81,7 @@ void runPath(const PathOptions& options, const Context& context) {
 void addExportCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("export", "Writes any scene as a mesh file, one named object a component");
     auto options = std::make_shared<ExportOptions>();
-    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    addSceneOptions(*command, options->scene);
     command
         ->add_option("-o,--output", options->output,
                      "FILE.obj, .ply or .stl; - is standard output (OBJ). Only OBJ keeps the objects apart")
@@ -89,7 +92,7 @@ void addExportCommand(CLI::App& app, Context& context) {
 void addInspectCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("inspect", "What a strategy builds for a scene: bytes, build time, nodes");
     auto options = std::make_shared<InspectOptions>();
-    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    addSceneOptions(*command, options->scene);
     command->add_option("-s,--strategy", options->strategy, "strategy")->required();
     command->add_option("-p,--parameter", options->parameters, "parameter of the strategy: key=value")->allow_extra_args(false);
     command->add_option("--json", options->json, "result file; - is standard output");
@@ -100,7 +103,7 @@ void addPathCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("path", "Writes a built-in camera path as a file, for other programs");
     auto options = std::make_shared<PathOptions>();
     command->add_option("NAME", options->name, "orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3")->required();
-    command->add_option("SCENE", options->scene, "mesh file or generator")->required();
+    addSceneOptions(*command, options->scene);
     command->add_option("-o,--output", options->output, "file; - is standard output")->required();
     command->callback([options, &context] { runPath(*options, context); });
 }

@@ -20,7 +20,8 @@ size_t pixels(const Viewport& size) { return static_cast<size_t>(size.width) * s
 
 }  // namespace
 
-Framebuffer::Framebuffer(const Viewport& size) : m_size(size) {
+Framebuffer::Framebuffer(const PictureTile& tile) : m_tile(tile) {
+    const Viewport& size = tile.size;
     m_colour = texture(size, GL_RGBA8);
     m_depth = texture(size, GL_DEPTH_COMPONENT32F);
     glCreateFramebuffers(1, &m_framebuffer);
@@ -38,7 +39,7 @@ Framebuffer::~Framebuffer() {
 }
 
 std::vector<uint8_t> Framebuffer::readColour() const {
-    std::vector<uint8_t> colour(pixels(m_size) * 4);
+    std::vector<uint8_t> colour(pixels(size()) * 4);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     glGetTextureImage(m_colour, 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(colour.size()), colour.data());
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
@@ -46,7 +47,7 @@ std::vector<uint8_t> Framebuffer::readColour() const {
 }
 
 std::vector<float> Framebuffer::readDepth() const {
-    std::vector<float> depth(pixels(m_size));
+    std::vector<float> depth(pixels(size()));
     glGetTextureImage(m_depth, 0, GL_DEPTH_COMPONENT, GL_FLOAT, static_cast<GLsizei>(depth.size() * sizeof(float)), depth.data());
     return depth;
 }
@@ -54,7 +55,7 @@ std::vector<float> Framebuffer::readDepth() const {
 void Framebuffer::showIn(unsigned framebuffer) const {
     glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer);
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, m_size.width, m_size.height, 0, 0, m_size.width, m_size.height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+    glBlitFramebuffer(0, 0, size().width, size().height, 0, 0, size().width, size().height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
 }
 

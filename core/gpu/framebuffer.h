@@ -7,17 +7,26 @@
 
 namespace cullscope {
 
+/// A part of a picture that is too large to be drawn at once; rows count from the bottom.
+struct PictureTile {
+    int x = 0, y = 0;  ///< its lower left pixel in the whole picture
+    Viewport size;
+};
+
 /// A picture on the GPU: RGBA8 colour and 32-bit float depth (reversed: 0 is far). Rows count from the bottom.
 /// The textures belong to the share group; the framebuffer object itself to the context it was made in.
 class Framebuffer {
 public:
     /// Throws Error(OpenGl) where this OpenGL cannot make one of that size.
-    explicit Framebuffer(const Viewport& size);
+    explicit Framebuffer(const Viewport& size) : Framebuffer(PictureTile{0, 0, size}) {}
+    /// One that holds a part of what a View of the whole picture draws into it.
+    explicit Framebuffer(const PictureTile& tile);
     ~Framebuffer();
     Framebuffer(const Framebuffer&) = delete;
     Framebuffer& operator=(const Framebuffer&) = delete;
 
-    [[nodiscard]] const Viewport& size() const { return m_size; }
+    [[nodiscard]] const Viewport& size() const { return m_tile.size; }
+    [[nodiscard]] const PictureTile& tile() const { return m_tile; }
     [[nodiscard]] unsigned id() const { return m_framebuffer; }
     [[nodiscard]] unsigned colourTexture() const { return m_colour; }
     [[nodiscard]] unsigned depthTexture() const { return m_depth; }
@@ -30,7 +39,7 @@ public:
     void showIn(unsigned framebuffer) const;
 
 private:
-    Viewport m_size;
+    PictureTile m_tile;
     unsigned m_framebuffer = 0;
     unsigned m_colour = 0;
     unsigned m_depth = 0;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/scene_buffers.h"
@@ -14,9 +16,43 @@ struct DrawStyle {
     Vec3f background{0.078f, 0.090f, 0.110f};
     float backgroundAlpha = 1.0f;
     Vec3f surface{0.80f, 0.80f, 0.78f};
+    float unit = 1.0f;  ///< pixels of what is one pixel wide on a screen: lines and hatching grow with a large picture
+
+    bool operator==(const DrawStyle&) const = default;
 };
 
-/// Draws draw lists, nothing else: reversed-Z, eye-relative floats, one Lambert shader with a headlight at the eye.
+/// How the triangles of one palette index are drawn.
+struct PaletteEntry {
+    enum class Look {
+        Filled,
+        Wireframe,  ///< edges without light, and nothing between them
+        Marked,     ///< hatched in black and white, with a halo of constant width in pixels that shows even what covers no pixel
+        Absent
+    };
+    Vec3f colour{0.0f};
+    Look look = Look::Filled;
+    float shade = 1.0f;  ///< times the colour: the middle of the shading's range
+};
+
+/// A line in world coordinates; made relative to the eye in double before it goes to OpenGL.
+struct LineSegment {
+    Vec3 from{0.0};
+    Vec3 to{0.0};
+    Vec3f colour{0.0f};
+};
+
+struct LineStyle {
+    float width = 1.0f;     ///< pixels
+    bool depthTest = true;  ///< false: on top of everything
+};
+
+/// What is seen at a pixel.
+struct PickedTriangle {
+    uint64_t triangle = 0;  ///< scene triangle number
+    double depth = 0.0;     ///< reversed (View::distanceFromDepth)
+};
+
+/// Draws draw lists, states and overlays: reversed-Z, eye-relative floats, one Lambert shader with a headlight at the eye.
 /// One renderer a context; needs that context current in every call. After every call the state is what Qt expects:
 /// OpenGL's defaults (glClipControl, depth and culling too), nothing bound, and the framebuffer that was bound before.
 class Renderer {
@@ -26,17 +62,37 @@ public:
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Clears `target` and draws the list as seen by `view` (whose viewport must be the target's size).
+    /// Clears `target` and draws the list as seen by `view` (whose viewport must be the target's size, or hold its tile).
     void draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
               const DrawStyle& style = {});
 
     /// Ground truth: for every pixel the depth and the lowest triangle number (Scene numbering + 1; 0 = nothing) at that depth.
     /// Draws `list` in a depth pass with the same vertex program as `draw`, then with GL_EQUAL and an atomic minimum.
+    /// Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
     struct ItemBuffer {
         std::vector<float> depth;
         std::vector<uint32_t> triangle;
     };
-    [[nodiscard]] ItemBuffer drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list);
+    [[nodiscard]] ItemBuffer drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list) {
+        return drawItemBuffer(buffers, view, list, {0, 0, view.viewport()});
+    }
+    /// The same for a part of the picture.
+    [[nodiscard]] ItemBuffer drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list,
+                                            const PictureTile& tile);
+
+    /// What `list` shows at a pixel (y upward), as drawItemBuffer would say there; nothing where nothing is drawn or the pixel
+    /// lies outside the viewport. Touches one pixel only. Throws as drawItemBuffer does.
+    [[nodiscard]] std::optional<PickedTriangle> pick(const SceneBuffers& buffers, const View& view, const DrawList& list, int x,
+                                                     int y);
+
+    /// Clears `target` and draws every triangle of the scene as `view` sees it, coloured by palette[stateOfTriangle[number]],
+    /// nearly flat (Lambert ± 10 %). Halo and hatch of marked triangles are made for the style's background. Throws
+    /// Error(OpenGl) where this OpenGL cannot hold a byte a triangle in one buffer.
+    void drawByState(const SceneBuffers& buffers, const View& view, Facing facing, std::span<const uint8_t> stateOfTriangle,
+                     std::span<const PaletteEntry> palette, Framebuffer& target, const DrawStyle& style = {});
+
+    /// Draws lines over a finished picture, without clearing and without writing depth; also beyond the view's depth range.
+    void drawLines(const View& view, std::span<const LineSegment> lines, const LineStyle& style, Framebuffer& target);
 
 private:
     struct Programs;

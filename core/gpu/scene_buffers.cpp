@@ -2,6 +2,8 @@
 
 #include <epoxy/gl.h>
 
+#include <cassert>
+
 #include "core/base/error.h"
 #include "core/gpu/context.h"
 
@@ -27,7 +29,9 @@ SceneBuffers::MeshBuffers uploaded(const TriangleMesh& mesh) {
 }  // namespace
 
 SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload)
-    : m_scene(std::move(scene)), m_upload(upload), m_meshes(m_scene->meshes().size()) {
+    : m_scene(std::move(scene)), m_upload(upload), m_uploaded(std::make_shared<Uploaded>()) {
+    std::vector<MeshBuffers>& meshes = m_uploaded->meshes;
+    meshes.resize(m_scene->meshes().size());
     if (upload == Upload::VertexArray) {
         if (!requireOpenGl45().compatibilityProfile)
             throwOpenGl(
@@ -37,16 +41,21 @@ SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload)
     }
     while (glGetError() != GL_NO_ERROR) {
     }
-    for (size_t i = 0; i < m_meshes.size(); ++i)
-        if (m_scene->meshes()[i]->triangleCount() > 0) m_meshes[i] = uploaded(*m_scene->meshes()[i]);
+    for (size_t i = 0; i < meshes.size(); ++i)
+        if (m_scene->meshes()[i]->triangleCount() > 0) meshes[i] = uploaded(*m_scene->meshes()[i]);
     if (glGetError() == GL_OUT_OF_MEMORY)
         throwOpenGl(
             CULLSCOPE_TR("The graphics memory does not hold this scene (%1 bytes): use client vertex arrays or a smaller scene."),
             {std::to_string(m_scene->bytes())});
 }
 
-SceneBuffers::~SceneBuffers() {
-    for (const MeshBuffers& mesh : m_meshes) {
+SceneBuffers::SceneBuffers(ScenePointer scene, const SceneBuffers& sameMeshes)
+    : m_scene(std::move(scene)), m_upload(sameMeshes.m_upload), m_uploaded(sameMeshes.m_uploaded) {
+    assert(m_scene->meshes() == sameMeshes.m_scene->meshes());
+}
+
+SceneBuffers::Uploaded::~Uploaded() {
+    for (const MeshBuffers& mesh : meshes) {
         glDeleteBuffers(1, &mesh.vertices);
         glDeleteBuffers(1, &mesh.indices);
     }

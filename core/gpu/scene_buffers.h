@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/scene/scene.h"
@@ -23,19 +24,27 @@ public:
 
     /// Uploads every mesh once. Throws Error(OpenGl) where memory runs out or client arrays are asked of a core profile.
     SceneBuffers(ScenePointer scene, Upload upload);
-    ~SceneBuffers();
+    /// A scene of the very same meshes, in the same order (as withoutInstances makes it), on the buffers of another: nothing is
+    /// uploaded. The last one to go deletes the buffers, so all of them go with a context of the share group current.
+    SceneBuffers(ScenePointer scene, const SceneBuffers& sameMeshes);
     SceneBuffers(const SceneBuffers&) = delete;
     SceneBuffers& operator=(const SceneBuffers&) = delete;
 
     [[nodiscard]] const Scene& scene() const { return *m_scene; }
     [[nodiscard]] const ScenePointer& scenePointer() const { return m_scene; }
     [[nodiscard]] Upload upload() const { return m_upload; }
-    [[nodiscard]] const MeshBuffers& mesh(size_t index) const { return m_meshes[index]; }
+    [[nodiscard]] const MeshBuffers& mesh(size_t index) const { return m_uploaded->meshes[index]; }
 
 private:
+    struct Uploaded {
+        std::vector<MeshBuffers> meshes;
+
+        ~Uploaded();
+    };
+
     ScenePointer m_scene;
     Upload m_upload;
-    std::vector<MeshBuffers> m_meshes;
+    std::shared_ptr<Uploaded> m_uploaded;
 };
 
 }  // namespace cullscope

@@ -24,8 +24,12 @@ struct Contestant {
 
 class Experiment {
 public:
-    Experiment(const MeasureRequest& request, const Progress& progress)
-        : m_request(request), m_progress(progress), m_buffers(request.scene, request.upload) {
+    Experiment(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose)
+        : m_request(request),
+          m_progress(progress),
+          m_afterPose(afterPose),
+          m_gl(requireOpenGl45()),
+          m_buffers(request.scene, request.upload) {
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
         for (const StrategyRequest& strategy : request.strategies) add(strategy, true);
         for (const char* baseline : {"all", "backface"})
@@ -34,16 +38,14 @@ public:
     }
 
     MeasureResult run() {
-        MeasureResult result;
-        result.request = m_request;
-        result.gl = requireOpenGl45();
-        for (size_t pose = 0; pose < m_request.path.poses.size() && !result.interrupted; ++pose) {
+        bool interrupted = false;
+        for (size_t pose = 0; pose < m_request.path.poses.size() && !interrupted; ++pose) {
             m_progress.tell(double(pose) / double(m_request.path.poses.size()), CULLSCOPE_TR("measuring"));
-            result.interrupted = !measurePose(pose);
+            interrupted = !measurePose(pose);
+            if (!interrupted && m_afterPose) m_afterPose([this] { return resultSoFar(); });
         }
-        for (Contestant& contestant : m_contestants) summarise(contestant);
-        for (Contestant& contestant : m_contestants)
-            if (contestant.askedFor) result.runs.push_back(std::move(contestant.run));
+        MeasureResult result = resultSoFar();
+        result.interrupted = interrupted;
         return result;
     }
 
@@ -157,10 +159,24 @@ private:
         return bootstrapMean(ratios);
     }
 
-    void summarise(Contestant& contestant) {
+    /// The whole poses measured so far, with their summaries; what is yet to come counts as interrupted.
+    [[nodiscard]] MeasureResult resultSoFar() const {
+        MeasureResult result;
+        result.request = m_request;
+        result.gl = m_gl;
+        result.interrupted = m_contestants.front().run.frames.size() < m_request.path.poses.size();
+        for (const Contestant& contestant : m_contestants) {
+            if (!contestant.askedFor) continue;
+            result.runs.push_back(contestant.run);
+            result.runs.back().summary = summaryOf(contestant);
+        }
+        return result;
+    }
+
+    [[nodiscard]] Summary summaryOf(const Contestant& contestant) const {
         const std::vector<FrameMeasurement>& frames = contestant.run.frames;
-        if (frames.empty()) return;
-        Summary& summary = contestant.run.summary;
+        Summary summary;
+        if (frames.empty()) return summary;
         std::vector<double> times;
         double cull = 0.0, considered = 0.0;
         uint64_t missed = 0, covered = 0;
@@ -189,10 +205,13 @@ private:
         const RatioEstimate backface = speedupOver("backface", contestant);
         summary.speedupVsBackface = backface.mean;
         summary.speedupVsBackfaceCi95 = backface.ci95;
+        return summary;
     }
 
     const MeasureRequest& m_request;
     const Progress& m_progress;
+    const PoseObserver& m_afterPose;
+    GlInfo m_gl;
     Renderer m_renderer;
     SceneBuffers m_buffers;
     std::vector<std::unique_ptr<Framebuffer>> m_targets;
@@ -209,11 +228,11 @@ bool RunMeasurement::promiseBroken() const {
     });
 }
 
-MeasureResult measure(const MeasureRequest& request, const Progress& progress) {
+MeasureResult measure(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose) {
     if (request.strategies.empty()) throwUsage(CULLSCOPE_TR("No strategy is named: give one with -s."));
     if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));
     if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
-    return Experiment(request, progress).run();
+    return Experiment(request, progress, afterPose).run();
 }
 
 RatioEstimate bootstrapMean(const std::vector<double>& ratios) {

@@ -87,10 +87,15 @@ struct MeasureResult {
     bool interrupted = false;  ///< stopped early: the poses measured so far are here
 };
 
+/// Gets what makes a result of the poses measured so far. That costs a copy and the bootstrap: to be called only where the result
+/// is wanted, and only until the observer returns.
+using PoseObserver = std::function<void(const std::function<MeasureResult()>& resultSoFar)>;
+
 /// Measures every strategy at every pose, interleaved, beside the baselines `all` and `backface` (measured too where they are not
 /// asked for, so that every run has its ratios). Needs a current context. A stop request ends it at the next frame and keeps
-/// what was measured; errors are thrown.
-[[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {});
+/// what was measured; errors are thrown. `afterPose` is called on the measuring thread after every whole pose.
+[[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {},
+                                    const PoseObserver& afterPose = {});
 
 /// Mean of per-pose ratios and its bootstrap 95 % interval (percentile method, 2000 resamples, fixed seed).
 struct RatioEstimate {

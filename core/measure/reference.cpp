@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "core/base/error.h"
 
 namespace cullscope {
 namespace {
@@ -38,40 +37,9 @@ uint64_t countMembers(const std::vector<uint32_t>& ascending, const Intervals& i
     return members;
 }
 
-uint64_t largestHole(std::vector<uint8_t> mask, const Viewport& size) {
-    uint64_t largest = 0;
-    std::vector<size_t> open;
-    const auto width = static_cast<size_t>(size.width);
-    for (size_t start = 0; start < mask.size(); ++start) {
-        if (mask[start] == 0) continue;
-        uint64_t pixels = 0;
-        mask[start] = 0;
-        open.push_back(start);
-        const auto visit = [&](size_t pixel) {
-            if (mask[pixel] == 0) return;
-            mask[pixel] = 0;
-            open.push_back(pixel);
-        };
-        while (!open.empty()) {
-            const size_t pixel = open.back();
-            open.pop_back();
-            ++pixels;
-            if (pixel % width > 0) visit(pixel - 1);
-            if (pixel % width + 1 < width) visit(pixel + 1);
-            if (pixel >= width) visit(pixel - width);
-            if (pixel + width < mask.size()) visit(pixel + width);
-        }
-        largest = std::max(largest, pixels);
-    }
-    return largest;
-}
-
 }  // namespace
 
 Reference itemBufferReference(Renderer& renderer, const SceneBuffers& buffers, const View& view, Facing facing) {
-    if (buffers.scene().triangleCount() > uint64_t{UINT32_MAX} - 1)
-        throwUsage(CULLSCOPE_TR("The scene has %1 triangles; the item buffer numbers at most 4294967294. Measure a part of it."),
-                   {std::to_string(buffers.scene().triangleCount())});
     Renderer::ItemBuffer items = renderer.drawItemBuffer(buffers, view, everything(buffers.scene(), facing));
     Reference reference;
     reference.size = view.viewport();
@@ -94,7 +62,7 @@ Accuracy compare(const Reference& reference, const std::vector<float>& depth, co
         if (depth[i] > reference.depth[i]) ++accuracy.extraPixels;
     std::vector<uint8_t> mask = missedMask(reference, depth);
     accuracy.missedPixels = static_cast<uint64_t>(std::count(mask.begin(), mask.end(), uint8_t{1}));
-    if (accuracy.missedPixels > 0) accuracy.largestHolePixels = largestHole(std::move(mask), reference.size);
+    if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
 
     const Intervals drawn = submitted(list, scene);
     for (const auto& [first, end] : drawn) accuracy.submittedTriangles += end - first;
@@ -109,6 +77,35 @@ std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<fl
     std::vector<uint8_t> mask(depth.size());
     for (size_t i = 0; i < depth.size(); ++i) mask[i] = depth[i] < reference.depth[i] ? 1 : 0;
     return mask;
+}
+
+std::vector<Hole> holes(std::vector<uint8_t> mask, const Viewport& size) {
+    std::vector<Hole> found;
+    std::vector<size_t> open;
+    const auto width = static_cast<size_t>(size.width);
+    for (size_t start = 0; start < mask.size(); ++start) {
+        if (mask[start] == 0) continue;
+        Hole hole{static_cast<int>(start % width), static_cast<int>(start / width), 0};
+        mask[start] = 0;
+        open.push_back(start);
+        const auto visit = [&](size_t pixel) {
+            if (mask[pixel] == 0) return;
+            mask[pixel] = 0;
+            open.push_back(pixel);
+        };
+        while (!open.empty()) {
+            const size_t pixel = open.back();
+            open.pop_back();
+            ++hole.pixels;
+            if (pixel % width > 0) visit(pixel - 1);
+            if (pixel % width + 1 < width) visit(pixel + 1);
+            if (pixel >= width) visit(pixel - width);
+            if (pixel + width < mask.size()) visit(pixel + width);
+        }
+        found.push_back(hole);
+    }
+    std::stable_sort(found.begin(), found.end(), [](const Hole& a, const Hole& b) { return a.pixels > b.pixels; });
+    return found;
 }
 
 namespace {

@@ -59,4 +59,12 @@ struct Accuracy {
 /// Missed pixels as a mask (1 a missed pixel), rows from the bottom.
 [[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth);
 
+/// A 4-connected set of missed pixels.
+struct Hole {
+    int x = 0, y = 0;  ///< one of its pixels, rows from the bottom
+    uint64_t pixels = 0;
+};
+/// All holes of a mask, largest first; equal ones in the order of their lowest, then leftmost pixel.
+[[nodiscard]] std::vector<Hole> holes(std::vector<uint8_t> mask, const Viewport& size);
+
 }  // namespace cullscope

@@ -37,7 +37,7 @@ Sphere around(const std::vector<Sphere>& spheres, const Box3& bounds) {
 
 }  // namespace
 
-Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances)
+Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface)
     : m_name(std::move(name)), m_meshes(std::move(meshes)), m_instances(std::move(instances)) {
     std::vector<Box3> meshBoxes;
     std::vector<Sphere> meshSpheres;
@@ -54,6 +54,10 @@ Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Inst
         m_bounds.add(m_instanceBoxes.back());
     }
     m_sphere = around(m_instanceSpheres, m_bounds);
+    if (sameSurface == nullptr) return;
+    assert(triangleCount() == sameSurface->triangleCount());
+    m_bounds = sameSurface->m_bounds;
+    m_sphere = sameSurface->m_sphere;
 }
 
 size_t Scene::instanceOf(uint64_t triangle) const {
@@ -84,11 +88,15 @@ size_t Scene::bytes() const {
 }
 
 bool Scene::frontFacesSuffice() const {
+    std::vector<bool> drawn(m_meshes.size(), false);
+    for (const Instance& instance : m_instances) drawn[instance.mesh] = true;
     size_t triangles = 0;
-    for (const MeshPointer& mesh : m_meshes) triangles += mesh->triangleCount();
+    for (size_t i = 0; i < m_meshes.size(); ++i)
+        if (drawn[i]) triangles += m_meshes[i]->triangleCount();
     if (triangles > kOptionalAnalysisLimit) return false;
-    return std::all_of(m_meshes.begin(), m_meshes.end(),
-                       [](const MeshPointer& mesh) { return mesh->topology().frontFacesSuffice(); });
+    for (size_t i = 0; i < m_meshes.size(); ++i)
+        if (drawn[i] && !m_meshes[i]->topology().frontFacesSuffice()) return false;
+    return true;
 }
 
 }  // namespace cullscope

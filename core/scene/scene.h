@@ -21,7 +21,9 @@ struct Instance {
 /// Triangles are numbered through: instance i owns the numbers firstTriangle(i) … firstTriangle(i) + its mesh's count − 1.
 class Scene {
 public:
-    Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances);
+    /// `sameSurface`: a scene of the very same triangles, divided otherwise. Its bounds are taken over, so that cameras which are
+    /// placed by them stand alike.
+    Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface = nullptr);
 
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] const std::vector<MeshPointer>& meshes() const { return m_meshes; }
@@ -46,7 +48,7 @@ public:
     [[nodiscard]] size_t bytes() const;
 
     /// Whether back faces can never be seen from outside any mesh: what `facing = auto` asks. False, and not computed, for a
-    /// scene whose meshes hold more than kOptionalAnalysisLimit triangles.
+    /// scene whose meshes hold more than kOptionalAnalysisLimit triangles. Meshes without an instance do not count.
     [[nodiscard]] bool frontFacesSuffice() const;
 
 private:

@@ -1,12 +1,11 @@
 #include "core/scene/scene_source.h"
 
-#include <charconv>
 #include <cstdlib>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
+#include "core/scene/split_scene.h"
 
 #ifndef CULLSCOPE_INSTALLED_DATA
 #define CULLSCOPE_INSTALLED_DATA "/usr/share/cullscope"
@@ -15,100 +14,7 @@
 namespace cullscope {
 namespace {
 
-/// What stands behind the colon of a generator: an optional unnamed first word and key=value pairs.
-class GeneratorArguments {
-public:
-    GeneratorArguments(std::string generator, std::string_view text) : m_generator(std::move(generator)) {
-        for (const std::string& piece : pieces(text)) {
-            const size_t equals = piece.find('=');
-            // A file's name may hold an equals sign; what stands before one of a parameter is a plain word.
-            if (equals == std::string::npos || wordLength(piece) != equals)
-                m_unnamed = piece;
-            else if (equals + 1 == piece.size())
-                throwUsage(CULLSCOPE_TR("%1: %2 has no value."), {m_generator, piece});
-            else
-                m_values[piece.substr(0, equals)] = piece.substr(equals + 1);
-        }
-    }
-
-    [[nodiscard]] const std::string& unnamed() const { return m_unnamed; }
-
-    std::string text(const std::string& key, const std::string& fallback) {
-        const auto found = m_values.find(key);
-        if (found == m_values.end()) return fallback;
-        std::string value = found->second;
-        m_values.erase(found);
-        return value;
-    }
-
-    double number(const std::string& key, double fallback, double least, double most) {
-        const std::string value = text(key, "");
-        if (value.empty()) return fallback;
-        double parsed = 0.0;
-        const auto [end, error] = std::from_chars(value.data(), value.data() + value.size(), parsed);
-        if (error != std::errc() || end != value.data() + value.size() || !(parsed >= least && parsed <= most))
-            throwUsage(CULLSCOPE_TR("%1: %2=%3 is not a number between %4 and %5."),
-                       {m_generator, key, value, shortest(least), shortest(most)});
-        return parsed;
-    }
-
-    double wholeNumber(const std::string& key, double fallback, double least, double most) {
-        const double value = number(key, fallback, least, most);
-        if (value != std::floor(value))
-            throwUsage(CULLSCOPE_TR("%1: %2 is a whole number, not %3."), {m_generator, key, shortest(value)});
-        return value;
-    }
-
-    size_t count(const std::string& key, double fallback, double most) {
-        return static_cast<size_t>(wholeNumber(key, fallback, 1, most));
-    }
-
-    /// Refuses what nobody asked for: call after everything known was taken.
-    void finish(const GeneratorInfo& info) const {
-        if (!m_values.empty()) {
-            std::string known;
-            for (const GeneratorParameter& parameter : info.parameters) known += (known.empty() ? "" : ", ") + parameter.key;
-            throwUsage(CULLSCOPE_TR("%1 has no parameter \"%2\". It has: %3."),
-                       {m_generator, m_values.begin()->first, known.empty() ? "-" : known});
-        }
-        const bool takesFile = info.id == "mesh";
-        if (!takesFile && !m_unnamed.empty())
-            throwUsage(CULLSCOPE_TR("%1: \"%2\" is not of the form key=value."), {m_generator, m_unnamed});
-    }
-
-private:
-    static std::string shortest(double value) {
-        std::array<char, 32> buffer{};
-        const auto result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-        return {buffer.data(), result.ptr};
-    }
-
-    /// How many characters of a parameter's name the text begins with.
-    static size_t wordLength(std::string_view text) {
-        const auto end = std::find_if(text.begin(), text.end(), [](char c) {
-            return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_';
-        });
-        return static_cast<size_t>(end - text.begin());
-    }
-
-    /// Splits at commas, but only where "name=" follows, so that a file's name may hold commas.
-    static std::vector<std::string> pieces(std::string_view text) {
-        std::vector<std::string> pieces;
-        size_t start = 0;
-        for (size_t comma = text.find(','); comma != std::string_view::npos; comma = text.find(',', comma + 1)) {
-            const size_t end = comma + 1 + wordLength(text.substr(comma + 1));
-            if (end == comma + 1 || end >= text.size() || text[end] != '=') continue;
-            pieces.emplace_back(text.substr(start, comma - start));
-            start = comma + 1;
-        }
-        if (start < text.size()) pieces.emplace_back(text.substr(start));
-        return pieces;
-    }
-
-    std::string m_generator;
-    std::string m_unnamed;
-    std::map<std::string, std::string> m_values;
-};
+constexpr double kMostTriangles = 2e9;
 
 struct Request {
     GeneratorArguments& arguments;
@@ -143,12 +49,6 @@ std::filesystem::path bunnyOrThrow(const SceneSourceOptions& options) {
                      "--models DIR or CULLSCOPE_MODELS."));
 }
 
-/// A file's path; the word "bunny" stands for the installed one.
-std::filesystem::path meshFile(const std::string& name, const SceneSourceOptions& options) {
-    if (name == "bunny" && !std::filesystem::exists(name)) return bunnyOrThrow(options);
-    return name;
-}
-
 OpenedScene openBunny(Request& request) {
     OpenedScene opened = sceneOfFile(bunnyOrThrow(request.options), request.options, request.progress);
     opened.specification = request.specification;
@@ -158,6 +58,9 @@ OpenedScene openBunny(Request& request) {
 /// All objects of a scene as one mesh, for generators that take "a mesh".
 MeshPointer merged(const Scene& scene, const Progress& progress) {
     if (scene.instances().size() == 1) return scene.meshes()[scene.instances()[0].mesh];
+    if (double(scene.triangleCount()) > kMostTriangles)
+        throwUsage(CULLSCOPE_TR("\"%1\" has %2 triangles, too many to be one mesh."),
+                   {scene.name(), std::to_string(scene.triangleCount())});
     TriangleMesh::Data data;
     data.name = scene.name();
     data.origin = scene.bounds().centre();
@@ -176,9 +79,8 @@ MeshPointer merged(const Scene& scene, const Progress& progress) {
 
 OpenedScene openResampledMesh(Request& request) {
     if (request.arguments.unnamed().empty()) throwUsage(CULLSCOPE_TR("mesh: names no file. Write mesh:FILE,triangles=N."));
-    OpenedScene opened =
-        sceneOfFile(meshFile(request.arguments.unnamed(), request.options), request.options, request.progress.part(0.0, 0.3));
-    const size_t triangles = request.arguments.count("triangles", double(opened.scene->triangleCount()), 2e9);
+    OpenedScene opened = openScene(request.arguments.unnamed(), request.options, request.progress.part(0.0, 0.3));
+    const size_t triangles = request.arguments.count("triangles", double(opened.scene->triangleCount()), kMostTriangles);
     if (triangles == opened.scene->triangleCount()) {
         opened.specification = request.specification;
         return opened;
@@ -194,10 +96,10 @@ OpenedScene openResampledMesh(Request& request) {
 }
 
 OpenedScene openField(Request& request) {
-    const std::string file = request.arguments.text("mesh", "bunny");
+    const std::string inner = request.arguments.text("mesh", "bunny");
     const size_t n = request.arguments.count("n", 20, 2000);
     const double spacing = request.arguments.number("spacing", 2.5, 0.0, 1e9);
-    OpenedScene one = sceneOfFile(meshFile(file, request.options), request.options, request.progress);
+    OpenedScene one = openScene(inner, request.options, request.progress);
     MeshPointer mesh = merged(*one.scene, request.progress);
 
     const Vec3 centre = mesh->origin() + mesh->localBounds().centre();
@@ -221,7 +123,26 @@ OpenedScene openField(Request& request) {
             request.specification, std::move(one.report)};
 }
 
-constexpr double kMostTriangles = 2e9;
+SplitRule splitRule(GeneratorArguments& arguments) {
+    SplitRule rule;
+    const std::string by = arguments.text("by", "components");
+    if (by == "clusters")
+        rule.by = SplitRule::By::Clusters;
+    else if (by != "components")
+        throwUsage(CULLSCOPE_TR("split: by=%1 is unknown. Write by=components or by=clusters."), {by});
+    if (arguments.has("triangles") && rule.by == SplitRule::By::Components)
+        throwUsage(CULLSCOPE_TR("split: triangles is the size of clusters. Write by=clusters with it, or leave it out."));
+    rule.triangles = arguments.count("triangles", double(rule.triangles), kMostTriangles);
+    return rule;
+}
+
+OpenedScene openSplit(Request& request) {
+    const SplitRule rule = splitRule(request.arguments);
+    OpenedScene opened = openScene(request.arguments.text("mesh", "bunny"), request.options, request.progress.part(0.0, 0.5));
+    opened.scene = splitScene(*opened.scene, request.specification, rule, request.progress.part(0.5, 1.0));
+    opened.specification = request.specification;
+    return opened;
+}
 
 MeshPointer parametricMesh(Request& request) {
     const std::string& id = request.info.id;
@@ -239,6 +160,8 @@ OpenedScene openParametric(Request& request) { return sceneOfOne(parametricMesh(
 
 const GeneratorParameter kTriangles{"triangles", "1e5",
                                     CULLSCOPE_TR("how many triangles, to the nearest that the shape's grid allows")};
+
+const GeneratorParameter kMesh{"mesh", "bunny", CULLSCOPE_TR("mesh file, or a generator with its own parameters")};
 
 struct Generator {
     GeneratorInfo info;
@@ -261,22 +184,31 @@ const std::vector<Generator>& generators() {
          openParametric},
         {{"field",
           CULLSCOPE_TR("a grid of n by n copies of a mesh, each of radius 1"),
-          {{"mesh", "bunny", CULLSCOPE_TR("mesh file, or bunny")},
+          {kMesh,
            {"n", "20", CULLSCOPE_TR("copies along each side")},
            {"spacing", "2.5", CULLSCOPE_TR("distance between neighbours")}}},
          openField},
         {{"mesh",
           CULLSCOPE_TR("a mesh file simplified or subdivided: mesh:FILE,triangles=N"),
           {{"triangles", "", CULLSCOPE_TR("how many triangles to make of it")}}},
-         openResampledMesh}};
+         openResampledMesh},
+        {{"split",
+          CULLSCOPE_TR("a mesh with every object split, so that there are objects to leave out; draws the same picture"),
+          {kMesh,
+           {"by", "components",
+            CULLSCOPE_TR("components: what hangs together becomes an object; clusters: compact pieces of like size do")},
+           {"triangles", "5000", CULLSCOPE_TR("how many triangles a cluster has at most (with by=clusters)")}}},
+         openSplit}};
     return kGenerators;
 }
 
-/// The generator that a specification names, if it is not a file's name.
+/// The generator that a specification names; a file of that plain name goes first.
 const Generator* generatorOf(std::string_view specification) {
-    const std::string_view id = specification.substr(0, specification.find(':'));
+    const size_t colon = specification.find(':');
+    const std::string_view id = specification.substr(0, colon);
     for (const Generator& generator : generators())
-        if (generator.info.id == id) return &generator;
+        if (generator.info.id == id)
+            return colon == std::string_view::npos && std::filesystem::is_regular_file(id) ? nullptr : &generator;
     return nullptr;
 }
 
@@ -287,16 +219,14 @@ OpenedScene openScene(std::string_view specification, const SceneSourceOptions& 
     if (text.empty())
         throwUsage(CULLSCOPE_TR("No scene is named. Give a mesh file or a generator such as bunny or sphere:triangles=1e5."));
     const Generator* generator = generatorOf(specification);
-    if (generator == nullptr || (text.find(':') == std::string::npos && std::filesystem::is_regular_file(text))) {
+    if (generator == nullptr) {
         const bool looksLikeFile = std::filesystem::exists(text) || text.find_first_of("./\\") != std::string::npos;
         if (looksLikeFile) return sceneOfFile(text, options, progress);
         std::string known;
         for (const Generator& each : generators()) known += (known.empty() ? "" : ", ") + each.info.id;
         throwUsage(CULLSCOPE_TR("\"%1\" is neither a file nor a generator. Generators: %2."), {text, known});
     }
-    const size_t colon = text.find(':');
-    GeneratorArguments arguments(generator->info.id,
-                                 colon == std::string::npos ? std::string_view() : specification.substr(colon + 1));
+    GeneratorArguments arguments(cutSpecification(text, sceneGenerators()));
     Request request{arguments, generator->info, options, progress, text};
     // A parameter nobody knows is refused before the work, so that a typing error does not cost a minute.
     GeneratorArguments check = arguments;
@@ -312,6 +242,14 @@ const std::vector<GeneratorInfo>& sceneGenerators() {
         return infos;
     }();
     return kInfos;
+}
+
+std::string withFiles(std::string_view specification, const std::function<std::string(const std::string&)>& change) {
+    if (generatorOf(specification) == nullptr) return change(std::string(specification));
+    Specification cut = cutSpecification(specification, sceneGenerators());
+    for (Specification::Piece& piece : cut.pieces)
+        if (cut.namesMesh(piece) && !piece.value.empty()) piece.value = withFiles(piece.value, change);
+    return cut.text();
 }
 
 std::string defaultSceneSpecification(const SceneSourceOptions& options) { return findBunny(options) ? "bunny" : "teapot"; }

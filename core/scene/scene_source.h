@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -9,6 +10,7 @@
 #include "core/base/progress.h"
 #include "core/mesh/load.h"
 #include "core/scene/scene.h"
+#include "core/scene/specification.h"
 
 namespace cullscope {
 
@@ -24,23 +26,17 @@ struct SceneSourceOptions {
     LoadOptions load;
 };
 
-/// Opens SCENE of the command line: a mesh file, or a generator with parameters (`sphere:triangles=1e6`).
+/// Opens SCENE of the command line: a mesh file, or a generator with parameters (`sphere:triangles=1e6`). Where a generator
+/// takes a mesh, that may be a generator too (`field:mesh=knot:triangles=1000,n=5`).
 /// Throws Error(Usage) naming the parameter for a bad specification, Error(Input) for a bad file, Error(Interrupted) on stop.
 [[nodiscard]] OpenedScene openScene(std::string_view specification, const SceneSourceOptions& options = {},
                                     const Progress& progress = {});
 
-struct GeneratorParameter {
-    std::string key;
-    std::string defaultValue;
-    std::string description;  ///< English, marked for translation
-};
-struct GeneratorInfo {
-    std::string id;
-    std::string description;  ///< English, marked for translation
-    std::vector<GeneratorParameter> parameters;
-};
 /// What `cullbench list scenes` and the desktop's Generate menu show.
 [[nodiscard]] const std::vector<GeneratorInfo>& sceneGenerators();
+
+/// A specification with every file's name in it changed, however deep: to make paths absolute, or relative to another file.
+[[nodiscard]] std::string withFiles(std::string_view specification, const std::function<std::string(const std::string&)>& change);
 
 /// `bunny` where one is installed (see findBunny), else `teapot`: nothing to download.
 [[nodiscard]] std::string defaultSceneSpecification(const SceneSourceOptions& options = {});

@@ -34,6 +34,14 @@ double farthestInside(const Plane& plane, const EyeBounds& bounds, BoxTest test)
     return std::min(plane.distance(bounds.sphere.centre) + bounds.sphere.radius, pVertexDistance(plane, bounds.box));
 }
 
+/// The same of the point farthest outside; above 0 by more than the slack, all of the object is inside this plane.
+double farthestOutside(const Plane& plane, const EyeBounds& bounds, BoxTest test) {
+    const double centre = plane.distance(bounds.box.centre);
+    if (test == BoxTest::Length) return centre - glm::length(bounds.box.half);
+    return std::max(plane.distance(bounds.sphere.centre) - bounds.sphere.radius,
+                    centre - glm::dot(glm::abs(plane.normal), bounds.box.half));
+}
+
 class FrustumCulling final : public Strategy {
 public:
     explicit FrustumCulling(ParameterSet set)
@@ -41,6 +49,23 @@ public:
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
     [[nodiscard]] Facing facing() const override { return m_facing; }
+    [[nodiscard]] Inside inside(const Trace& trace) const override {
+        Inside result;
+        for (const TraceEvent& event : trace.events) {
+            // The events of one object follow each other.
+            if (result.nodes.empty() || result.nodes.back().instance != event.instance)
+                result.nodes.push_back(untested(event.instance));
+            InsideNode& node = result.nodes.back();
+            if (event.kind == TraceEvent::Kind::Culled) {
+                node.culled = true;
+                node.cause = event.cause;
+            } else if (event.kind == TraceEvent::Kind::TestedPlane && event.containment != Containment::Inside) {
+                node.containment = event.containment;
+                if (event.containment == Containment::Outside) node.rejectedBy = event.plane;
+            }
+        }
+        return result;
+    }
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
@@ -69,15 +94,27 @@ protected:
     }
 
 private:
+    [[nodiscard]] InsideNode untested(uint32_t instance) const {
+        InsideNode node;
+        node.instance = instance;
+        node.box = scene().instanceBox(instance);
+        node.triangles = scene().meshOf(instance).triangleCount();
+        node.containment = Containment::Inside;
+        return node;
+    }
     [[nodiscard]] bool isOutside(const View& view, uint32_t instance, Trace* trace) const {
         const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
         for (size_t p = 0; p < view.frustum().planes.size(); ++p) {
             const double distance = farthestInside(view.frustum().planes[p], bounds, m_test);
             const bool outside = distance < -bounds.slack;
-            if (trace != nullptr)
+            if (trace != nullptr) {
+                const bool inside = farthestOutside(view.frustum().planes[p], bounds, m_test) > bounds.slack;
                 trace->events.push_back({TraceEvent::Kind::TestedPlane, instance, static_cast<FrustumPlane>(p),
-                                         outside ? Containment::Outside : Containment::Straddles, distance,
-                                         Cause::OutsideFrustum});
+                                         outside  ? Containment::Outside
+                                         : inside ? Containment::Inside
+                                                  : Containment::Straddles,
+                                         distance, Cause::OutsideFrustum, bounds.slack});
+            }
             if (outside) return true;
         }
         return false;

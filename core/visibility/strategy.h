@@ -10,6 +10,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/draw_list.h"
 #include "core/scene/scene.h"
+#include "core/visibility/inside.h"
 #include "core/visibility/parameters.h"
 #include "core/visibility/trace.h"
 
@@ -100,6 +101,8 @@ public:
     [[nodiscard]] virtual Facing facing() const = 0;
     /// The facing rule of the ground truth that it is measured against: its own, except for `backface`.
     [[nodiscard]] virtual Facing referenceFacing() const { return facing(); }
+    /// The boxes that it tests, with what the traced cull of the built scene decided about each; empty where it has none.
+    [[nodiscard]] virtual Inside inside(const Trace& /*trace*/) const { return {}; }
     [[nodiscard]] const StructureReport& structure() const { return m_structure; }
 
 protected:

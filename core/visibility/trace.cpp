@@ -18,4 +18,22 @@ const char* causeName(Cause cause) {
     return CULLSCOPE_TR("too small");
 }
 
+const char* planeName(FrustumPlane plane) {
+    switch (plane) {
+        case FrustumPlane::Left:
+            return CULLSCOPE_TR("left plane");
+        case FrustumPlane::Right:
+            return CULLSCOPE_TR("right plane");
+        case FrustumPlane::Bottom:
+            return CULLSCOPE_TR("bottom plane");
+        case FrustumPlane::Top:
+            return CULLSCOPE_TR("top plane");
+        case FrustumPlane::Near:
+            return CULLSCOPE_TR("near plane");
+        case FrustumPlane::Far:
+            break;
+    }
+    return CULLSCOPE_TR("far plane");
+}
+
 }  // namespace cullscope

@@ -12,6 +12,8 @@ enum class Cause { OutsideFrustum, BackFacing, Hidden, TooSmall };
 inline constexpr size_t kCauseCount = 4;
 /// English, marked for translation.
 [[nodiscard]] const char* causeName(Cause cause);
+/// "left plane", …: English, marked for translation.
+[[nodiscard]] const char* planeName(FrustumPlane plane);
 
 /// One decision of one `cull`.
 struct TraceEvent {
@@ -24,8 +26,9 @@ struct TraceEvent {
     uint32_t instance = 0;
     FrustumPlane plane = FrustumPlane::Left;
     Containment containment = Containment::Inside;
-    double distance = 0.0;  ///< signed, of the bound's nearest-to-inside point (p-vertex) from the plane, scene units
+    double distance = 0.0;  ///< signed, of the bounds' point farthest inside (p-vertex) from the plane, scene units
     Cause cause = Cause::OutsideFrustum;
+    double bound = 0.0;  ///< of a plane test: outside only where distance < −bound (geometry/frustum.h, conservativeSlack)
 };
 
 /// The decisions of one `cull`, in the order they were made.

@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -202,13 +203,61 @@ TEST_F(CullbenchContract, renderAndExportDisagreeAboutTheScene) {
     EXPECT_FALSE(direct.metadata.empty());
 }
 
+TEST_F(CullbenchContract, splitSceneLooksOtherwise) {
+    const auto render = [&](const std::string& scene, const std::string& picture) {
+        EXPECT_EQ(cullbench({"render", scene, "-s", "all", "--size", "120x90", "-o", file(picture)}).exitStatus, 0) << scene;
+        return cullscope::readPicture(file(picture)).rgba;
+    };
+    const std::vector<uint8_t> whole = render("knot:triangles=20000", "whole.png");
+    EXPECT_EQ(render("split:mesh=knot:triangles=20000,by=clusters,triangles=700", "clusters.png"), whole);
+    EXPECT_EQ(render("split:mesh=knot:triangles=20000", "components.png"), whole);
+}
+
+TEST_F(CullbenchContract, hiddenObjectsStay) {
+    const std::string field = "field:mesh=sphere:triangles=500,n=3";
+    const auto scene = [&](const std::string& hide) {
+        return json::parse(cullbench({"inspect", field, "-s", "all", "--hide", hide, "--json", "-"}).out)["scene"];
+    };
+    EXPECT_EQ(scene("3,7-8")["instances"], 6);
+    EXPECT_EQ(scene("0-8")["triangles"], 0);
+    ASSERT_EQ(cullbench({"export", field, "--hide", "0-4,6-8", "-o", file("one.obj")}).exitStatus, 0);
+    EXPECT_EQ(json::parse(cullbench({"inspect", file("one.obj"), "-s", "all", "--json", "-"}).out)["scene"]["instances"], 1);
+    const ProcessResult measured = cullbench({"measure", field, "-s", "frustum", "--hide", "4", "--path", "orbit:1", "--size",
+                                              "32x32", "--repeat", "1", "--json", "-"});
+    EXPECT_EQ(json::parse(measured.out)["scene"]["instances"], 8) << measured.err;
+    ASSERT_EQ(cullbench({"render", field, "-s", "all", "--hide", "0-8", "--size", "32x32", "-o", file("none.png")}).exitStatus,
+              0);
+    const cullscope::Picture none = cullscope::readPicture(file("none.png"));
+    EXPECT_EQ(std::set<uint8_t>(none.rgba.begin(), none.rgba.end()).size(), 4u) << "the background alone";
+    EXPECT_EQ(cullbench({"path", "walk:3", field, "--hide", "0-8", "-o", file("walk.json")}).exitStatus, 0);
+    expectRefusal(cullbench({"measure", field, "-s", "all", "--hide", "0-8"}), 2, "no triangles");
+    expectRefusal(cullbench({"inspect", field, "-s", "all", "--hide", "3,9"}), 2, "no object 9 to hide: the scene has 9 objects");
+    expectRefusal(cullbench({"inspect", field, "-s", "all", "--hide", "three"}), 2, "3,7-9");
+}
+
+TEST_F(CullbenchContract, exrLacksDepthOrTriangles) {
+    ASSERT_EQ(cullbench({"render", "sphere:triangles=2000", "-s", "backface", "--eye", "0,0,5", "--target", "0,0,0", "--size",
+                         "41x31", "-o", file("a.exr")})
+                  .exitStatus,
+              0);
+    const cullscope::Picture picture = cullscope::readPicture(file("a.exr"));
+    ASSERT_EQ(picture.depth.size(), 41u * 31);
+    ASSERT_EQ(picture.triangle.size(), 41u * 31);
+    const size_t centre = 15 * 41 + 20;
+    EXPECT_NEAR(picture.depth[centre], 4.0F, 0.01) << "forward distance to the unit sphere";
+    EXPECT_THAT(picture.triangle[centre], testing::AllOf(testing::Ge(1u), testing::Le(2000u)));
+    EXPECT_EQ(picture.depth[0], std::numeric_limits<float>::infinity());
+    EXPECT_EQ(picture.triangle[0], 0u);
+    EXPECT_FALSE(picture.metadata.empty());
+}
+
 TEST_F(CullbenchContract, listHidesAStrategyOrScene) {
     const json root = json::parse(cullbench({"list", "--json"}).out);
     std::vector<std::string> strategies, scenes;
     for (const json& each : root["strategies"]) strategies.push_back(each["id"]);
     for (const json& each : root["scenes"]) scenes.push_back(each["id"]);
     EXPECT_THAT(strategies, testing::IsSupersetOf({"all", "backface", "frustum"}));
-    EXPECT_THAT(scenes, testing::IsSupersetOf({"teapot", "sphere", "torus", "knot", "star", "bunny", "field", "mesh"}));
+    EXPECT_THAT(scenes, testing::IsSupersetOf({"teapot", "sphere", "torus", "knot", "star", "bunny", "field", "mesh", "split"}));
     EXPECT_EQ(json::parse(cullbench({"list", "strategies", "--json"}).out).size(), 1u);
 }
 

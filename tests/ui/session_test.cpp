@@ -236,7 +236,7 @@ TEST(BuiltStrategy, sharedRenderingDrewAnotherPictureThanCores) {
         built.strategy->build(*scene);
         const SceneBuffers buffers(scene, Upload::Vbo);
         Renderer renderer;
-        Framebuffer target({64, 48});
+        Framebuffer target(Viewport{64, 48});
         const View view(homeCamera(*scene, UpAxis::Y, 4.0 / 3.0), {64, 48});
         const FrameResult shared = renderShared(renderer, buffers, built, view, target);
         const std::vector<uint8_t> pixels = target.readColour();

@@ -6,9 +6,13 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QTemporaryDir>
+#include <QTranslator>
 #include <QXmlStreamReader>
+#include <cerrno>
 
+#include "core/base/error.h"
 #include "ui/text/language.h"
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 namespace {
@@ -99,6 +103,32 @@ TEST(Translation, cataloguesTravelInTheProgram) {
         if (language.id == QStringLiteral("en")) continue;
         EXPECT_TRUE(QFile::exists(QStringLiteral(":/i18n/cullscope_%1.qm").arg(language.id)));
     }
+}
+
+/// Puts every text of core that it knows into angle brackets.
+class Bracketing : public QTranslator {
+public:
+    Bracketing() { QCoreApplication::installTranslator(this); }
+    ~Bracketing() override { QCoreApplication::removeTranslator(this); }
+
+    QString translate(const char* context, const char* source, const char* /*comment*/, int /*number*/) const override {
+        static const QSet<QString> known{QStringLiteral("%1 cannot be written: %2."), QStringLiteral("no space is left"),
+                                         QStringLiteral("hidden")};
+        const QString text = QString::fromUtf8(source);
+        return QLatin1String(context) == QLatin1String(kCoreContext) && known.contains(text) ? QStringLiteral("<%1>").arg(text)
+                                                                                             : QString();
+    }
+    bool isEmpty() const override { return false; }
+};
+
+TEST(Translation, reasonInAnArgumentStaysEnglishOrANameIsTranslated) {
+    const Bracketing catalogue;
+    const auto shown = [](std::string name, std::string reason) {
+        return translated(Message{"%1 cannot be written: %2.", {std::move(name), std::move(reason)}});
+    };
+    EXPECT_EQ(shown("a.png", systemReason(ENOSPC)), QStringLiteral("<a.png cannot be written: <no space is left>.>"));
+    EXPECT_EQ(shown("hidden", ""), QStringLiteral("<hidden cannot be written: .>")) << "a file of that name";
+    EXPECT_EQ(shown("no space is left.png", "그림 %1"), QStringLiteral("<no space is left.png cannot be written: 그림 %1.>"));
 }
 
 }  // namespace

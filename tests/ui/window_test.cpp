@@ -12,7 +12,7 @@
 #include "core/gpu/framebuffer.h"
 #include "core/measure/frame.h"
 #include "tests/ui/test_scene.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 

@@ -2,16 +2,21 @@
 
 #include <QEvent>
 #include <QGridLayout>
+#include <QLocale>
 #include <QPainter>
+#include <QVBoxLayout>
 
+#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/views/promise_marker.h"
+#include "ui/views/verdict_swatch.h"
 
 namespace cullscope::ui {
 
 namespace {
 
 constexpr int kMovesUntilLook = 10;
+constexpr int kStateRows = 4;
 constexpr std::array kPromises{Promise::Exact, Promise::Conservative, Promise::Approximate};
 
 /// The shape of a promise, as over the views.
@@ -29,44 +34,93 @@ private:
     Promise m_promise;
 };
 
+/// At most four digits, so that a column of them stays narrow.
+QString shortCount(uint64_t count) {
+    if (count < 10'000) return countText(count);
+    const bool millions = count >= 1'000'000;
+    const double value = double(count) / (millions ? 1e6 : 1e3);
+    return QLocale().toString(value, 'f', value < 10.0 ? 1 : 0) + (millions ? QStringLiteral(" M") : QStringLiteral(" k"));
+}
+
 }  // namespace
 
 LegendPanel::LegendPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_figures(new QLabel(this)), m_next(new QLabel(this)) {
-    auto* grid = new QGridLayout(this);
-    grid->setContentsMargins(0, 4, 0, 0);
-    grid->setVerticalSpacing(3);
-    grid->setColumnStretch(1, 1);
+    m_states = makeStates();
     m_figures->setWordWrap(true);
-    grid->addWidget(m_figures, 0, 0, 1, 2);
-    int row = 1;
-    for (const Promise promise : kPromises) {
-        auto* label = new QLabel(this);
-        label->setWordWrap(true);
-        grid->addWidget(new Marker(promise, this), row, 0, Qt::AlignTop);
-        grid->addWidget(label, row, 1);
-        m_promises << label;
-        ++row;
-    }
     m_next->setWordWrap(true);
-    m_next->setMargin(8);
+    m_next->setMargin(6);
     m_next->setAutoFillBackground(true);
     m_next->setBackgroundRole(QPalette::ToolTipBase);
     m_next->setForegroundRole(QPalette::ToolTipText);
-    grid->addWidget(m_next, row, 0, 1, 2);
-    connect(&session, &Session::sceneChanged, this, &LegendPanel::refresh);
-    connect(&session, &Session::cameraChanged, this, [this] {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 2, 0, 0);
+    layout->setSpacing(3);
+    layout->addWidget(m_states);
+    layout->addWidget(makePromises());
+    layout->addWidget(m_figures);
+    layout->addWidget(m_next);
+    wire();
+    refresh();
+}
+
+QWidget* LegendPanel::makeStates() {
+    auto* states = new QWidget(this);
+    auto* grid = new QGridLayout(states);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setHorizontalSpacing(6);
+    grid->setVerticalSpacing(2);
+    for (int state = 0; state < int(kTriangleStateCount); ++state) {
+        const int row = state % kStateRows;
+        const int column = 4 * (state / kStateRows);
+        auto*& word = m_words[size_t(state)] = new QLabel(states);
+        auto*& count = m_counts[size_t(state)] = new QLabel(states);
+        count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        grid->addWidget(new VerdictSwatch(TriangleState(state), states), row, column);
+        grid->addWidget(word, row, column + 1);
+        grid->addWidget(count, row, column + 2);
+    }
+    grid->setColumnMinimumWidth(3, 6);
+    grid->setColumnStretch(1, 1);
+    grid->setColumnStretch(5, 1);
+    return states;
+}
+
+QWidget* LegendPanel::makePromises() {
+    auto* promises = new QWidget(this);
+    auto* row = new QHBoxLayout(promises);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(4);
+    for (const Promise promise : kPromises) {
+        auto* label = new QLabel(promises);
+        row->addWidget(new Marker(promise, promises));
+        row->addWidget(label);
+        row->addSpacing(10);
+        m_promises << label;
+    }
+    row->addStretch();
+    return promises;
+}
+
+void LegendPanel::wire() {
+    for (const auto signal : {&Session::sceneChanged, &Session::viewCountChanged, &Session::activeViewChanged})
+        connect(&m_session, signal, this, &LegendPanel::refresh);
+    connect(&m_session, &Session::setupChanged, this, &LegendPanel::refresh);
+    connect(&m_session, &Session::cameraChanged, this, [this] {
         // One object alone is either drawn or not: zooming in on it shows nothing of culling.
         const bool oneObject = m_session.opened() && m_session.opened()->scene->instances().size() < 2;
-        if (++m_cameraMoves == kMovesUntilLook) advance(oneObject ? Progress::Choose : Progress::Look);
+        if (++m_cameraMoves == kMovesUntilLook) advance(oneObject ? Progress::Pick : Progress::Look);
     });
-    connect(&session, &Session::figuresChanged, this, [this](int view) {
+    connect(&m_session, &Session::figuresChanged, this, [this](int view) {
+        showCounts();
         const Figures& figures = m_session.figures(view);
         const bool culled = figures.state == Figures::State::Ready && figures.consideredTriangles < figures.sceneTriangles;
-        if (culled && m_progress == Progress::Look) advance(Progress::Choose);
+        if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
-    connect(&session, &Session::strategyChosen, this, [this] { advance(Progress::Done); });
-    refresh();
+    connect(&m_session, &Session::pickChanged, this, [this] {
+        if (m_session.pick()) advance(Progress::Choose);
+    });
+    connect(&m_session, &Session::strategyChosen, this, [this] { advance(Progress::Done); });
 }
 
 void LegendPanel::advance(Progress to) {
@@ -75,13 +129,28 @@ void LegendPanel::advance(Progress to) {
     refresh();
 }
 
+bool LegendPanel::anyVerdicts() const {
+    for (const int view : m_session.shownViews())
+        if (m_session.setup(view).look.colouring == Colouring::Verdicts) return true;
+    return false;
+}
+
+QString LegendPanel::turnAction() const {
+    for (const int view : m_session.shownViews())
+        if (const int observed = m_session.culledBy(view); observed != view && m_session.shown(observed))
+            return tr("Next: drag in view %1 and watch in view %2 what is left out.").arg(viewLetter(observed), viewLetter(view));
+    return tr("Next: drag in a picture to turn the scene.");
+}
+
 QString LegendPanel::nextAction() const {
     if (!m_session.opened()) return tr("Next: open a mesh file, or generate a scene.");
     switch (m_progress) {
         case Progress::Turn:
-            return tr("Next: drag in a picture to turn the scene.");
+            return turnAction();
         case Progress::Look:
             return tr("Next: turn the wheel over the scene to zoom in until part of it lies outside the picture.");
+        case Progress::Pick:
+            return tr("Next: click on something in a picture to see why it was drawn or left out.");
         case Progress::Choose:
             return tr("Next: choose another strategy above and compare the figures over the pictures.");
         case Progress::Done:
@@ -94,9 +163,29 @@ void LegendPanel::refresh() {
     m_figures->setText(tr("Over each picture: speed against backface · triangles submitted · pixels missed"));
     for (int i = 0; i < m_promises.size(); ++i) {
         const Promise promise = kPromises[size_t(i)];
-        m_promises[i]->setText(tr("%1: %2", "promise, its meaning").arg(promiseWord(promise), promiseSentence(promise)));
+        m_promises[i]->setText(promiseWord(promise));
+        m_promises[i]->setToolTip(tr("%1: %2", "promise, its meaning").arg(promiseWord(promise), promiseSentence(promise)));
     }
+    m_states->setVisible(anyVerdicts());
+    m_states->setAccessibleName(tr("What the colours mean"));
     m_next->setText(nextAction());
+    showCounts();
+}
+
+void LegendPanel::showCounts() {
+    const Figures& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == Figures::State::Ready && figures.states;
+    for (size_t state = 0; state < kTriangleStateCount; ++state) {
+        const QString word = translated(triangleStateName(TriangleState(state)));
+        const uint64_t count = known ? figures.states->counts[state] : 0;
+        m_words[state]->setText(word);
+        m_counts[state]->setText(known ? shortCount(count) : QStringLiteral("…"));
+        const QString full =
+            known ? tr("%1: %2 triangles in the active view", "a state of triangles").arg(word, countText(count)) : word;
+        m_words[state]->setToolTip(full);
+        m_counts[state]->setToolTip(full);
+        m_counts[state]->setAccessibleName(full);
+    }
 }
 
 void LegendPanel::changeEvent(QEvent* event) {

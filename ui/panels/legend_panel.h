@@ -2,12 +2,16 @@
 
 #include <QLabel>
 #include <QWidget>
+#include <array>
 
+#include "core/measure/triangle_states.h"
 #include "ui/session/session.h"
+
+class QGridLayout;
 
 namespace cullscope::ui {
 
-/// What the marks over a view mean, and one thing to do next.
+/// What the colours and marks of the views mean, with the active view's numbers, and one thing to do next.
 class LegendPanel : public QWidget {
     Q_OBJECT
 
@@ -21,15 +25,24 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    enum class Progress { Turn, Look, Choose, Done };
+    enum class Progress { Turn, Look, Pick, Choose, Done };
 
+    QWidget* makeStates();
+    QWidget* makePromises();
+    void wire();
     void refresh();
+    void showCounts();
     void advance(Progress to);
+    [[nodiscard]] bool anyVerdicts() const;
+    [[nodiscard]] QString turnAction() const;
 
     Session& m_session;
     Progress m_progress = Progress::Turn;
     int m_cameraMoves = 0;
     QLabel* m_figures;
+    QWidget* m_states;
+    std::array<QLabel*, kTriangleStateCount> m_words{};
+    std::array<QLabel*, kTriangleStateCount> m_counts{};
     QList<QLabel*> m_promises;
     QLabel* m_next;
 };

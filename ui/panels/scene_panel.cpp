@@ -4,7 +4,16 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "ui/dialogs/split_dialog.h"
+
 namespace cullscope::ui {
+
+namespace {
+
+constexpr int kFactHeight = 18;
+constexpr int kReportHeight = 84;
+
+}  // namespace
 
 ScenePanel::ScenePanel(Session& session, QWidget* parent)
     : QWidget(parent),
@@ -13,7 +22,27 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
       m_report(new ReportModel(this)),
       m_facts(new QTableView(this)),
       m_reportTitle(new QLabel(this)),
-      m_sentences(new QListView(this)) {
+      m_sentences(new QListView(this)),
+      m_outliner(new Outliner(session, this)) {
+    for (QPushButton** button : {&m_hide, &m_show, &m_frame, &m_isolate, &m_showAll, &m_split}) *button = new QPushButton(this);
+    setUpFacts();
+    setUpReport();
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(m_facts);
+    layout->addWidget(m_reportTitle);
+    layout->addWidget(m_sentences);
+    layout->addWidget(m_outliner, 1);
+    layout->addLayout(makeButtons());
+    setFocusProxy(&m_outliner->search());
+    connect(&session, &Session::sceneChanged, this, &ScenePanel::refresh);
+    connect(m_outliner, &Outliner::stateChanged, this, &ScenePanel::enableButtons);
+    retranslate();
+    refresh();
+}
+
+void ScenePanel::setUpFacts() {
     m_facts->setModel(m_scene);
     m_facts->setFrameShape(QFrame::NoFrame);
     m_facts->setShowGrid(false);
@@ -21,12 +50,17 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     m_facts->setTabKeyNavigation(false);
     m_facts->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_facts->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_facts->setWordWrap(false);
     m_facts->horizontalHeader()->hide();
     m_facts->verticalHeader()->hide();
     m_facts->horizontalHeader()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_facts->horizontalHeader()->setSectionResizeMode(1, QHeaderView::Stretch);
-    m_facts->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_facts->verticalHeader()->setMinimumSectionSize(20);
+    m_facts->verticalHeader()->setMinimumSectionSize(kFactHeight);
+    m_facts->verticalHeader()->setDefaultSectionSize(kFactHeight);
+    m_facts->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+}
+
+void ScenePanel::setUpReport() {
     m_sentences->setModel(m_report);
     m_sentences->setWordWrap(true);
     m_sentences->setResizeMode(QListView::Adjust);
@@ -34,14 +68,24 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     m_sentences->setFrameShape(QFrame::NoFrame);
     m_sentences->setSelectionMode(QAbstractItemView::NoSelection);
     m_sentences->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 4, 0, 0);
-    layout->addWidget(m_facts);
-    layout->addWidget(m_reportTitle);
-    layout->addWidget(m_sentences, 1);
-    connect(&session, &Session::sceneChanged, this, &ScenePanel::refresh);
-    retranslate();
-    refresh();
+}
+
+QGridLayout* ScenePanel::makeButtons() {
+    auto* grid = new QGridLayout;
+    grid->setSpacing(4);
+    const std::array rows{std::array{m_hide, m_show, m_frame}, std::array{m_isolate, m_showAll, m_split}};
+    for (int row = 0; row < 2; ++row)
+        for (int column = 0; column < 3; ++column) {
+            grid->addWidget(rows[size_t(row)][size_t(column)], row, column);
+            grid->setColumnStretch(column, 1);
+        }
+    connect(m_hide, &QPushButton::clicked, m_outliner, &Outliner::hideSelected);
+    connect(m_show, &QPushButton::clicked, m_outliner, &Outliner::showSelected);
+    connect(m_frame, &QPushButton::clicked, m_outliner, &Outliner::frameSelected);
+    connect(m_isolate, &QPushButton::clicked, m_outliner, &Outliner::isolateSelected);
+    connect(m_showAll, &QPushButton::clicked, m_outliner, &Outliner::showAll);
+    connect(m_split, &QPushButton::clicked, this, &ScenePanel::split);
+    return grid;
 }
 
 void ScenePanel::refresh() {
@@ -51,7 +95,25 @@ void ScenePanel::refresh() {
     const bool reported = m_report->rowCount() > 0;
     m_reportTitle->setVisible(reported);
     m_sentences->setVisible(reported);
-    m_facts->setFixedHeight(m_facts->verticalHeader()->length() + 2);
+    // One sentence for a clean file; the list scrolls where there is much to say.
+    m_sentences->setFixedHeight(m_report->clean() ? kReportHeight / 3 : kReportHeight);
+    m_facts->setFixedHeight(m_scene->rowCount() * kFactHeight + 2);
+    // A scene of one object gives strategies that decide by objects nothing to do.
+    m_split->setVisible(opened && opened->scene->instances().size() == 1);
+    enableButtons();
+}
+
+void ScenePanel::enableButtons() {
+    const bool any = m_outliner->view().selectionModel()->hasSelection();
+    const std::vector<bool>& hidden = m_session.hidden();
+    for (QPushButton* button : {m_hide, m_show, m_frame, m_isolate}) button->setEnabled(any);
+    m_showAll->setEnabled(std::find(hidden.begin(), hidden.end(), true) != hidden.end());
+}
+
+void ScenePanel::split() {
+    const OpenedScenePointer& opened = m_session.opened();
+    SplitDialog dialog(QString::fromStdString(opened->specification), opened->scene->triangleCount(), this);
+    if (dialog.exec() == QDialog::Accepted) m_session.open(dialog.specification());
 }
 
 void ScenePanel::retranslate() {
@@ -60,6 +122,15 @@ void ScenePanel::retranslate() {
     m_facts->setAccessibleName(tr("Facts of the scene"));
     m_sentences->setAccessibleName(tr("What was found in the file"));
     m_reportTitle->setText(tr("What was found in the file"));
+    m_hide->setText(tr("Hide"));
+    m_show->setText(tr("Show"));
+    m_frame->setText(tr("Frame"));
+    m_frame->setToolTip(tr("Brings the selected objects into the active view"));
+    m_isolate->setText(tr("Isolate"));
+    m_isolate->setToolTip(tr("Hides all other objects"));
+    m_showAll->setText(tr("Show all"));
+    m_split->setText(tr("Split…"));
+    m_split->setToolTip(tr("Splits the object, so that there are objects to leave out"));
 }
 
 void ScenePanel::changeEvent(QEvent* event) {

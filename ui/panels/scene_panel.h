@@ -1,28 +1,40 @@
 #pragma once
 
+#include <QGridLayout>
 #include <QLabel>
 #include <QListView>
+#include <QPushButton>
 #include <QTableView>
-#include <QWidget>
 
 #include "ui/models/report_model.h"
 #include "ui/models/scene_model.h"
-#include "ui/session/session.h"
+#include "ui/panels/outliner.h"
 
 namespace cullscope::ui {
 
-/// What the scene is, and what was repaired when its file was read.
+/// The scene: its facts, what was found in its file, and its objects with what can be done to them.
 class ScenePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit ScenePanel(Session& session, QWidget* parent = nullptr);
 
+    /// Where the outliner's verdicts come from while the truth is not known.
+    void setReader(InsideReader& reader) { m_outliner->setReader(reader); }
+
+    [[nodiscard]] Outliner& outliner() { return *m_outliner; }
+    [[nodiscard]] QPushButton& splitButton() { return *m_split; }
+
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void setUpFacts();
+    void setUpReport();
+    QGridLayout* makeButtons();
     void refresh();
+    void enableButtons();
+    void split();
     void retranslate();
 
     Session& m_session;
@@ -31,6 +43,13 @@ private:
     QTableView* m_facts;
     QLabel* m_reportTitle;
     QListView* m_sentences;
+    Outliner* m_outliner;
+    QPushButton* m_hide;
+    QPushButton* m_show;
+    QPushButton* m_frame;
+    QPushButton* m_isolate;
+    QPushButton* m_showAll;
+    QPushButton* m_split;
 };
 
 }  // namespace cullscope::ui

@@ -6,6 +6,18 @@
 
 namespace cullscope::ui {
 
+Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace) {
+    const std::lock_guard lock(built.mutex);
+    return built.strategy->cull(view, trace);
+}
+
+bool testsBoxes(BuiltStrategy& built, const View& view) {
+    const std::lock_guard lock(built.mutex);
+    Trace trace;
+    (void)built.strategy->cull(view, &trace);
+    return !built.strategy->inside(trace).nodes.empty();
+}
+
 FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,
                          Framebuffer& target, const DrawStyle& style) {
     std::unique_lock lock(built.mutex);

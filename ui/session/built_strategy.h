@@ -21,6 +21,12 @@ struct BuiltStrategy {
 
 using BuiltStrategyPointer = std::shared_ptr<BuiltStrategy>;
 
+/// One cull of a strategy that several threads share.
+[[nodiscard]] Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace);
+
+/// Whether the strategy tests boxes at this view, which it then shows.
+[[nodiscard]] bool testsBoxes(BuiltStrategy& built, const View& view);
+
 /// core's renderFrame for a strategy that several threads share. Waiting for the others is not part of the time.
 FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,
                          Framebuffer& target, const DrawStyle& style = {});

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/scene/scene_source.h"
+#include "ui/session/session_state.h"
 
 namespace cullscope::ui {
 
@@ -36,35 +36,33 @@ double exactDegrees(Angle angle) {
     return degrees;
 }
 
-QString absolutePath(const QString& file) {
-    if (file.isEmpty()) return file;
-    return QString::fromStdString(std::filesystem::absolute(file.toStdString()).lexically_normal().string());
+/// Options of a camera: "--eye=…" and so on, or "--view-eye=…".
+QStringList cameraWords(const QString& prefix, const Camera& camera) {
+    const QString dashes = QStringLiteral("--") + prefix;
+    // With "=", a coordinate that begins with a minus sign is not taken for an option.
+    return {dashes + QStringLiteral("eye=") + triple(camera.eye),
+            dashes + QStringLiteral("target=") + triple(camera.target),
+            dashes + QStringLiteral("up=") + triple(camera.up),
+            dashes + QStringLiteral("fovy=") + number(exactDegrees(camera.fovy)),
+            dashes + QStringLiteral("near=") + number(camera.nearDistance),
+            dashes + QStringLiteral("far=") + number(camera.farDistance)};
 }
 
-/// The word "bunny" stands for the installed one.
-QString absoluteMesh(const QString& file) {
-    return file == QLatin1String("bunny") && !std::filesystem::exists("bunny") ? file : absolutePath(file);
+QStringList lookWords(const ViewLook& look) {
+    QStringList words;
+    const auto add = [&](bool shown, const QString& name) {
+        if (shown) words << QStringLiteral("--overlay") << name;
+    };
+    const bool verdicts = look.colouring == Colouring::Verdicts;
+    add(verdicts, QStringLiteral("verdicts"));
+    add(look.boxes, QStringLiteral("boxes"));
+    add(look.frustum, QStringLiteral("frustum"));
+    if (verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
+    return words;
 }
 
-bool isGenerator(const QString& id) {
-    const std::vector<GeneratorInfo>& known = sceneGenerators();
-    return std::any_of(known.begin(), known.end(), [&](const GeneratorInfo& info) { return info.id == id.toStdString(); });
-}
-
-/// The specification with the files in it by absolute paths. Cut as core's openScene does: at commas before `key=`.
-QString absoluteScene(const QString& scene) {
-    const QString id = scene.section(QLatin1Char(':'), 0, 0);
-    if (!isGenerator(id)) return absolutePath(scene);
-    if (!scene.contains(QLatin1Char(':'))) return std::filesystem::is_regular_file(id.toStdString()) ? absolutePath(id) : scene;
-    static const QRegularExpression comma(QStringLiteral(",(?=[A-Za-z0-9_-]+=)"));
-    static const QRegularExpression value(QStringLiteral("^[A-Za-z0-9_-]+="));
-    QStringList pieces = scene.mid(id.size() + 1).split(comma);
-    for (QString& piece : pieces) {
-        const QString key = value.match(piece).captured();
-        const bool names = id == QLatin1String("mesh") ? key.isEmpty() : key == QLatin1String("mesh=");
-        if (names && !piece.isEmpty()) piece = key + absoluteMesh(piece.mid(key.size()));
-    }
-    return id + QLatin1Char(':') + pieces.join(QLatin1Char(','));
+QString sizeWord(const QString& option, const Viewport& size) {
+    return QStringLiteral("--%1=%2x%3").arg(option).arg(size.width).arg(size.height);
 }
 
 }  // namespace
@@ -72,21 +70,23 @@ QString absoluteScene(const QString& scene) {
 QStringList cullbenchArguments(const PictureRequest& request, const QString& output) {
     QStringList words;
     for (const std::filesystem::path& folder : request.modelFolders)
-        words << QStringLiteral("--models") << absolutePath(QString::fromStdString(folder.string()));
-    words << QStringLiteral("render") << absoluteScene(QString::fromStdString(request.scene)) << QStringLiteral("-s")
+        words << QStringLiteral("--models")
+              << QString::fromStdString(std::filesystem::absolute(folder).lexically_normal().string());
+    words << QStringLiteral("render") << QString::fromStdString(withAbsoluteFiles(request.scene)) << QStringLiteral("-s")
           << QString::fromStdString(request.strategy);
+    if (!request.hidden.empty()) words << QStringLiteral("--hide=") + QString::fromStdString(request.hidden);
     for (const ParameterDeclaration& declaration : request.parameters.declarations()) {
         const ParameterValue& value = request.parameters.value(declaration.key);
         if (value == declaration.defaultValue) continue;
         words << QStringLiteral("-p") << QString::fromStdString(declaration.key + "=" + toText(value));
     }
-    const Camera& camera = request.camera;
-    // With "=", a coordinate that begins with a minus sign is not taken for an option.
-    words << QStringLiteral("--eye=") + triple(camera.eye) << QStringLiteral("--target=") + triple(camera.target)
-          << QStringLiteral("--up=") + triple(camera.up) << QStringLiteral("--fovy=") + number(exactDegrees(camera.fovy))
-          << QStringLiteral("--near=") + number(camera.nearDistance) << QStringLiteral("--far=") + number(camera.farDistance)
-          << QStringLiteral("--size=%1x%2").arg(request.size.width).arg(request.size.height)
-          << QStringLiteral("--background=") + hex(request.style.background)
+    words << cameraWords(QString(), request.camera);
+    if (request.observer && !(*request.observer == request.camera))
+        words << cameraWords(QStringLiteral("view-"), *request.observer);
+    words << sizeWord(QStringLiteral("size"), request.size);
+    if (request.cullingSize && !(*request.cullingSize == request.size))
+        words << sizeWord(QStringLiteral("culling-size"), *request.cullingSize);
+    words << lookWords(request.look) << QStringLiteral("--background=") + hex(request.style.background)
           << QStringLiteral("--surface=") + hex(request.style.surface) << QStringLiteral("-o") << output;
     return words;
 }

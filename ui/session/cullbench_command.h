@@ -2,9 +2,11 @@
 
 #include <QString>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "core/gpu/renderer.h"
+#include "core/measure/view_picture.h"
 #include "core/scene/camera.h"
 #include "core/visibility/parameters.h"
 
@@ -16,8 +18,12 @@ struct PictureRequest {
     std::vector<std::filesystem::path> modelFolders;
     std::string strategy;
     ParameterSet parameters;
-    Camera camera;
+    std::string hidden;                   ///< objects left out, as in "3,7-9"; empty: none
+    Camera camera;                        ///< the culling camera
+    std::optional<Camera> observer;       ///< the camera that looks; none: the culling camera
+    std::optional<Viewport> cullingSize;  ///< of the culling camera's picture; none: `size`
     Viewport size;
+    ViewLook look;    ///< with boxes only where the strategy tests some
     DrawStyle style;  ///< of 8 bits a channel
 };
 

@@ -2,7 +2,7 @@
 
 #include <QCoreApplication>
 #include <chrono>
-#include <optional>
+#include <map>
 
 #include "core/base/error.h"
 #include "core/measure/frame.h"
@@ -14,19 +14,55 @@ namespace {
 
 constexpr int kFewestRounds = 3;
 constexpr int kMostRounds = 15;
-constexpr double kTimingBudget = 1.0;  // seconds, after which no further round is begun
+constexpr double kTimingBudget = 1.0;  // seconds of drawing, after which no further round is begun
 
 constexpr const char* kBaseline = "backface";
 
 /// One strategy to be timed; several views may share it.
 struct Runner {
-    BuiltStrategyPointer strategy;
-    Viewport size;
+    FigureSubject what;
     std::vector<double> frameTimes, cullTimes;
 };
 
-bool sameWork(const BuiltStrategy& a, const BuiltStrategy& b) {
-    return a.id == b.id && a.strategy->parameters() == b.strategy->parameters();
+bool sameWork(const FigureSubject& a, const FigureSubject& b) {
+    return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id == b.strategy->id &&
+           a.strategy->strategy->parameters() == b.strategy->strategy->parameters();
+}
+
+/// The runner for this work, made where there is none yet.
+size_t runnerFor(std::vector<Runner>& runners, const FigureSubject& what) {
+    for (size_t i = 0; i < runners.size(); ++i)
+        if (sameWork(runners[i].what, what)) return i;
+    runners.push_back({what, {}, {}});
+    return runners.size() - 1;
+}
+
+std::vector<LostObject> lostObjects(const Scene& scene, const Reference& truth, const std::vector<uint8_t>& missed) {
+    std::map<uint32_t, uint64_t> pixels;
+    for (size_t i = 0; i < missed.size(); ++i)
+        if (missed[i] != 0 && truth.triangle[i] != 0) ++pixels[uint32_t(scene.instanceOf(truth.triangle[i] - 1))];
+    std::vector<LostObject> objects;
+    for (const auto& [instance, count] : pixels) objects.push_back({instance, count});
+    std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
+    return objects;
+}
+
+Figures failure(const Message& message, const FigureSubject& subject) {
+    Figures figures;
+    figures.state = Figures::State::Failed;
+    figures.failure = message;
+    figures.subject = subject;
+    return figures;
+}
+
+void fillTimes(Figures& figures, const Runner& runner, const Runner& baseline) {
+    figures.frameMilliseconds = median(runner.frameTimes);
+    figures.cullMilliseconds = median(runner.cullTimes);
+    figures.timed = true;
+    std::vector<double> ratios;
+    for (size_t i = 0; i < runner.frameTimes.size(); ++i)
+        if (runner.frameTimes[i] > 0.0) ratios.push_back(baseline.frameTimes[i] / runner.frameTimes[i]);
+    if (!ratios.empty()) figures.speedup = median(ratios);
 }
 
 }  // namespace
@@ -36,47 +72,75 @@ struct FigureMeter::Bench {
     std::unique_ptr<Framebuffer> framebuffer;
     BuiltStrategyPointer baseline;
 
-    ScenePointer referenceScene;
-    Camera referenceCamera;
-    std::vector<Reference> references;  ///< all of the camera above
+    struct KnownReference {
+        ScenePointer scene;
+        Camera camera;
+        std::shared_ptr<const Reference> truth;
+    };
+    std::vector<KnownReference> references;
     size_t referencesComputed = 0;
 
     Framebuffer& target(const Viewport& size) {
+        if (!renderer) renderer = std::make_unique<Renderer>();
         if (!framebuffer || !(framebuffer->size() == size)) framebuffer = std::make_unique<Framebuffer>(size);
         return *framebuffer;
     }
 
-    const Reference& reference(const SceneBuffers& buffers, const View& view, Facing facing) {
-        if (referenceScene != buffers.scenePointer() || !(referenceCamera == view.camera())) references.clear();
-        referenceScene = buffers.scenePointer();
-        referenceCamera = view.camera();
-        for (const Reference& known : references)
-            if (known.size == view.viewport() && known.facing == facing) return known;
-        ++referencesComputed;
-        references.push_back(itemBufferReference(*renderer, buffers, view, facing));
-        return references.back();
+    /// Keeps only what the newest request can use.
+    void forgetOthers(const std::vector<Subject>& subjects) {
+        std::erase_if(references, [&](const KnownReference& known) {
+            return std::none_of(subjects.begin(), subjects.end(), [&](const Subject& subject) {
+                return subject.what.buffers->scenePointer() == known.scene && subject.what.culling == known.camera &&
+                       subject.what.size == known.truth->size;
+            });
+        });
     }
 
-    FrameResult draw(const SceneBuffers& buffers, BuiltStrategy& built, const View& view) {
-        return renderShared(*renderer, buffers, built, view, target(view.viewport()));
+    std::shared_ptr<const Reference> reference(const SceneBuffers& buffers, const View& view, Facing facing) {
+        for (const KnownReference& known : references)
+            if (known.scene == buffers.scenePointer() && known.camera == view.camera() && known.truth->size == view.viewport() &&
+                known.truth->facing == facing)
+                return known.truth;
+        ++referencesComputed;
+        auto truth = std::make_shared<const Reference>(itemBufferReference(*renderer, buffers, view, facing));
+        references.push_back({buffers.scenePointer(), view.camera(), truth});
+        return truth;
+    }
+
+    FrameResult draw(const FigureSubject& what) {
+        Framebuffer& into = target(what.size);
+        return renderShared(*renderer, *what.buffers, *what.strategy, View(what.culling, what.size), into);
     }
 
     /// Everything of `figures` that is not a ratio.
-    Figures accuracy(const SceneBuffers& buffers, BuiltStrategy& built, const View& view) {
-        const FrameResult frame = draw(buffers, built, view);
+    Figures accuracy(const FigureSubject& what) {
+        const View view(what.culling, what.size);
+        const Scene& scene = what.buffers->scene();
+        const FrameResult frame = draw(what);
+        Trace trace;
         Figures figures;
+        {
+            const std::lock_guard lock(what.strategy->mutex);
+            (void)what.strategy->strategy->cull(view, &trace);
+            figures.promise = what.strategy->strategy->promiseAt(view);
+        }
         figures.state = Figures::State::Ready;
+        figures.subject = what;
         figures.frameMilliseconds = frame.frameMilliseconds;
         figures.cullMilliseconds = frame.verdict.cullMilliseconds;
         figures.consideredTriangles = frame.verdict.consideredTriangles;
-        figures.sceneTriangles = buffers.scene().triangleCount();
+        figures.sceneTriangles = scene.triangleCount();
         figures.facing = frame.verdict.drawList.facing;
         figures.size = view.viewport();
         const std::vector<float> depth = framebuffer->readDepth();
-        const Reference& truth = reference(buffers, view, built.strategy->referenceFacing());
-        figures.accuracy = compare(truth, depth, frame.verdict.drawList, buffers.scene());
-        if (figures.facing != truth.facing)
-            figures.missedBeyondSnapping = missedBeyondSnapping(truth, depth, buffers.scene(), view);
+        const auto truth = reference(*what.buffers, view, what.strategy->strategy->referenceFacing());
+        figures.accuracy = compare(*truth, depth, frame.verdict.drawList, scene);
+        if (figures.facing != truth->facing) figures.missedBeyondSnapping = missedBeyondSnapping(*truth, depth, scene, view);
+        figures.states =
+            std::make_shared<const TriangleStates>(triangleStates(scene, view, frame.verdict.drawList, trace, truth.get()));
+        const std::vector<uint8_t> missed = missedMask(*truth, depth);
+        figures.lostObjects = lostObjects(scene, *truth, missed);
+        figures.holes = holes(missed, truth->size);
         return figures;
     }
 
@@ -91,63 +155,50 @@ struct FigureMeter::Bench {
         }
         return baseline;
     }
+};
 
-    /// The runner for this work, made where there is none yet.
-    static size_t runnerFor(std::vector<Runner>& runners, const BuiltStrategyPointer& strategy, const Viewport& size) {
-        for (size_t i = 0; i < runners.size(); ++i)
-            if (runners[i].size == size && sameWork(*runners[i].strategy, *strategy)) return i;
-        runners.push_back({strategy, size, {}, {}});
-        return runners.size() - 1;
+struct FigureMeter::Job {
+    uint64_t number = 0;
+    std::vector<Subject> subjects;
+    std::vector<Figures> figures;
+    std::vector<Runner> runners;
+    std::vector<std::pair<size_t, size_t>> places;  ///< of a subject's runner and of its baseline's
+    int round = -1;                                 ///< the first one warms up
+    size_t place = 0;                               ///< in the round
+    double spent = 0.0;                             ///< seconds of drawing
+
+    void prepareTiming(Bench& bench) {
+        for (const Subject& subject : subjects) {
+            FigureSubject baseline = subject.what;
+            baseline.strategy = bench.baselineFor(subject.what.buffers->scenePointer());
+            const size_t baselinePlace = runnerFor(runners, baseline);
+            places.emplace_back(runnerFor(runners, subject.what), baselinePlace);
+        }
     }
 
-    /// Interleaved rounds over all runners; false where `wanted` turned false on the way.
-    template <typename Wanted>
-    bool time(const SceneBuffers& buffers, const Camera& camera, std::vector<Runner>& runners, const Wanted& wanted) {
-        using Clock = std::chrono::steady_clock;
-        const Clock::time_point begin = Clock::now();
-        for (int round = -1; round < kMostRounds; ++round) {
-            const double elapsed = std::chrono::duration<double>(Clock::now() - begin).count();
-            if (round >= kFewestRounds && elapsed > kTimingBudget) break;
-            for (size_t place = 0; place < runners.size(); ++place) {
-                if (!wanted()) return false;
-                // Every other round runs backwards, so that none profits from always coming after the same one.
-                Runner& runner = runners[round % 2 == 0 ? place : runners.size() - 1 - place];
-                const FrameResult frame = draw(buffers, *runner.strategy, View(camera, runner.size));
-                if (round < 0) continue;  // the first round warms up
-                runner.frameTimes.push_back(frame.frameMilliseconds);
-                runner.cullTimes.push_back(frame.verdict.cullMilliseconds);
-            }
+    /// One frame; false: enough is measured.
+    bool timeOne(Bench& bench) {
+        // Every other round runs backwards, so that none profits from always coming after the same one.
+        Runner& runner = runners[round % 2 == 0 ? place : runners.size() - 1 - place];
+        const FrameResult frame = bench.draw(runner.what);
+        spent += frame.frameMilliseconds / 1000.0;
+        if (round >= 0) {
+            runner.frameTimes.push_back(frame.frameMilliseconds);
+            runner.cullTimes.push_back(frame.verdict.cullMilliseconds);
         }
-        return true;
+        if (++place < runners.size()) return true;
+        place = 0;
+        ++round;
+        return round < kMostRounds && (round < kFewestRounds || spent < kTimingBudget);
     }
 };
 
-namespace {
-
-void fillTimes(Figures& figures, const Runner& runner, const Runner& baseline) {
-    figures.frameMilliseconds = median(runner.frameTimes);
-    figures.cullMilliseconds = median(runner.cullTimes);
-    std::vector<double> ratios;
-    for (size_t i = 0; i < runner.frameTimes.size(); ++i)
-        if (runner.frameTimes[i] > 0.0) ratios.push_back(baseline.frameTimes[i] / runner.frameTimes[i]);
-    if (!ratios.empty()) figures.speedup = median(ratios);
-}
-
-Figures failure(const Message& message) {
-    Figures figures;
-    figures.state = Figures::State::Failed;
-    figures.failure = message;
-    return figures;
-}
-
-}  // namespace
-
-FigureMeter::FigureMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {
-    m_gpu.post([bench = m_bench] { bench->renderer = std::make_unique<Renderer>(); });
-}
+FigureMeter::FigureMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {}
 
 FigureMeter::~FigureMeter() {
     cancel();
+    // A step in hand may post one more, which finds itself cancelled: wait for both.
+    m_gpu.run([] {});
     // What lives on the GPU thread ends there.
     m_gpu.run([this] { *m_bench = Bench(); });
 }
@@ -158,43 +209,55 @@ size_t FigureMeter::referencesComputed() {
     return count;
 }
 
+void FigureMeter::cancel() {
+    m_jobs.invalidate();
+    m_busy = false;
+}
+
 void FigureMeter::deliver(uint64_t job, int view, const Figures& figures) {
     QMetaObject::invokeMethod(
         this,
         [this, job, view, figures] {
-            if (m_jobs.isCurrent(job)) emit measured(view, figures);
+            if (!m_jobs.isCurrent(job)) return;
+            if (figures.timed || figures.state == Figures::State::Failed) m_busy = false;
+            emit measured(view, figures);
         },
         Qt::QueuedConnection);
 }
 
-void FigureMeter::measure(const SceneBuffersPointer& buffers, const Camera& camera, std::vector<Subject> subjects) {
-    const uint64_t job = m_jobs.begin();
-    m_gpu.post([this, job, buffers, camera, subjects = std::move(subjects)] {
-        const auto wanted = [&] { return m_jobs.isCurrent(job); };
-        std::vector<Figures> figures(subjects.size());
-        try {
-            for (size_t i = 0; i < subjects.size(); ++i) {
-                if (!wanted()) return;
-                figures[i] = m_bench->accuracy(*buffers, *subjects[i].strategy, View(camera, subjects[i].size));
-            }
-            std::vector<Runner> runners;
-            std::vector<std::pair<size_t, size_t>> places;  // of the subject and of its baseline
-            for (const Subject& subject : subjects) {
-                const size_t baseline = Bench::runnerFor(runners, m_bench->baselineFor(buffers->scenePointer()), subject.size);
-                places.emplace_back(Bench::runnerFor(runners, subject.strategy, subject.size), baseline);
-            }
-            if (!m_bench->time(*buffers, camera, runners, wanted)) return;
-            for (size_t i = 0; i < subjects.size(); ++i) {
-                fillTimes(figures[i], runners[places[i].first], runners[places[i].second]);
-                deliver(job, subjects[i].view, figures[i]);
-            }
-        } catch (const Error& error) {
-            for (const Subject& subject : subjects) deliver(job, subject.view, failure(error.message()));
-        } catch (const std::exception& error) {
-            const Message message{QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"), {error.what()}};
-            for (const Subject& subject : subjects) deliver(job, subject.view, failure(message));
-        }
+void FigureMeter::measure(std::vector<Subject> subjects) {
+    auto job = std::make_shared<Job>();
+    job->number = m_jobs.begin();
+    job->subjects = std::move(subjects);
+    m_busy = true;
+    m_gpu.post([this, job, bench = m_bench] {
+        bench->forgetOthers(job->subjects);
+        step(job);
     });
+}
+
+void FigureMeter::step(const std::shared_ptr<Job>& job) {
+    if (!m_jobs.isCurrent(job->number)) return;
+    try {
+        if (job->figures.size() < job->subjects.size()) {
+            const Subject& subject = job->subjects[job->figures.size()];
+            job->figures.push_back(m_bench->accuracy(subject.what));
+            deliver(job->number, subject.view, job->figures.back());
+            if (job->figures.size() == job->subjects.size()) job->prepareTiming(*m_bench);
+        } else if (!job->timeOne(*m_bench)) {
+            for (size_t i = 0; i < job->subjects.size(); ++i) {
+                fillTimes(job->figures[i], job->runners[job->places[i].first], job->runners[job->places[i].second]);
+                deliver(job->number, job->subjects[i].view, job->figures[i]);
+            }
+            return;
+        }
+        m_gpu.post([this, job, bench = m_bench] { step(job); });
+    } catch (const Error& error) {
+        for (const Subject& subject : job->subjects) deliver(job->number, subject.view, failure(error.message(), subject.what));
+    } catch (const std::exception& error) {
+        const Message message{QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"), {error.what()}};
+        for (const Subject& subject : job->subjects) deliver(job->number, subject.view, failure(message, subject.what));
+    }
 }
 
 }  // namespace cullscope::ui

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "core/scene/camera.h"
-#include "ui/session/built_strategy.h"
 #include "ui/session/figures.h"
 #include "ui/session/gpu_thread.h"
 #include "ui/session/job_numbers.h"
@@ -13,23 +12,23 @@
 namespace cullscope::ui {
 
 /// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per
-/// camera, size and facing rule), then their speed beside `backface`, interleaved. A newer request makes an older one stale:
-/// it stops after the frame in hand and brings nothing any more.
+/// camera, size and facing rule), then their speed beside `backface`, interleaved. Goes step by step, so that pictures
+/// come in between. A newer request makes an older one stale: it stops after the step in hand and brings nothing any more.
 class FigureMeter : public QObject {
     Q_OBJECT
 
 public:
     struct Subject {
         int view = 0;
-        BuiltStrategyPointer strategy;
-        Viewport size;
+        FigureSubject what;
     };
 
     explicit FigureMeter(GpuThread& gpu, QObject* parent = nullptr);
     ~FigureMeter() override;
 
-    void measure(const SceneBuffersPointer& buffers, const Camera& camera, std::vector<Subject> subjects);
-    void cancel() { m_jobs.invalidate(); }
+    void measure(std::vector<Subject> subjects);
+    void cancel();
+    [[nodiscard]] bool busy() const { return m_busy; }
     /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
     [[nodiscard]] size_t referencesComputed();
 
@@ -38,11 +37,14 @@ signals:
 
 private:
     struct Bench;  ///< what lives on the GPU thread
+    struct Job;    ///< one request and how far it is
 
+    void step(const std::shared_ptr<Job>& job);
     void deliver(uint64_t job, int view, const Figures& figures);
 
     GpuThread& m_gpu;
     JobNumbers m_jobs;
+    bool m_busy = false;
     std::shared_ptr<Bench> m_bench;
 };
 

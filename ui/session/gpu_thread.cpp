@@ -50,14 +50,40 @@ GpuThread::~GpuThread() {
     m_thread.wait();
 }
 
-void GpuThread::post(std::function<void()> work) { QMetaObject::invokeMethod(&m_worker, std::move(work), Qt::QueuedConnection); }
+void GpuThread::post(std::function<void()> work, Urgency urgency) {
+    {
+        const std::lock_guard lock(m_queueMutex);
+        (urgency == Urgency::Picture ? m_pictures : m_work).push_back(std::move(work));
+    }
+    // One call for each piece of work; which piece it takes is decided when it comes to it.
+    QMetaObject::invokeMethod(
+        &m_worker, [this] { runNext(); }, Qt::QueuedConnection);
+}
+
+void GpuThread::runNext() {
+    std::function<void()> work;
+    {
+        const std::lock_guard lock(m_queueMutex);
+        Queue& queue = m_pictures.empty() ? m_work : m_pictures;
+        work = std::move(queue.front());
+        queue.pop_front();
+    }
+    work();
+}
 
 void GpuThread::run(const std::function<void()>& work) {
     QMetaObject::invokeMethod(&m_worker, work, Qt::BlockingQueuedConnection);
 }
 
-SceneBuffersPointer GpuThread::upload(const ScenePointer& scene) {
-    auto buffers = std::make_unique<SceneBuffers>(scene, Upload::Vbo);
+SceneBuffersPointer GpuThread::upload(const ScenePointer& scene, Upload upload) {
+    return ownedByThread(std::make_unique<SceneBuffers>(scene, upload));
+}
+
+SceneBuffersPointer GpuThread::share(const ScenePointer& scene, const SceneBuffers& uploaded) {
+    return ownedByThread(std::make_unique<SceneBuffers>(scene, uploaded));
+}
+
+SceneBuffersPointer GpuThread::ownedByThread(std::unique_ptr<SceneBuffers> buffers) {
     // Other contexts of the share group see the data only once it has arrived.
     waitForGpu();
     return {buffers.release(), [mailbox = m_mailbox](SceneBuffers* freed) {

@@ -4,6 +4,7 @@
 #include <QOffscreenSurface>
 #include <QOpenGLContext>
 #include <QThread>
+#include <deque>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -15,8 +16,14 @@ namespace cullscope::ui {
 
 using SceneBuffersPointer = std::shared_ptr<const SceneBuffers>;
 
-/// A thread with an OpenGL context of its own in the desktop's share group: uploads scenes and measures, so that
-/// neither stops the window. Made, asked and destroyed on the window's thread; needs Qt::AA_ShareOpenGLContexts.
+/// What goes first on the GPU thread.
+enum class Urgency {
+    Picture,  ///< somebody is waiting for it: goes before everything that has not begun
+    Work      ///< uploads and measurements, in the order of posting
+};
+
+/// A thread with an OpenGL context of its own in the desktop's share group: draws, uploads scenes and measures, so that
+/// none of them stops the window. Made, asked and destroyed on the window's thread; needs Qt::AA_ShareOpenGLContexts.
 class GpuThread {
 public:
     /// Throws Error(OpenGl) where there is no OpenGL 4.5.
@@ -26,14 +33,16 @@ public:
     GpuThread(const GpuThread&) = delete;
     GpuThread& operator=(const GpuThread&) = delete;
 
-    /// Runs `work` on the thread with the context current, in the order of posting.
-    void post(std::function<void()> work);
-    /// Runs `work` there and waits for it.
+    /// Runs `work` on the thread with the context current.
+    void post(std::function<void()> work, Urgency urgency = Urgency::Work);
+    /// Runs `work` there and waits for it and for everything that was posted before.
     void run(const std::function<void()>& work);
 
     /// Uploads a scene (on the thread: call from posted work only). The buffers are freed on the thread, whoever lets go of them;
     /// those that outlive this object went with its context.
-    [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene);
+    [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene, Upload upload = Upload::Vbo);
+    /// The same for a scene of the very meshes that `uploaded` holds: nothing is uploaded again.
+    [[nodiscard]] SceneBuffersPointer share(const ScenePointer& scene, const SceneBuffers& uploaded);
 
     [[nodiscard]] const GlInfo& info() const { return m_info; }
 
@@ -44,8 +53,15 @@ private:
         QObject* worker = nullptr;  ///< null: the thread is gone
     };
 
+    using Queue = std::deque<std::function<void()>>;
+
+    void runNext();
+    [[nodiscard]] SceneBuffersPointer ownedByThread(std::unique_ptr<SceneBuffers> buffers);
+
     QOffscreenSurface m_surface;
     std::unique_ptr<QOpenGLContext> m_context;
+    std::mutex m_queueMutex;
+    Queue m_pictures, m_work;
     QThread m_thread;
     QObject m_worker;
     std::shared_ptr<Mailbox> m_mailbox = std::make_shared<Mailbox>();

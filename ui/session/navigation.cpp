@@ -38,6 +38,9 @@ Vec3 turnedOffset(const Vec3& offset, UpAxis up, Angle azimuth, Angle elevation)
     return length * (std::sin(newElevation) * table.up + std::cos(newElevation) * horizontal);
 }
 
+const Angle kObserverAzimuth = Angle::fromDegrees(75.0);
+const Angle kObserverElevation = Angle::fromDegrees(12.0);
+
 }  // namespace
 
 Vec3 axisVector(UpAxis up) { return turntable(up).up; }
@@ -123,6 +126,19 @@ Camera homeCamera(const Scene& scene, UpAxis up, double aspect) {
     camera.eye = camera.target + Vec3(offset.x, -offset.z, offset.y);
     camera.up = axisVector(up);
     return camera;
+}
+
+Camera observerCamera(const Camera& culling, const Sphere& scene, UpAxis up, double aspect) {
+    // A sphere around the scene and the watched eye; the eye is brought in by the share that the picture needs of it.
+    const Vec3 toEye = culling.eye - scene.centre;
+    const double distance = glm::length(toEye);
+    Sphere both = scene;
+    if (distance > scene.radius) {
+        both.radius = 0.5 * (distance + scene.radius);
+        both.centre = scene.centre + (both.radius - scene.radius) / distance * toEye;
+    }
+    const Camera lens{culling.eye, culling.target, axisVector(up)};
+    return framed(turned(lens, up, kObserverAzimuth, kObserverElevation), up, both, aspect);
 }
 
 Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear) {

@@ -33,6 +33,9 @@ enum class UpAxis { Y, Z };
 /// The first view of a scene.
 [[nodiscard]] Camera homeCamera(const Scene& scene, UpAxis up, double aspect);
 
+/// A look from the side and above at a culling camera together with the scene it sees.
+[[nodiscard]] Camera observerCamera(const Camera& culling, const Sphere& scene, UpAxis up, double aspect);
+
 /// Near and far around the scene as seen from the camera; `chosenNear` takes the place of the near distance.
 [[nodiscard]] Camera withClipPlanes(const Camera& camera, const Sphere& scene, const std::optional<double>& chosenNear);
 

@@ -13,8 +13,11 @@
 #include "ui/session/figures.h"
 #include "ui/session/gpu_thread.h"
 #include "ui/session/navigation.h"
+#include "ui/session/picture_maker.h"
 #include "ui/session/scene_loader.h"
+#include "ui/session/scene_upload.h"
 #include "ui/session/strategy_slot.h"
+#include "ui/session/view_setup.h"
 
 namespace cullscope::ui {
 
@@ -22,18 +25,29 @@ using OpenedScenePointer = std::shared_ptr<const OpenedScene>;
 
 enum class Severity { Information, Warning, Error };
 
-/// The desktop's document: the scene, the camera that the views share, what each view shows, and the figures. Knows no widget.
+/// What was picked, in the numbering of the whole scene.
+struct Pick {
+    uint32_t object = 0;    ///< instance of the opened scene
+    uint64_t triangle = 0;  ///< of the opened scene
+    Vec3 point{0.0};
+
+    bool operator==(const Pick&) const = default;
+};
+
+/// The desktop's document: the scene, the camera that the linked views share, what each view shows and how, the pictures and
+/// the figures. Knows no widget. Views are numbered from 0; a view that is not shown keeps its setup.
 class Session : public QObject {
     Q_OBJECT
 
 public:
-    static constexpr int kMostViews = 2;
+    static constexpr int kMostViews = 8;
+    static constexpr std::array kViewCounts{1, 2, 4, 8};
 
     struct Options {
         SceneSourceOptions sceneSource;
-        SceneLoader::Opener opener;                                                    ///< empty: core's openScene
-        std::function<SceneBuffersPointer(GpuThread&, const ScenePointer&)> uploader;  ///< empty: GpuThread::upload
-        bool graphics = true;  ///< false: no OpenGL, for tests of the rest
+        SceneLoader::Opener opener;      ///< empty: core's openScene
+        SceneUpload::Uploader uploader;  ///< empty: GpuThread::upload
+        bool graphics = true;            ///< false: no OpenGL, for tests of the rest
     };
 
     /// Throws Error(OpenGl) where graphics are wanted and there is no OpenGL 4.5.
@@ -45,39 +59,89 @@ public:
     [[nodiscard]] SceneLoader& loader() { return m_loader; }
     /// Null: nothing opened yet.
     [[nodiscard]] const OpenedScenePointer& opened() const { return m_opened; }
-    [[nodiscard]] const SceneBuffersPointer& buffers() const { return m_buffers; }
-    /// Why OpenGL did not take the present scene; empty: it did, or it is on its way.
-    [[nodiscard]] const Message& uploadFailure() const { return m_uploadFailure; }
+    /// What is shown and measured: the opened scene less the hidden objects.
+    [[nodiscard]] const ScenePointer& scene() const { return m_scene; }
+    /// One flag an object of the opened scene.
+    [[nodiscard]] const std::vector<bool>& hidden() const { return m_hidden; }
+    void setHidden(const std::vector<bool>& hidden);
+    /// The object of the opened scene that an instance of scene() is, and the other way round (none: hidden).
+    [[nodiscard]] uint32_t objectOf(uint32_t instance) const { return m_objects[instance]; }
+    [[nodiscard]] std::optional<uint32_t> instanceOf(uint32_t object) const;
     [[nodiscard]] const SceneSourceOptions& sceneSource() const { return m_sceneSource; }
+    /// Null while it is not uploaded (yet).
+    [[nodiscard]] const SceneBuffersPointer& buffers(Upload upload = Upload::Vbo) const;
+    /// Why OpenGL did not take the present scene; empty: it did, or it is on its way.
+    [[nodiscard]] const Message& uploadFailure() const;
 
-    // Camera
+    // The linked views' camera
     [[nodiscard]] const Camera& camera() const { return m_camera; }
     /// Near and far are set around the scene.
     void setCamera(const Camera& camera);
     [[nodiscard]] UpAxis upAxis() const { return m_up; }
     void setUpAxis(UpAxis up);
+    /// The first camera again, in all linked views; observers look anew.
     void goHome();
+    /// All of the scene in the active view.
     void frameScene();
+    /// A sphere (such as a picked object's) in the active view.
+    void frame(const Sphere& sphere);
     [[nodiscard]] const std::optional<double>& chosenNear() const { return m_chosenNear; }
     void setChosenNear(const std::optional<double>& distance);
     [[nodiscard]] Angle defaultFovy() const { return Camera{}.fovy; }
 
     // Views
     [[nodiscard]] int viewCount() const { return m_viewCount; }
+    /// One of kViewCounts.
     void setViewCount(int count);
     /// With one view it is the active one.
-    [[nodiscard]] bool shown(int view) const { return m_viewCount == kMostViews || view == m_activeView; }
+    [[nodiscard]] bool shown(int view) const { return m_viewCount == 1 ? view == m_activeView : view < m_viewCount; }
+    [[nodiscard]] std::vector<int> shownViews() const;
     [[nodiscard]] int activeView() const { return m_activeView; }
     void setActiveView(int view);
     [[nodiscard]] StrategySlot& slot(int view) { return *m_views[size_t(view)].slot; }
     [[nodiscard]] const StrategySlot& slot(int view) const { return *m_views[size_t(view)].slot; }
-    [[nodiscard]] const Figures& figures(int view) const { return m_views[size_t(view)].figures; }
+    [[nodiscard]] const ViewSetup& setup(int view) const { return m_views[size_t(view)].setup; }
+    /// Everything of a view but its strategy. An observer of an observer watches what that one watches.
+    void setSetup(int view, const ViewSetup& setup);
+
+    // Cameras of a view
+    void setLinked(int view);
+    void observe(int view, int observed);
+    void setFrozen(int view, bool frozen);
+    /// The view whose strategy, culling camera and verdicts this one shows: itself, or the one that it observes.
+    [[nodiscard]] int culledBy(int view) const;
+    [[nodiscard]] const Camera& cullingCamera(int view) const;
+    [[nodiscard]] const Camera& viewingCamera(int view) const;
+    /// The shared camera for a linked view, else its own.
+    void setViewingCamera(int view, const Camera& camera);
+
+    // Pictures
+    /// The place a view has in the window, in device pixels; of its picture where that fits the window.
     [[nodiscard]] Viewport viewport(int view) const { return m_views[size_t(view)].viewport; }
     void setViewport(int view, const Viewport& size);
+    [[nodiscard]] Viewport renderSize(int view) const { return setup(view).size.value_or(viewport(view)); }
+    [[nodiscard]] const DrawStyle& drawStyle() const { return m_style; }
+    void setDrawStyle(const DrawStyle& style);
+    /// What a view wants to show now; none while scene, strategy or size are missing.
+    [[nodiscard]] std::optional<ViewRequest> viewRequest(int view) const;
+    /// The newest picture; null: none yet.
+    [[nodiscard]] ViewPicturePointer picture(int view) const { return m_pictures ? m_pictures->picture(view) : nullptr; }
+    [[nodiscard]] PictureMaker* pictures() { return m_pictures.get(); }
+
+    // Figures
+    [[nodiscard]] const Figures& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
     /// Measures although the scene is large.
     void requestFigures();
     /// Whether the figures of every shown view are known (or known to be unobtainable).
     [[nodiscard]] bool figuresSettled() const;
+    /// Stops measuring while something else is being timed.
+    void setMeasuring(bool measuring);
+
+    // Picking
+    [[nodiscard]] const std::optional<Pick>& pick() const { return m_pick; }
+    void setPick(const std::optional<Pick>& pick);
+    /// Looks up what a view's picture shows at a pixel (y upward) and picks it; nothing there: nothing is picked.
+    void pickAt(int view, int x, int y);
 
     // OpenGL
     [[nodiscard]] GpuThread* gpu() { return m_gpu.get(); }
@@ -87,41 +151,62 @@ public:
 
 signals:
     void sceneChanged();
+    void hiddenChanged();
     void buffersChanged();
+    /// Some view's viewing or culling camera, or near plane.
     void cameraChanged();
+    /// After cameraChanged: nobody moved the cameras, the first look at a scene took a new window size.
+    void camerasFollowedWindow();
     void viewCountChanged();
     void activeViewChanged();
+    void setupChanged(int view);
     void strategyChosen(int view);
     void strategyBuilt(int view);
+    void pictureChanged(int view);
+    /// A view's own figures; those of its observers are the same.
     void figuresChanged(int view);
+    void pickChanged();
     void messageRaised(cullscope::ui::Severity severity, const cullscope::Message& message);
 
 private:
     struct ViewState {
         std::unique_ptr<StrategySlot> slot;
+        ViewSetup setup;
         Viewport viewport{0, 0};
         Figures figures;
+        bool complained = false;  ///< of a picture that cannot be drawn, since the last one that could
     };
 
+    void makeGraphics();
     void makeViews();
+    void makeView(int view);
     void show(const OpenedScenePointer& opened);
-    void upload();
-    void takeBuffers(const SceneBuffersPointer& buffers);
-    void giveUpUpload(const Message& message);
-    [[nodiscard]] double aspect() const;
-    void makeStale();
+    void showScene(const ScenePointer& scene);
+    void changeSetup(int view, const ViewSetup& setup);
+    void placeObservers();
+    [[nodiscard]] Camera withClipPlanesFor(int view, const Camera& camera) const;
+    [[nodiscard]] double aspect(int view) const;
+    void update();
+    void updateFigures();
+    /// Whether a view's figures are of what it is now.
+    [[nodiscard]] bool figuresStand(int view) const;
+    [[nodiscard]] Figures figuresWithoutMeasuring() const;
+    [[nodiscard]] std::vector<int> measuredViews() const;
+    [[nodiscard]] std::optional<FigureSubject> subject(int view) const;
     void setFigures(int view, const Figures& figures);
     void measure(bool asked);
 
     SceneSourceOptions m_sceneSource;
     SceneLoader m_loader;
     OpenedScenePointer m_opened;
+    ScenePointer m_scene;
+    std::vector<bool> m_hidden;
+    std::vector<uint32_t> m_objects;
     std::unique_ptr<GpuThread> m_gpu;
+    std::unique_ptr<SceneUpload> m_upload;
     std::unique_ptr<FigureMeter> m_meter;
-    SceneBuffersPointer m_buffers;
-    Message m_uploadFailure;
-    std::function<SceneBuffersPointer(GpuThread&, const ScenePointer&)> m_uploader;
-    JobNumbers m_uploads;
+    std::unique_ptr<PictureMaker> m_pictures;
+    DrawStyle m_style;
 
     Camera m_camera;
     UpAxis m_up = UpAxis::Y;
@@ -129,9 +214,13 @@ private:
     bool m_atHome = true;
 
     std::array<ViewState, kMostViews> m_views;
-    int m_viewCount = kMostViews;
-    int m_activeView = kMostViews - 1;
+    int m_viewCount = 2;
+    int m_activeView = 1;
+    std::optional<Pick> m_pick;
+    JobNumbers m_picks;
     QTimer m_rest;
+    std::vector<FigureMeter::Subject> m_underWay;  ///< what the meter measures now
+    bool m_measuring = true;
 };
 
 }  // namespace cullscope::ui

@@ -3,10 +3,23 @@
 #include <QCoreApplication>
 
 namespace cullscope::ui {
+namespace {
+
+/// Arguments may be marked texts, such as the system's reason for a failure. Only a whole argument of several words counts: one
+/// word may be the name of a file or an object that happens to be in the catalogue ("hidden").
+std::string translatedArgument(const std::string& argument) {
+    if (argument.find(' ') == std::string::npos) return argument;
+    const QString translation = QCoreApplication::translate(kCoreContext, argument.c_str());
+    return translation == QString::fromStdString(argument) ? argument : translation.toStdString();
+}
+
+}  // namespace
 
 QString translated(const Message& message) {
     const std::string sentence = QCoreApplication::translate(kCoreContext, message.text.c_str()).toStdString();
-    return QString::fromStdString(fillIn(sentence, message.arguments));
+    std::vector<std::string> arguments;
+    for (const std::string& argument : message.arguments) arguments.push_back(translatedArgument(argument));
+    return QString::fromStdString(fillIn(sentence, arguments));
 }
 
 QString translated(std::string_view text) {

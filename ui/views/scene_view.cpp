@@ -1,19 +1,18 @@
 #include "ui/views/scene_view.h"
 
-#include <QCoreApplication>
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <cmath>
-#include <new>
 
-#include "core/base/error.h"
+#include "core/scene/hidden.h"
+#include "core/visibility/registry.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
 #include "ui/views/view_input.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-// In 8 bits a channel, so that `cullbench render --background --surface` repeats the picture.
 constexpr QRgb kDarkBackground = 0x14171c;
 constexpr QRgb kDarkSurface = 0xccccc7;
 constexpr QRgb kLightBackground = 0xffffff;
@@ -23,178 +22,182 @@ Vec3f colour(QRgb rgb) { return Vec3f(float(qRed(rgb)), float(qGreen(rgb)), floa
 
 }  // namespace
 
-SceneView::SceneView(Session& session, int view, QWidget* parent)
-    : QOpenGLWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
-    setFocusPolicy(Qt::StrongFocus);
-    setMinimumSize(160, 120);
-    connect(&session, &Session::cameraChanged, this, &SceneView::makeDirty);
-    connect(&session, &Session::buffersChanged, this, &SceneView::makeDirty);
-    connect(&session, &Session::strategyBuilt, this, [this](int changed) {
-        if (changed == m_view) makeDirty();
-    });
-}
-
-SceneView::~SceneView() {
-    makeCurrent();
-    release();
-    doneCurrent();
-}
-
-void SceneView::initializeGL() {
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-        makeCurrent();
-        release();
-        doneCurrent();
-    });
-    m_dirty = true;
-}
-
-void SceneView::release() {
-    m_renderer = nullptr;
-    m_framebuffer = nullptr;
-    m_dirty = true;
-}
-
-void SceneView::makeDirty() {
-    m_dirty = true;
-    update();
-}
-
-Viewport SceneView::renderSize() const {
-    const double scale = devicePixelRatioF();
-    return {std::max(1, int(std::lround(width() * scale))), std::max(1, int(std::lround(height() * scale)))};
-}
-
-View SceneView::camera() const { return View(m_session.camera(), renderSize()); }
-
-Vec2 SceneView::pixelAt(const QPointF& position) const {
-    const double scale = devicePixelRatioF();
-    return {position.x() * scale, renderSize().height - position.y() * scale};
-}
-
-double SceneView::depthAt(const QPointF& position) {
-    const Viewport size = renderSize();
-    if (!m_framebuffer || m_dirty || !(m_framebuffer->size() == size)) return 0.0;
-    if (m_depth.empty()) {
-        makeCurrent();
-        m_depth = m_framebuffer->readDepth();
-        doneCurrent();
-    }
-    const Vec2 pixel = pixelAt(position);
-    const int x = std::clamp(int(pixel.x), 0, size.width - 1);
-    const int y = std::clamp(int(pixel.y), 0, size.height - 1);
-    return m_depth[size_t(y) * size_t(size.width) + size_t(x)];
-}
-
-Vec3 SceneView::pointAt(const QPointF& position) { return pointUnder(camera(), pixelAt(position), depthAt(position)); }
-
-std::optional<Vec3> SceneView::surfaceAt(const QPointF& position) {
-    if (m_dirty) {
-        makeCurrent();
-        draw();
-        doneCurrent();
-    }
-    const double depth = depthAt(position);
-    if (depth <= 0.0) return std::nullopt;
-    return pointUnder(camera(), pixelAt(position), depth);
-}
-
-QImage SceneView::picture() {
-    makeCurrent();
-    if (m_dirty) draw();
-    QImage image;
-    if (m_framebuffer) {
-        const Viewport& size = m_framebuffer->size();
-        const std::vector<uint8_t> pixels = m_framebuffer->readColour();
-        image = QImage(pixels.data(), size.width, size.height, 4 * size.width, QImage::Format_RGBA8888).mirrored();
-    }
-    doneCurrent();
-    return image;
-}
-
-PictureRequest SceneView::request() const {
-    const StrategySlot& slot = m_session.slot(m_view);
-    return {m_session.opened()->specification,
-            m_session.sceneSource().modelFolders,
-            slot.id(),
-            slot.parameters(),
-            m_session.camera(),
-            renderSize(),
-            style()};
-}
-
-DrawStyle SceneView::style() const {
-    const bool dark = palette().color(QPalette::Window).lightness() < 128;
+DrawStyle pictureStyle(const QPalette& palette) {
+    const bool dark = palette.color(QPalette::Window).lightness() < 128;
     DrawStyle style;
     style.background = colour(dark ? kDarkBackground : kLightBackground);
     style.surface = colour(dark ? kDarkSurface : kLightSurface);
     return style;
 }
 
-void SceneView::draw() {
-    m_dirty = false;
-    m_depth.clear();
-    const SceneBuffersPointer& buffers = m_session.buffers();
-    const BuiltStrategyPointer& built = m_session.slot(m_view).built();
-    const bool ready = buffers && built && built->scene == buffers->scenePointer();
-    try {
-        if (!m_renderer) m_renderer = std::make_unique<Renderer>();
-        const Viewport size = renderSize();
-        if (!m_framebuffer || !(m_framebuffer->size() == size)) m_framebuffer = std::make_unique<Framebuffer>(size);
-        if (!ready) {
-            m_framebuffer = nullptr;
-            return;
-        }
-        renderShared(*m_renderer, *buffers, *built, camera(), *m_framebuffer, style());
-        ++m_drawnPictures;
-    } catch (const Error& error) {
-        complain(error.message());
-    } catch (const std::bad_alloc&) {
-        complain(
-            {QT_TRANSLATE_NOOP("core", "There is not enough memory to draw this view. Make the window or the scene smaller."),
-             {}});
-    } catch (const std::exception& error) {
-        complain({QT_TRANSLATE_NOOP("core", "This view cannot be drawn: %1"), {error.what()}});
-    }
+SceneView::SceneView(Session& session, int view, QWidget* parent)
+    : QOpenGLWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+    setMouseTracking(true);
+    m_session.setDrawStyle(pictureStyle(palette()));
+    connect(&session, &Session::pictureChanged, this, [this](int changed) {
+        if (changed == m_view) update();
+    });
+    connect(&session, &Session::setupChanged, this, [this](int changed) {
+        if (changed == m_view) update();
+    });
+    connect(&session, &Session::figuresChanged, this, [this](int changed) {
+        if (changed != m_session.culledBy(m_view) || m_session.figures(m_view).state == Figures::State::Ready) return;
+        if (m_loss) emit lossMarked();
+        m_loss.reset();
+    });
 }
 
-void SceneView::complain(const Message& message) {
-    m_framebuffer = nullptr;
-    if (!std::exchange(m_complained, true)) m_session.raise(Severity::Error, message);
+SceneView::~SceneView() = default;
+
+PictureLayout SceneView::pictureLayout() const {
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    Viewport size = shown ? shown->request.size : renderSize();
+    // While a window is being resized, the picture of the size before is shown where it lay.
+    if (size.width < 1 || size.height < 1) size = {std::max(1, width()), std::max(1, height())};
+    return {QSizeF(this->size()), devicePixelRatioF(), size};
+}
+
+View SceneView::camera() const { return View(m_session.viewingCamera(m_view), renderSize()); }
+
+bool SceneView::pictureIsCurrent() const { return m_session.pictures() && m_session.pictures()->isCurrent(m_view); }
+
+double SceneView::depthAt(const ViewPicture& picture, const QPointF& position) const {
+    const Viewport& size = picture.request.size;
+    const Vec2 pixel = pixelAt(position);
+    const int x = std::clamp(int(pixel.x), 0, size.width - 1);
+    const int y = std::clamp(int(pixel.y), 0, size.height - 1);
+    return picture.depth[size_t(y) * size_t(size.width) + size_t(x)];
+}
+
+Vec3 SceneView::pointAt(const QPointF& position) const {
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    const double depth = shown && pictureIsCurrent() ? depthAt(*shown, position) : 0.0;
+    return pointUnder(camera(), pixelAt(position), depth);
+}
+
+std::optional<Vec3> SceneView::surfaceAt(const QPointF& position) const {
+    const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view);
+    if (!wanted) return std::nullopt;
+    const ViewPicturePointer shown = pictureIsCurrent() ? m_session.picture(m_view) : m_session.pictures()->drawNow(*wanted);
+    const double depth = depthAt(*shown, position);
+    if (depth <= 0.0) return std::nullopt;
+    return pointUnder(camera(), pixelAt(position), depth);
+}
+
+QImage SceneView::picture() const {
+    const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view);
+    if (!wanted) return {};
+    return (pictureIsCurrent() ? m_session.picture(m_view) : m_session.pictures()->drawNow(*wanted))->colour;
+}
+
+PictureRequest SceneView::request() const {
+    const StrategySlot& slot = m_session.slot(m_session.culledBy(m_view));
+    PictureRequest request;
+    request.scene = m_session.opened()->specification;
+    request.modelFolders = m_session.sceneSource().modelFolders;
+    request.strategy = slot.id();
+    request.parameters = slot.parameters();
+    request.hidden = hiddenToText(m_session.hidden());
+    request.camera = m_session.cullingCamera(m_view);
+    request.observer = m_session.viewingCamera(m_view);
+    request.size = renderSize();
+    request.look = m_session.setup(m_view).look;
+    request.style = m_session.drawStyle();
+    if (const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view)) {
+        request.cullingSize = wanted->cullingSize;
+        request.look.boxes = request.look.boxes && testsBoxes(*wanted->strategy, View(wanted->culling, wanted->cullingSize));
+    }
+    return request;
+}
+
+PictureExtras SceneView::extras() const {
+    PictureExtras extras;
+    extras.wipe = m_session.setup(m_view).wipe;
+    const auto nameOf = [this](int view) {
+        return translated(findStrategy(m_session.slot(m_session.culledBy(view)).id()).info.name);
+    };
+    const bool truth = extras.wipe.mode == Wipe::Mode::Truth;
+    extras.left = truth
+                      ? tr("Truth")
+                      : tr("%1: %2", "letter of a view, strategy").arg(viewLetter(extras.wipe.other), nameOf(extras.wipe.other));
+    extras.right = truth ? nameOf(m_view) : tr("%1: %2", "letter of a view, strategy").arg(viewLetter(m_view), nameOf(m_view));
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (!shown) return extras;
+    const int height = shown->request.size.height;
+    const std::vector<Hole>& holes = m_session.figures(m_view).holes;
+    if (m_loss && *m_loss < holes.size()) {
+        const Hole& hole = holes[*m_loss];
+        const double width = std::sqrt(double(hole.pixels));
+        const QPointF middle(hole.x + 0.5, height - hole.y - 0.5);
+        extras.markedLoss = QRectF(middle - QPointF(width, width) / 2.0, QSizeF(width, width));
+        extras.loupe = middle;
+    } else if (m_loupe) {
+        const Vec2 pixel = pixelAt(m_pointer);
+        extras.loupe = QPointF(pixel.x, height - pixel.y);
+    }
+    return extras;
+}
+
+void SceneView::setLoupe(bool on) {
+    m_loupe = on;
+    m_pointer = mapFromGlobal(QCursor::pos());
+    update();
+}
+
+void SceneView::goToNextLoss() {
+    // Losses are known where the culling camera looks; elsewhere they have no place in the picture.
+    const std::vector<Hole>& holes = m_session.figures(m_view).holes;
+    const bool placed = m_session.setup(m_view).role == Role::Linked && !holes.empty();
+    m_loss = !placed ? std::nullopt : std::optional(m_loss ? (*m_loss + 1) % holes.size() : 0);
+    emit lossMarked();
+    update();
 }
 
 void SceneView::paintGL() {
-    if (m_dirty || (m_framebuffer && !(m_framebuffer->size() == renderSize()))) draw();
-    present();
+    QPainter painter(this);
+    painter.fillRect(rect(), palette().color(QPalette::Window));
+    const PictureLayout layout = pictureLayout();
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (shown)
+        paintPicture(painter, layout.rect(), *shown, extras());
+    else
+        painter.fillRect(layout.rect(), QColor::fromRgbF(m_session.drawStyle().background.x, m_session.drawStyle().background.y,
+                                                         m_session.drawStyle().background.z));
 }
 
-void SceneView::present() {
-    if (m_framebuffer)
-        m_framebuffer->showIn(defaultFramebufferObject());
-    else
-        fillFramebuffer(defaultFramebufferObject(), style().background);
+void SceneView::tellSize() {
+    const double scale = devicePixelRatioF();
+    m_session.setViewport(m_view,
+                          {std::max(1, int(std::lround(width() * scale))), std::max(1, int(std::lround(height() * scale)))});
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {
-    m_dirty = true;
-    m_session.setViewport(m_view, renderSize());
+    tellSize();
     QOpenGLWidget::resizeEvent(event);
 }
 
 void SceneView::changeEvent(QEvent* event) {
-    if (event->type() == QEvent::PaletteChange) makeDirty();
+    if (event->type() == QEvent::PaletteChange) m_session.setDrawStyle(pictureStyle(palette()));
     QOpenGLWidget::changeEvent(event);
 }
 
 bool SceneView::event(QEvent* event) {
-    if (event->type() == QEvent::ScreenChangeInternal) m_session.setViewport(m_view, renderSize());
+    if (event->type() == QEvent::ScreenChangeInternal) tellSize();
     // Keys that fly must not be taken for shortcuts of the window.
     if (event->type() == QEvent::ShortcutOverride && ViewInput::wantsKey(*static_cast<QKeyEvent*>(event))) event->accept();
     return QOpenGLWidget::event(event);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) { m_input->press(*event); }
-void SceneView::mouseMoveEvent(QMouseEvent* event) { m_input->move(*event); }
+
+void SceneView::mouseMoveEvent(QMouseEvent* event) {
+    m_pointer = event->position();
+    if (m_loupe) update();
+    m_input->move(*event);
+}
+
 void SceneView::mouseReleaseEvent(QMouseEvent* event) {
     if (m_input->release(*event)) emit menuRequested(m_view, event->globalPosition().toPoint());
 }

@@ -4,17 +4,17 @@
 #include <memory>
 #include <optional>
 
-#include "core/gpu/framebuffer.h"
-#include "core/gpu/renderer.h"
 #include "ui/session/cullbench_command.h"
 #include "ui/session/session.h"
+#include "ui/views/picture_layout.h"
+#include "ui/views/picture_painter.h"
 
 namespace cullscope::ui {
 
 class ViewInput;
 
-/// The picture of one view: what its strategy decides, drawn into a framebuffer of its own and shown. Drawn anew only
-/// when something in it changed. Everything that belongs to the OpenGL context is rebuilt when the context is another.
+/// Shows the newest picture of one view and takes the mouse and the keys. The picture is drawn on the session's GPU
+/// thread; this widget only paints it, so that neither a slow strategy nor a lost context of the window touches what is shown.
 class SceneView : public QOpenGLWidget {
     Q_OBJECT
 
@@ -23,33 +23,43 @@ public:
     ~SceneView() override;
 
     [[nodiscard]] int view() const { return m_view; }
-    /// In device pixels.
-    [[nodiscard]] Viewport renderSize() const;
+    /// Of the picture, in pixels.
+    [[nodiscard]] Viewport renderSize() const { return m_session.renderSize(m_view); }
+    /// Where the picture lies in the widget.
+    [[nodiscard]] PictureLayout pictureLayout() const;
     /// The world point under a position in the widget.
-    [[nodiscard]] Vec3 pointAt(const QPointF& position);
+    [[nodiscard]] Vec3 pointAt(const QPointF& position) const;
     /// The same, but nothing where no surface is drawn there.
-    [[nodiscard]] std::optional<Vec3> surfaceAt(const QPointF& position);
+    [[nodiscard]] std::optional<Vec3> surfaceAt(const QPointF& position) const;
     /// Whether the picture shows the present camera and strategy.
-    [[nodiscard]] bool pictureIsCurrent() const { return !m_dirty && m_framebuffer; }
+    [[nodiscard]] bool pictureIsCurrent() const;
     /// Pixels of the picture (y upward) from a position in the widget.
-    [[nodiscard]] Vec2 pixelAt(const QPointF& position) const;
-    /// What is seen at the present camera.
+    [[nodiscard]] Vec2 pixelAt(const QPointF& position) const { return pictureLayout().pixelAt(position); }
+    /// What is seen at the present viewing camera.
     [[nodiscard]] View camera() const;
-    /// The picture as it is drawn, without the window.
-    [[nodiscard]] QImage picture();
-    /// The colours in which it is drawn: those of the window's palette, in 8 bits a channel.
-    [[nodiscard]] DrawStyle style() const;
+    /// The picture of the present camera and strategy as it is drawn, without what is painted over it.
+    [[nodiscard]] QImage picture() const;
     /// Everything that the picture depends on; only with a scene.
     [[nodiscard]] PictureRequest request() const;
     /// How many pictures were drawn so far: a view that is not dirty is not drawn.
-    [[nodiscard]] size_t drawnPictures() const { return m_drawnPictures; }
+    [[nodiscard]] size_t drawnPictures() const { return m_session.pictures() ? m_session.pictures()->drawn(m_view) : 0; }
+    /// What is painted over the picture.
+    [[nodiscard]] PictureExtras extras() const;
+
+    /// Whether the loupe follows the pointer.
+    [[nodiscard]] bool loupe() const { return m_loupe; }
+    void setLoupe(bool on);
+    /// Marks the next lost pixels, largest hole first, under the loupe; nothing lost: unmarks.
+    void goToNextLoss();
+    /// Which loss is marked, from 0.
+    [[nodiscard]] std::optional<size_t> markedLoss() const { return m_loss; }
 
 signals:
     /// The user asks for this view's menu.
     void menuRequested(int view, const QPoint& globalPosition);
+    void lossMarked();
 
 protected:
-    void initializeGL() override;
     void paintGL() override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -65,22 +75,18 @@ protected:
     void focusOutEvent(QFocusEvent* event) override;
 
 private:
-    void release();
-    void makeDirty();
-    void draw();
-    void present();
-    void complain(const Message& message);
-    [[nodiscard]] double depthAt(const QPointF& position);
+    void tellSize();
+    [[nodiscard]] double depthAt(const ViewPicture& picture, const QPointF& position) const;
 
     Session& m_session;
     int m_view;
     std::unique_ptr<ViewInput> m_input;
-    std::unique_ptr<Renderer> m_renderer;
-    std::unique_ptr<Framebuffer> m_framebuffer;
-    std::vector<float> m_depth;  ///< of the picture, read when first asked for
-    bool m_dirty = true;
-    bool m_complained = false;
-    size_t m_drawnPictures = 0;
+    bool m_loupe = false;
+    QPointF m_pointer;  ///< in the widget
+    std::optional<size_t> m_loss;
 };
+
+/// The colours of pictures in a window of this palette, in 8 bits a channel so that `cullbench render` repeats them.
+[[nodiscard]] DrawStyle pictureStyle(const QPalette& palette);
 
 }  // namespace cullscope::ui

@@ -27,17 +27,23 @@ QColor subdued(const QPalette& palette) {
 }  // namespace
 
 ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
-    : QWidget(parent), m_session(session), m_view(view), m_measure(new QToolButton(this)) {
+    : QWidget(parent), m_session(session), m_view(view), m_measure(new QToolButton(this)), m_menu(new QToolButton(this)) {
     setFixedHeight(2 * kLineHeight);
     QFont font = this->font();
     font.setPixelSize(kFontPixels);
     setFont(font);
     m_measure->hide();
     m_measure->setFixedHeight(kLineHeight);
+    m_menu->setAutoRaise(true);
+    m_menu->setArrowType(Qt::DownArrow);
+    m_menu->setFocusPolicy(Qt::TabFocus);
+    connect(m_menu, &QToolButton::clicked, this,
+            [this] { emit menuRequested(m_view, m_menu->mapToGlobal(QPoint(0, m_menu->height()))); });
     connect(m_measure, &QToolButton::clicked, &session, &Session::requestFigures);
     const auto mine = [this](int changed) {
-        if (changed == m_view) refresh();
+        if (changed == m_view || changed == m_session.culledBy(m_view)) refresh();
     };
+    connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::strategyChosen, this, mine);
     connect(&session, &Session::strategyBuilt, this, mine);
     connect(&session, &Session::figuresChanged, this, mine);
@@ -47,14 +53,31 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
 }
 
 std::optional<Promise> ViewHeader::promise() const {
-    const BuiltStrategyPointer& built = m_session.slot(m_view).built();
+    // Where the promise depends on the eye's place, it is that of the place measured.
+    const Figures& figures = m_session.figures(m_view);
+    if (figures.state == Figures::State::Ready) return figures.promise;
+    const BuiltStrategyPointer& built = m_session.slot(m_session.culledBy(m_view)).built();
     if (!built) return std::nullopt;
     return built->strategy->promise();
 }
 
 QString ViewHeader::firstLine() const {
-    const QString name = translated(findStrategy(m_session.slot(m_view).id()).info.name);
+    const QString name = roleWord() + translated(info().name);
     return promise() ? tr("%1: %2", "strategy: promise").arg(name, promiseWord(*promise())) : name;
+}
+
+const StrategyInfo& ViewHeader::info() const { return findStrategy(m_session.slot(m_session.culledBy(m_view)).id()).info; }
+
+QString ViewHeader::roleWord() const {
+    switch (m_session.setup(m_view).role) {
+        case Role::Linked:
+            return {};
+        case Role::Observer:
+            return tr("watches %1 · ", "letter of a view").arg(viewLetter(m_session.setup(m_view).observed));
+        case Role::Frozen:
+            return tr("frozen · ");
+    }
+    return {};
 }
 
 QString ViewHeader::secondLine() const { return figureLine(m_session.figures(m_view)); }
@@ -65,8 +88,9 @@ void ViewHeader::refresh() {
     m_measure->setToolTip(tr("Compare this large scene with the truth now; this may take a while"));
     m_measure->setVisible(figures.state == Figures::State::OnRequest);
     placeButton();
-    const StrategyInfo& info = findStrategy(m_session.slot(m_view).id()).info;
-    QStringList lines{translated(info.description)};
+    m_menu->setToolTip(tr("What view %1 shows, and how").arg(viewLetter(m_view)));
+    m_menu->setAccessibleName(m_menu->toolTip());
+    QStringList lines{translated(info().description)};
     if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
     const QString details = figureDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
     if (!details.isEmpty()) lines << details;
@@ -79,6 +103,7 @@ void ViewHeader::refresh() {
 void ViewHeader::placeButton() {
     m_measure->resize(m_measure->sizeHint().width(), kLineHeight);
     m_measure->move(width() - m_measure->width() - kMargin, kLineHeight);
+    m_menu->setGeometry(width() - kLineHeight - 2, 0, kLineHeight, kLineHeight);
 }
 
 void ViewHeader::paintEvent(QPaintEvent*) {
@@ -90,10 +115,9 @@ void ViewHeader::paintEvent(QPaintEvent*) {
 
     QFont bold = font();
     bold.setBold(true);
-    const StrategyInfo& info = findStrategy(m_session.slot(m_view).id()).info;
     int x = kMargin;
     const auto write = [&](int line, const QString& text, const QFont& face, const QColor& colour) {
-        const int room = width() - kMargin - x;
+        const int room = width() - kMargin - x - (line == 0 ? m_menu->width() : 0);
         const QFontMetrics metrics(face);
         painter.setFont(face);
         painter.setPen(colour);
@@ -103,15 +127,20 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     };
     const QColor text = colours.color(QPalette::WindowText);
     if (m_session.viewCount() > 1) write(0, viewLetter(m_view), bold, subdued(colours));
-    write(0, translated(info.name), bold, text);
+    if (const QString role = roleWord(); !role.isEmpty()) {
+        write(0, role, font(), text);
+        x -= kMargin;
+    }
+    write(0, translated(info().name), bold, text);
     if (promise()) {
         const QRectF place(x, (kLineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize);
         drawPromiseMarker(painter, place, *promise(), text);
         x += kMarkerSize + kMargin / 2;
         write(0, promiseWord(*promise()), font(), text);
     }
-    const QString id = QString::fromStdString(info.id);
-    if (x + QFontMetrics(font()).horizontalAdvance(id) + kMargin <= width()) write(0, id, font(), subdued(colours));
+    const QString id = QString::fromStdString(info().id);
+    if (x + QFontMetrics(font()).horizontalAdvance(id) + kMargin + m_menu->width() <= width())
+        write(0, id, font(), subdued(colours));
 
     x = kMargin;
     const Figures& figures = m_session.figures(m_view);
@@ -121,7 +150,10 @@ void ViewHeader::paintEvent(QPaintEvent*) {
 
 void ViewHeader::resizeEvent(QResizeEvent*) { placeButton(); }
 
-void ViewHeader::mousePressEvent(QMouseEvent*) { m_session.setActiveView(m_view); }
+void ViewHeader::mousePressEvent(QMouseEvent* event) {
+    m_session.setActiveView(m_view);
+    if (event->button() == Qt::RightButton) emit menuRequested(m_view, event->globalPosition().toPoint());
+}
 
 void ViewHeader::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) refresh();

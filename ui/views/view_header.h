@@ -20,6 +20,10 @@ public:
     [[nodiscard]] QString firstLine() const;
     [[nodiscard]] QString secondLine() const;
 
+signals:
+    /// The user asks for this view's menu.
+    void menuRequested(int view, const QPoint& globalPosition);
+
 protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
@@ -30,10 +34,13 @@ private:
     void refresh();
     void placeButton();
     [[nodiscard]] std::optional<Promise> promise() const;
+    [[nodiscard]] const StrategyInfo& info() const;
+    [[nodiscard]] QString roleWord() const;
 
     Session& m_session;
     int m_view;
     QToolButton* m_measure;
+    QToolButton* m_menu;
 };
 
 }  // namespace cullscope::ui

@@ -12,6 +12,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kClickReach = 4.0;  // pixels: less is a click, more a drag
+constexpr double kWipeReach = 6.0;   // pixels on either side of the line
 constexpr double kDegreesPerPixel = 0.4;
 constexpr double kDegreesPerKey = 5.0;
 constexpr double kPixelsPerKey = 40.0;
@@ -61,6 +62,10 @@ void ViewInput::press(const QMouseEvent& event) {
     m_session.setActiveView(m_view.view());
     m_pressed = m_last = event.position();
     m_moved = false;
+    if (event.button() == Qt::LeftButton && overWipeLine(event.position())) {
+        m_drag = Drag::Wipe;
+        return;
+    }
     const bool shift = event.modifiers().testFlag(Qt::ShiftModifier);
     switch (event.button()) {
         case Qt::LeftButton:
@@ -85,27 +90,48 @@ void ViewInput::beginDrag() {
     m_grabbedDistance = glm::dot(m_view.pointAt(m_pressed) - seen.eye(), seen.frustum().forward);
 }
 
+bool ViewInput::overWipeLine(const QPointF& position) const {
+    const Wipe& wipe = m_session.setup(m_view.view()).wipe;
+    if (wipe.mode != Wipe::Mode::Truth && wipe.mode != Wipe::Mode::OtherView) return false;
+    const QRectF picture = m_view.pictureLayout().rect();
+    return std::abs(position.x() - picture.left() - wipe.position * picture.width()) < kWipeReach;
+}
+
+void ViewInput::moveWipe(const QPointF& position) {
+    const QRectF picture = m_view.pictureLayout().rect();
+    ViewSetup setup = m_session.setup(m_view.view());
+    setup.wipe.position = std::clamp((position.x() - picture.left()) / picture.width(), 0.0, 1.0);
+    m_session.setSetup(m_view.view(), setup);
+}
+
 void ViewInput::move(const QMouseEvent& event) {
+    if (m_drag == Drag::None) m_view.setCursor(overWipeLine(event.position()) ? Qt::SplitHCursor : Qt::ArrowCursor);
     if (m_drag == Drag::None || !m_session.opened()) return;
+    if (m_drag == Drag::Wipe) {
+        m_moved = true;
+        moveWipe(event.position());
+        return;
+    }
     const QPointF way = event.position() - m_pressed;
     if (!m_moved && std::hypot(way.x(), way.y()) < kClickReach) return;
     if (!m_moved) beginDrag();
     const QPointF step = event.position() - m_last;
     const Angle azimuth = Angle::fromDegrees(-kDegreesPerPixel * step.x());
     const Angle elevation = Angle::fromDegrees(kDegreesPerPixel * step.y());
-    const Camera& camera = m_session.camera();
+    const Camera& camera = m_session.viewingCamera(m_view.view());
     switch (m_drag) {
         case Drag::Turn:
-            m_session.setCamera(turned(camera, m_session.upAxis(), azimuth, elevation));
+            m_session.setViewingCamera(m_view.view(), turned(camera, m_session.upAxis(), azimuth, elevation));
             break;
         case Drag::Look:
-            m_session.setCamera(looked(camera, m_session.upAxis(), azimuth * 0.5, elevation * -0.5));
+            m_session.setViewingCamera(m_view.view(), looked(camera, m_session.upAxis(), azimuth * 0.5, elevation * -0.5));
             break;
         case Drag::Pan:
-            m_session.setCamera(
-                panned(m_view.camera(), m_grabbedDistance, m_view.pixelAt(m_last), m_view.pixelAt(event.position())));
+            m_session.setViewingCamera(m_view.view(), panned(m_view.camera(), m_grabbedDistance, m_view.pixelAt(m_last),
+                                                             m_view.pixelAt(event.position())));
             break;
         case Drag::None:
+        case Drag::Wipe:
             break;
     }
     m_last = event.position();
@@ -113,8 +139,14 @@ void ViewInput::move(const QMouseEvent& event) {
 
 bool ViewInput::release(const QMouseEvent& event) {
     const bool menu = event.button() == Qt::RightButton && m_drag == Drag::Look && !m_moved && m_keys.isEmpty();
+    if (event.button() == Qt::LeftButton && m_drag == Drag::Turn && !m_moved) pick(event.position());
     m_drag = Drag::None;
     return menu;
+}
+
+void ViewInput::pick(const QPointF& position) {
+    const Vec2 pixel = m_view.pixelAt(position);
+    m_session.pickAt(m_view.view(), int(std::floor(pixel.x)), int(std::floor(pixel.y)));
 }
 
 void ViewInput::doubleClick(const QMouseEvent& event) {
@@ -122,7 +154,7 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
     if (event.button() != Qt::LeftButton || !m_session.opened()) return;
     // Beside the scene there is nothing to turn about.
     if (const std::optional<Vec3> point = m_view.surfaceAt(event.position()))
-        m_session.setCamera(centredOn(m_view.camera(), *point));
+        m_session.setViewingCamera(m_view.view(), centredOn(m_view.camera(), *point));
 }
 
 void ViewInput::wheel(QWheelEvent& event) {
@@ -131,17 +163,17 @@ void ViewInput::wheel(QWheelEvent& event) {
     // Some systems turn a wheel with a modifier key sideways.
     const QPoint angle = event.angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
-    const Camera& camera = m_session.camera();
+    const Camera& camera = m_session.viewingCamera(m_view.view());
     if (event.modifiers().testFlag(Qt::ControlModifier)) {
         m_session.setChosenNear(camera.nearDistance * std::pow(kNearPerNotch, notches));
     } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-        m_session.setCamera(withFovy(camera, std::pow(kFovyPerNotch, -notches)));
+        m_session.setViewingCamera(m_view.view(), withFovy(camera, std::pow(kFovyPerNotch, -notches)));
     } else {
         // The point under the pointer stays there while zooming: it need not be looked up again before the next picture.
         if (m_view.pictureIsCurrent() || m_zoomPosition != event.position()) m_zoomPoint = m_view.pointAt(event.position());
         m_zoomPosition = event.position();
         const double radius = m_session.opened()->scene->boundingSphere().radius;
-        m_session.setCamera(zoomed(camera, m_zoomPoint, std::pow(kZoomPerNotch, notches), radius));
+        m_session.setViewingCamera(m_view.view(), zoomed(camera, m_zoomPoint, std::pow(kZoomPerNotch, notches), radius));
     }
 }
 
@@ -176,20 +208,21 @@ bool ViewInput::keyPress(const QKeyEvent& event) {
         case Qt::Key_Minus: {
             const double factor = event.key() == Qt::Key_Minus ? 1.0 / kZoomPerNotch : kZoomPerNotch;
             const double radius = m_session.opened()->scene->boundingSphere().radius;
-            m_session.setCamera(zoomed(m_session.camera(), m_session.camera().target, factor, radius));
+            m_session.setViewingCamera(m_view.view(), zoomed(m_session.viewingCamera(m_view.view()),
+                                                             m_session.viewingCamera(m_view.view()).target, factor, radius));
             return true;
         }
         default:
             return false;
     }
-    const Camera& camera = m_session.camera();
+    const Camera& camera = m_session.viewingCamera(m_view.view());
     if (shift) {
         const double distance = glm::length(camera.target - camera.eye);
         const Vec2 step = kPixelsPerKey * Vec2(way.x(), -way.y());
-        m_session.setCamera(panned(m_view.camera(), distance, Vec2(0.0), step));
+        m_session.setViewingCamera(m_view.view(), panned(m_view.camera(), distance, Vec2(0.0), step));
     } else {
-        m_session.setCamera(turned(camera, m_session.upAxis(), Angle::fromDegrees(kDegreesPerKey * way.x()),
-                                   Angle::fromDegrees(-kDegreesPerKey * way.y())));
+        m_session.setViewingCamera(m_view.view(), turned(camera, m_session.upAxis(), Angle::fromDegrees(kDegreesPerKey * way.x()),
+                                                         Angle::fromDegrees(-kDegreesPerKey * way.y())));
     }
     return true;
 }
@@ -214,7 +247,7 @@ void ViewInput::fly() {
     const double length = hurry * kFlightSpeed * seconds * m_session.opened()->scene->boundingSphere().radius;
     const auto held = [this](int key) { return m_keys.contains(key) ? 1.0 : 0.0; };
     const Vec3 step(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q), held(Qt::Key_W) - held(Qt::Key_S));
-    if (step != Vec3(0.0)) m_session.setCamera(flown(m_view.camera(), length * step));
+    if (step != Vec3(0.0)) m_session.setViewingCamera(m_view.view(), flown(m_view.camera(), length * step));
 }
 
 }  // namespace cullscope::ui

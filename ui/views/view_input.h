@@ -16,9 +16,10 @@ namespace cullscope::ui {
 
 class SceneView;
 
-/// Turns mouse and keys on a view into moves of the session's camera, in the way people know from other programs:
+/// Turns mouse and keys on a view into moves of its viewing camera, in the way people know from other programs:
 /// left drag turns, middle drag or Shift+left pans, right drag looks around while W A S D Q E fly, the wheel zooms to the
-/// pointer, Ctrl+wheel moves the near plane, Shift+wheel the field of view, a double click sets the centre of rotation.
+/// pointer, Ctrl+wheel moves the near plane, Shift+wheel the field of view, a double click sets the centre of
+/// rotation, a click picks, the wipe's line is dragged.
 class ViewInput : public QObject {
     Q_OBJECT
 
@@ -40,10 +41,13 @@ public:
     [[nodiscard]] static bool wantsKey(const QKeyEvent& event);
 
 private:
-    enum class Drag { None, Turn, Pan, Look };
+    enum class Drag { None, Turn, Pan, Look, Wipe };
 
     void beginDrag();
     void fly();
+    void pick(const QPointF& position);
+    [[nodiscard]] bool overWipeLine(const QPointF& position) const;
+    void moveWipe(const QPointF& position);
 
     Session& m_session;
     SceneView& m_view;

@@ -1,8 +1,6 @@
 #include "ui/views/view_pane.h"
 
 #include <QLocale>
-#include <QPainter>
-#include <QVBoxLayout>
 #include <cmath>
 
 #include "ui/text/wording.h"
@@ -11,8 +9,8 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kGap = 2;  // pixels between two views
 constexpr int kChipInset = 8;
+constexpr double kUsualScale = 1.0;
 
 }  // namespace
 
@@ -22,29 +20,67 @@ ViewPane::ViewPane(Session& session, int view, QWidget* parent)
       m_view(view),
       m_header(new ViewHeader(session, view, this)),
       m_picture(new SceneView(session, view, this)),
+      m_budget(new BudgetBar(this)),
       m_chip(new QLabel(m_picture)) {
-    auto* layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_header);
-    layout->addWidget(m_picture, 1);
+    setAutoFillBackground(true);
     m_chip->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_chip->setAutoFillBackground(true);
     m_chip->setForegroundRole(QPalette::ToolTipText);
     m_chip->setBackgroundRole(QPalette::ToolTipBase);
     m_chip->setMargin(4);
+    const auto mine = [this](int changed) {
+        if (changed == m_view || changed == m_session.culledBy(m_view)) refresh();
+    };
+    connect(&session, &Session::sceneChanged, m_budget, &BudgetBar::clear);
     connect(&session, &Session::cameraChanged, this, &ViewPane::refreshChip);
+    connect(&session, &Session::hiddenChanged, this, &ViewPane::refreshChip);
+    connect(&session, &Session::viewCountChanged, this, &ViewPane::refreshChip);
+    connect(&session, &Session::setupChanged, this, mine);
+    connect(&session, &Session::pictureChanged, this, mine);
+    connect(&session, &Session::figuresChanged, this, mine);
+    connect(m_picture, &SceneView::lossMarked, this, &ViewPane::refreshChip);
     retranslate();
+}
+
+QStringList ViewPane::lensParts() const {
+    QStringList parts;
+    if (m_session.chosenNear() && m_session.setup(m_view).role == Role::Linked)
+        parts << tr("near plane %1").arg(QLocale().toString(m_session.camera().nearDistance, 'g', 3));
+    const Camera& camera = m_session.viewingCamera(m_view);
+    if (std::abs((camera.fovy - m_session.defaultFovy()).degrees()) > 0.05)
+        parts << tr("field of view %1°").arg(QLocale().toString(camera.fovy.degrees(), 'f', 1));
+    if (!parts.isEmpty()) parts = {tr("%1 (Home resets)").arg(parts.join(QStringLiteral(" · ")))};
+    return parts;
 }
 
 QString ViewPane::chipText() const {
     QStringList parts;
-    const Camera& camera = m_session.camera();
-    if (m_session.chosenNear()) parts << tr("near plane %1").arg(QLocale().toString(camera.nearDistance, 'g', 3));
-    if (std::abs((camera.fovy - m_session.defaultFovy()).degrees()) > 0.05)
-        parts << tr("field of view %1°").arg(QLocale().toString(camera.fovy.degrees(), 'f', 1));
-    if (parts.isEmpty()) return {};
-    return tr("%1 (Home resets)").arg(parts.join(QStringLiteral(" · ")));
+    const ViewSetup& setup = m_session.setup(m_view);
+    if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");
+    parts << lensParts();
+    const double scale = m_picture->pictureLayout().scale();
+    if (setup.size && std::abs(scale - kUsualScale) > 1e-6)
+        parts << tr("%1 × %2 shown at %3 %")
+                     .arg(setup.size->width)
+                     .arg(setup.size->height)
+                     .arg(QLocale().toString(100.0 * scale, 'f', 0));
+    if (setup.upload == Upload::VertexArray) parts << tr("vertex arrays");
+    const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
+    if (hidden > 0) parts << tr("%n object(s) hidden", nullptr, int(hidden));
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (shown && setup.wipe.mode == Wipe::Mode::Loss)
+        parts << tr("%1 pixels missed, %2 nearer than the truth").arg(countText(shown->missed), countText(shown->added));
+    if (shown && setup.wipe.mode == Wipe::Mode::Difference)
+        parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(setup.wipe.other));
+    const std::vector<Hole>& holes = m_session.figures(m_view).holes;
+    if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size())
+        parts << tr("loss %1 of %2: %n pixel(s)", nullptr, int(holes[*loss].pixels)).arg(*loss + 1).arg(holes.size());
+    return parts.join(QStringLiteral(" · "));
+}
+
+void ViewPane::refresh() {
+    m_budget->setFigures(m_session.figures(m_view));
+    refreshChip();
 }
 
 void ViewPane::refreshChip() {
@@ -52,7 +88,9 @@ void ViewPane::refreshChip() {
     if (text == m_chip->text() && m_chip->isVisibleTo(m_picture) == !text.isEmpty()) return;
     m_chip->setText(text);
     m_chip->setVisible(!text.isEmpty());
-    m_chip->adjustSize();
+    const int room = m_picture->width() - 2 * kChipInset;
+    m_chip->setWordWrap(m_chip->sizeHint().width() > room);
+    m_chip->resize(m_chip->wordWrap() ? QSize(room, m_chip->heightForWidth(room)) : m_chip->sizeHint());
     m_chip->move(kChipInset, kChipInset);
 }
 
@@ -62,37 +100,42 @@ void ViewPane::retranslate() {
     refreshChip();
 }
 
+void ViewPane::setCompare(bool compare) {
+    m_compare = compare;
+    arrange();
+}
+
+void ViewPane::setPanel(QWidget* panel) {
+    delete m_panel;
+    m_panel = panel;
+    if (panel) {
+        panel->setParent(this);
+        panel->show();
+    }
+    arrange();
+}
+
+void ViewPane::arrange() {
+    m_picture->setVisible(!m_panel);
+    m_budget->setVisible(!m_panel);
+    const int top = m_header->sizeHint().height();
+    m_header->setGeometry(0, 0, width(), top);
+    if (m_panel) {
+        m_panel->setGeometry(0, top, width(), height() - top);
+        return;
+    }
+    QSize picture(width(), std::max(1, height() - top - m_budget->sizeHint().height()));
+    if (m_compare) picture = QSize(4, 3).scaled(picture, Qt::KeepAspectRatio);
+    m_picture->setGeometry((width() - picture.width()) / 2, top, picture.width(), picture.height());
+    m_budget->setGeometry(0, top + picture.height(), width(), m_budget->sizeHint().height());
+    refreshChip();
+}
+
+void ViewPane::resizeEvent(QResizeEvent*) { arrange(); }
+
 void ViewPane::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) retranslate();
     QWidget::changeEvent(event);
 }
-
-ViewGrid::ViewGrid(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
-    for (int view = 0; view < Session::kMostViews; ++view) {
-        auto* pane = new ViewPane(session, view, this);
-        connect(&pane->picture(), &SceneView::menuRequested, this, &ViewGrid::menuRequested);
-        m_panes.push_back(pane);
-    }
-    connect(&session, &Session::viewCountChanged, this, &ViewGrid::arrange);
-    arrange();
-}
-
-void ViewGrid::arrange() {
-    int shown = 0;
-    for (int view = 0; view < Session::kMostViews; ++view) shown += m_session.shown(view) ? 1 : 0;
-    const int each = (width() - kGap * (shown - 1)) / shown;
-    int x = 0;
-    for (int view = 0; view < Session::kMostViews; ++view) {
-        ViewPane* pane = m_panes[size_t(view)];
-        pane->setVisible(m_session.shown(view));
-        if (!m_session.shown(view)) continue;
-        pane->setGeometry(x, 0, each, height());
-        x += each + kGap;
-    }
-}
-
-void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }
-
-void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Mid)); }
 
 }  // namespace cullscope::ui

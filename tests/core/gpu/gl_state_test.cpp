@@ -16,14 +16,14 @@ GLint integer(GLenum name) {
 void expectDefaults() {
     EXPECT_EQ(integer(GL_CLIP_ORIGIN), GL_LOWER_LEFT);
     EXPECT_EQ(integer(GL_CLIP_DEPTH_MODE), GL_NEGATIVE_ONE_TO_ONE);
-    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST})
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_SCISSOR_TEST, GL_BLEND, GL_STENCIL_TEST, GL_DEPTH_CLAMP})
         EXPECT_FALSE(glIsEnabled(capability)) << std::hex << capability;
     EXPECT_EQ(integer(GL_DEPTH_FUNC), GL_LESS);
     EXPECT_EQ(integer(GL_DEPTH_WRITEMASK), GL_TRUE);
     EXPECT_EQ(integer(GL_CULL_FACE_MODE), GL_BACK);
     EXPECT_EQ(integer(GL_FRONT_FACE), GL_CCW);
     for (const GLenum binding : {GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_ARRAY_BUFFER_BINDING,
-                                 GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_TEXTURE_BINDING_2D})
+                                 GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_TEXTURE_BINDING_2D, GL_SHADER_STORAGE_BUFFER_BINDING})
         EXPECT_EQ(integer(binding), 0) << std::hex << binding;
     GLfloat clearDepth = 0;
     glGetFloatv(GL_DEPTH_CLEAR_VALUE, &clearDepth);
@@ -37,6 +37,14 @@ void expectDefaults() {
     GLint image = -1;
     glGetIntegeri_v(GL_IMAGE_BINDING_NAME, 0, &image);
     EXPECT_EQ(image, 0);
+    for (const GLuint index : {0u, 1u}) {
+        GLint buffer = -1;
+        glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &buffer);
+        EXPECT_EQ(buffer, 0) << index;
+    }
+    std::array<GLint, 2> polygonMode{};  // compatibility profiles give one for each side
+    glGetIntegerv(GL_POLYGON_MODE, polygonMode.data());
+    EXPECT_EQ(polygonMode[0], GL_FILL);
     EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 4);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
@@ -54,7 +62,7 @@ public:
     }
 
 private:
-    Framebuffer m_framebuffer{{8, 8}};
+    Framebuffer m_framebuffer{Viewport{8, 8}};
 };
 
 class GlState : public testing::TestWithParam<Upload> {};
@@ -73,6 +81,31 @@ TEST_P(GlState, rendererLeavesSomethingBehind) {
         (void)GlEnvironment::renderer().drawItemBuffer(buffers, view, everything(*scene, facing));
         expectDefaults();
         bound.expectStillBound();
+        (void)GlEnvironment::renderer().pick(buffers, view, everything(*scene, facing), 16, 16);
+        expectDefaults();
+        bound.expectStillBound();
+    }
+}
+
+TEST_P(GlState, overlaysLeaveSomethingBehind) {
+    const ScenePointer scene = sceneOf({squareMesh(1, -5), squareMesh(1, -6)}, {scaling({-1, 1, 1}), Mat4(1.0)});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {32, 32});
+    const SceneBuffers buffers(scene, GetParam());
+    using enum PaletteEntry::Look;
+    const std::array<PaletteEntry, 4> palette{
+        {{Vec3f(1.0f), Filled}, {Vec3f(1.0f), Wireframe}, {Vec3f(1.0f), Marked}, {Vec3f(1.0f), Absent}}};
+    for (const Facing facing : {Facing::TwoSided, Facing::Front}) {
+        const Bound bound;
+        Framebuffer target(view.viewport());
+        GlEnvironment::renderer().drawByState(buffers, view, facing, std::array<uint8_t, 4>{0, 1, 2, 3}, palette, target);
+        expectDefaults();
+        bound.expectStillBound();
+        for (const bool depthTest : {true, false}) {
+            GlEnvironment::renderer().drawLines(view, std::array{LineSegment{{0, 0, -1}, {1, 0, -9}, Vec3f(1.0f)}},
+                                                {3.0f, depthTest}, target);
+            expectDefaults();
+            bound.expectStillBound();
+        }
     }
 }
 
@@ -88,6 +121,7 @@ TEST(CallersState, changesThePicture) {
     glEnable(GL_BLEND);
     glDepthFunc(GL_NEVER);
     glFrontFace(GL_CW);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_POINT);
     glColorMask(GL_FALSE, GL_TRUE, GL_TRUE, GL_TRUE);
     glDepthMask(GL_FALSE);
     EXPECT_EQ(picture(scene, view, Facing::Front), clean);

@@ -84,6 +84,36 @@ TEST(Measure, stopLosesWhatWasMeasured) {
     }
 }
 
+TEST(Measure, resultSoFarLacksAPoseOrASummary) {
+    size_t calls = 0;
+    const MeasureResult result = measure(smallExperiment({"frustum", "all"}), {}, [&](const auto& resultSoFar) {
+        const MeasureResult partial = resultSoFar();
+        ++calls;
+        EXPECT_EQ(partial.interrupted, calls < 3);
+        EXPECT_FALSE(partial.gl.renderer.empty());
+        ASSERT_EQ(partial.runs.size(), 2u);
+        for (const RunMeasurement& run : partial.runs) {
+            ASSERT_EQ(run.frames.size(), calls);
+            EXPECT_EQ(run.frames.back().pose, calls - 1);
+            EXPECT_GT(run.summary.fpsOverall, 0.0);
+        }
+    });
+    EXPECT_EQ(calls, 3u);
+    EXPECT_FALSE(result.interrupted);
+}
+
+TEST(Measure, stopAfterTheLastPoseCountsAsInterrupted) {
+    std::stop_source source;
+    Progress progress;
+    progress.stop = source.get_token();
+    size_t calls = 0;
+    const MeasureResult result = measure(smallExperiment({"all"}), progress, [&](const auto&) {
+        if (++calls == 3) source.request_stop();
+    });
+    EXPECT_FALSE(result.interrupted) << "everything was measured";
+    EXPECT_EQ(result.runs[0].frames.size(), 3u);
+}
+
 TEST(Measure, stopBeforeTheFirstPoseCrashes) {
     std::stop_source source;
     source.request_stop();

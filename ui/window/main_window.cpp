@@ -1,7 +1,6 @@
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <QApplication>
-#include <QClipboard>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFileDialog>
@@ -14,20 +13,21 @@
 #include <QVBoxLayout>
 
 #include "core/mesh/load.h"
-#include "core/visibility/registry.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/generate_dialog.h"
 #include "ui/dialogs/keys_dialog.h"
-#include "ui/session/cullbench_command.h"
-#include "ui/text/translated.h"
-#include "ui/text/wording.h"
+#include "ui/views/tinted_icon.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr int kDockWidth = 380;
+constexpr int kDockWidth = 400;
+constexpr int kWideDockWidth = 480;
 constexpr int kNarrowestDock = 320;
+constexpr int kWideWindow = 1600;  // from which on there is room for the side panel beside the views
+constexpr int kStrategyPage = 0;
+constexpr int kScenePage = 1;
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
 constexpr const char* kFolderSetting = "folder";
@@ -58,30 +58,55 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     addToolBar(m_toolBar);
     setAcceptDrops(true);
     makeCentre();
-    makeDock();
+    makeSide();
+    makeDocks();
     makeStatusBar();
+    m_viewCommands = new ViewCommands(m_session, *m_views, *m_actions, this);
+    m_viewCommands->setPlaceablePanels([this] { return placeablePanels(); });
     wireCommands();
     wireSession();
     retranslate();
     showState();
+    arrange();
 }
 
 void MainWindow::makeCentre() {
     auto* centre = new QWidget(this);
-    auto* layout = new QVBoxLayout(centre);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto* row = new QHBoxLayout(centre);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(0);
+    m_side = new SidePanel(centre);
     m_stack = new QStackedWidget(centre);
     m_empty = new EmptyState(m_session, m_actions->generate, m_stack);
     m_views = new ViewGrid(m_session, m_stack);
     m_stack->addWidget(m_empty);
     m_stack->addWidget(m_views);
-    layout->addWidget(m_stack);
+    m_rightRail = new QWidget(centre);
+    m_rightRail->setFixedWidth(SidePanel::kRailWidth);
+    auto* rail = new QVBoxLayout(m_rightRail);
+    rail->setContentsMargins(2, 4, 2, 4);
+    rail->addStretch(1);
+    row->addWidget(m_side);
+    row->addWidget(m_stack, 1);
+    row->addWidget(m_rightRail);
     m_message = new MessageBar(centre);
     setCentralWidget(centre);
 }
 
-void MainWindow::makeDock() {
+void MainWindow::makeSide() {
+    auto* scroll = new QScrollArea(m_side);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_strategy = new StrategyPanel(m_session, scroll);
+    scroll->setWidget(m_strategy);
+    scroll->setFocusProxy(m_strategy);
+    m_scene = new ScenePanel(m_session, m_side);
+    m_side->addPage(scroll, QStringLiteral("strategy"));
+    m_side->addPage(m_scene, QStringLiteral("scene"));
+}
+
+void MainWindow::makeDocks() {
     m_dock = new QDockWidget(this);
     m_dock->setObjectName(QStringLiteral("inside"));
     m_dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
@@ -93,23 +118,72 @@ void MainWindow::makeDock() {
     m_dockScroll->setFocusPolicy(Qt::NoFocus);
     auto* content = new QWidget(m_dockScroll);
     auto* layout = new QVBoxLayout(content);
-    m_strategy = new StrategyPanel(m_session, content);
     m_tabs = new QTabWidget(content);
     m_figures = new FigurePanel(m_session, m_tabs);
-    m_scene = new ScenePanel(m_session, m_tabs);
     m_tabs->addTab(m_figures, QString());
-    m_tabs->addTab(m_scene, QString());
     m_legend = new LegendPanel(m_session, content);
-    layout->addWidget(m_strategy);
     layout->addWidget(m_tabs, 1);
     layout->addWidget(m_legend);
     m_dockScroll->setWidget(content);
     m_dockScroll->setMinimumWidth(kNarrowestDock);
     m_dock->setWidget(m_dockScroll);
     addDockWidget(Qt::RightDockWidgetArea, m_dock);
-    resizeDocks({m_dock}, {kDockWidth}, Qt::Horizontal);
-    m_actions->viewMenu->addSeparator();
-    m_actions->viewMenu->addAction(m_dock->toggleViewAction());
+    m_dock->toggleViewAction()->setIcon(tintedIcon(QStringLiteral("inside")));
+    m_actions->panels->addAction(m_dock->toggleViewAction());
+    addRailButton(m_dock->toggleViewAction());
+    connect(m_dock, &QDockWidget::visibilityChanged, this, [this] { m_rightRail->setVisible(!m_dock->isVisibleTo(this)); });
+}
+
+void MainWindow::addRailButton(QAction* action) {
+    auto* button = new QToolButton(m_rightRail);
+    button->setDefaultAction(action);
+    button->setAutoRaise(true);
+    button->setIconSize({24, 24});
+    button->setFixedSize(SidePanel::kRailWidth - 4, SidePanel::kRailWidth - 4);
+    auto* rail = qobject_cast<QVBoxLayout*>(m_rightRail->layout());
+    rail->insertWidget(rail->count() - 1, button);
+}
+
+void MainWindow::arrange() {
+    const bool compare = m_session.viewCount() > 2;
+    const bool wide = width() >= kWideWindow;
+    m_side->setDocked(wide && !compare);
+    if (std::exchange(m_arrangedFor, std::pair(compare, wide)) == std::pair(compare, wide)) return;
+    m_side->setOpenPage(wide && !compare ? kStrategyPage : -1);
+    m_dock->setVisible(!compare);
+    m_rightRail->setVisible(compare);
+    resizeDocks({m_dock}, {wide ? kWideDockWidth : kDockWidth}, Qt::Horizontal);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    arrange();
+}
+
+std::vector<PlaceablePanel> MainWindow::placeablePanels() const {
+    return {{"figures", tr("Figures")}, {"legend", tr("Legend")}, {"scene", tr("Scene")}};
+}
+
+QWidget* MainWindow::makePanel(const std::string& id) {
+    if (id == "figures") return new FigurePanel(m_session);
+    if (id == "legend") return new LegendPanel(m_session);
+    if (id == "scene") return new ScenePanel(m_session);
+    return nullptr;
+}
+
+void MainWindow::placePanels() {
+    for (int view = 0; view < Session::kMostViews; ++view) {
+        ViewPane& pane = m_views->pane(view);
+        const std::string& wanted = m_session.setup(view).panel;
+        const QString placed = pane.panel() ? pane.panel()->objectName() : QString();
+        if (placed == QString::fromStdString(wanted)) continue;
+        QWidget* panel = wanted.empty() ? nullptr : makePanel(wanted);
+        if (panel) {
+            panel->setObjectName(QString::fromStdString(wanted));
+            panel->setAutoFillBackground(true);
+        }
+        pane.setPanel(panel);
+    }
 }
 
 void MainWindow::makeStatusBar() {
@@ -134,6 +208,7 @@ void MainWindow::wireCommands() {
     connect(m_empty, &EmptyState::openRequested, this, &MainWindow::openByDialog);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions, &WindowActions::generatorChosen, this, &MainWindow::generate);
+    connect(m_actions->lecture, &QAction::triggered, this, &MainWindow::beginLecture);
     connect(m_actions->home, &QAction::triggered, &m_session, &Session::goHome);
     connect(m_actions->frame, &QAction::triggered, &m_session, &Session::frameScene);
     connect(m_actions->views, &QActionGroup::triggered, this,
@@ -151,7 +226,7 @@ void MainWindow::wireCommands() {
     connect(m_actions->keys, &QAction::triggered, this, [this] { KeysDialog(this).exec(); });
     connect(m_actions->about, &QAction::triggered, this,
             [this] { AboutDialog(m_session.gpu() ? m_session.gpu()->info() : GlInfo{}, this).exec(); });
-    connect(m_views, &ViewGrid::menuRequested, this, &MainWindow::showMenuOf);
+    connect(m_dock->toggleViewAction(), &QAction::triggered, this, [this](bool shown) { m_rightRail->setVisible(!shown); });
 }
 
 void MainWindow::wireSession() {
@@ -161,6 +236,8 @@ void MainWindow::wireSession() {
         m_views->pane(m_session.activeView()).picture().setFocus();
     });
     connect(&m_session, &Session::viewCountChanged, this, &MainWindow::showState);
+    connect(&m_session, &Session::viewCountChanged, this, &MainWindow::arrange);
+    connect(&m_session, &Session::setupChanged, this, &MainWindow::placePanels);
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
@@ -170,24 +247,28 @@ void MainWindow::wireSession() {
 void MainWindow::showState() {
     const OpenedScenePointer& opened = m_session.opened();
     m_stack->setCurrentWidget(opened ? static_cast<QWidget*>(m_views) : m_empty);
-    (m_session.viewCount() == 1 ? m_actions->oneView : m_actions->twoViews)->setChecked(true);
+    for (QAction* action : m_actions->views->actions())
+        action->setChecked(action->data().toString().toInt() == m_session.viewCount());
     (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true);
     for (QAction* action : m_actions->languages->actions()) action->setChecked(action->data().toString() == m_language.current());
     for (QAction* action : m_actions->appearance->actions())
         action->setChecked(action->data().toString() == Appearance::id(m_appearance.mode()));
     m_actions->home->setEnabled(opened != nullptr);
     m_actions->frame->setEnabled(opened != nullptr);
+    m_actions->lecture->setEnabled(opened != nullptr);
     const QString scene = opened ? QString::fromStdString(opened->scene->name()) : QString();
     setWindowTitle(scene.isEmpty() ? QStringLiteral("Cullscope") : tr("%1 – Cullscope").arg(scene));
 }
 
 void MainWindow::retranslate() {
     m_actions->retranslate();
-    m_dock->setWindowTitle(tr("Strategy and figures"));
+    m_dock->setWindowTitle(tr("Inside"));
+    m_dock->toggleViewAction()->setToolTip(tr("Inside: what the strategy decided, and why"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
-    m_tabs->tabBar()->setAccessibleName(tr("Figures and scene"));
+    m_tabs->tabBar()->setAccessibleName(tr("Inside"));
     m_tabs->setTabText(0, tr("Figures"));
-    m_tabs->setTabText(1, tr("Scene"));
+    m_side->setPageTitle(kStrategyPage, tr("Strategy"));
+    m_side->setPageTitle(kScenePage, tr("Scene"));
     const GlInfo gl = m_session.gpu() ? m_session.gpu()->info() : GlInfo{};
     m_software->setText(tr("Software OpenGL"));
     m_software->setToolTip(tr("The processor draws: times are not those of a graphics card."));
@@ -228,25 +309,14 @@ void MainWindow::generate(int generator) {
     if (dialog.exec() == QDialog::Accepted) m_session.open(dialog.specification());
 }
 
-void MainWindow::showMenuOf(int view, const QPoint& position) {
-    const OpenedScenePointer& opened = m_session.opened();
-    if (!opened) return;
-    SceneView& picture = m_views->pane(view).picture();
-    QMenu menu(this);
-    menu.addAction(tr("Copy the picture"), this, [&picture] { QGuiApplication::clipboard()->setImage(picture.picture()); });
-    menu.addAction(tr("Copy the cullbench command"), this,
-                   [&picture] { QGuiApplication::clipboard()->setText(cullbenchCommand(picture.request())); });
-    menu.addSeparator();
-    QMenu* choices = menu.addMenu(tr("Strategy"));
-    for (const RegisteredStrategy& strategy : strategies()) {
-        QAction* action = choices->addAction(translated(strategy.info.name));
-        action->setCheckable(true);
-        action->setChecked(strategy.info.id == m_session.slot(view).id());
-        connect(action, &QAction::triggered, this, [this, view, id = strategy.info.id] { m_session.slot(view).choose(id); });
-    }
-    menu.addSeparator();
-    menu.addActions({m_actions->home, m_actions->frame});
-    menu.exec(position);
+void MainWindow::beginLecture() {
+    if (m_lecture || !m_session.opened()) return;
+    m_lecture = new LectureWindow(m_session, *m_views, makePanel("legend"), this);
+    connect(m_lecture, &LectureWindow::left, this, [this] {
+        m_lecture->deleteLater();
+        m_lecture = nullptr;
+    });
+    m_lecture->begin();
 }
 
 void MainWindow::changeEvent(QEvent* event) {

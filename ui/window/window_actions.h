@@ -22,16 +22,27 @@ public:
     /// Words, and the Generate menu from the scene generators.
     void retranslate();
 
-    QAction *open, *quit;
-    QAction *oneView, *twoViews;
+    // File
+    QAction *open, *saveSession, *saveSessionAs, *screenshot, *screenshotNow, *screenshotBare, *quit;
+    QMenu *generate, *recent;
+    // Edit: undo and redo come from the undo stack
+    QMenu* editMenu;
+    // View
+    QAction *oneView, *twoViews, *fourViews, *eightViews;
     QAction *home, *frame;
     QAction *upY, *upZ;
+    QAction *lecture, *resetLayout;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
+    QMenu* bookmarks;
+    /// The docks' own actions go here.
+    QMenu* panels;
+    // Picture: of the active view
+    QAction *freeze, *verdicts, *frustum, *boxes, *truth, *loss, *nextLoss, *loupe;
+    // Path
+    QAction *record, *addPose, *savePath, *openPath, *play, *stop;
+    // Help
     QAction *keys, *about;
     QActionGroup *views, *upAxis, *languages, *appearance;
-    QMenu* generate;
-    /// The docks' own actions go here.
-    QMenu* viewMenu;
 
 signals:
     /// A generator of core's list was chosen.
@@ -40,12 +51,20 @@ signals:
 
 private:
     QAction* command(const QKeySequence& shortcut, const QString& icon = {});
+    /// A command that is on or off.
+    QAction* toggle(const QKeySequence& shortcut, const QString& icon = {});
+    void makeFile();
+    void makeView();
+    void makePicture();
+    void retranslateFile();
+    void retranslateView();
+    void retranslatePicture();
     QAction* option(QActionGroup* group, const QString& data, const QKeySequence& shortcut = {}, const QString& icon = {});
     void makeLanguages();
     void fillGenerate();
 
     QWidget* m_window;
-    QMenu *m_fileMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu, *m_helpMenu;
+    QMenu *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu, *m_helpMenu;
 };
 
 }  // namespace cullscope::ui

@@ -15,8 +15,11 @@
 #include "ui/session/session.h"
 #include "ui/startup/appearance.h"
 #include "ui/text/language.h"
-#include "ui/views/view_pane.h"
-#include "ui/window_actions.h"
+#include "ui/views/view_grid.h"
+#include "ui/window/lecture_window.h"
+#include "ui/window/side_panel.h"
+#include "ui/window/view_commands.h"
+#include "ui/window/window_actions.h"
 
 class QDockWidget;
 class QScrollArea;
@@ -33,31 +36,44 @@ public:
     MainWindow(Session& session, Language& language, Appearance& appearance, QWidget* parent = nullptr);
 
     [[nodiscard]] ViewGrid& views() { return *m_views; }
+    [[nodiscard]] SidePanel& side() { return *m_side; }
+    [[nodiscard]] ViewCommands& viewCommands() { return *m_viewCommands; }
     [[nodiscard]] WindowActions& actions() { return *m_actions; }
     [[nodiscard]] MessageBar& message() { return *m_message; }
     [[nodiscard]] StrategyPanel& strategyPanel() { return *m_strategy; }
     [[nodiscard]] LegendPanel& legend() { return *m_legend; }
     [[nodiscard]] FigurePanel& figures() { return *m_figures; }
+    /// Null: no lecture is being held.
+    [[nodiscard]] LectureWindow* lecture() { return m_lecture; }
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
     /// The types that the dialog for opening offers, as QFileDialog takes them.
     [[nodiscard]] static QString meshFileTypes();
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
     void makeCentre();
-    void makeDock();
+    void makeSide();
+    void makeDocks();
+    void addRailButton(QAction* action);
     void makeStatusBar();
     void wireCommands();
     void wireSession();
+    /// Two views at most are explored beside all panels; more are compared, with the panels folded to rails.
+    void arrange();
     void showState();
     void retranslate();
     void openByDialog();
     void generate(int generator);
-    void showMenuOf(int view, const QPoint& position);
+    void beginLecture();
+    /// Puts the panels that views' setups name into the views' places.
+    void placePanels();
+    [[nodiscard]] QWidget* makePanel(const std::string& id);
+    [[nodiscard]] std::vector<PlaceablePanel> placeablePanels() const;
 
     Session& m_session;
     Language& m_language;
@@ -68,6 +84,10 @@ private:
     QStackedWidget* m_stack;
     EmptyState* m_empty;
     ViewGrid* m_views;
+    ViewCommands* m_viewCommands;
+    SidePanel* m_side;
+    LectureWindow* m_lecture = nullptr;
+    QWidget* m_rightRail;
     QDockWidget* m_dock;
     QScrollArea* m_dockScroll;
     StrategyPanel* m_strategy;
@@ -79,6 +99,7 @@ private:
     QLabel* m_gl;
     QLabel* m_software;
     QSettings m_settings;
+    std::optional<std::pair<bool, bool>> m_arrangedFor;  ///< compared, wide
 };
 
 }  // namespace cullscope::ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "core/measure/view_picture.h"
+
+namespace cullscope::cullbench {
+
+/// What `render` shows besides what was drawn, and from where, as given on the command line.
+struct OverlayOptions {
+    std::vector<std::string> names;
+    std::string eye, target, up;
+    std::string cullingSize;
+    double fovy = 0.0;                             ///< degrees; 0: the culling camera's
+    double nearDistance = 0.0, farDistance = 0.0;  ///< 0: around the scene
+    bool drawnOnly = false;
+
+    /// Whether the viewing camera is another than the culling camera.
+    [[nodiscard]] bool observer() const {
+        return !eye.empty() || !target.empty() || !up.empty() || fovy > 0.0 || nearDistance > 0.0 || farDistance > 0.0;
+    }
+};
+
+void addOverlayOptions(CLI::App& command, OverlayOptions& options);
+
+/// Throws Error(Usage) for a name that is no overlay, naming those that are, or that the strategy of this id does not have.
+[[nodiscard]] ViewLook lookOf(const OverlayOptions& options, const std::string& strategy);
+
+/// The camera that looks: the culling camera with what was given in its place, its depth range fitted to the scene.
+[[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);
+
+/// The size of the culling camera's picture, which shapes its frustum: `size`, or what was given.
+[[nodiscard]] Viewport cullingSize(const OverlayOptions& options, const Viewport& size);
+
+}  // namespace cullscope::cullbench

@@ -1,0 +1,117 @@
+#include "core/gpu/drawing.h"
+
+#include <cassert>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace cullscope {
+
+DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing facing) {
+    const PictureTile& tile = target.tile();
+    assert(tile.x >= 0 && tile.x + tile.size.width <= view.viewport().width);
+    assert(tile.y >= 0 && tile.y + tile.size.height <= view.viewport().height);
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_previousDraw);
+    glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_previousRead);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+    // The whole picture's place, of which a tile shows a part.
+    glViewport(-tile.x, -tile.y, view.viewport().width, view.viewport().height);
+    glDisable(GL_SCISSOR_TEST);
+    glDisable(GL_BLEND);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_TRUE);
+    glClearDepth(0.0);
+    if (facing == Facing::Front)
+        glEnable(GL_CULL_FACE);
+    else
+        glDisable(GL_CULL_FACE);
+    glCullFace(GL_BACK);
+}
+
+DrawingState::~DrawingState() {
+    glBindVertexArray(0);
+    glUseProgram(0);
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    glDisable(GL_SCISSOR_TEST);
+    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+    glDisable(GL_DEPTH_CLAMP);
+    glFrontFace(GL_CCW);
+    glDisable(GL_CULL_FACE);
+    glClearColor(0, 0, 0, 0);
+    glClearDepth(1.0);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LESS);
+    glDisable(GL_DEPTH_TEST);
+    glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_previousDraw));
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_previousRead));
+}
+
+void clearTo(const DrawStyle& style) {
+    glClearColor(style.background.x, style.background.y, style.background.z, style.backgroundAlpha);
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+}
+
+VertexInput::VertexInput(const SceneBuffers& buffers, unsigned vertexArray) : m_buffers(buffers), m_vertexArray(vertexArray) {
+    glBindVertexArray(client() ? 0 : vertexArray);
+    if (!client()) return;
+    glBindBuffer(GL_ARRAY_BUFFER, 0);
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, 0);
+    glEnableVertexAttribArray(kPosition);
+    glEnableVertexAttribArray(kNormal);
+}
+
+VertexInput::~VertexInput() {
+    if (!client()) return;
+    glDisableVertexAttribArray(kPosition);
+    glDisableVertexAttribArray(kNormal);
+}
+
+void VertexInput::bindMesh(uint32_t meshIndex) {
+    if (m_bound == meshIndex) return;
+    m_bound = meshIndex;
+    const TriangleMesh& mesh = *m_buffers.scene().meshes()[meshIndex];
+    if (client()) {
+        glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), mesh.positions().data());
+        glVertexAttribPointer(kNormal, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), mesh.normals().data());
+        m_indices = reinterpret_cast<const char*>(mesh.indices().data());
+        return;
+    }
+    const SceneBuffers::MeshBuffers& gpu = m_buffers.mesh(meshIndex);
+    glVertexArrayVertexBuffer(m_vertexArray, kPosition, gpu.vertices, 0, sizeof(Vec3f));
+    glVertexArrayVertexBuffer(m_vertexArray, kNormal, gpu.vertices, static_cast<GLintptr>(gpu.normalsOffset), sizeof(Vec3f));
+    glVertexArrayElementBuffer(m_vertexArray, gpu.indices);
+    m_indices = nullptr;
+}
+
+namespace {
+
+void setInstanceUniforms(const View& view, const Instance& instance, const TriangleMesh& mesh) {
+    const Mat4f clip = view.clipFromPositions(instance.worldFromMesh, mesh.origin());
+    const Mat4f eyeRelative = view.eyeRelativeFromPositions(instance.worldFromMesh, mesh.origin());
+    // Scaled to its largest entry so that tiny and huge instances keep their normals in float.
+    glm::dmat3 normals = glm::transpose(glm::inverse(Mat3(instance.worldFromMesh)));
+    double largest = 0.0;
+    for (int c = 0; c < 3; ++c)
+        for (int r = 0; r < 3; ++r) largest = std::max(largest, std::abs(normals[c][r]));
+    if (largest > 0.0 && std::isfinite(largest)) normals /= largest;
+    const glm::mat3 normalMatrix(normals);
+    glUniformMatrix4fv(kClipFromPositions, 1, GL_FALSE, glm::value_ptr(clip));
+    glUniformMatrix4fv(kEyeRelativeFromPositions, 1, GL_FALSE, glm::value_ptr(eyeRelative));
+    glUniformMatrix3fv(kNormalMatrix, 1, GL_FALSE, glm::value_ptr(normalMatrix));
+    // A mirrored instance turns its triangles around.
+    glFrontFace(glm::determinant(Mat3(instance.worldFromMesh)) < 0.0 ? GL_CW : GL_CCW);
+}
+
+}  // namespace
+
+void VertexInput::bind(const View& view, uint32_t number) {
+    const Instance& instance = m_buffers.scene().instances()[number];
+    bindMesh(instance.mesh);
+    setInstanceUniforms(view, instance, *m_buffers.scene().meshes()[instance.mesh]);
+}
+
+}  // namespace cullscope

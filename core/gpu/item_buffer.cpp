@@ -1,0 +1,92 @@
+#include "core/base/error.h"
+#include "core/gpu/submission.h"
+
+namespace cullscope {
+namespace {
+
+constexpr GLuint kNothing = UINT32_MAX;
+
+/// Depth and triangle numbers as textures, empty until something is drawn.
+class ItemTarget {
+public:
+    explicit ItemTarget(const PictureTile& tile) : m_depth(tile) {
+        glCreateTextures(GL_TEXTURE_2D, 1, &m_items);
+        glTextureStorage2D(m_items, 1, GL_R32UI, tile.size.width, tile.size.height);
+        glClearTexImage(m_items, 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &kNothing);
+    }
+    ~ItemTarget() { glDeleteTextures(1, &m_items); }
+    ItemTarget(const ItemTarget&) = delete;
+    ItemTarget& operator=(const ItemTarget&) = delete;
+
+    [[nodiscard]] const Framebuffer& depth() const { return m_depth; }
+    [[nodiscard]] unsigned items() const { return m_items; }
+
+private:
+    Framebuffer m_depth;
+    unsigned m_items = 0;
+};
+
+void requireNumbers(const Scene& scene) {
+    if (scene.triangleCount() >= kNothing)
+        throwUsage(CULLSCOPE_TR("The scene has %1 triangles; the item buffer numbers at most 4294967294. Measure a part of it."),
+                   {std::to_string(scene.triangleCount())});
+}
+
+/// A depth pass, then the lowest number at each depth, within the current drawing state.
+void drawItems(unsigned depthProgram, unsigned itemProgram, unsigned vertexArray, const SceneBuffers& buffers, const View& view,
+               const DrawList& list, const ItemTarget& target) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glUseProgram(depthProgram);
+    submitAll(buffers, view, list, vertexArray);
+
+    glDepthFunc(GL_EQUAL);
+    glDepthMask(GL_FALSE);
+    glUseProgram(itemProgram);
+    glBindImageTexture(0, target.items(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
+    submitNumbered(buffers, view, list, vertexArray);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+}
+
+}  // namespace
+
+Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list,
+                                              const PictureTile& tile) {
+    requireNumbers(buffers.scene());
+    const ItemTarget target(tile);
+    {
+        const DrawingState state(view, target.depth(), list.facing);
+        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->vertexArray, buffers, view, list, target);
+    }
+    ItemBuffer result{target.depth().readDepth(),
+                      std::vector<uint32_t>(static_cast<size_t>(tile.size.width) * static_cast<size_t>(tile.size.height))};
+    glGetTextureImage(target.items(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                      static_cast<GLsizei>(result.triangle.size() * sizeof(uint32_t)), result.triangle.data());
+    // The image holds triangle numbers with "nothing" as the largest; the result counts from 1 with 0 as nothing: one addition
+    // wraps.
+    for (uint32_t& triangle : result.triangle) ++triangle;
+    return result;
+}
+
+std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const View& view, const DrawList& list, int x, int y) {
+    const Viewport size = view.viewport();
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height) return std::nullopt;
+    requireNumbers(buffers.scene());
+    const ItemTarget target({0, 0, size});
+    {
+        const DrawingState state(view, target.depth(), list.facing);
+        glScissor(x, y, 1, 1);
+        glEnable(GL_SCISSOR_TEST);
+        drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->vertexArray, buffers, view, list, target);
+    }
+    GLuint triangle = kNothing;
+    GLfloat depth = 0.0f;
+    glGetTextureSubImage(target.items(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, sizeof triangle, &triangle);
+    glGetTextureSubImage(target.depth().depthTexture(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
+    if (triangle == kNothing) return std::nullopt;
+    return PickedTriangle{triangle, depth};
+}
+
+}  // namespace cullscope

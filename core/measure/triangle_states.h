@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/measure/reference.h"
+#include "core/visibility/trace.h"
+
+namespace cullscope {
+
+/// What became of a triangle in one frame; the first cause that applied. In the order of desktop.md's table of colours.
+enum class TriangleState : uint8_t { Visible, InVain, OutsideFrustum, BackFacing, Hidden, TooSmall, WronglyCulled };
+inline constexpr size_t kTriangleStateCount = 7;
+/// English, marked for translation.
+[[nodiscard]] const char* triangleStateName(TriangleState state);
+/// The state of what is culled for that cause.
+[[nodiscard]] TriangleState stateOfCause(Cause cause);
+
+/// One state a scene triangle number, and how many triangles are in each.
+struct TriangleStates {
+    std::vector<TriangleState> states;
+    std::array<uint64_t, kTriangleStateCount> counts{};
+    /// False: no truth was given; what is submitted and not back-facing counts as Visible, and nothing as InVain or
+    /// WronglyCulled.
+    bool againstTruth = false;
+};
+
+/// The states of all triangles as `view`, the culling view, decided them; `list` and `trace` come from one cull of that view.
+/// With a reference (may be null) of the same view, V is its set of visible triangles. In V and drawn: Visible. In V and not
+/// drawn (not submitted; or submitted and dropped by OpenGL as back-facing, while the reference shows both sides): WronglyCulled.
+/// Submitted and not in V: BackFacing where OpenGL draws front sides only and the triangle turns its back to the eye, else
+/// InVain. Not submitted: the cause that the trace names for its object; Hidden where it names none, which no registered strategy
+/// does.
+[[nodiscard]] TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
+                                            const Reference* reference);
+
+}  // namespace cullscope

@@ -1,0 +1,25 @@
+#include "core/scene/eye_triangle.h"
+
+namespace cullscope {
+
+InstanceFromEye::InstanceFromEye(const Scene& scene, size_t instance, const Vec3& eye)
+    : m_mesh(scene.meshOf(instance)), m_linear(scene.instances()[instance].worldFromMesh) {
+    m_translation = Vec3(scene.instances()[instance].worldFromMesh[3]) - eye + m_linear * m_mesh.origin();
+    m_mirrored = glm::determinant(m_linear) < 0.0;
+}
+
+std::array<Vec3, 3> InstanceFromEye::corners(uint64_t triangle) const {
+    std::array<Vec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i)
+        corners[i] = m_linear * Vec3(m_mesh.positions()[m_mesh.indices()[3 * triangle + i]]) + m_translation;
+    return corners;
+}
+
+bool InstanceFromEye::facesAway(uint64_t triangle) const {
+    const auto [a, b, c] = corners(triangle);
+    // The eye is the origin: above 0 it lies behind the plane of a counter-clockwise triangle.
+    const double behind = glm::dot(glm::cross(b - a, c - a), a);
+    return m_mirrored ? behind < 0.0 : behind > 0.0;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,98 @@
+#include "core/visibility/why.h"
+
+#include <cstdio>
+
+#include "core/scene/eye_triangle.h"
+
+namespace cullscope {
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+Message planeSentence(const TraceEvent& test) {
+    const std::string plane = planeName(test.plane);
+    const std::string distance = number(std::abs(test.distance));
+    const std::string bound = number(test.bound);
+    if (test.containment == Containment::Outside)
+        return {CULLSCOPE_TR(
+                    "Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3."),
+                {plane, distance, bound}};
+    if (test.containment == Containment::Inside)
+        return {CULLSCOPE_TR("Tested against the %1: all of the bounds lie inside, the farthest point by %2."),
+                {plane, distance}};
+    if (test.distance < 0.0)
+        return {CULLSCOPE_TR("Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside."),
+                {plane, distance, bound}};
+    return {CULLSCOPE_TR("Tested against the %1: the bounds reach %2 to the inside."), {plane, distance}};
+}
+
+WhyStep step(const TraceEvent& event) {
+    if (event.kind == TraceEvent::Kind::TestedPlane)
+        return {planeSentence(event), event.plane, event.distance, event.bound, event.containment};
+    if (event.kind == TraceEvent::Kind::Culled)
+        return {{CULLSCOPE_TR("The strategy leaves the object out: %1."), {causeName(event.cause)}},
+                {},
+                {},
+                {},
+                Containment::Outside};
+    return {{CULLSCOPE_TR("The strategy keeps the object."), {}}, {}, {}, {}, Containment::Straddles};
+}
+
+/// Which box stands for the object, where the strategy has boxes.
+std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_t instance) {
+    for (const InsideNode& node : inside.nodes)
+        if (node.instance == instance)
+            return WhyStep{{CULLSCOPE_TR("The object \"%1\" is tested as one box with %2 triangles."),
+                            {scene.instances()[instance].name, std::to_string(node.triangles)}},
+                           {},
+                           {},
+                           {},
+                           node.containment};
+    return std::nullopt;
+}
+
+bool submits(const DrawList& list, uint32_t instance, uint64_t triangle) {
+    return std::any_of(list.ranges.begin(), list.ranges.end(), [&](const DrawRange& range) {
+        return range.instance == instance && range.firstIndex / 3 <= triangle &&
+               triangle < (uint64_t{range.firstIndex} + range.indexCount) / 3;
+    });
+}
+
+Message openGlSentence(Facing facing, bool facesAway) {
+    if (facing == Facing::TwoSided) return {CULLSCOPE_TR("OpenGL draws the triangle: both sides count."), {}};
+    return {facesAway ? CULLSCOPE_TR("OpenGL drops the triangle: it is back-facing.")
+                      : CULLSCOPE_TR("OpenGL draws the triangle: its front is turned to the eye."),
+            {}};
+}
+
+}  // namespace
+
+std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy& strategy, const DrawList& list,
+                         const Trace& trace, uint64_t triangle) {
+    const auto instance = static_cast<uint32_t>(scene.instanceOf(triangle));
+    const uint64_t own = triangle - scene.firstTriangle(instance);
+    std::vector<WhyStep> steps;
+    if (auto box = boxStep(scene, strategy.inside(trace), instance)) steps.push_back(std::move(*box));
+    for (const TraceEvent& event : trace.events)
+        if (event.instance == instance) steps.push_back(step(event));
+    const bool given = submits(list, instance, own);
+    const Containment containment = given ? Containment::Straddles : Containment::Outside;
+    steps.push_back(
+        {{given ? CULLSCOPE_TR("The triangle is given to OpenGL.") : CULLSCOPE_TR("The triangle is not given to OpenGL."), {}},
+         {},
+         {},
+         {},
+         containment});
+    if (given) {
+        const bool away = InstanceFromEye(scene, instance, culling.eye()).facesAway(own);
+        const bool dropped = list.facing == Facing::Front && away;
+        steps.push_back({openGlSentence(list.facing, away), {}, {}, {}, dropped ? Containment::Outside : Containment::Straddles});
+    }
+    return steps;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,115 @@
+// cullbench render --overlay: what is shown, from where, and what is refused.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "core/measure/picture_file.h"
+#include "tests/app/process.h"
+
+namespace {
+
+using cullscope::readPicture;
+using cullscope::test::ProcessResult;
+using cullscope::test::runProcess;
+using testing::HasSubstr;
+
+class CullbenchOverlay : public testing::Test {
+protected:
+    void SetUp() override {
+        m_folder = std::filesystem::temp_directory_path() / ("cullbench-overlay-" + std::to_string(getpid()));
+        std::filesystem::create_directories(m_folder);
+    }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+
+    [[nodiscard]] std::string file(const std::string& name) const { return (m_folder / name).string(); }
+    [[nodiscard]] ProcessResult render(const std::string& scene, const std::string& strategy, const std::string& name,
+                                       const std::vector<std::string>& more) const {
+        std::vector<std::string> command{CULLBENCH, "render", scene, "-s", strategy, "--size", "160x120", "-o", file(name)};
+        command.insert(command.end(), more.begin(), more.end());
+        return runProcess(command);
+    }
+    /// A frustum in the scene's field, looked at from above.
+    [[nodiscard]] std::vector<uint8_t> observed(const std::string& name, const std::vector<std::string>& overlays) const {
+        std::vector<std::string> more{"--eye",       "0,0.5,3", "--target",      "3,0,0", "--background", "FFFFFF",
+                                      "--view-eye",  "2,20,18", "--view-target", "0,0,0", "--view-up",    "0,1,0",
+                                      "--view-fovy", "40"};
+        for (const std::string& overlay : overlays) {
+            more.emplace_back("--overlay");
+            more.push_back(overlay);
+        }
+        const ProcessResult result = render("field:mesh=teapot,n=4,spacing=2.5", "frustum", name, more);
+        EXPECT_EQ(result.exitStatus, 0) << result.err;
+        return readPicture(file(name)).rgba;
+    }
+
+private:
+    std::filesystem::path m_folder;
+};
+
+void expectRefusal(const ProcessResult& result, const std::string& mentions) {
+    EXPECT_EQ(result.exitStatus, 2) << result.err;
+    EXPECT_THAT(result.err, HasSubstr(mentions));
+    EXPECT_EQ(result.out, "");
+}
+
+TEST_F(CullbenchOverlay, unknownOneIsDrawn) {
+    const std::string sphere = "sphere:triangles=200";
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, boxes, frustum");
+    for (const char* name : {"index-map", "bands", "tree", "spherical-model"})
+        expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", name}), "\"frustum\" has no such overlay");
+    expectRefusal(render(sphere, "all", "a.png", {"--overlay", "boxes"}), "tests no boxes");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--drawn-only"}), "--overlay verdicts");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--view-eye", "1,2"}), "--view-eye");
+    EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CullbenchOverlay, overlayShowsNothing) {
+    const std::vector<std::vector<std::string>> sets{{}, {"verdicts"}, {"boxes"}, {"frustum"}, {"verdicts", "boxes", "frustum"}};
+    std::vector<std::vector<uint8_t>> pictures;
+    for (size_t i = 0; i < sets.size(); ++i) pictures.push_back(observed(std::to_string(i) + ".png", sets[i]));
+    for (size_t i = 0; i < pictures.size(); ++i)
+        for (size_t j = i + 1; j < pictures.size(); ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " " << j;
+    const cullscope::Picture last = readPicture(file("4.png"));
+    using Pair = std::pair<std::string, std::string>;
+    EXPECT_THAT(last.metadata, testing::IsSupersetOf({Pair("cullscope:overlay", "verdicts,boxes,frustum"),
+                                                      Pair("cullscope:view_eye", "2,20,18"), Pair("cullscope:eye", "0,0.5,3")}));
+}
+
+TEST_F(CullbenchOverlay, countsOfVerdictsAreAnothers) {
+    // Closed and convex, from outside: about half is seen, about half is turned away.
+    const ProcessResult result = render("sphere:triangles=2000", "frustum", "a.png", {"--overlay", "verdicts"});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr(" drawn and visible"));
+    EXPECT_THAT(result.out, HasSubstr(" back-facing"));
+    EXPECT_THAT(result.out, testing::Not(HasSubstr("wrongly culled")));
+    const ProcessResult plain = render("sphere:triangles=2000", "frustum", "b.png", {});
+    EXPECT_THAT(plain.out, testing::Not(HasSubstr("drawn and visible")));
+}
+
+TEST_F(CullbenchOverlay, drawnOnlyShowsWhatWasCulled) {
+    const auto background = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all{"--overlay", "verdicts",   "--background", "FFFFFF",        "--eye",
+                                     "0,0,3",     "--view-eye", "0,0,-3",       "--view-target", "0,0,0"};
+        all.insert(all.end(), more.begin(), more.end());
+        EXPECT_EQ(render("sphere:triangles=2000", "backface", "a.png", all).exitStatus, 0);
+        const std::vector<uint8_t> rgba = readPicture(file("a.png")).rgba;
+        size_t pixels = 0;
+        for (size_t i = 0; i < rgba.size(); i += 4) pixels += rgba[i] == 255 && rgba[i + 1] == 255 && rgba[i + 2] == 255 ? 1 : 0;
+        return pixels;
+    };
+    // From behind: the far half's inner side is seen through where the near half was dropped, a little smaller than the ball.
+    EXPECT_LT(background({}), background({"--drawn-only"}));
+}
+
+TEST_F(CullbenchOverlay, observerOfThePlainPictureSeesAnotherScene) {
+    const std::vector<std::string> place{"--eye", "2,3,4", "--target", "0,0,0"};
+    const std::vector<std::string> observer{"--eye", "0,0,5", "--view-eye", "2,3,4", "--view-target", "0,0,0"};
+    ASSERT_EQ(render("torus:triangles=2000", "all", "a.png", place).exitStatus, 0);
+    ASSERT_EQ(render("torus:triangles=2000", "all", "b.png", observer).exitStatus, 0);
+    EXPECT_EQ(readPicture(file("a.png")).rgba, readPicture(file("b.png")).rgba);
+}
+
+}  // namespace

@@ -1,0 +1,61 @@
+// A scene whose objects are all hidden: nothing to cull, to draw or to judge, and nothing may go wrong.
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "core/measure/experiment.h"
+#include "core/measure/frame.h"
+#include "core/measure/ray_reference.h"
+#include "core/scene/hidden.h"
+#include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+constexpr Viewport kSize{40, 30};
+
+ScenePointer emptyScene() { return withoutInstances(sceneOf({boxMesh(Vec3f(0), Vec3f(1)), squareMesh(1, 0)}), {true, true}); }
+
+TEST(EmptyScene, strategySubmitsOrLosesSomething) {
+    const ScenePointer scene = emptyScene();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View view(overviewCamera(*scene, 4.0 / 3), kSize);
+    Framebuffer target(kSize);
+    for (const RegisteredStrategy& registered : strategies()) {
+        const StrategyPointer strategy = makeStrategy(registered.info.id, ParameterSet(registered.info.parameters));
+        strategy->build(*scene);
+        Trace trace;
+        EXPECT_EQ(strategy->cull(view, &trace).consideredTriangles, 0u) << registered.info.id;
+        (void)strategy->promiseAt(view);
+        const FrameResult frame = renderFrame(GlEnvironment::renderer(), buffers, *strategy, view, target);
+        const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
+        EXPECT_EQ(reference.coveredPixels, 0u);
+        const Accuracy accuracy = compare(reference, target.readDepth(), frame.verdict.drawList, *scene);
+        EXPECT_EQ(accuracy.missedPixels + accuracy.extraPixels + accuracy.submittedTriangles + accuracy.visibleTriangles, 0u)
+            << registered.info.id;
+    }
+}
+
+TEST(EmptyScene, rayHitsSomething) {
+    const ScenePointer scene = emptyScene();
+    const View view(overviewCamera(*scene, 4.0 / 3), kSize);
+    for (const Facing facing : {Facing::TwoSided, Facing::Front}) EXPECT_EQ(rayReference(*scene, view, facing).coveredPixels, 0u);
+}
+
+TEST(EmptyScene, measurementDividesByNothing) {
+    MeasureRequest request;
+    request.scene = emptyScene();
+    request.strategies = {{"all", ParameterSet(findStrategy("all").info.parameters)}};
+    request.path = cameraPath("orbit:2", *request.scene);
+    request.size = kSize;
+    try {
+        (void)measure(request);
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Usage);
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,219 @@
+#include "core/visibility/why.h"
+
+#include <map>
+
+#include "core/mesh/parametric.h"
+#include "core/visibility/registry.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/random_views.h"
+
+namespace cullscope::test {
+namespace {
+
+/// A plane through the eye or at a distance, made here from the camera's own numbers: inside where normal·p + offset > 0, p from
+/// the eye.
+struct OwnPlane {
+    Vec3 normal;
+    double offset = 0.0;
+};
+
+std::array<OwnPlane, 6> ownPlanes(const Camera& camera, const Viewport& size) {
+    const Vec3 forward = glm::normalize(camera.target - camera.eye);
+    const Vec3 right = glm::normalize(glm::cross(forward, camera.up));
+    const Vec3 up = glm::cross(right, forward);
+    const double h = std::tan(camera.fovy.radians() / 2);
+    const double w = h * size.width / size.height;
+    const auto through = [&](const Vec3& a, const Vec3& b) {
+        const Vec3 normal = glm::normalize(glm::cross(a, b));
+        return OwnPlane{glm::dot(normal, forward) > 0.0 ? normal : -normal, 0.0};
+    };
+    const auto corner = [&](int x, int y) { return forward + right * (x * w) + up * (y * h); };
+    return {through(corner(-1, -1), corner(-1, 1)),  through(corner(1, -1), corner(1, 1)),
+            through(corner(-1, -1), corner(1, -1)),  through(corner(-1, 1), corner(1, 1)),
+            OwnPlane{forward, -camera.nearDistance}, OwnPlane{-forward, camera.farDistance}};
+}
+
+/// The box's corner farthest inside or the sphere's point farthest inside, whichever lies less far: the tighter bound.
+double ownDistance(const OwnPlane& plane, const Scene& scene, uint32_t instance, const Vec3& eye) {
+    const Box3& box = scene.instanceBox(instance);
+    double farthest = -1e300;
+    for (int c = 0; c < 8; ++c) {
+        const Vec3 corner((c & 1) != 0 ? box.max.x : box.min.x, (c & 2) != 0 ? box.max.y : box.min.y,
+                          (c & 4) != 0 ? box.max.z : box.min.z);
+        farthest = std::max(farthest, glm::dot(plane.normal, corner - eye) + plane.offset);
+    }
+    const Sphere& sphere = scene.instanceSphere(instance);
+    return std::min(farthest, glm::dot(plane.normal, sphere.centre - eye) + plane.offset + sphere.radius);
+}
+
+/// A field of spheres and a camera in it: objects inside, outside and across every side plane.
+ScenePointer field() {
+    std::vector<Mat4> places;
+    for (int i = 0; i < 8; ++i)
+        for (int j = 0; j < 8; ++j) places.push_back(translation({(i - 3.5) * 2.5, 0.1 * i, (j - 3.5) * 2.5}));
+    return copiesOf(sphereMesh(80), places);
+}
+
+std::vector<Camera> cameras() {
+    std::vector<Camera> cameras;
+    Random random(31);
+    for (int i = 0; i < 30; ++i) {
+        const Vec3 eye(random.between(-9, 9), random.between(-3, 3), random.between(-9, 9));
+        cameras.push_back({eye, eye + random.direction(), {0, 1, 0}, Angle::fromDegrees(random.between(20, 80)), 0.5, 12});
+    }
+    return cameras;
+}
+
+TEST(Why, planeDistanceDiffersFromAnIndependentOne) {
+    const ScenePointer scene = field();
+    const StrategyPointer frustum = makeStrategy("frustum");
+    frustum->build(*scene);
+    const Viewport size{200, 150};
+    std::map<std::pair<FrustumPlane, Containment>, int> seen;
+    for (const Camera& camera : cameras()) {
+        const View view(camera, size);
+        const std::array<OwnPlane, 6> planes = ownPlanes(camera, size);
+        Trace trace;
+        const Verdict verdict = frustum->cull(view, &trace);
+        for (uint32_t instance = 0; instance < scene->instances().size(); ++instance) {
+            const auto steps = why(*scene, view, *frustum, verdict.drawList, trace, scene->firstTriangle(instance) + 3);
+            for (const WhyStep& step : steps) {
+                if (!step.plane) continue;
+                ASSERT_TRUE(step.distance && step.bound);
+                const double own = ownDistance(planes[size_t(*step.plane)], *scene, instance, camera.eye);
+                EXPECT_NEAR(*step.distance, own, 1e-9);
+                EXPECT_GT(*step.bound, 0.0);
+                EXPECT_LT(*step.bound, 1e-4) << "a slack, not a distance";
+                EXPECT_EQ(step.containment == Containment::Outside, *step.distance < -*step.bound);
+                ++seen[{*step.plane, step.containment}];
+            }
+        }
+    }
+    for (size_t plane = 0; plane < 6; ++plane)
+        for (const Containment c : {Containment::Outside, Containment::Straddles, Containment::Inside})
+            EXPECT_GT((seen[{static_cast<FrustumPlane>(plane), c}]), 0) << plane << " " << int(c) << " never occurs";
+}
+
+TEST(Why, chainContradictsTheDrawList) {
+    const ScenePointer scene = field();
+    for (const RegisteredStrategy& registered : strategies()) {
+        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        strategy->build(*scene);
+        for (const Camera& camera : cameras()) {
+            const View view(camera, {200, 150});
+            Trace trace;
+            const Verdict verdict = strategy->cull(view, &trace);
+            std::vector<bool> drawn(scene->instances().size(), false);
+            for (const DrawRange& range : verdict.drawList.ranges) drawn[range.instance] = true;
+            for (uint32_t i = 0; i < drawn.size(); ++i) {
+                const auto steps = why(*scene, view, *strategy, verdict.drawList, trace, scene->firstTriangle(i) + i);
+                std::string chain;
+                for (const WhyStep& step : steps) {
+                    EXPECT_THAT(step.sentence.english(), testing::Not(testing::HasSubstr("%"))) << "a place without an argument";
+                    chain += step.sentence.english() + "\n";
+                }
+                EXPECT_THAT(chain, testing::HasSubstr(drawn[i] ? "The triangle is given to OpenGL." : "is not given to OpenGL."));
+                EXPECT_EQ(chain.find("leaves the object out: outside the frustum") != std::string::npos, !drawn[i]) << chain;
+                EXPECT_EQ(chain.find("\nOpenGL d") != std::string::npos, drawn[i]) << chain;
+                EXPECT_EQ(chain.find("tested as one box with 80 triangles") != std::string::npos,
+                          registered.info.id == "frustum");
+                EXPECT_TRUE(drawn[i] || steps.back().containment == Containment::Outside);
+            }
+        }
+    }
+}
+
+TEST(Why, facingOfTheTriangleIsWrong) {
+    const ScenePointer scene = sceneOf({squareMesh(1, -5), squareMesh(1, -6)}, {Mat4(1.0), scaling({-1, 1, 1})});
+    const View before({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
+    const View behind({{0, 0, -20}, {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
+    const auto last = [&](const char* id, const View& view, uint64_t triangle) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        Trace trace;
+        const Verdict verdict = strategy->cull(view, &trace);
+        return why(*scene, view, *strategy, verdict.drawList, trace, triangle).back().sentence.english();
+    };
+    for (const uint64_t triangle : {0, 1, 2, 3}) {
+        EXPECT_EQ(last("backface", before, triangle), "OpenGL draws the triangle: its front is turned to the eye.") << triangle;
+        EXPECT_EQ(last("backface", behind, triangle), "OpenGL drops the triangle: it is back-facing.") << triangle;
+        EXPECT_EQ(last("all", behind, triangle), "OpenGL draws the triangle: both sides count.") << triangle;
+    }
+}
+
+TEST(Inside, frustumHidesABoxOrSaysAnotherVerdict) {
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        const ScenePointer scene = randomScene(seed);
+        const StrategyPointer frustum = makeStrategy("frustum");
+        frustum->build(*scene);
+        Random random(seed);
+        for (int i = 0; i < 10; ++i) {
+            const RandomView sample = randomView(*scene, random);
+            Trace trace;
+            const Verdict verdict = frustum->cull(View(sample.camera, sample.viewport), &trace);
+            std::vector<bool> drawn(scene->instances().size(), false);
+            for (const DrawRange& range : verdict.drawList.ranges) drawn[range.instance] = true;
+            const Inside inside = frustum->inside(trace);
+            ASSERT_EQ(inside.nodes.size(), scene->instances().size());
+            for (const InsideNode& node : inside.nodes) {
+                EXPECT_EQ(node.parent, -1);
+                EXPECT_EQ(node.box.min, scene->instanceBox(node.instance).min);
+                EXPECT_EQ(node.box.max, scene->instanceBox(node.instance).max);
+                EXPECT_EQ(node.triangles, scene->meshOf(node.instance).triangleCount());
+                EXPECT_EQ(node.culled, !drawn[node.instance]);
+                EXPECT_EQ(node.culled, node.containment == Containment::Outside);
+                EXPECT_EQ(node.culled, node.rejectedBy.has_value());
+            }
+        }
+    }
+}
+
+TEST(Inside, containmentOfAnObjectIsWrong) {
+    const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({0, 0, 5}), translation({5, 0, -5}),
+                                                         translation({-20, 0, -5}), translation({0, 0, -30})});
+    const StrategyPointer frustum = makeStrategy("frustum");
+    frustum->build(*scene);
+    Trace trace;
+    (void)frustum->cull({{Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 20}, {100, 100}}, &trace);
+    const Inside inside = frustum->inside(trace);
+    ASSERT_EQ(inside.nodes.size(), 5u);
+    using enum Containment;
+    const std::array expected{Inside, Outside, Straddles, Outside, Outside};
+    for (size_t i = 0; i < 5; ++i) EXPECT_EQ(inside.nodes[i].containment, expected[i]) << i;
+    EXPECT_EQ(inside.nodes[1].rejectedBy, FrustumPlane::Left) << "behind the eye it lies outside the first plane tested";
+    EXPECT_EQ(inside.nodes[3].rejectedBy, FrustumPlane::Left);
+    EXPECT_EQ(inside.nodes[4].rejectedBy, FrustumPlane::Far);
+}
+
+TEST(Trace, triangleIsNotSubmittedWithoutACause) {
+    for (uint64_t seed = 1; seed <= 20; ++seed) {
+        const ScenePointer scene = randomScene(seed);
+        Random random(seed);
+        for (int i = 0; i < 10; ++i) {
+            const RandomView sample = randomView(*scene, random);
+            for (const RegisteredStrategy& registered : strategies()) {
+                const StrategyPointer strategy = makeStrategy(registered.info.id);
+                strategy->build(*scene);
+                Trace trace;
+                const Verdict verdict = strategy->cull(View(sample.camera, sample.viewport), &trace);
+                std::vector<uint64_t> submitted(scene->instances().size(), 0);
+                for (const DrawRange& range : verdict.drawList.ranges) submitted[range.instance] += range.indexCount / 3;
+                std::array<uint64_t, kCauseCount> named{};
+                std::vector<bool> culled(submitted.size(), false);
+                for (const TraceEvent& event : trace.events) {
+                    if (event.kind != TraceEvent::Kind::Culled) continue;
+                    culled[event.instance] = true;
+                    named[size_t(event.cause)] += scene->meshOf(event.instance).triangleCount() - submitted[event.instance];
+                }
+                for (size_t instance = 0; instance < submitted.size(); ++instance) {
+                    const bool whole = submitted[instance] == scene->meshOf(instance).triangleCount();
+                    EXPECT_TRUE(whole || culled[instance]) << registered.info.id << " instance " << instance << " seed " << seed;
+                }
+                EXPECT_EQ(named, verdict.culledTriangles) << registered.info.id << ": the trace and the counters disagree";
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,118 @@
+// The copied `cullbench` command repeats a view's picture, whatever camera and look it has.
+#include <gtest/gtest.h>
+
+#include <QProcess>
+#include <QTemporaryDir>
+
+#include "tests/ui/test_scene.h"
+#include "ui/views/scene_view.h"
+
+namespace cullscope::ui {
+namespace {
+
+struct CopiedCommand : ::testing::Test {
+    void SetUp() override {
+        first.resize(400, 300);
+        second.resize(400, 300);
+        first.show();
+        second.show();
+        ASSERT_TRUE(waitUntil([&] { return session.viewport(0).width > 1 && session.viewport(1).width > 1; }));
+        open(QStringLiteral("field:mesh=sphere:triangles=320,n=5,spacing=3"));
+    }
+
+    void open(const QString& scene) {
+        openAndWait(session, scene);
+        session.slot(0).choose("frustum");
+        session.slot(1).choose("frustum");
+        session.setCamera(zoomed(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(33.3), Angle::fromDegrees(7.7)),
+                                 session.camera().target, 0.4, 1.0));
+        settle();
+    }
+
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] {
+            for (const int view : {0, 1})
+                if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
+            return session.figuresSettled();
+        }));
+    }
+
+    void change(int view, const std::function<void(ViewSetup&)>& edit) {
+        ViewSetup setup = session.setup(view);
+        edit(setup);
+        session.setSetup(view, setup);
+        settle();
+    }
+
+    void expectSame(const SceneView& view) {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("view.png"));
+        QProcess cullbench;
+        cullbench.setWorkingDirectory(folder.path());
+        cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(view.request(), file));
+        ASSERT_TRUE(cullbench.waitForFinished(kPatience));
+        ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
+        if (std::getenv("DUMP")) { static int n = 0; view.picture().save(QStringLiteral("/tmp/gG/d%1.png").arg(n)); QFile::copy(file, QStringLiteral("/tmp/gG/c%1.png").arg(n++)); }
+        const QImage drawn = view.picture().convertToFormat(QImage::Format_RGB888);
+        EXPECT_EQ(QImage(file).convertToFormat(QImage::Format_RGB888), drawn) << cullbenchCommand(view.request()).toStdString();
+        int covered = 0;
+        for (int y = 0; y < drawn.height(); ++y)
+            for (int x = 0; x < drawn.width(); ++x) covered += drawn.pixel(x, y) != drawn.pixel(0, 0) ? 1 : 0;
+        EXPECT_GT(covered, 500);
+    }
+
+    Session session{sessionOptions(true)};
+    SceneView first{session, 0}, second{session, 1};
+};
+
+TEST_F(CopiedCommand, ofALinkedView) { expectSame(first); }
+
+TEST_F(CopiedCommand, ofALinkedViewWithVerdicts) {
+    change(0, [](ViewSetup& setup) { setup.look.colouring = Colouring::Verdicts; });
+    expectSame(first);
+}
+
+TEST_F(CopiedCommand, ofAnObserverWithVerdictsBoxesAndFrustum) {
+    session.observe(1, 0);
+    change(1, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, true, true, true}; });
+    expectSame(second);
+    // A strategy without boxes shows none, and the command asks for none.
+    session.slot(0).choose("backface");
+    settle();
+    expectSame(second);
+}
+
+TEST_F(CopiedCommand, ofAnObserverOfAnotherSizeThanWhatItWatches) {
+    session.observe(1, 0);
+    change(1, [](ViewSetup& setup) {
+        setup.look = {Colouring::Verdicts, true, true, false};
+        setup.size = Viewport{333, 444};
+    });
+    expectSame(second);
+}
+
+TEST_F(CopiedCommand, ofFrozenCullingWithOnlyWhatWasDrawn) {
+    session.setFrozen(0, true);
+    session.setViewingCamera(0, turned(session.viewingCamera(0), UpAxis::Y, Angle::fromDegrees(90.0), {}));
+    change(0, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, false, true, false}; });
+    expectSame(first);
+    change(0, [](ViewSetup& setup) { setup.look = {}; });
+    expectSame(first);
+}
+
+TEST_F(CopiedCommand, withHiddenObjects) {
+    std::vector<bool> hidden(session.hidden().size(), false);
+    for (const size_t object : {1, 3, 4, 5, 20}) hidden[object] = true;
+    session.setHidden(hidden);
+    settle();
+    EXPECT_EQ(first.request().hidden, "1,3-5,20");
+    expectSame(first);
+}
+
+TEST_F(CopiedCommand, ofASplitScene) {
+    open(QStringLiteral("split:mesh=torus:triangles=2000,by=clusters,triangles=200"));
+    expectSame(first);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

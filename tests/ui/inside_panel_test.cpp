@@ -1,0 +1,268 @@
+#include "ui/panels/inside_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <random>
+
+#include "tests/ui/test_scene.h"
+#include "ui/session/navigation.h"
+#include "ui/session/object_pick.h"
+
+namespace cullscope::ui {
+namespace {
+
+constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+constexpr const char* kField = "field:mesh=sphere:triangles=80,n=4";
+
+InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
+    InsideNode node;
+    node.parent = parent;
+    node.instance = instance;
+    node.triangles = 80;
+    node.culled = culled;
+    if (culled) node.rejectedBy = FrustumPlane::Top;
+    return node;
+}
+
+TEST(InsideModel, treesWhoseParentsComeAfterTheirChildren) {
+    const ScenePointer scene = openScene(kField).scene;
+    std::mt19937 random(7);
+    for (int round = 0; round < 20; ++round) {
+        const size_t count = 1 + random() % 40;
+        std::vector<int32_t> order(count);
+        std::iota(order.begin(), order.end(), 0);
+        std::shuffle(order.begin(), order.end(), random);
+        auto inside = std::make_shared<Inside>();
+        inside->nodes.assign(count, node(-1, 0));
+        // Each one's parent stands before it in a random order: no cycle, and no order of the indices.
+        for (size_t i = 0; i < count; ++i) {
+            const size_t parent = random() % (i + 1);
+            inside->nodes[size_t(order[i])] = node(parent == i ? -1 : order[parent], uint32_t(i % scene->instances().size()));
+        }
+        InsideModel model;
+        const QAbstractItemModelTester tester(&model, kFatal);
+        model.setInside(scene, inside);
+        size_t seen = 0;
+        std::function<void(const QModelIndex&, int32_t)> walk = [&](const QModelIndex& parent, int32_t number) {
+            for (int row = 0; row < model.rowCount(parent); ++row) {
+                const QModelIndex child = model.index(row, 0, parent);
+                ++seen;
+                EXPECT_EQ(inside->nodes[model.nodeOf(child)].parent, number);
+                EXPECT_EQ(model.parent(child), parent);
+                EXPECT_EQ(model.instanceAt(child).has_value(), model.rowCount(child) == 0);
+                walk(child, int32_t(model.nodeOf(child)));
+            }
+        };
+        walk({}, -1);
+        EXPECT_EQ(seen, count);
+    }
+}
+
+TEST(InsideModel, aNewReadingOfTheSameBoxesClosedTheTree) {
+    const ScenePointer scene = openScene(kField).scene;
+    InsideModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    auto before = std::make_shared<Inside>();
+    before->nodes = {node(-1, 0), node(0, 3), node(0, 5)};
+    model.setInside(scene, before);
+    const QPersistentModelIndex kept = model.indexOfInstance(5);
+    ASSERT_TRUE(kept.isValid());
+    QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
+    auto after = std::make_shared<Inside>(*before);
+    after->nodes[2] = node(0, 5, true);
+    model.setInside(scene, after);
+    EXPECT_EQ(resets.count(), 0);
+    EXPECT_TRUE(kept.isValid());
+    EXPECT_EQ(kept.sibling(kept.row(), InsideModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
+    EXPECT_EQ(kept.sibling(kept.row(), InsideModel::Plane).data().toString(), QStringLiteral("top plane"));
+    EXPECT_FALSE(model.indexOfInstance(0).isValid()) << "a box that holds others stands for no object";
+    after = std::make_shared<Inside>();
+    after->nodes = {node(-1, 5)};
+    model.setInside(scene, after);
+    EXPECT_EQ(resets.count(), 1);
+    model.setInside(scene, nullptr);
+    EXPECT_EQ(model.rowCount(), 0);
+}
+
+/// A panel on a field of spheres, half of it outside of the active view.
+struct InsidePanelTest : ::testing::Test {
+    void SetUp() override {
+        session.slot(1).choose("frustum");
+        session.setViewport(0, {160, 120});
+        session.setViewport(1, {160, 120});
+        openAndWait(session, QString::fromLatin1(kField));
+        panel.resize(400, 500);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
+        session.setCamera(zoomedCamera());
+        settle();
+    }
+
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.figuresSettled(); }));
+        QApplication::processEvents();
+    }
+
+    [[nodiscard]] Camera zoomedCamera() const {
+        Camera camera = session.camera();
+        camera.eye = camera.target + 0.3 * (camera.eye - camera.target);
+        return camera;
+    }
+    [[nodiscard]] const Inside& inside() const { return *reader.reading()->inside; }
+    [[nodiscard]] uint32_t firstCulled() const {
+        for (const InsideNode& node : inside().nodes)
+            if (node.culled) return node.instance;
+        ADD_FAILURE() << "nothing is culled";
+        return 0;
+    }
+
+    Session session{sessionOptions(true)};
+    InsideReader reader{session};
+    InsidePanel panel{session, reader};
+};
+
+TEST_F(InsidePanelTest, treeShowsWhatTheStrategyDecided) {
+    Trace trace;
+    const BuiltStrategy& built = *session.slot(1).built();
+    (void)session.slot(1).built()->strategy->cull(View(session.camera(), {160, 120}), &trace);
+    const Inside expected = built.strategy->inside(trace);
+    const InsideModel& model = panel.tree().model();
+    ASSERT_EQ(model.rowCount(), int(expected.nodes.size()));
+    int culled = 0;
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const InsideNode& node = expected.nodes[size_t(row)];
+        culled += node.culled ? 1 : 0;
+        EXPECT_EQ(model.index(row, InsideModel::Name).data().toString().toStdString(),
+                  session.scene()->instances()[node.instance].name);
+        EXPECT_EQ(model.index(row, InsideModel::Verdict).data().toString(),
+                  node.culled ? QStringLiteral("outside the frustum") : QStringLiteral("submitted"));
+        EXPECT_EQ(model.index(row, InsideModel::Plane).data().toString().isEmpty(), !node.culled);
+    }
+    EXPECT_GT(culled, 0);
+    EXPECT_LT(culled, model.rowCount());
+}
+
+TEST_F(InsidePanelTest, selectingARowPicksAndAPickSelectsTheRow) {
+    InsideTree& tree = panel.tree();
+    tree.view().setCurrentIndex(tree.model().index(3, 0));
+    ASSERT_TRUE(session.pick());
+    EXPECT_EQ(session.pick()->object, *tree.model().instanceAt(tree.model().index(3, 0)));
+    EXPECT_EQ(session.pick()->triangle, session.scene()->firstTriangle(session.pick()->object));
+    session.setPick(Pick{5, session.scene()->firstTriangle(5) + 9, Vec3(0.0)});
+    EXPECT_EQ(tree.view().currentIndex(), tree.model().indexOfInstance(5));
+    EXPECT_EQ(session.pick()->triangle, session.scene()->firstTriangle(5) + 9) << "the tree picked another triangle";
+    session.setPick(std::nullopt);
+    EXPECT_FALSE(tree.view().selectionModel()->hasSelection());
+}
+
+TEST_F(InsidePanelTest, numbersOfPicksWereThoseOfAnotherSceneWhenObjectsAreHidden) {
+    std::vector<bool> hidden(session.hidden().size(), false);
+    hidden[0] = hidden[2] = true;
+    session.setHidden(hidden);
+    settle();
+    pickObject(session, 5);
+    settle();
+    EXPECT_EQ(reader.reading()->triangle, session.scene()->firstTriangle(3));
+    EXPECT_EQ(panel.tree().view().currentIndex(), panel.tree().model().indexOfInstance(3));
+    ASSERT_FALSE(panel.why().sentences().isEmpty());
+    const QString name = QString::fromStdString(session.opened()->scene->instances()[5].name);
+    EXPECT_TRUE(panel.why().sentences().front().contains(name)) << panel.why().sentences().front().toStdString();
+    EXPECT_TRUE(panel.why().heading().startsWith(name));
+    hidden[5] = true;
+    session.setHidden(hidden);
+    EXPECT_TRUE(panel.why().sentences().isEmpty());
+    EXPECT_FALSE(reader.pickedTriangle());
+}
+
+TEST_F(InsidePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
+    EXPECT_TRUE(panel.why().sentences().isEmpty());
+    const uint32_t culled = firstCulled();
+    pickObject(session, culled);
+    EXPECT_TRUE(panel.why().sentences().isEmpty()) << "of what was picked before";
+    settle();
+    const QStringList sentences = panel.why().sentences();
+    ASSERT_EQ(sentences.size(), int(reader.reading()->why.size()));
+    EXPECT_EQ(sentences.back(), QStringLiteral("The triangle is not given to OpenGL."));
+    int planes = 0;
+    for (const WhyStep& step : reader.reading()->why) planes += step.plane ? 1 : 0;
+    EXPECT_GT(planes, 0);
+    EXPECT_EQ(panel.why().planes().rowCount(), planes);
+    EXPECT_TRUE(panel.why().planes().item(planes - 1, 1)->text().toDouble() < 0.0) << "the rejecting plane comes last";
+    EXPECT_EQ(reader.pickedState(), TriangleState::OutsideFrustum);
+}
+
+TEST_F(InsidePanelTest, allHasNoBoxesAndSaysSo) {
+    session.slot(1).choose("all");
+    settle();
+    EXPECT_EQ(panel.tree().model().rowCount(), 0);
+    EXPECT_TRUE(panel.tree().view().isHidden());
+    session.slot(1).choose("frustum");
+    settle();
+    EXPECT_FALSE(panel.tree().view().isHidden());
+}
+
+TEST_F(InsidePanelTest, readingsFollowTheViewAndAreNeverStale) {
+    int stale = 0;
+    QObject::connect(&reader, &InsideReader::changed, [&] {
+        if (!reader.reading()) return;
+        const bool present = reader.reading()->culling == session.camera();
+        if (reader.fresh() && !present) ++stale;
+    });
+    const size_t begun = reader.begun();
+    QElapsedTimer time;
+    time.start();
+    int moves = 0;
+    for (; time.elapsed() < 600; ++moves) {
+        session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(0.5), {}));
+        QTest::qWait(1);
+    }
+    ASSERT_TRUE(waitUntil([&] { return reader.fresh(); }));
+    EXPECT_EQ(stale, 0);
+    EXPECT_LE(reader.begun() - begun, size_t(time.elapsed() / 100 + 2)) << "more often than ten times a second";
+    EXPECT_EQ(reader.reading()->culling, session.camera());
+}
+
+TEST_F(InsidePanelTest, nothingIsReadWhileNobodyLooks) {
+    panel.hide();
+    const size_t begun = reader.begun();
+    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), {}));
+    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled(); }));
+    EXPECT_EQ(reader.begun(), begun);
+    EXPECT_FALSE(reader.fresh());
+    panel.show();
+    EXPECT_TRUE(waitUntil([&] { return reader.fresh(); }));
+}
+
+TEST_F(InsidePanelTest, observersShowTheInsideOfWhatTheyWatch) {
+    session.observe(0, 1);
+    session.setActiveView(0);
+    settle();
+    EXPECT_EQ(reader.reading()->strategy, session.slot(1).built());
+    EXPECT_EQ(reader.reading()->culling, session.cullingCamera(1));
+}
+
+TEST_F(InsidePanelTest, noLossIsNoProof) {
+    const Accuracy& accuracy = session.figures(1).accuracy;
+    ASSERT_EQ(accuracy.missedPixels, 0U);
+    EXPECT_EQ(panel.losses().model().rowCount(), 0);
+    EXPECT_TRUE(panel.losses().summary().startsWith(QStringLiteral("0 of "))) << panel.losses().summary().toStdString();
+    EXPECT_TRUE(panel.losses().summary().contains(QStringLiteral("3 in ")));
+}
+
+TEST(LossModel, objectsWithNamesPixelsAndShares) {
+    LossModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    const ScenePointer scene = openScene(kField).scene;
+    model.setObjects(scene, {{4, 150}, {1, 50}}, 200);
+    ASSERT_EQ(model.rowCount(), 2);
+    EXPECT_EQ(model.index(0, LossModel::Name).data().toString().toStdString(), scene->instances()[4].name);
+    EXPECT_EQ(model.index(0, LossModel::Pixels).data().toString(), QStringLiteral("150"));
+    EXPECT_EQ(model.index(1, LossModel::Share).data().toString(), QStringLiteral("25 %"));
+    EXPECT_EQ(model.instanceAt(1), 1U);
+    model.setObjects(nullptr, {}, 0);
+    EXPECT_EQ(model.rowCount(), 0);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

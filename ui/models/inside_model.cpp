@@ -1,0 +1,140 @@
+#include "ui/models/inside_model.h"
+
+#include <algorithm>
+
+#include "core/measure/triangle_states.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+#include "ui/views/verdict_swatch.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+/// Where a node's children begin in the list of lists; -1 is the list of the roots.
+size_t place(int64_t node) { return size_t(node + 1); }
+
+bool sameBoxes(const Inside& a, const Inside& b) {
+    return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
+                      [](const InsideNode& x, const InsideNode& y) { return x.parent == y.parent && x.instance == y.instance; });
+}
+
+TriangleState stateOf(const InsideNode& node) { return node.culled ? stateOfCause(node.cause) : TriangleState::Visible; }
+
+}  // namespace
+
+void InsideModel::setInside(const ScenePointer& scene, const std::shared_ptr<const Inside>& inside) {
+    if (scene == m_scene && inside == m_inside) return;
+    if (inside && m_inside && scene == m_scene && sameBoxes(*inside, *m_inside)) {
+        m_inside = inside;
+        tellOfData();
+        return;
+    }
+    beginResetModel();
+    m_scene = scene;
+    m_inside = inside;
+    layOut();
+    endResetModel();
+}
+
+void InsideModel::layOut() {
+    const size_t count = m_inside ? m_inside->nodes.size() : 0;
+    m_firstChild.assign(count + 2, 0);
+    m_children.assign(count, 0);
+    m_rowOfNode.assign(count, 0);
+    m_nodeOfInstance.assign(m_scene ? m_scene->instances().size() : 0, -1);
+    for (size_t node = 0; node < count; ++node) {
+        uint32_t& number = m_firstChild[place(m_inside->nodes[node].parent) + 1];
+        m_rowOfNode[node] = number++;
+    }
+    for (size_t i = 1; i < m_firstChild.size(); ++i) m_firstChild[i] += m_firstChild[i - 1];
+    for (size_t node = 0; node < count; ++node)
+        m_children[m_firstChild[place(m_inside->nodes[node].parent)] + m_rowOfNode[node]] = uint32_t(node);
+    for (size_t node = count; node-- > 0;)
+        if (childCount(place(int64_t(node))) == 0) m_nodeOfInstance[m_inside->nodes[node].instance] = int64_t(node);
+}
+
+QModelIndex InsideModel::indexOfNode(size_t node) const { return createIndex(int(m_rowOfNode[node]), 0, quintptr(node)); }
+
+std::optional<uint32_t> InsideModel::instanceAt(const QModelIndex& index) const {
+    if (!index.isValid() || childCount(place(int64_t(nodeOf(index)))) > 0) return std::nullopt;
+    return m_inside->nodes[nodeOf(index)].instance;
+}
+
+QModelIndex InsideModel::indexOfInstance(uint32_t instance) const {
+    if (instance >= m_nodeOfInstance.size() || m_nodeOfInstance[instance] < 0) return {};
+    return indexOfNode(size_t(m_nodeOfInstance[instance]));
+}
+
+QModelIndex InsideModel::index(int row, int column, const QModelIndex& parent) const {
+    if (!hasIndex(row, column, parent)) return {};
+    const size_t list = place(parent.isValid() ? int64_t(nodeOf(parent)) : -1);
+    return createIndex(row, column, quintptr(m_children[m_firstChild[list] + size_t(row)]));
+}
+
+QModelIndex InsideModel::parent(const QModelIndex& index) const {
+    if (!index.isValid()) return {};
+    const int32_t parent = m_inside->nodes[nodeOf(index)].parent;
+    return parent < 0 ? QModelIndex() : indexOfNode(size_t(parent));
+}
+
+int InsideModel::rowCount(const QModelIndex& parent) const {
+    if (empty() || parent.column() > 0) return 0;
+    return int(childCount(place(parent.isValid() ? int64_t(nodeOf(parent)) : -1)));
+}
+
+int InsideModel::columnCount(const QModelIndex& /*parent*/) const { return ColumnCount; }
+
+QString InsideModel::text(const InsideNode& node, size_t number, int column) const {
+    switch (column) {
+        case Name:
+            if (childCount(place(int64_t(number))) > 0) return tr("Node %1", "of a tree of boxes").arg(number);
+            return QString::fromStdString(m_scene->instances()[node.instance].name);
+        case Triangles:
+            return countText(node.triangles);
+        case Verdict:
+            if (node.culled) return translated(causeName(node.cause));
+            return childCount(place(int64_t(number))) > 0 ? tr("kept", "a box that holds others") : tr("submitted");
+        case Plane:
+            return node.rejectedBy ? translated(planeName(*node.rejectedBy)) : QString();
+        default:
+            return {};
+    }
+}
+
+QVariant InsideModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
+    const InsideNode& node = m_inside->nodes[nodeOf(index)];
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(node, nodeOf(index), index.column());
+    if (role == Qt::DecorationRole && index.column() == Verdict) return verdictIcon(stateOf(node));
+    if (role == Qt::TextAlignmentRole && index.column() == Triangles) return int(Qt::AlignRight | Qt::AlignVCenter);
+    return {};
+}
+
+QVariant InsideModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) return {};
+    switch (section) {
+        case Name:
+            return tr("Object");
+        case Triangles:
+            return tr("Triangles");
+        case Verdict:
+            return tr("Verdict");
+        case Plane:
+            return tr("Rejected by");
+        default:
+            return {};
+    }
+}
+
+void InsideModel::tellOfData() {
+    // Views repaint as a whole at this; told for every inner node's rows, each would search all of the view.
+    if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+void InsideModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    tellOfData();
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "core/scene/scene.h"
+#include "ui/session/figures.h"
+
+namespace cullscope::ui {
+
+/// The objects that lost pixels in a view, most pixels first: name, pixels, share of all missed pixels.
+class LossModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Pixels, Share, ColumnCount };
+
+    explicit LossModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
+
+    /// `objects` are numbered as in `scene` (may be null where there are none).
+    void setObjects(const ScenePointer& scene, const std::vector<LostObject>& objects, uint64_t missedPixels);
+    [[nodiscard]] const ScenePointer& scene() const { return m_scene; }
+    [[nodiscard]] uint32_t instanceAt(int row) const { return m_objects[size_t(row)].instance; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void retranslate();
+
+private:
+    ScenePointer m_scene;
+    std::vector<LostObject> m_objects;
+    uint64_t m_missed = 0;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,98 @@
+#include "ui/panels/inside_tree.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QScopedValueRollback>
+#include <QVBoxLayout>
+
+#include "ui/session/object_pick.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr std::array kWidths{110, 66, 118};  // of all columns but the last, which takes the rest
+
+}  // namespace
+
+InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_reader(reader),
+      m_model(new InsideModel(this)),
+      m_view(new QTreeView(this)),
+      m_empty(new QLabel(this)) {
+    setUpView();
+    m_empty->setWordWrap(true);
+    m_empty->setMargin(8);
+    m_empty->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_view, 1);
+    layout->addWidget(m_empty, 1);
+    setFocusProxy(m_view);
+    connect(&reader, &InsideReader::changed, this, &InsideTree::refresh);
+    connect(&session, &Session::pickChanged, this, &InsideTree::followPick);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &InsideTree::pickSelected);
+    retranslate();
+    refresh();
+}
+
+void InsideTree::setUpView() {
+    m_view->setModel(m_model);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setUniformRowHeights(true);
+    m_view->setAlternatingRowColors(true);
+    m_view->setTabKeyNavigation(false);
+    m_view->setIconSize({14, 14});
+    m_view->setTextElideMode(Qt::ElideMiddle);
+    for (size_t column = 0; column < kWidths.size(); ++column) m_view->setColumnWidth(int(column), kWidths[column]);
+}
+
+void InsideTree::refresh() {
+    const InsideReadingPointer& reading = m_reader.reading();
+    m_model->setInside(reading ? reading->strategy->scene : nullptr, reading ? reading->inside : nullptr);
+    // A flat list needs no place for arrows.
+    m_view->setRootIsDecorated(m_model->nested());
+    m_view->setVisible(!m_model->empty());
+    m_empty->setVisible(m_model->empty());
+    followPick();
+}
+
+void InsideTree::followPick() {
+    const QScopedValueRollback guard(m_following, true);
+    const std::optional<Pick>& pick = m_session.pick();
+    const std::optional<uint32_t> instance = pick ? m_session.instanceOf(pick->object) : std::nullopt;
+    const QModelIndex index = instance ? m_model->indexOfInstance(*instance) : QModelIndex();
+    if (!index.isValid()) {
+        m_view->clearSelection();
+        return;
+    }
+    if (m_view->selectionModel()->isRowSelected(index.row(), index.parent())) return;
+    m_view->setCurrentIndex(index);
+    m_view->scrollTo(index);
+}
+
+void InsideTree::pickSelected() {
+    if (m_following) return;
+    const QModelIndexList rows = m_view->selectionModel()->selectedRows();
+    const std::optional<uint32_t> instance = rows.isEmpty() ? std::nullopt : m_model->instanceAt(rows.front());
+    // Between a change of the scene and its first reading the model is of the old one.
+    if (!instance || !m_reader.reading() || m_reader.reading()->strategy->scene != m_session.scene()) return;
+    pickObject(m_session, m_session.objectOf(*instance));
+}
+
+void InsideTree::retranslate() {
+    m_model->retranslate();
+    m_view->setAccessibleName(tr("Boxes that the strategy tests"));
+    m_empty->setText(
+        tr("This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they "
+           "decided about each."));
+}
+
+void InsideTree::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

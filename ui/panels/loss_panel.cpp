@@ -1,0 +1,123 @@
+#include "ui/panels/loss_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLocale>
+#include <QVBoxLayout>
+
+#include "ui/session/object_pick.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+/// Of a view without a loss: what seeing none says, and what it does not.
+QString nothingLost(const Accuracy& accuracy) {
+    if (accuracy.coveredPixels == 0) return LossPanel::tr("Nothing of the scene is in this view: there is nothing to lose.");
+    const QString covered = countText(accuracy.coveredPixels);
+    return LossPanel::tr(
+               "0 of %1 covered pixels lost in this view. One view cannot show a loss rarer than about 3 in %1 (< %2 %).")
+        .arg(covered, QLocale().toString(300.0 / double(accuracy.coveredPixels), 'g', 2));
+}
+
+QString lossOf(const Figures& figures) {
+    const Accuracy& accuracy = figures.accuracy;
+    QStringList sentences{
+        LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %), in %4 holes; the largest has %5.", "numbers of pixels")
+            .arg(countText(accuracy.missedPixels), countText(accuracy.coveredPixels), percentText(accuracy.missedPixelRate()),
+                 countText(figures.holes.size()), countText(accuracy.largestHolePixels))};
+    if (figures.missedBeyondSnapping)
+        sentences << LossPanel::tr("Beyond what the raster's snapping of edges explains: %1.")
+                         .arg(countText(*figures.missedBeyondSnapping));
+    return sentences.join(QLatin1Char('\n'));
+}
+
+}  // namespace
+
+LossPanel::LossPanel(Session& session, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_model(new LossModel(this)),
+      m_summary(new QLabel(this)),
+      m_measure(new QPushButton(this)),
+      m_view(new QTreeView(this)) {
+    m_summary->setWordWrap(true);
+    m_view->setModel(m_model);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setRootIsDecorated(false);
+    m_view->setUniformRowHeights(true);
+    m_view->setAlternatingRowColors(true);
+    m_view->setTabKeyNavigation(false);
+    m_view->header()->setStretchLastSection(false);
+    m_view->header()->setSectionResizeMode(LossModel::Name, QHeaderView::Stretch);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 0);
+    layout->addWidget(m_summary);
+    layout->addWidget(m_measure, 0, Qt::AlignLeft);
+    layout->addWidget(m_view, 1);
+    layout->addStretch(0);
+    setFocusProxy(m_view);
+    connect(m_view, &QTreeView::clicked, this, &LossPanel::goTo);
+    connect(m_view, &QTreeView::activated, this, &LossPanel::goTo);
+    connect(m_measure, &QPushButton::clicked, &session, &Session::requestFigures);
+    connect(&session, &Session::figuresChanged, this, &LossPanel::refresh);
+    for (const auto signal : {&Session::activeViewChanged, &Session::sceneChanged, &Session::hiddenChanged})
+        connect(&session, signal, this, &LossPanel::refresh);
+    connect(&session, &Session::setupChanged, this, &LossPanel::refresh);
+    refresh();
+}
+
+QString LossPanel::summary() const {
+    const Figures& figures = this->figures();
+    switch (figures.state) {
+        case Figures::State::Nothing:
+            return tr("There is no scene.");
+        case Figures::State::Stale:
+            return tr("The view changed: what it lost is being counted…");
+        case Figures::State::OnRequest:
+            return tr("The scene is large: what the view lost is counted when you ask for it.");
+        case Figures::State::Failed:
+            return translated(figures.failure);
+        case Figures::State::Ready:
+            break;
+    }
+    return figures.accuracy.missedPixels == 0 ? nothingLost(figures.accuracy) : lossOf(figures);
+}
+
+void LossPanel::refresh() {
+    const Figures& figures = this->figures();
+    m_view->setAccessibleName(tr("Objects that lost pixels"));
+    m_measure->setText(tr("Count now"));
+    m_measure->setVisible(figures.state == Figures::State::OnRequest);
+    m_summary->setText(summary());
+    const bool ready = figures.state == Figures::State::Ready && figures.subject.buffers;
+    const ScenePointer scene = ready ? figures.subject.buffers->scenePointer() : nullptr;
+    // While they are stale the last ones stay, as long as the scene does: they cannot be chosen.
+    if (ready)
+        m_model->setObjects(scene, figures.lostObjects, figures.accuracy.missedPixels);
+    else if (figures.state != Figures::State::Stale || m_model->scene() != m_session.scene())
+        m_model->setObjects(nullptr, {}, 0);
+    m_view->setEnabled(ready);
+    m_view->setVisible(m_model->rowCount() > 0);
+    m_view->resizeColumnToContents(LossModel::Pixels);
+    m_view->resizeColumnToContents(LossModel::Share);
+}
+
+void LossPanel::goTo(const QModelIndex& index) {
+    if (!index.isValid() || m_model->scene() != m_session.scene()) return;
+    const uint32_t object = m_session.objectOf(m_model->instanceAt(index.row()));
+    pickObject(m_session, object);
+    frameObject(m_session, object);
+}
+
+void LossPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        m_model->retranslate();
+        refresh();
+    }
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,132 @@
+#include "ui/panels/why_panel.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+QLabel* wrappingLabel(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setTextFormat(Qt::PlainText);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+void makeBold(QLabel& label) {
+    QFont font = label.font();
+    font.setBold(true);
+    label.setFont(font);
+}
+
+}  // namespace
+
+WhyPanel::WhyPanel(Session& session, InsideReader& reader, QWidget* parent)
+    : QScrollArea(parent),
+      m_session(session),
+      m_reader(reader),
+      m_empty(wrappingLabel(this)),
+      m_content(new QWidget(this)),
+      m_heading(wrappingLabel(m_content)),
+      m_swatch(new VerdictSwatch(TriangleState::Visible, m_content)),
+      m_state(wrappingLabel(m_content)),
+      m_verdict(wrappingLabel(m_content)),
+      m_planes(new PlaneTable(m_content)),
+      m_steps(wrappingLabel(m_content)) {
+    layOut();
+    connect(&reader, &InsideReader::changed, this, &WhyPanel::refresh);
+    connect(&session, &Session::pickChanged, this, &WhyPanel::refresh);
+    connect(&session, &Session::hiddenChanged, this, &WhyPanel::refresh);
+    connect(&session, &Session::figuresChanged, this, &WhyPanel::showState);
+    connect(&session, &Session::activeViewChanged, this, &WhyPanel::showState);
+    refresh();
+}
+
+void WhyPanel::layOut() {
+    makeBold(*m_heading);
+    makeBold(*m_verdict);
+    auto* state = new QHBoxLayout;
+    state->addWidget(m_swatch);
+    state->addWidget(m_state, 1);
+    auto* content = new QVBoxLayout(m_content);
+    content->setContentsMargins(0, 0, 0, 0);
+    content->addWidget(m_heading);
+    content->addLayout(state);
+    content->addWidget(m_verdict);
+    content->addWidget(m_planes);
+    content->addWidget(m_steps);
+    auto* all = new QWidget(this);
+    auto* layout = new QVBoxLayout(all);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->addWidget(m_empty);
+    layout->addWidget(m_content);
+    layout->addStretch(1);
+    setWidget(all);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
+QString WhyPanel::emptySentence() const {
+    if (!m_session.pick()) return tr("Click on something in a picture to see why it was drawn or left out.");
+    return tr("The picked object is hidden by you. Show it again to see why the strategy draws it or leaves it out.");
+}
+
+void WhyPanel::refresh() {
+    setAccessibleName(tr("Why the picked triangle was drawn or left out"));
+    const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    m_empty->setText(emptySentence());
+    m_empty->setVisible(!triangle);
+    m_content->setVisible(triangle.has_value());
+    if (!triangle) return;
+    m_heading->setText(heading());
+    const QStringList sentences = this->sentences();
+    const bool known = !sentences.isEmpty();
+    m_verdict->setText(known ? sentences.back() : tr("The strategy's decisions are being read…"));
+    m_planes->setSteps(known ? m_reader.reading()->why : std::vector<WhyStep>());
+    m_planes->setVisible(m_planes->rowCount() > 0);
+    QStringList lines;
+    for (const QString& sentence : sentences)
+        lines << tr("%1. %2", "number of a step, its sentence").arg(lines.size() + 1).arg(sentence);
+    m_steps->setText(lines.join(QLatin1Char('\n')));
+    m_content->setEnabled(m_reader.fresh() || !known);
+    showState();
+}
+
+void WhyPanel::showState() {
+    const std::optional<TriangleState> state = m_reader.pickedState();
+    m_swatch->setVisible(state.has_value());
+    if (state) m_swatch->setState(*state);
+    m_state->setText(state ? translated(triangleStateName(*state)) : tr("Whether it is visible is not known yet."));
+}
+
+QString WhyPanel::heading() const {
+    const std::optional<Pick>& pick = m_session.pick();
+    if (!pick) return {};
+    const QString object = QString::fromStdString(m_session.opened()->scene->instances()[pick->object].name);
+    return tr("%1, triangle %2", "name of an object").arg(object, countText(pick->triangle));
+}
+
+QStringList WhyPanel::sentences() const {
+    const InsideReadingPointer& reading = m_reader.reading();
+    const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    QStringList sentences;
+    if (!reading || !triangle || reading->triangle != triangle) return sentences;
+    for (const WhyStep& step : reading->why) sentences << translated(step.sentence);
+    return sentences;
+}
+
+void WhyPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        m_planes->retranslate();
+        refresh();
+    }
+    QScrollArea::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <QLabel>
+#include <QScrollArea>
+
+#include "ui/panels/plane_table.h"
+#include "ui/session/inside_reader.h"
+#include "ui/views/verdict_swatch.h"
+
+namespace cullscope::ui {
+
+/// Why the picked triangle was drawn or left out: the chain of decisions of the active view's strategy.
+class WhyPanel : public QScrollArea {
+    Q_OBJECT
+
+public:
+    WhyPanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
+
+    /// What is read from top to bottom, for tests and screen readers; empty: nothing is picked.
+    [[nodiscard]] QStringList sentences() const;
+    [[nodiscard]] QString heading() const;
+    [[nodiscard]] PlaneTable& planes() { return *m_planes; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void layOut();
+    void refresh();
+    void showState();
+    [[nodiscard]] QString emptySentence() const;
+
+    Session& m_session;
+    InsideReader& m_reader;
+    QLabel* m_empty;
+    QWidget* m_content;
+    QLabel* m_heading;
+    VerdictSwatch* m_swatch;
+    QLabel* m_state;
+    QLabel* m_verdict;
+    PlaneTable* m_planes;
+    QLabel* m_steps;
+};
+
+}  // namespace cullscope::ui

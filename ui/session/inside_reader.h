@@ -1,0 +1,84 @@
+#pragma once
+
+#include <QTimer>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/visibility/why.h"
+#include "ui/session/session.h"
+
+class QWidget;
+
+namespace cullscope::ui {
+
+/// What a view's strategy decided, read out of one traced cull. Numbers are of `strategy->scene`.
+struct InsideReading {
+    BuiltStrategyPointer strategy;
+    Camera culling;
+    Viewport size;
+    std::shared_ptr<const Inside> inside;  ///< never null; the same pointer as long as strategy, camera and size are the same
+    std::optional<uint64_t> triangle;      ///< what `why` is about; none: nothing picked, or its object is hidden
+    std::vector<WhyStep> why;
+};
+
+using InsideReadingPointer = std::shared_ptr<const InsideReading>;
+
+/// Reads what the strategy decided whose verdicts the active view shows: culls with a trace beside the window whenever strategy,
+/// culling camera, render size, scene or pick change, at most ten times a second and one at a time. Only a reading of the present
+/// state is ever delivered. Nothing is read while none of the widgets that want it is visible.
+class InsideReader : public QObject {
+    Q_OBJECT
+
+public:
+    explicit InsideReader(Session& session, QObject* parent = nullptr);
+    ~InsideReader() override;
+
+    /// Reads whenever this widget is visible.
+    void readFor(QWidget* widget);
+
+    /// The newest; null: none of the present scene yet. While `fresh` is false its camera or strategy may be older than the
+    /// view's.
+    [[nodiscard]] const InsideReadingPointer& reading() const { return m_reading; }
+    [[nodiscard]] bool fresh() const;
+    /// The picked triangle in the numbering of the shown scene; none: nothing picked, or its object is hidden.
+    [[nodiscard]] std::optional<uint64_t> pickedTriangle() const;
+    /// The picked triangle's state against the truth; none while that is not known.
+    [[nodiscard]] std::optional<TriangleState> pickedState() const;
+    /// How many culls were begun so far. For tests.
+    [[nodiscard]] size_t begun() const { return m_begun; }
+
+signals:
+    /// `reading` or `fresh` changed.
+    void changed();
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    struct Request {
+        BuiltStrategyPointer strategy;
+        Camera culling;
+        Viewport size;
+        std::optional<uint64_t> triangle;
+
+        bool operator==(const Request&) const = default;
+    };
+
+    [[nodiscard]] std::optional<Request> present() const;
+    [[nodiscard]] bool answers(const Request& request) const;
+    [[nodiscard]] bool wanted() const;
+    void check();
+    void start();
+    void take(const Request& request, InsideReadingPointer reading);
+
+    Session& m_session;
+    std::vector<QWidget*> m_readers;
+    InsideReadingPointer m_reading;
+    bool m_wasFresh = false;
+    size_t m_begun = 0;
+    QTimer m_pause;
+    Background m_background;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QImage>
+#include <algorithm>
+#include <vector>
+
+#include "core/gpu/framebuffer.h"
+
+namespace cullscope::ui {
+
+/// What is drawn at once has at most so many pixels a side: little memory of the graphics card, and a place to stop in between.
+inline constexpr int kMostTilePixels = 4096;
+
+/// The tiles of a picture, row by row.
+[[nodiscard]] inline std::vector<PictureTile> tilesOf(const Viewport& size) {
+    std::vector<PictureTile> tiles;
+    for (int y = 0; y < size.height; y += kMostTilePixels)
+        for (int x = 0; x < size.width; x += kMostTilePixels)
+            tiles.push_back({x, y, {std::min(kMostTilePixels, size.width - x), std::min(kMostTilePixels, size.height - y)}});
+    return tiles;
+}
+
+/// Copies a tile's rows to their place in the whole picture; both count from the bottom.
+template <typename Value>
+void copyTile(const std::vector<Value>& from, const PictureTile& tile, std::vector<Value>& whole, int width) {
+    for (int row = 0; row < tile.size.height; ++row)
+        std::copy_n(from.begin() + std::ptrdiff_t(row) * tile.size.width, tile.size.width,
+                    whole.begin() + std::ptrdiff_t(tile.y + row) * width + tile.x);
+}
+
+/// The same into an image of four bytes a pixel, whose rows count from the top.
+inline void copyTile(const std::vector<uint8_t>& rgba, const PictureTile& tile, QImage& image) {
+    const size_t rowBytes = 4 * size_t(tile.size.width);
+    for (int row = 0; row < tile.size.height; ++row)
+        std::copy_n(rgba.begin() + std::ptrdiff_t(rowBytes) * row, rowBytes,
+                    image.scanLine(image.height() - 1 - tile.y - row) + 4 * size_t(tile.x));
+}
+
+/// An image whose bytes are not set. Throws Error(Usage) where there is no memory for it.
+[[nodiscard]] QImage newImage(const Viewport& size, QImage::Format format);
+
+}  // namespace cullscope::ui

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/session/session.h"
+
+namespace cullscope::ui {
+
+/// The strategy that a view shows, with its id and the parameters that are not at their defaults.
+[[nodiscard]] QString strategyText(const Session& session, int view);
+
+/// The line below a screenshot of the active view, or of all: scene, strategy and figures, and at which size those were measured.
+[[nodiscard]] QString madeCaption(Session& session, bool grid);
+
+}  // namespace cullscope::ui

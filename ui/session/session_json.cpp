@@ -1,0 +1,142 @@
+#include "ui/session/session_json.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <typename Enum>
+using Word = std::pair<const char*, Enum>;
+
+constexpr std::array kRoles{Word<Role>{"linked", Role::Linked}, Word<Role>{"observer", Role::Observer},
+                            Word<Role>{"frozen", Role::Frozen}};
+constexpr std::array kUploads{Word<Upload>{"vbo", Upload::Vbo}, Word<Upload>{"vertex-array", Upload::VertexArray}};
+constexpr std::array kColourings{Word<Colouring>{"shaded", Colouring::Shaded}, Word<Colouring>{"verdicts", Colouring::Verdicts}};
+constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wipe::Mode>{"truth", Wipe::Mode::Truth},
+                            Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
+                            Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
+
+constexpr int kMostPixels = 16384;  // on a side, as core's validate has it
+
+template <typename Enum, size_t Count>
+const char* wordOf(const std::array<Word<Enum>, Count>& words, Enum value) {
+    for (const auto& [word, meaning] : words)
+        if (meaning == value) return word;
+    return words.front().first;
+}
+
+template <typename Enum, size_t Count>
+void read(const JsonField& group, const char* key, const std::array<Word<Enum>, Count>& words, Enum& value) {
+    if (const auto field = group.find(key)) value = field->template oneOf<Enum>(JsonField::Words<Enum>(words));
+}
+
+void read(const JsonField& group, const char* key, bool& value) {
+    if (const auto field = group.find(key)) value = field->boolean();
+}
+
+void readViewNumber(const JsonField& group, const char* key, int& value) {
+    if (const auto field = group.find(key)) value = field->wholeNumber(0, Session::kMostViews - 1);
+}
+
+Json jsonOf(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json jsonOf(const ViewLook& look) {
+    return {{"colouring", wordOf(kColourings, look.colouring)},
+            {"culled_too", look.culledToo},
+            {"frustum", look.frustum},
+            {"boxes", look.boxes}};
+}
+
+ViewLook readLook(const JsonField& field) {
+    ViewLook look;
+    read(field, "colouring", kColourings, look.colouring);
+    read(field, "culled_too", look.culledToo);
+    read(field, "frustum", look.frustum);
+    read(field, "boxes", look.boxes);
+    return look;
+}
+
+Json jsonOf(const Wipe& wipe) {
+    return {{"mode", wordOf(kWipes, wipe.mode)}, {"other", wipe.other}, {"position", wipe.position}};
+}
+
+Wipe readWipe(const JsonField& field) {
+    Wipe wipe;
+    read(field, "mode", kWipes, wipe.mode);
+    readViewNumber(field, "other", wipe.other);
+    if (const auto position = field.find("position")) wipe.position = position->number(0.0, 1.0);
+    return wipe;
+}
+
+Viewport readSize(const JsonField& field) {
+    return {field.at("width").wholeNumber(1, kMostPixels), field.at("height").wholeNumber(1, kMostPixels)};
+}
+
+}  // namespace
+
+Json jsonOf(const Camera& camera) {
+    // In radians, because not every angle has a number of degrees that gives it back.
+    return {{"eye", jsonOf(camera.eye)},         {"target", jsonOf(camera.target)}, {"up", jsonOf(camera.up)},
+            {"fovy_rad", camera.fovy.radians()}, {"near", camera.nearDistance},     {"far", camera.farDistance}};
+}
+
+Camera readCamera(const JsonField& field) {
+    Camera camera;
+    camera.eye = field.at("eye").vector();
+    camera.target = field.at("target").vector();
+    camera.up = field.at("up").vector();
+    camera.fovy = Angle::fromRadians(field.at("fovy_rad").number());
+    camera.nearDistance = field.at("near").number();
+    camera.farDistance = field.at("far").number();
+    field.checked([&] { validate(camera, {1, 1}); });
+    return camera;
+}
+
+Json jsonOf(const ViewSetup& setup) {
+    Json json{{"role", wordOf(kRoles, setup.role)},
+              {"observed", setup.observed},
+              {"viewing", jsonOf(setup.viewing)},
+              {"culling", jsonOf(setup.culling)}};
+    if (setup.size) json["size"] = {{"width", setup.size->width}, {"height", setup.size->height}};
+    json["upload"] = wordOf(kUploads, setup.upload);
+    json["look"] = jsonOf(setup.look);
+    json["wipe"] = jsonOf(setup.wipe);
+    return json;
+}
+
+ViewSetup readSetup(const JsonField& field) {
+    ViewSetup setup;
+    read(field, "role", kRoles, setup.role);
+    readViewNumber(field, "observed", setup.observed);
+    if (const auto viewing = field.find("viewing")) setup.viewing = readCamera(*viewing);
+    if (const auto culling = field.find("culling")) setup.culling = readCamera(*culling);
+    if (const auto size = field.find("size")) setup.size = readSize(*size);
+    read(field, "upload", kUploads, setup.upload);
+    if (const auto look = field.find("look")) setup.look = readLook(*look);
+    if (const auto wipe = field.find("wipe")) setup.wipe = readWipe(*wipe);
+    return setup;
+}
+
+Json jsonOf(const SessionState::View& view) {
+    Json json{{"strategy", view.strategy}, {"parameters", Json::object()}};
+    for (const auto& [key, text] : view.parameters) json["parameters"][key] = text;
+    json.update(jsonOf(view.setup));
+    return json;
+}
+
+SessionState::View readView(const JsonField& field) {
+    SessionState::View view;
+    const JsonField strategy = field.at("strategy");
+    view.strategy = strategy.text();
+    view.setup = readSetup(field);
+    if (const auto parameters = field.find("parameters"))
+        parameters->forEach([&](const std::string& key, const JsonField& value) {
+            view.parameters.emplace(key, value.text());
+            value.checked([&] { (void)parametersOf(view); });
+        });
+    strategy.checked([&] { (void)parametersOf(view); });
+    return view;
+}
+
+}  // namespace cullscope::ui

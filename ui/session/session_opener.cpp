@@ -1,0 +1,117 @@
+#include "ui/session/session_opener.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <algorithm>
+#include <new>
+
+#include "core/base/error.h"
+#include "core/measure/picture_file.h"
+#include "ui/session/session_file.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr std::array kSessionTypes{kSessionExtension, "json"};
+constexpr std::array kPictureTypes{"png", "jpg", "jpeg", "tif", "tiff", "exr"};
+
+template <typename Types>
+bool isOneOf(const QString& suffix, const Types& types) {
+    return std::any_of(types.begin(), types.end(), [&](const char* type) { return suffix == QLatin1String(type); });
+}
+
+/// Throws Error(Input) where the picture holds no session, or a damaged one.
+SessionState readPictureState(const std::filesystem::path& file) {
+    for (const auto& [name, text] : readPicture(file).metadata)
+        if (name == kSessionMetadata)
+            if (std::optional<SessionState> state = stateFromText(text, file)) return *state;
+    throwInput(QT_TRANSLATE_NOOP("core", "%1 does not say what it shows: only pictures that Cullscope saved can be opened."),
+               {file.string()});
+}
+
+SessionState readStateOf(const std::filesystem::path& file, SessionOpener::Kind kind) {
+    return kind == SessionOpener::Kind::Picture ? readPictureState(file) : loadSession(file);
+}
+
+}  // namespace
+
+SessionOpener::SessionOpener(Session& session, CameraBookmarks& bookmarks, QObject* parent)
+    : QObject(parent), m_session(session), m_bookmarks(bookmarks) {
+    SceneLoader& loader = session.loader();
+    connect(&loader, &SceneLoader::started, this, [this] {
+        if (m_starting) return;
+        m_reading.cancel();
+        m_pending.reset();
+    });
+    // A file that is being read meanwhile is a newer wish, and stays one.
+    connect(&loader, &SceneLoader::failed, this, [this] { m_pending.reset(); });
+    connect(&loader, &SceneLoader::cancelled, this, [this] { m_pending.reset(); });
+    // The session has shown the scene by then: it was connected before.
+    connect(&loader, &SceneLoader::loaded, this, &SessionOpener::finish);
+}
+
+SessionOpener::Kind SessionOpener::kindOf(const QString& what) {
+    const QString suffix = QFileInfo(what).suffix().toLower();
+    const bool isFile = !what.contains(QLatin1Char(':')) || QFileInfo::exists(what);
+    if (isFile && isOneOf(suffix, kSessionTypes)) return Kind::Session;
+    if (isFile && isOneOf(suffix, kPictureTypes)) return Kind::Picture;
+    return Kind::Scene;
+}
+
+void SessionOpener::open(const QString& what) {
+    const Kind kind = kindOf(what);
+    if (kind == Kind::Scene) return m_session.open(what);
+    read(what, kind);
+}
+
+void SessionOpener::read(const QString& file, Kind kind) {
+    m_reading.start([this, file, kind](const std::stop_token&) -> Background::Delivery {
+        Message failure;
+        try {
+            return [this, file, state = readStateOf(file.toStdString(), kind)] { restore(state, file); };
+        } catch (const Error& error) {
+            failure = error.message();
+        } catch (const std::exception& error) {
+            failure = {QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {file.toStdString(), error.what()}};
+        }
+        return [this, failure] { m_session.raise(Severity::Error, failure); };
+    });
+}
+
+void SessionOpener::restore(const SessionState& state, const QString& origin) {
+    m_reading.cancel();
+    m_pending = Pending{state, origin};
+    m_starting = true;
+    m_session.open(QString::fromStdString(state.scene));
+    m_starting = false;
+}
+
+void SessionOpener::finish() {
+    const std::optional<Pending> pending = std::exchange(m_pending, std::nullopt);
+    if (pending) {
+        applyState(m_session, pending->state);
+        m_bookmarks.setPlaces(pending->state.bookmarks);
+    }
+    emit opened(pending && !pending->origin.isEmpty() ? pending->origin : m_session.loader().specification());
+    if (pending) emit restored(pending->state);
+}
+
+SessionState SessionOpener::current(const QString& arrangement) const {
+    SessionState state = captureState(m_session);
+    state.arrangement = arrangement.toStdString();
+    state.bookmarks = m_bookmarks.places();
+    return state;
+}
+
+bool SessionOpener::save(const QString& file, const QString& arrangement) {
+    try {
+        saveSession(file.toStdString(), current(arrangement));
+        return true;
+    } catch (const Error& error) {
+        m_session.raise(Severity::Error, error.message());
+        return false;
+    }
+}
+
+}  // namespace cullscope::ui

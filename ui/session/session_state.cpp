@@ -1,0 +1,87 @@
+#include "ui/session/session_state.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+#include "core/visibility/registry.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+SessionState::View captureView(const Session& session, int view) {
+    const StrategySlot& slot = session.slot(view);
+    SessionState::View captured{slot.id(), {}, session.setup(view)};
+    for (const ParameterDeclaration& declaration : slot.parameters().declarations())
+        captured.parameters.emplace(declaration.key, toText(slot.parameters().value(declaration.key)));
+    return captured;
+}
+
+void applyHidden(Session& session, const std::vector<bool>& hidden) {
+    const size_t objects = session.hidden().size();
+    if (hidden.size() == objects) return session.setHidden(hidden);
+    session.setHidden(std::vector<bool>(objects, false));
+    if (std::find(hidden.begin(), hidden.end(), true) != hidden.end())
+        session.raise(Severity::Warning,
+                      {QT_TRANSLATE_NOOP("core", "The scene has %1 objects now, no longer %2: all of them are shown."),
+                       {std::to_string(objects), std::to_string(hidden.size())}});
+}
+
+/// Views that watch another one come last: by then the watched one is what it will be.
+void applySetups(Session& session, const SessionState& state) {
+    for (const bool observers : {false, true})
+        for (int view = 0; view < Session::kMostViews; ++view) {
+            const ViewSetup& setup = state.views[size_t(view)].setup;
+            if ((setup.role == Role::Observer) == observers) session.setSetup(view, setup);
+        }
+}
+
+}  // namespace
+
+SessionState captureState(const Session& session) {
+    SessionState state;
+    if (session.opened()) state.scene = withAbsoluteFiles(session.opened()->specification);
+    state.hidden = session.hidden();
+    state.camera = session.camera();
+    state.up = session.upAxis();
+    state.chosenNear = session.chosenNear();
+    state.viewCount = session.viewCount();
+    state.activeView = session.activeView();
+    for (int view = 0; view < Session::kMostViews; ++view) state.views[size_t(view)] = captureView(session, view);
+    return state;
+}
+
+void applyState(Session& session, const SessionState& state) {
+    if (!session.opened()) return;
+    std::array<ParameterSet, Session::kMostViews> parameters;
+    for (size_t view = 0; view < parameters.size(); ++view)
+        if (!state.views[view].strategy.empty()) parameters[view] = parametersOf(state.views[view]);
+
+    session.setViewCount(state.viewCount);
+    session.setActiveView(state.activeView);
+    for (int view = 0; view < Session::kMostViews; ++view) {
+        const std::string& strategy = state.views[size_t(view)].strategy;
+        if (strategy.empty()) continue;
+        session.slot(view).choose(strategy);
+        session.slot(view).setParameters(parameters[size_t(view)]);
+    }
+    applyHidden(session, state.hidden);
+    // Another up axis moves all cameras: it goes before them.
+    session.setUpAxis(state.up);
+    applySetups(session, state);
+    session.setChosenNear(state.chosenNear);
+    session.setCamera(state.camera);
+}
+
+std::string withAbsoluteFiles(const std::string& specification) {
+    return withFiles(specification,
+                     [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal().string(); });
+}
+
+ParameterSet parametersOf(const SessionState::View& view) {
+    ParameterSet parameters(findStrategy(view.strategy).info.parameters);
+    for (const auto& [key, text] : view.parameters) parameters.setFromText(key, text);
+    return parameters;
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <QComboBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QWidget>
+#include <optional>
+
+#include "core/base/message.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/scene.h"
+
+namespace cullscope::ui {
+
+/// What a user asks an experiment to be, besides its strategies.
+struct ExperimentSettings {
+    CameraPath path;
+    Viewport size;
+    int repetitions = 0;  ///< of each frame; 0: until the median is steady
+};
+
+/// Where an experiment is set up, started and cancelled: the camera path, the size of the picture, the repetitions.
+class ExperimentBar : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ExperimentBar(QWidget* parent = nullptr);
+
+    /// Without a scene nothing can be started.
+    void setScene(ScenePointer scene);
+    /// What "as the view" means.
+    void setCurrentSize(const Viewport& size);
+    /// Offers a path that the user flew; none takes it away again.
+    void setRecordedPath(std::optional<CameraPath> path);
+    /// Reads a path file and chooses it. A bad file emits `failed` and changes nothing.
+    void openPath(const QString& file);
+    void setRunning(bool running);
+    void setProgress(double share, const QString& stage);
+
+    /// Emits `startRequested`, or `failed` where the path cannot be made.
+    void start();
+
+signals:
+    void startRequested(const cullscope::ui::ExperimentSettings& settings);
+    void cancelRequested();
+    void failed(const cullscope::Message& message);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void fillPaths();
+    void choosePath(int row);
+    void setUpSizes();
+    void refresh();
+    void retranslate();
+    [[nodiscard]] CameraPath chosenPath() const;
+
+    ScenePointer m_scene;
+    Viewport m_currentSize;
+    std::optional<CameraPath> m_recorded;
+    std::optional<CameraPath> m_opened;
+    QComboBox* m_path;
+    QSpinBox* m_poses;
+    QComboBox* m_size;
+    QSpinBox* m_repetitions;
+    QPushButton* m_start;
+    QProgressBar* m_progress;
+    int m_chosen = 0;           ///< row of m_path, never that of "Open a path file…"
+    bool m_pathChosen = false;  ///< by the user
+    bool m_running = false;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QLayout>
+
+namespace cullscope::ui {
+
+/// Puts widgets beside each other and begins a new line where there is no more place.
+class FlowLayout : public QLayout {
+    Q_OBJECT
+
+public:
+    FlowLayout(QWidget* parent, int spacing);
+    ~FlowLayout() override;
+
+    void addItem(QLayoutItem* item) override { m_items.append(item); }
+    [[nodiscard]] int count() const override { return int(m_items.size()); }
+    [[nodiscard]] QLayoutItem* itemAt(int index) const override { return m_items.value(index); }
+    QLayoutItem* takeAt(int index) override;
+    [[nodiscard]] Qt::Orientations expandingDirections() const override { return {}; }
+    [[nodiscard]] bool hasHeightForWidth() const override { return true; }
+    [[nodiscard]] int heightForWidth(int width) const override { return arrange(QRect(0, 0, width, 0), false); }
+    [[nodiscard]] QSize minimumSize() const override;
+    [[nodiscard]] QSize sizeHint() const override { return minimumSize(); }
+    void setGeometry(const QRect& place) override;
+
+private:
+    /// Gives the height that it takes; moves the widgets where `apply`.
+    int arrange(const QRect& place, bool apply) const;
+
+    QList<QLayoutItem*> m_items;
+    int m_spacing;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,183 @@
+#include "ui/statistics/pareto_plot.h"
+
+#include <QAreaSeries>
+#include <QLineSeries>
+#include <QLocale>
+#include <QScatterSeries>
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ui/statistics/chart_parts.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMargin = 4.0;
+constexpr int kLeastChart = 130;
+constexpr double kMarkerSize = 11.0;
+
+QScatterSeries::MarkerShape shapeOf(Promise promise) {
+    switch (promise) {
+        case Promise::Exact:
+            return QScatterSeries::MarkerShapeCircle;
+        case Promise::Conservative:
+            return QScatterSeries::MarkerShapeRectangle;
+        case Promise::Approximate:
+            return QScatterSeries::MarkerShapeTriangle;
+    }
+    return QScatterSeries::MarkerShapeCircle;
+}
+
+/// The axis of speeds: every run's interval and 1 in it.
+QValueAxis* speedAxis(const std::vector<RunFigures>& runs) {
+    double most = 1.0;
+    for (const RunFigures& run : runs) most = std::max({most, run.speedup, run.speedupCi95[1]});
+    return axisFromZero(most * 1.02);
+}
+
+QCategoryAxis* lossAxis(int lowest, int highest, const QString& zero) {
+    auto* axis = new QCategoryAxis;
+    axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
+    axis->setRange(lowest - 1.5, highest + 0.2);
+    axis->setStartValue(lowest - 1.5);
+    // Qt Charts reads labels as HTML.
+    axis->append(zero.toHtmlEscaped(), lowest - 1.0);
+    // Few labels on many decades: they stand in as little as 100 pixels.
+    const int step = highest - lowest > 3 ? 2 : 1;
+    for (int decade = lowest; decade <= highest; decade += step)
+        axis->append(QLocale().toString(std::pow(10.0, decade), 'f', std::max(0, -decade)), decade);
+    return axis;
+}
+
+/// A straight line that stands for no strategy.
+void addRule(QChart& chart, const QPointF& from, const QPointF& to, const QPen& pen) {
+    auto* line = new QLineSeries;
+    line->append(from);
+    line->append(to);
+    line->setPen(pen);
+    addSeries(chart, line);
+}
+
+/// The band on which nothing missed stands.
+void addZeroBand(QChart& chart, double from, double to, double width, const PlotColours& colours) {
+    auto* lower = new QLineSeries;
+    auto* upper = new QLineSeries;
+    for (const double x : {0.0, width}) {
+        lower->append(x, from);
+        upper->append(x, to);
+    }
+    auto* band = new QAreaSeries(upper, lower);
+    lower->setParent(band);
+    upper->setParent(band);
+    band->setPen(Qt::NoPen);
+    band->setBrush(colours.grid);
+    chart.addSeries(band);
+    for (QAbstractAxis* axis : chart.axes()) band->attachAxis(axis);
+}
+
+}  // namespace
+
+ParetoPlot::ParetoPlot(QWidget* parent) : PlotWidget(parent) { contentsChanged(); }
+
+void ParetoPlot::setRuns(const std::vector<RunFigures>& runs) {
+    m_runs.clear();
+    std::copy_if(runs.begin(), runs.end(), std::back_inserter(m_runs),
+                 [](const RunFigures& run) { return run.missedPpm.has_value(); });
+    m_lossUnknown = m_runs.empty() && !runs.empty();
+    contentsChanged();
+}
+
+QString ParetoPlot::title() const { return tr("Speed against loss"); }
+
+QString ParetoPlot::emptySentence() const {
+    return m_lossUnknown ? tr("The missed pixels were not measured, so there is no loss to show.") : PlotWidget::emptySentence();
+}
+
+QString ParetoPlot::description() const {
+    QStringList lines;
+    for (const RunFigures& run : m_runs)
+        lines << tr("%1, %2: ×%3 against backface, %4 per million missed")
+                     .arg(run.label, promiseWord(run.promise), ratioText(run.speedup),
+                          *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel());
+    return lines.join(QLatin1Char('\n'));
+}
+
+int ParetoPlot::lowestDecade() const {
+    int lowest = 0;
+    for (const RunFigures& run : m_runs)
+        if (*run.missedPpm > 0.0) lowest = std::min(lowest, int(std::floor(std::log10(*run.missedPpm))));
+    return lowest;
+}
+
+int ParetoPlot::highestDecade() const {
+    int highest = 3;
+    for (const RunFigures& run : m_runs)
+        if (*run.missedPpm > 0.0) highest = std::max(highest, int(std::ceil(std::log10(*run.missedPpm))));
+    return highest;
+}
+
+double ParetoPlot::height(double missedPpm) const { return missedPpm > 0.0 ? std::log10(missedPpm) : lowestDecade() - 1.0; }
+
+QString ParetoPlot::zeroLabel() const {
+    size_t views = 0;
+    for (const RunFigures& run : m_runs) views = std::max(views, run.poses.size());
+    //: Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.
+    return tr("0 (< 3/%1)").arg(views);
+}
+
+PlotLegend ParetoPlot::legend(const PlotColours& colours, const QFont& font) const {
+    std::vector<PlotLegend::Entry> entries = runStyles(m_runs, colours);
+    for (size_t i = 0; i < m_runs.size(); ++i) entries[i].marker = m_runs[i].promise;
+    for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
+        if (std::any_of(m_runs.begin(), m_runs.end(), [&](const RunFigures& run) { return run.promise == promise; }))
+            entries.push_back({tr("shape: %1").arg(promiseWord(promise)), colours.faintText, Qt::SolidLine, promise});
+    return {std::move(entries), QFontMetricsF(font)};
+}
+
+int ParetoPlot::neededHeight(int width) const {
+    return kLeastChart + int(legend(PlotColours(palette()), font()).heightBelow(width) + 2 * kMargin);
+}
+
+void ParetoPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
+    const PlotColours colours(palette);
+    PlotLegend words = legend(colours, painter.font());
+    const QRectF inner = words.takeFrom(place.adjusted(kMargin, kMargin, -kMargin, -kMargin));
+    std::unique_ptr<QChart> chart = bareChart(colours);
+    QValueAxis* speeds = speedAxis(m_runs);
+    addAxis(*chart, speeds, Qt::AlignBottom, painter.font(), colours);
+    const int lowest = lowestDecade();
+    addAxis(*chart, lossAxis(lowest, highestDecade(), zeroLabel()), Qt::AlignLeft, painter.font(), colours);
+    addZeroBand(*chart, lowest - 1.5, lowest - 0.5, speeds->max(), colours);
+    addRule(*chart, {1.0, lowest - 1.5}, {1.0, highestDecade() + 0.2}, QPen(colours.faintText, 1.0, Qt::DashLine));
+    const std::vector<PlotLegend::Entry> styles = runStyles(m_runs, colours);
+    std::map<QString, QLineSeries*> sweeps;
+    for (size_t i = 0; i < m_runs.size(); ++i) {
+        QLineSeries*& sweep = sweeps[m_runs[i].id];
+        if (!sweep) {
+            sweep = new QLineSeries;
+            sweep->setPen(QPen(styles[i].colour, 1.2));
+            addSeries(*chart, sweep);
+        }
+        sweep->append(m_runs[i].speedup, height(*m_runs[i].missedPpm));
+    }
+    for (size_t i = 0; i < m_runs.size(); ++i) {
+        const RunFigures& run = m_runs[i];
+        const double y = height(*run.missedPpm);
+        addRule(*chart, {run.speedupCi95[0], y}, {run.speedupCi95[1], y}, QPen(styles[i].colour, 1.5));
+        auto* point = new QScatterSeries;
+        point->setMarkerShape(shapeOf(run.promise));
+        point->setMarkerSize(kMarkerSize);
+        point->setColor(styles[i].colour);
+        point->setBorderColor(colours.ground);
+        point->append(run.speedup, y);
+        addSeries(*chart, point);
+    }
+    const QString caption = tr("Upwards: missed per million; to the right: speed against backface");
+    paintChart(painter, takeCaption(painter, inner, caption, colours), std::move(chart));
+    words.paint(painter, colours);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "ui/statistics/plot_widget.h"
+#include "ui/statistics/run_figures.h"
+
+namespace cullscope::ui {
+
+class PlotLegend;
+
+/// What speed costs in accuracy: speed against `backface` to the right, missed parts per million upwards on a logarithmic scale,
+/// nothing missed on a band of its own. The marker's shape is the promise; runs of one strategy are joined by a line.
+class ParetoPlot : public PlotWidget {
+    Q_OBJECT
+
+public:
+    explicit ParetoPlot(QWidget* parent = nullptr);
+
+    /// Runs whose loss was not measured have no place here and are left out.
+    void setRuns(const std::vector<RunFigures>& runs);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool empty() const override { return m_runs.empty(); }
+    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
+    [[nodiscard]] int neededHeight(int width) const override;
+
+    /// Where a loss stands on the vertical axis: its decade, or `lowestDecade() − 1` for nothing missed.
+    [[nodiscard]] double height(double missedPpm) const;
+    /// The logarithm of the lower end of the logarithmic part.
+    [[nodiscard]] int lowestDecade() const;
+    /// "0 (< 3/16)": nothing missed in 16 views.
+    [[nodiscard]] QString zeroLabel() const;
+
+protected:
+    [[nodiscard]] QString emptySentence() const override;
+    [[nodiscard]] QString description() const override;
+
+private:
+    [[nodiscard]] int highestDecade() const;
+    [[nodiscard]] PlotLegend legend(const PlotColours& colours, const QFont& font) const;
+
+    std::vector<RunFigures> m_runs;
+    bool m_lossUnknown = false;  ///< there are runs, but none whose loss was measured
+};
+
+}  // namespace cullscope::ui

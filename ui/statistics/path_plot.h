@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ui/statistics/plot_widget.h"
+#include "ui/statistics/run_figures.h"
+
+namespace cullscope::ui {
+
+/// The frame time of every strategy along the path, and beside it (below it, where there is little place) its missed pixels.
+class PathPlot : public PlotWidget {
+    Q_OBJECT
+
+public:
+    explicit PathPlot(QWidget* parent = nullptr);
+
+    /// `poseCount`: of the whole path, of which the runs may have measured a part only.
+    void setRuns(std::vector<RunFigures> runs, size_t poseCount);
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool empty() const override { return m_runs.empty(); }
+    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
+    [[nodiscard]] int neededHeight(int width) const override;
+
+protected:
+    [[nodiscard]] QString description() const override;
+
+private:
+    enum class Figure { Time, Missed };
+
+    [[nodiscard]] bool lossKnown() const;
+    void paintFigure(QPainter& painter, const QRectF& place, const PlotColours& colours, Figure figure) const;
+
+    std::vector<RunFigures> m_runs;
+    size_t m_poseCount = 0;
+};
+
+}  // namespace cullscope::ui

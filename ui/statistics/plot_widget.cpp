@@ -1,0 +1,54 @@
+#include "ui/statistics/plot_widget.h"
+
+#include <QEvent>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kMargin = 12;
+
+}  // namespace
+
+PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
+    setBackgroundRole(QPalette::Base);
+    setAutoFillBackground(true);
+}
+
+QString PlotWidget::emptySentence() const { return tr("Nothing is measured yet. Choose a camera path above and press Start."); }
+
+void PlotWidget::contentsChanged() {
+    setAccessibleName(title());
+    setAccessibleDescription(empty() ? emptySentence() : description());
+    setMinimumHeight(empty() ? 0 : neededHeight(width()));
+    update();
+}
+
+void PlotWidget::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
+    if (!empty()) return paintPlot(painter, rect(), palette());
+    painter.setPen(PlotColours(palette()).text);
+    painter.drawText(rect().adjusted(kMargin, 0, -kMargin, 0), Qt::AlignCenter | Qt::TextWordWrap, emptySentence());
+}
+
+void PlotWidget::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    // The constructor changes the palette too, before there is anything to ask for a title.
+    if (!testAttribute(Qt::WA_WState_Polished)) return;
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        contentsChanged();
+}
+
+void PlotWidget::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    setMinimumHeight(empty() ? 0 : neededHeight(width()));
+}
+
+void PlotWidget::showEvent(QShowEvent* event) {
+    contentsChanged();
+    QWidget::showEvent(event);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QPainter>
+#include <QWidget>
+
+#include "ui/statistics/plot_colours.h"
+
+namespace cullscope::ui {
+
+/// A plot that looks the same in the window and in a file; where it has nothing to show, it says what to do.
+class PlotWidget : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlotWidget(QWidget* parent = nullptr);
+
+    /// What it is, in the user's language: its accessible name and the title of what is exported.
+    [[nodiscard]] virtual QString title() const = 0;
+    [[nodiscard]] virtual bool empty() const = 0;
+    /// Paints it, if it is not empty, on a ground that the caller has painted.
+    virtual void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const = 0;
+    /// The height that it needs at a width, in pixels.
+    [[nodiscard]] virtual int neededHeight(int width) const = 0;
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+    /// Where it is empty: one sentence that says what to do.
+    [[nodiscard]] virtual QString emptySentence() const;
+    /// What it shows, in words, for who cannot see it.
+    [[nodiscard]] virtual QString description() const = 0;
+    /// To be called after its contents changed.
+    virtual void contentsChanged();
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,238 @@
+#include "ui/statistics/result_table_model.h"
+
+#include <QLocale>
+#include <algorithm>
+
+#include "core/visibility/registry.h"
+#include "ui/statistics/run_figures.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMillion = 1e6;
+
+/// "Frustum", "Frustum box=length".
+QString nameOf(const StrategyRequest& strategy) {
+    const QString label = runLabel(strategy);
+    return translated(findStrategy(strategy.id).info.name) + label.mid(int(strategy.id.size()));
+}
+
+ResultRow emptyRow(const StrategyRequest& strategy, Promise promise) {
+    ResultRow row;
+    row.name = nameOf(strategy);
+    row.id = QString::fromStdString(strategy.id);
+    row.promise = promise;
+    return row;
+}
+
+void addLosses(ResultRow& row, const RunMeasurement& run) {
+    if (!run.summary.missedPixelRate) return;
+    row.missedPixels = 0;
+    if (run.facing != run.referenceFacing) row.missedBeyondSnapping = 0;
+    uint64_t most = 0;
+    for (const FrameMeasurement& frame : run.frames) {
+        if (!frame.accuracy) continue;
+        *row.missedPixels += frame.accuracy->missedPixels;
+        if (row.missedBeyondSnapping) *row.missedBeyondSnapping += frame.missedBeyondSnapping;
+        if (frame.accuracy->missedPixels <= most) continue;
+        most = frame.accuracy->missedPixels;
+        row.worstPose = frame.pose;
+    }
+    row.missedPpm = kMillion * *run.summary.missedPixelRate;
+}
+
+QString ratio(double value) { return QLocale().toString(value, 'f', 2); }
+
+QString speed(const std::optional<double>& mean, const std::optional<std::array<double, 2>>& interval) {
+    if (!mean) return {};
+    const QString text = QStringLiteral("×") + ratio(*mean);
+    return interval ? QStringLiteral("%1 [%2, %3]").arg(text, ratio((*interval)[0]), ratio((*interval)[1])) : text;
+}
+
+QString percent(const std::optional<double>& share) { return share ? percentText(*share) + QStringLiteral(" %") : QString(); }
+
+}  // namespace
+
+std::vector<ResultRow> resultRows(const MeasureResult& result) {
+    std::vector<ResultRow> rows;
+    for (const RunMeasurement& run : result.runs) {
+        if (run.frames.empty()) continue;
+        ResultRow row = emptyRow(run.strategy, run.promise);
+        const Summary& summary = run.summary;
+        row.promiseBroken = run.promiseBroken();
+        row.speedup = summary.speedupVsBackface;
+        row.speedupCi95 = summary.speedupVsBackfaceCi95;
+        row.speedupAll = summary.speedupVsAll;
+        row.speedupAllCi95 = summary.speedupVsAllCi95;
+        row.fpsOverall = summary.fpsOverall;
+        row.fpsMin = summary.fpsMin;
+        row.fpsMax = summary.fpsMax;
+        row.cullShare = summary.cullShare;
+        row.submittedShare = 1.0 - summary.culledFraction;
+        addLosses(row, run);
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
+    std::vector<ResultRow> rows;
+    for (const LiveFigures& view : views) {
+        ResultRow row = emptyRow(view.strategy, view.promise);
+        row.name = view.view + QStringLiteral(" · ") + row.name;
+        const Figures& figures = view.figures;
+        if (figures.state == Figures::State::Ready && figures.frameMilliseconds > 0.0) {
+            row.speedup = figures.speedup;
+            row.fpsOverall = 1000.0 / figures.frameMilliseconds;
+            row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;
+            row.submittedShare = figures.submittedShare();
+            row.missedPixels = figures.accuracy.missedPixels;
+            row.missedBeyondSnapping = figures.missedBeyondSnapping;
+            row.missedPpm = kMillion * figures.accuracy.missedPixelRate();
+            row.promiseBroken = view.promise != Promise::Approximate && figures.lostPixels() > 0;
+        }
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
+void ResultTableModel::setRows(std::vector<ResultRow> rows) {
+    // Partial results come ten times a second: where the rows stay, so do the selection and the place scrolled to.
+    if (rows.size() != m_rows.size()) {
+        beginResetModel();
+        m_rows = std::move(rows);
+        endResetModel();
+        return;
+    }
+    m_rows = std::move(rows);
+    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+QString ResultTableModel::title(int column) {
+    switch (column) {
+        case Name:
+            return tr("Strategy");
+        case Speedup:
+            return tr("Speed against\nbackface [95 %]");
+        case SpeedupAll:
+            return tr("Speed against\nall [95 %]");
+        case Fps:
+            return tr("fps");
+        case FpsRange:
+            return tr("fps\nleast – most");
+        case CullShare:
+            return tr("Culling of\nthe frame");
+        case Submitted:
+            return tr("Submitted\ntriangles");
+        case Missed:
+            return tr("Missed\npixels");
+        case MissedPpm:
+            return tr("Missed per\nmillion");
+        case Worst:
+            return tr("Worst\nview");
+        default:
+            return {};
+    }
+}
+
+QString ResultTableModel::explanation(int column) {
+    switch (column) {
+        case Name:
+            return tr("The strategy, and its parameters where they are not at their defaults");
+        case Speedup:
+            return tr("Frame time of backface divided by this strategy's: the mean over the views and its 95 % interval");
+        case SpeedupAll:
+            return tr("Frame time of all divided by this strategy's: the mean over the views and its 95 % interval");
+        case Fps:
+            return tr("Views divided by the time of all of them; a frame is cull + draw");
+        case FpsRange:
+            return tr("In the slowest and in the fastest view");
+        case CullShare:
+            return tr("Share of the frame's time that goes into deciding what to draw");
+        case Submitted:
+            return tr("Share of the scene's triangles given to OpenGL, mean over the views");
+        case Missed:
+            return tr("Pixels of all views in which the truth has a surface and the strategy a farther one or none");
+        case MissedPpm:
+            return tr("Missed pixels in a million pixels in which the truth has a surface");
+        case Worst:
+            return tr("The pose with the most missed pixels; double-click to fly there");
+        default:
+            return {};
+    }
+}
+
+QString ResultTableModel::rowExplanation(const ResultRow& row, int column) {
+    if (column == Name) {
+        QString text = QStringLiteral("%1: %2, %3").arg(row.id, promiseWord(row.promise), promiseSentence(row.promise));
+        if (row.promiseBroken) text += QLatin1Char('\n') + tr("It lost pixels: the promise is broken.");
+        return text;
+    }
+    if (column == Missed && row.missedBeyondSnapping)
+        return tr("%1 of them beyond the raster's snapping to 1/256 pixel").arg(countText(*row.missedBeyondSnapping));
+    return explanation(column);
+}
+
+QString ResultTableModel::value(const ResultRow& row, int column) {
+    switch (column) {
+        case Name:
+            return row.name;
+        case Speedup:
+            return speed(row.speedup, row.speedupCi95);
+        case SpeedupAll:
+            return speed(row.speedupAll, row.speedupAllCi95);
+        case Fps:
+            return row.fpsOverall ? ratioText(*row.fpsOverall) : QString();
+        case FpsRange:
+            return row.fpsMin && row.fpsMax ? ratioText(*row.fpsMin) + QStringLiteral(" – ") + ratioText(*row.fpsMax) : QString();
+        case CullShare:
+            return percent(row.cullShare);
+        case Submitted:
+            return percent(row.submittedShare);
+        case Missed:
+            return row.missedPixels ? countText(*row.missedPixels) : QString();
+        case MissedPpm:
+            return row.missedPpm ? ppmText(*row.missedPpm) : QString();
+        case Worst:
+            return row.worstPose ? QString::number(*row.worstPose) : QString();
+        default:
+            return {};
+    }
+}
+
+QVariant ResultTableModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    const ResultRow& row = m_rows[size_t(index.row())];
+    switch (role) {
+        case Qt::DisplayRole: {
+            const QString text = value(row, index.column());
+            return text.isEmpty() ? QStringLiteral("–") : text;
+        }
+        case Qt::ToolTipRole:
+            return rowExplanation(row, index.column());
+        case Qt::TextAlignmentRole:
+            return int((index.column() == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+        case kPoseRole:
+            return row.worstPose ? QVariant(int(*row.worstPose)) : QVariant();
+        default:
+            return {};
+    }
+}
+
+QVariant ResultTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= ColumnCount) return {};
+    if (role == Qt::DisplayRole) return title(section);
+    if (role == Qt::ToolTipRole) return explanation(section);
+    if (role == Qt::TextAlignmentRole) return int((section == Name ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+    return {};
+}
+
+void ResultTableModel::retranslate() {
+    emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
+    if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
+}
+
+}  // namespace cullscope::ui

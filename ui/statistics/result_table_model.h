@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "core/measure/experiment.h"
+#include "ui/session/figures.h"
+
+namespace cullscope::ui {
+
+/// What one view's strategy does at the present camera.
+struct LiveFigures {
+    QString view;  ///< "A"
+    StrategyRequest strategy;
+    Promise promise = Promise::Approximate;
+    Figures figures;
+};
+
+/// One row of the table of results; what is not known is empty.
+struct ResultRow {
+    QString name;  ///< translated, with the parameters that differ from the defaults
+    QString id;
+    Promise promise = Promise::Approximate;
+    bool promiseBroken = false;
+    std::optional<double> speedup, speedupAll;
+    std::optional<std::array<double, 2>> speedupCi95, speedupAllCi95;
+    std::optional<double> fpsOverall, fpsMin, fpsMax;
+    std::optional<double> cullShare, submittedShare;
+    std::optional<uint64_t> missedPixels, missedBeyondSnapping;
+    std::optional<double> missedPpm;
+    std::optional<size_t> worstPose;  ///< with the most missed pixels; none where nothing is missed
+};
+
+[[nodiscard]] std::vector<ResultRow> resultRows(const MeasureResult& result);
+[[nodiscard]] std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views);
+
+/// A strategy a row: how fast it is, and what it loses.
+class ResultTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, Speedup, SpeedupAll, Fps, FpsRange, CullShare, Submitted, Missed, MissedPpm, Worst, ColumnCount };
+    /// The number of the worst view's pose as an int, where there is one.
+    static constexpr int kPoseRole = Qt::UserRole;
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setRows(std::vector<ResultRow> rows);
+    [[nodiscard]] const std::vector<ResultRow>& rows() const { return m_rows; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override {
+        return parent.isValid() ? 0 : int(m_rows.size());
+    }
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    void retranslate();
+
+    [[nodiscard]] static QString title(int column);
+    [[nodiscard]] static QString value(const ResultRow& row, int column);
+
+private:
+    [[nodiscard]] static QString explanation(int column);
+    [[nodiscard]] static QString rowExplanation(const ResultRow& row, int column);
+
+    std::vector<ResultRow> m_rows;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,73 @@
+#include "ui/statistics/run_figures.h"
+
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMillion = 1e6;
+constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+constexpr double kLeastLossShare = 0.2;
+
+PoseFigures poseFigures(const FrameMeasurement& frame, const MeasureResult& result) {
+    PoseFigures figures;
+    figures.pose = frame.pose;
+    figures.frameMilliseconds = frame.frameMilliseconds;
+    if (frame.accuracy) {
+        figures.missedPixels = frame.accuracy->missedPixels;
+        figures.missedPpm = kMillion * frame.accuracy->missedPixelRate();
+    }
+    const Vec3 direction = result.request.path.poses.at(frame.pose).eye - result.request.scene->boundingSphere().centre;
+    figures.azimuth = kDegrees * std::atan2(direction.x, direction.z);
+    figures.elevation = kDegrees * std::atan2(direction.y, std::hypot(direction.x, direction.z));
+    return figures;
+}
+
+}  // namespace
+
+QString runLabel(const StrategyRequest& strategy) {
+    QString label = QString::fromStdString(strategy.id);
+    for (const ParameterDeclaration& declaration : strategy.parameters.declarations()) {
+        const ParameterValue& value = strategy.parameters.value(declaration.key);
+        if (value != declaration.defaultValue) label += QString::fromStdString(" " + declaration.key + "=" + toText(value));
+    }
+    return label;
+}
+
+std::vector<RunFigures> runFigures(const MeasureResult& result) {
+    std::vector<RunFigures> all;
+    for (const RunMeasurement& run : result.runs) {
+        if (run.frames.empty()) continue;
+        RunFigures figures;
+        figures.label = runLabel(run.strategy);
+        figures.id = QString::fromStdString(run.strategy.id);
+        figures.promise = run.promise;
+        figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;
+        figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;
+        figures.speedup = run.summary.speedupVsBackface;
+        figures.speedupCi95 = run.summary.speedupVsBackfaceCi95;
+        if (run.summary.missedPixelRate) figures.missedPpm = kMillion * *run.summary.missedPixelRate;
+        for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, result));
+        all.push_back(std::move(figures));
+    }
+    return all;
+}
+
+double lossShare(double missedPpm) {
+    if (missedPpm <= 0.0) return 0.0;
+    // Six decades: from 0.1 parts per million to a tenth.
+    return std::clamp((std::log10(missedPpm) + 1.0) / 6.0, kLeastLossShare, 1.0);
+}
+
+QString ppmText(double missedPpm) {
+    if (missedPpm <= 0.0) return QStringLiteral("0");
+    const int digits = missedPpm >= 9.95 ? 0 : std::min(6, 1 - int(std::floor(std::log10(missedPpm))));
+    return QLocale().toString(missedPpm, 'f', digits);
+}
+
+}  // namespace cullscope::ui

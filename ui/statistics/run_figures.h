@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QString>
+#include <optional>
+#include <vector>
+
+#include "core/measure/experiment.h"
+
+namespace cullscope::ui {
+
+/// One strategy at one pose, as the plots show it.
+struct PoseFigures {
+    size_t pose = 0;                 ///< from 0, as in paths and result files
+    double frameMilliseconds = 0.0;  ///< median of cull + draw
+    uint64_t missedPixels = 0;
+    std::optional<double> missedPpm;  ///< of the covered pixels; none where it was not measured
+    double azimuth = 0.0;    ///< degrees in [−180, 180], of the eye seen from the scene's centre; 0 along +z, 90 along +x
+    double elevation = 0.0;  ///< degrees in [−90, 90], y up
+};
+
+/// One strategy over a path, as the plots show it.
+struct RunFigures {
+    QString label;  ///< the strategy's id, and its parameters where they differ from the defaults
+    QString id;
+    Promise promise = Promise::Approximate;
+    double frameMilliseconds = 0.0;  ///< mean over poses
+    double cullMilliseconds = 0.0;   ///< mean over poses
+    double speedup = 0.0;            ///< over `backface`
+    std::array<double, 2> speedupCi95{};
+    std::optional<double> missedPpm;  ///< over all poses
+    std::vector<PoseFigures> poses;
+
+    /// Whether it is `all` or `backface`, what the others are compared with.
+    [[nodiscard]] bool baseline() const { return id == QLatin1String("all") || id == QLatin1String("backface"); }
+};
+
+/// "frustum", or "frustum box=length" where a parameter is not at its default.
+[[nodiscard]] QString runLabel(const StrategyRequest& strategy);
+
+/// What the plots show of a result; runs without a measured pose are left out.
+[[nodiscard]] std::vector<RunFigures> runFigures(const MeasureResult& result);
+
+/// Where on a scale from 0 (nothing missed) to 1 (a tenth of all pixels) a loss stands; logarithmic, and never near 0 where
+/// something is missed.
+[[nodiscard]] double lossShare(double missedPpm);
+
+/// "0.4 ppm" without the unit: two significant digits, "0" only for nothing.
+[[nodiscard]] QString ppmText(double missedPpm);
+
+}  // namespace cullscope::ui

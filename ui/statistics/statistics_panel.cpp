@@ -1,0 +1,336 @@
+#include "ui/statistics/statistics_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QScrollArea>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/panels/wheel_guard.h"
+#include "ui/statistics/flow_layout.h"
+#include "ui/statistics/pareto_plot.h"
+#include "ui/statistics/path_plot.h"
+#include "ui/statistics/pose_strip.h"
+#include "ui/statistics/result_exporter.h"
+#include "ui/statistics/run_figures.h"
+#include "ui/statistics/sphere_map.h"
+#include "ui/statistics/time_bar.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kInterval = 100;  // ms between two refreshes
+constexpr int kSpacing = 6;
+constexpr int kRowHeight = 22;
+
+std::vector<TimeBar::Entry> timesOf(const std::vector<RunFigures>& runs) {
+    std::vector<TimeBar::Entry> entries;
+    for (const RunFigures& run : runs)
+        entries.push_back({run.label, run.cullMilliseconds, run.frameMilliseconds - run.cullMilliseconds, run.baseline()});
+    return entries;
+}
+
+std::vector<TimeBar::Entry> timesOf(const std::vector<LiveFigures>& views) {
+    std::vector<TimeBar::Entry> entries;
+    for (const LiveFigures& view : views) {
+        if (view.figures.state != Figures::State::Ready) continue;
+        const double cull = view.figures.cullMilliseconds;
+        entries.push_back({view.view + QStringLiteral(" · ") + runLabel(view.strategy), cull,
+                           view.figures.frameMilliseconds - cull, view.strategy.id == "all" || view.strategy.id == "backface"});
+    }
+    return entries;
+}
+
+size_t measuredPoses(const MeasureResult& result) { return result.runs.empty() ? 0 : result.runs.front().frames.size(); }
+
+}  // namespace
+
+StatisticsPanel::StatisticsPanel(QWidget* parent)
+    : QWidget(parent),
+      m_bar(new ExperimentBar(this)),
+      m_tabs(new QTabBar(this)),
+      m_source(new QComboBox(this)),
+      m_run(new QComboBox(this)),
+      m_summary(new QLabel(this)),
+      m_software(new QLabel(this)),
+      m_export(new QToolButton(this)),
+      m_menu(new QMenu(this)),
+      m_pages(new QStackedWidget(this)),
+      m_tablePage(new QStackedWidget(this)),
+      m_table(new QTableView(this)),
+      m_tableEmpty(new QLabel(this)),
+      m_model(new ResultTableModel(this)),
+      m_times(new TimeBar(this)),
+      m_strip(new PoseStrip(this)),
+      m_path(new PathPlot(this)),
+      m_pareto(new ParetoPlot(this)),
+      m_sphere(new SphereMap(this)),
+      m_exporter(new ResultExporter(this)) {
+    setUpBars();
+    setUpTable();
+    setUpPlots();
+    setUpMenu();
+    m_pause.setSingleShot(true);
+    m_pause.setInterval(kInterval);
+    connect(&m_pause, &QTimer::timeout, this, [this] {
+        if (m_waiting) refresh();
+    });
+    connect(m_exporter, &ResultExporter::written, this, &StatisticsPanel::exported);
+    connect(m_exporter, &ResultExporter::failed, this, &StatisticsPanel::failed);
+    retranslate();
+}
+
+StatisticsPanel::~StatisticsPanel() = default;
+
+void StatisticsPanel::setUpBars() {
+    auto* second = new QWidget(this);
+    auto* line = new FlowLayout(second, kSpacing);
+    line->setContentsMargins(0, 0, 0, 0);
+    m_tabs->setDrawBase(false);
+    m_tabs->setExpanding(false);
+    m_tabs->setUsesScrollButtons(false);
+    m_tabs->setElideMode(Qt::ElideNone);
+    for (int tab = 0; tab < TabCount; ++tab) m_tabs->addTab({});
+    m_source->addItems({{}, {}});
+    m_software->setAutoFillBackground(true);
+    m_software->setBackgroundRole(QPalette::ToolTipBase);
+    m_software->setForegroundRole(QPalette::ToolTipText);
+    m_software->setMargin(2);
+    m_software->hide();
+    m_export->setPopupMode(QToolButton::InstantPopup);
+    m_export->setMenu(m_menu);
+    for (QComboBox* box : {m_source, m_run}) box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    for (QWidget* widget : std::initializer_list<QWidget*>{m_tabs, m_source, m_run, m_export, m_summary, m_software})
+        line->addWidget(widget);
+    for (QWidget* field : std::initializer_list<QWidget*>{m_tabs, m_source, m_run}) leaveWheelUnlessFocused(*field);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_bar);
+    layout->addWidget(second);
+    layout->addWidget(m_pages, 1);
+    connect(m_bar, &ExperimentBar::startRequested, this, &StatisticsPanel::startRequested);
+    connect(m_bar, &ExperimentBar::cancelRequested, this, &StatisticsPanel::cancelRequested);
+    connect(m_bar, &ExperimentBar::failed, this, &StatisticsPanel::failed);
+    connect(m_source, &QComboBox::activated, this, &StatisticsPanel::refresh);
+    connect(m_run, &QComboBox::activated, this, &StatisticsPanel::refreshPoses);
+    connect(m_tabs, &QTabBar::currentChanged, this, [this](int tab) {
+        m_pages->setCurrentIndex(tab);
+        refreshControls();
+    });
+}
+
+void StatisticsPanel::setUpTable() {
+    m_table->setModel(m_model);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setShowGrid(false);
+    m_table->setAlternatingRowColors(true);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setTabKeyNavigation(false);
+    m_table->setTextElideMode(Qt::ElideNone);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    m_table->verticalHeader()->setDefaultSectionSize(kRowHeight);
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionsClickable(false);
+    m_table->horizontalHeader()->setStretchLastSection(false);
+    m_tableEmpty->setAlignment(Qt::AlignCenter);
+    m_tableEmpty->setWordWrap(true);
+    m_tableEmpty->setAutoFillBackground(true);
+    m_tableEmpty->setBackgroundRole(QPalette::Base);
+    m_tablePage->addWidget(m_table);
+    m_tablePage->addWidget(m_tableEmpty);
+    m_pages->addWidget(m_tablePage);
+    const auto fly = [this](const QModelIndex& index) {
+        const QVariant pose = index.data(ResultTableModel::kPoseRole);
+        if (pose.isValid()) emit poseChosen(pose.toInt());
+    };
+    connect(m_table, &QTableView::activated, this, fly);
+}
+
+void StatisticsPanel::setUpPlots() {
+    for (PlotWidget* plot : std::initializer_list<PlotWidget*>{m_times, m_strip, m_path, m_pareto, m_sphere}) addPage(plot);
+    for (const PosePlot* plot : std::initializer_list<PosePlot*>{m_strip, m_sphere})
+        connect(plot, &PosePlot::poseChosen, this, &StatisticsPanel::poseChosen);
+}
+
+void StatisticsPanel::addPage(PlotWidget* plot) {
+    auto* scroll = new QScrollArea(this);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setWidgetResizable(true);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    scroll->setWidget(plot);
+    m_pages->addWidget(scroll);
+}
+
+void StatisticsPanel::setScene(ScenePointer scene, SceneOrigin origin) {
+    if (scene != m_scene) m_result.reset();
+    m_scene = std::move(scene);
+    m_origin = std::move(origin);
+    m_bar->setScene(m_scene);
+    refresh();
+}
+
+void StatisticsPanel::setSoftwareOpenGl(bool software) { m_software->setVisible(software); }
+
+void StatisticsPanel::setLive(std::vector<LiveFigures> views) {
+    m_live = std::move(views);
+    if (!showsExperiment()) scheduleRefresh();
+}
+
+void StatisticsPanel::setResult(const MeasureResult& result) {
+    if (result.request.scene != m_scene) return;
+    m_result = result;
+    scheduleRefresh();
+}
+
+void StatisticsPanel::setRunning(bool running) {
+    m_bar->setRunning(running);
+    if (!running) return;
+    m_result.reset();
+    m_source->setCurrentIndex(1);
+    refresh();
+}
+
+void StatisticsPanel::showTab(Tab tab) { m_tabs->setCurrentIndex(tab); }
+
+bool StatisticsPanel::showsExperiment() const { return m_source->currentIndex() == 1; }
+
+void StatisticsPanel::scheduleRefresh() {
+    if (m_pause.isActive()) {
+        m_waiting = true;
+        return;
+    }
+    refresh();
+}
+
+void StatisticsPanel::refresh() {
+    m_waiting = false;
+    m_pause.start();
+    const std::vector<RunFigures> runs = m_result ? runFigures(*m_result) : std::vector<RunFigures>();
+    if (showsExperiment()) {
+        m_model->setRows(m_result ? resultRows(*m_result) : std::vector<ResultRow>());
+        m_times->setEntries(timesOf(runs));
+    } else {
+        m_model->setRows(liveRows(m_live));
+        m_times->setEntries(timesOf(m_live));
+    }
+    m_path->setRuns(runs, m_result ? m_result->request.path.poses.size() : 0);
+    m_pareto->setRuns(runs);
+    refreshTablePage();
+    fillRuns();
+    refreshPoses();
+    refreshControls();
+}
+
+void StatisticsPanel::refreshTablePage() {
+    m_tableEmpty->setText(!m_scene            ? tr("Open a scene: its figures appear here.")
+                          : showsExperiment() ? tr("Nothing is measured yet. Choose a camera path above and press Start.")
+                                              : tr("The views' figures appear here as soon as they are measured."));
+    if (m_model->rowCount() > 0)
+        m_tablePage->setCurrentWidget(m_table);
+    else
+        m_tablePage->setCurrentWidget(m_tableEmpty);
+}
+
+void StatisticsPanel::fillRuns() {
+    QStringList labels;
+    int usual = 0;
+    if (m_result)
+        for (const RunMeasurement& run : m_result->runs) {
+            if (labels.size() == usual && (run.strategy.id == "all" || run.strategy.id == "backface")) ++usual;
+            labels << runLabel(run.strategy);
+        }
+    QStringList before;
+    for (int row = 0; row < m_run->count(); ++row) before << m_run->itemText(row);
+    if (labels == before) return;
+    m_run->clear();
+    m_run->addItems(labels);
+    m_run->setCurrentIndex(usual < labels.size() ? usual : 0);
+}
+
+void StatisticsPanel::refreshPoses() {
+    const int chosen = m_run->currentIndex();
+    const std::vector<RunFigures> runs = m_result ? runFigures(*m_result) : std::vector<RunFigures>();
+    const bool known = chosen >= 0 && size_t(chosen) < runs.size();
+    for (PosePlot* plot : std::initializer_list<PosePlot*>{m_strip, m_sphere})
+        plot->setRun(known ? runs[size_t(chosen)] : RunFigures(), known ? m_result->request.path.poses.size() : 0);
+}
+
+void StatisticsPanel::refreshControls() {
+    const int tab = m_tabs->currentIndex();
+    m_source->setVisible(tab == Table || tab == Times);
+    m_run->setVisible((tab == Poses || tab == Sphere) && m_run->count() > 0);
+    const bool measured = m_result && measuredPoses(*m_result) > 0;
+    const PlotWidget* plot = currentPlot();
+    for (QAction* action : m_menu->actions()) {
+        const auto file = File(action->data().toInt());
+        const bool ofPlot = file == File::Svg || file == File::Pdf;
+        action->setEnabled(ofPlot ? plot && !plot->empty() : measured);
+    }
+    refreshSummary();
+}
+
+void StatisticsPanel::refreshSummary() {
+    if (!m_result || ((m_tabs->currentIndex() == Table || m_tabs->currentIndex() == Times) && !showsExperiment())) {
+        m_summary->hide();
+        return;
+    }
+    const MeasureRequest& request = m_result->request;
+    //: A camera path, the size of the picture, and how many of the path's poses were measured.
+    m_summary->setText(tr("%1 · %2 × %3 · %4 of %5 poses")
+                           .arg(QString::fromStdString(request.path.name).section(QLatin1Char('/'), -1))
+                           .arg(request.size.width)
+                           .arg(request.size.height)
+                           .arg(measuredPoses(*m_result))
+                           .arg(request.path.poses.size()));
+    m_summary->show();
+    if (m_result->gl.software) m_software->show();
+}
+
+PlotWidget* StatisticsPanel::currentPlot() const {
+    switch (m_tabs->currentIndex()) {
+        case Times:
+            return m_times;
+        case Poses:
+            return m_strip;
+        case Path:
+            return m_path;
+        case Pareto:
+            return m_pareto;
+        case Sphere:
+            return m_sphere;
+        default:
+            return nullptr;
+    }
+}
+
+void StatisticsPanel::retranslate() {
+    const std::array<QString, TabCount> tabs{tr("Table"), tr("Times"), tr("Poses"), tr("Plot"), tr("Pareto"), tr("Sphere")};
+    for (int tab = 0; tab < TabCount; ++tab) m_tabs->setTabText(tab, tabs[size_t(tab)]);
+    m_tabs->setAccessibleName(tr("Statistics"));
+    m_source->setItemText(0, tr("at the present camera"));
+    m_source->setItemText(1, tr("of the experiment"));
+    m_source->setAccessibleName(tr("Which figures are shown"));
+    m_run->setAccessibleName(tr("Strategy whose poses are shown"));
+    m_table->setAccessibleName(tr("Results"));
+    m_software->setText(tr("software OpenGL"));
+    m_software->setToolTip(tr("Software OpenGL: not the times of a graphics card"));
+    m_export->setText(tr("Export"));
+    const std::array<QString, 5> files{tr("Frames as CSV…"), tr("Result as JSON…"), tr("Plot as SVG…"), tr("Plot as PDF…"),
+                                       tr("Report as HTML…")};
+    for (qsizetype i = 0; i < m_menu->actions().size(); ++i) m_menu->actions()[i]->setText(files[size_t(i)]);
+    m_model->retranslate();
+    refresh();
+}
+
+void StatisticsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

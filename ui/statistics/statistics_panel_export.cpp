@@ -1,0 +1,77 @@
+// The statistics' files.
+#include <QFileDialog>
+
+#include "core/measure/result_file.h"
+#include "ui/statistics/html_report.h"
+#include "ui/statistics/pareto_plot.h"
+#include "ui/statistics/path_plot.h"
+#include "ui/statistics/plot_file.h"
+#include "ui/statistics/pose_strip.h"
+#include "ui/statistics/result_exporter.h"
+#include "ui/statistics/sphere_map.h"
+#include "ui/statistics/statistics_panel.h"
+#include "ui/statistics/time_bar.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kPlotWidth = 960;
+constexpr int kPlotHeight = 420;
+
+QSize sizeOf(const PlotWidget& plot) { return {kPlotWidth, std::max(kPlotHeight, plot.neededHeight(kPlotWidth))}; }
+
+/// A bar a strategy needs no more height than its rows.
+QSize reportSizeOf(const PlotWidget& plot, bool rows) {
+    return rows ? QSize(kPlotWidth, plot.neededHeight(kPlotWidth)) : sizeOf(plot);
+}
+
+}  // namespace
+
+void StatisticsPanel::setUpMenu() {
+    for (const File file : {File::Csv, File::Json, File::Svg, File::Pdf, File::Html}) {
+        QAction* action = m_menu->addAction({}, this, [this, file] { askWhereTo(file); });
+        action->setData(int(file));
+    }
+}
+
+std::vector<PlotWidget*> StatisticsPanel::plotsWithContents() const {
+    std::vector<PlotWidget*> plots;
+    for (PlotWidget* plot : std::initializer_list<PlotWidget*>{m_times, m_strip, m_path, m_pareto, m_sphere})
+        if (!plot->empty()) plots.push_back(plot);
+    return plots;
+}
+
+void StatisticsPanel::askWhereTo(File file) {
+    const std::array<QString, 5> endings{QStringLiteral("csv"), QStringLiteral("json"), QStringLiteral("svg"),
+                                         QStringLiteral("pdf"), QStringLiteral("html")};
+    const QString ending = endings[size_t(file)];
+    QFileDialog dialog(this, tr("Export"), {}, QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(ending);
+    if (dialog.exec() == QDialog::Accepted) exportTo(file, dialog.selectedFiles().front().toStdString());
+}
+
+void StatisticsPanel::exportTo(File file, const std::filesystem::path& path) {
+    if (file == File::Svg || file == File::Pdf) {
+        const PlotWidget* plot = currentPlot();
+        if (!plot || plot->empty()) return;
+        const QSize size = reportSizeOf(*plot, plot == m_times);
+        const QByteArray bytes = file == File::Svg ? plotSvg(*plot, size) : plotPdf(*plot, size);
+        return m_exporter->write(path, [bytes] { return bytes; });
+    }
+    if (!m_result) return;
+    if (file == File::Html) {
+        // Plots are drawn on the window's thread.
+        std::vector<ReportPlot> plots;
+        for (const PlotWidget* plot : plotsWithContents())
+            plots.push_back({plot->title(), plotSvg(*plot, reportSizeOf(*plot, plot == m_times))});
+        return m_exporter->write(path, [result = *m_result, command = measureCommand(m_result->request, m_origin),
+                                        plots = std::move(plots)] { return htmlReport(result, command, plots); });
+    }
+    m_exporter->write(path, [result = *m_result, file] {
+        return QByteArray::fromStdString(file == File::Csv ? resultCsv(result) : resultJson(result));
+    });
+}
+
+}  // namespace cullscope::ui

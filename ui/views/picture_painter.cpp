@@ -1,0 +1,118 @@
+#include "ui/views/picture_painter.h"
+
+#include <QPainterPath>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kLoupeZoom = 8.0;
+constexpr double kLoupeRadius = 72.0;
+constexpr double kPale = 0.65;  // how far the picture under marks is taken back towards the background
+constexpr QColor kLine(255, 255, 255);
+constexpr QColor kLineEdge(0, 0, 0);
+
+QColor colour(const Vec3f& rgb) { return QColor::fromRgbF(rgb.x, rgb.y, rgb.z); }
+
+bool isPale(Wipe::Mode mode) { return mode == Wipe::Mode::Loss || mode == Wipe::Mode::Difference; }
+
+/// The picture with what lies beside it; no lettering.
+void paintLayers(QPainter& painter, const QRectF& target, const ViewPicture& picture, const Wipe& wipe) {
+    painter.drawImage(target, picture.colour);
+    if (picture.other.isNull()) return;
+    if (isPale(wipe.mode)) {
+        QColor veil = colour(picture.request.style.background);
+        veil.setAlphaF(kPale);
+        painter.save();
+        // Where nothing is drawn on a transparent background, it stays so.
+        if (picture.request.style.backgroundAlpha < 1.0f) painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);
+        painter.fillRect(target, veil);
+        painter.restore();
+        painter.drawImage(target, picture.marks);
+        return;
+    }
+    painter.save();
+    QRectF left = target;
+    left.setWidth(target.width() * wipe.position);
+    painter.setClipRect(left, Qt::IntersectClip);
+    painter.drawImage(target, picture.other);
+    painter.restore();
+}
+
+/// Light within dark, so that it is seen on any picture.
+void strokeTwice(QPainter& painter, const QPainterPath& path, double unit) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(kLineEdge, 4.0 * unit));
+    painter.drawPath(path);
+    painter.setPen(QPen(kLine, 2.0 * unit));
+    painter.drawPath(path);
+}
+
+void label(QPainter& painter, const QRectF& place, Qt::Alignment side, const QString& text, double unit) {
+    if (text.isEmpty()) return;
+    const QFontMetricsF metrics(painter.font(), painter.device());
+    const double inset = 4.0 * unit;
+    const QString shown = metrics.elidedText(text, Qt::ElideRight, place.width() - 4.0 * inset);
+    if (shown.size() < 2) return;
+    QRectF box(0.0, place.bottom() - metrics.height() - 3.0 * inset, metrics.horizontalAdvance(shown) + 2.0 * inset,
+               metrics.height() + inset);
+    box.moveLeft(side == Qt::AlignLeft ? place.left() + inset : place.right() - box.width() - inset);
+    painter.fillRect(box, QColor(0, 0, 0, 190));
+    painter.setPen(Qt::white);
+    painter.drawText(box, Qt::AlignCenter, shown);
+}
+
+void paintWipeLine(QPainter& painter, const QRectF& target, const PictureExtras& extras) {
+    const double x = target.left() + target.width() * extras.wipe.position;
+    QPainterPath line;
+    line.moveTo(x, target.top());
+    line.lineTo(x, target.bottom());
+    strokeTwice(painter, line, extras.unit);
+    label(painter, QRectF(target.left(), target.top(), x - target.left(), target.height()), Qt::AlignRight, extras.left,
+          extras.unit);
+    label(painter, QRectF(x, target.top(), target.right() - x, target.height()), Qt::AlignLeft, extras.right, extras.unit);
+}
+
+void paintLoupe(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
+    const double perPixel = target.width() / picture.request.size.width;
+    const QPointF middle = target.topLeft() + *extras.loupe * perPixel;
+    const double radius = std::min(kLoupeRadius * extras.unit, 0.3 * std::min(target.width(), target.height()));
+    // Kept inside the picture, beside what it enlarges.
+    QPointF centre = middle + QPointF(radius, -radius) * 1.2;
+    if (centre.x() + radius > target.right()) centre.setX(middle.x() - 1.2 * radius);
+    if (centre.y() - radius < target.top()) centre.setY(middle.y() + 1.2 * radius);
+    QPainterPath lens;
+    lens.addEllipse(centre, radius, radius);
+    painter.save();
+    painter.setClipPath(lens);
+    const double zoomed = kLoupeZoom * extras.unit;
+    const QRectF enlarged(centre - *extras.loupe * zoomed,
+                          QSizeF(picture.request.size.width * zoomed, picture.request.size.height * zoomed));
+    painter.fillRect(lens.boundingRect(), colour(picture.request.style.background));
+    paintLayers(painter, enlarged, picture, extras.wipe);
+    painter.restore();
+    strokeTwice(painter, lens, extras.unit);
+}
+
+}  // namespace
+
+void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& picture, const PictureExtras& extras) {
+    painter.save();
+    painter.setRenderHint(QPainter::SmoothPixmapTransform,
+                          target.width() * painter.device()->devicePixelRatioF() < picture.request.size.width - 0.5);
+    paintLayers(painter, target, picture, extras.wipe);
+    painter.setRenderHint(QPainter::Antialiasing);
+    if (!picture.other.isNull() && !isPale(extras.wipe.mode)) paintWipeLine(painter, target, extras);
+    if (extras.markedLoss) {
+        const double perPixel = target.width() / picture.request.size.width;
+        const QPointF middle = target.topLeft() + extras.markedLoss->center() * perPixel;
+        const double radius = std::max(14.0 * extras.unit, 0.7 * extras.markedLoss->width() * perPixel);
+        QPainterPath ring;
+        ring.addEllipse(middle, radius, radius);
+        strokeTwice(painter, ring, extras.unit);
+    }
+    if (extras.loupe) paintLoupe(painter, target, picture, extras);
+    painter.restore();
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,62 @@
+#include "ui/views/view_grid.h"
+
+#include <QPainter>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kGap = 2;  // pixels between two views
+
+}  // namespace
+
+ViewGrid::ViewGrid(Session& session, QWidget* parent) : QWidget(parent), m_session(session) {
+    for (int view = 0; view < Session::kMostViews; ++view) {
+        auto* pane = new ViewPane(session, view, this);
+        connect(&pane->picture(), &SceneView::menuRequested, this, &ViewGrid::menuRequested);
+        connect(&pane->header(), &ViewHeader::menuRequested, this, &ViewGrid::menuRequested);
+        m_panes.push_back(pane);
+    }
+    connect(&session, &Session::viewCountChanged, this, &ViewGrid::arrange);
+    connect(&session, &Session::activeViewChanged, this, &ViewGrid::arrange);
+    arrange();
+}
+
+ViewPane* ViewGrid::lend(int view) {
+    m_lent = m_panes[size_t(view)];
+    m_lent->setCompare(false);
+    return m_lent;
+}
+
+void ViewGrid::take(ViewPane* pane) {
+    m_lent = nullptr;
+    pane->setParent(this);
+    arrange();
+}
+
+QRect ViewGrid::cell(int place, int columns, int rows) const {
+    const int across = (width() - kGap * (columns - 1)) / columns;
+    const int down = (height() - kGap * (rows - 1)) / rows;
+    return {place % columns * (across + kGap), place / columns * (down + kGap), across, down};
+}
+
+void ViewGrid::arrange() {
+    const std::vector<int> shown = m_session.shownViews();
+    const int count = int(shown.size());
+    const int rows = count > 2 ? 2 : 1;
+    for (ViewPane* pane : m_panes)
+        if (pane != m_lent && !m_session.shown(pane->view())) pane->hide();
+    for (int place = 0; place < count; ++place) {
+        ViewPane* pane = m_panes[size_t(shown[size_t(place)])];
+        if (pane == m_lent) continue;
+        pane->setCompare(count > 2);
+        pane->setGeometry(cell(place, count / rows, rows));
+        pane->show();
+    }
+}
+
+void ViewGrid::resizeEvent(QResizeEvent*) { arrange(); }
+
+void ViewGrid::paintEvent(QPaintEvent*) { QPainter(this).fillRect(rect(), palette().color(QPalette::Mid)); }
+
+}  // namespace cullscope::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "ui/views/view_pane.h"
+
+namespace cullscope::ui {
+
+/// The views in one row of one or two, or two rows of two or four; all pictures of exactly the same size, so that they share
+/// one truth.
+class ViewGrid : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ViewGrid(Session& session, QWidget* parent = nullptr);
+
+    [[nodiscard]] ViewPane& pane(int view) { return *m_panes[size_t(view)]; }
+    /// Lends a view's pane to another window, such as the lecture's; take() brings it back.
+    [[nodiscard]] ViewPane* lend(int view);
+    void take(ViewPane* pane);
+
+signals:
+    void menuRequested(int view, const QPoint& globalPosition);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    void arrange();
+    [[nodiscard]] QRect cell(int place, int columns, int rows) const;
+
+    Session& m_session;
+    std::vector<ViewPane*> m_panes;
+    ViewPane* m_lent = nullptr;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QFrame>
+#include <QLabel>
+#include <QStackedWidget>
+#include <QToolButton>
+#include <QWidget>
+#include <vector>
+
+namespace cullscope::ui {
+
+/// A rail of buttons at the window's left edge, and beside it the page of the button that is down: docked where there is
+/// room, else flying out over the middle.
+class SidePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    static constexpr int kRailWidth = 40;
+    static constexpr int kPageWidth = 280;
+
+    /// Pages fly out over `middle`, a sibling to the right.
+    explicit SidePanel(QWidget* parent = nullptr);
+
+    /// The button's icon is of resources/icons.
+    void addPage(QWidget* page, const QString& icon);
+    /// A button that only triggers an action, below the pages'.
+    void addAction(QAction* action);
+    void setPageTitle(int page, const QString& title);
+
+    void setDocked(bool docked);
+    [[nodiscard]] bool docked() const { return m_docked; }
+    /// -1: none is open.
+    [[nodiscard]] int openPage() const { return m_open; }
+    void setOpenPage(int page);
+    [[nodiscard]] QToolButton& button(int page) { return *m_buttons[size_t(page)]; }
+
+signals:
+    void openPageChanged(int page);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+
+private:
+    void arrange();
+
+    QWidget* m_rail;
+    QFrame* m_frame;  ///< around the pages
+    QLabel* m_title;
+    QStackedWidget* m_pages;
+    std::vector<QToolButton*> m_buttons;
+    bool m_docked = false;
+    int m_open = -1;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,117 @@
+#include "ui/window/view_commands.h"
+
+#include <QClipboard>
+#include <QGuiApplication>
+
+#include "ui/dialogs/size_dialog.h"
+
+namespace cullscope::ui {
+
+ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, QWidget* window)
+    : QObject(window), m_session(session), m_views(views), m_actions(actions), m_window(window) {
+    wire();
+    const auto mine = [this](int view) {
+        if (view == m_session.activeView()) refresh();
+    };
+    connect(&session, &Session::activeViewChanged, this, &ViewCommands::refresh);
+    connect(&session, &Session::sceneChanged, this, &ViewCommands::refresh);
+    connect(&session, &Session::setupChanged, this, mine);
+    connect(&session, &Session::figuresChanged, this, &ViewCommands::refresh);
+    connect(&views, &ViewGrid::menuRequested, this, &ViewCommands::showMenuOf);
+    refresh();
+}
+
+void ViewCommands::edit(const std::function<void(ViewSetup&)>& change) {
+    ViewSetup setup = m_session.setup(m_session.activeView());
+    change(setup);
+    m_session.setSetup(m_session.activeView(), setup);
+}
+
+void ViewCommands::wire() {
+    connect(m_actions.freeze, &QAction::triggered, this, [this](bool on) { m_session.setFrozen(m_session.activeView(), on); });
+    connect(m_actions.verdicts, &QAction::triggered, this, [this](bool on) {
+        edit([on](ViewSetup& setup) { setup.look.colouring = on ? Colouring::Verdicts : Colouring::Shaded; });
+    });
+    connect(m_actions.frustum, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.frustum = on; }); });
+    connect(m_actions.boxes, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.boxes = on; }); });
+    connect(m_actions.truth, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.wipe.mode = on ? Wipe::Mode::Truth : Wipe::Mode::None; }); });
+    connect(m_actions.loss, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.wipe.mode = on ? Wipe::Mode::Loss : Wipe::Mode::None; }); });
+    connect(m_actions.nextLoss, &QAction::triggered, this,
+            [this] { m_views.pane(m_session.activeView()).picture().goToNextLoss(); });
+    connect(m_actions.loupe, &QAction::triggered, this, [this](bool on) {
+        for (int view = 0; view < Session::kMostViews; ++view) m_views.pane(view).picture().setLoupe(on);
+    });
+}
+
+void ViewCommands::refresh() {
+    const int view = m_session.activeView();
+    const ViewSetup& setup = m_session.setup(view);
+    const bool scene = m_session.opened() != nullptr;
+    for (QAction* action : {m_actions.freeze, m_actions.verdicts, m_actions.frustum, m_actions.boxes, m_actions.truth,
+                            m_actions.loss, m_actions.loupe})
+        action->setEnabled(scene);
+    m_actions.freeze->setChecked(setup.role == Role::Frozen);
+    m_actions.verdicts->setChecked(setup.look.colouring == Colouring::Verdicts);
+    m_actions.frustum->setChecked(setup.look.frustum);
+    m_actions.boxes->setChecked(setup.look.boxes);
+    m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
+    m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);
+    m_actions.nextLoss->setEnabled(scene && setup.role == Role::Linked && !m_session.figures(view).holes.empty());
+}
+
+void ViewCommands::copyPicture(int view, bool overlays) {
+    const SceneView& picture = m_views.pane(view).picture();
+    QImage image = picture.picture();
+    if (overlays && !image.isNull()) {
+        QImage painted = image.convertToFormat(QImage::Format_RGB32);
+        QPainter painter(&painted);
+        if (const ViewPicturePointer shown = m_session.picture(view))
+            paintPicture(painter, QRectF(painted.rect()), *shown, picture.extras());
+        painter.end();
+        image = painted;
+    }
+    QGuiApplication::clipboard()->setImage(image);
+}
+
+void ViewCommands::askForSize(int view) {
+    SizeDialog dialog(m_session.renderSize(view), m_window);
+    if (dialog.exec() != QDialog::Accepted) return;
+    ViewSetup setup = m_session.setup(view);
+    setup.size = dialog.size();
+    m_session.setSetup(view, setup);
+}
+
+void ViewCommands::fillMenu(QMenu& menu, int view) {
+    ViewPane& pane = m_views.pane(view);
+    ViewMenu filler(m_session, pane, menu);
+    filler.addStrategies();
+    filler.addCameras();
+    filler.addLook();
+    filler.addComparisons();
+    filler.addSizes([this, view] { askForSize(view); });
+    filler.addUploads();
+    filler.addPanels(m_panels ? m_panels() : std::vector<PlaceablePanel>{});
+    menu.addSeparator();
+    menu.addAction(tr("Copy the picture"), this, [this, view] { copyPicture(view, true); });
+    menu.addAction(tr("Copy the picture without what lies over it"), this, [this, view] { copyPicture(view, false); });
+    menu.addAction(tr("Copy the cullbench command"), this,
+                   [&pane] { QGuiApplication::clipboard()->setText(cullbenchCommand(pane.picture().request())); });
+    menu.addSeparator();
+    menu.addActions({m_actions.nextLoss, m_actions.loupe});
+    menu.addSeparator();
+    menu.addActions({m_actions.home, m_actions.frame});
+}
+
+void ViewCommands::showMenuOf(int view, const QPoint& position) {
+    if (!m_session.opened()) return;
+    m_session.setActiveView(view);
+    QMenu menu(m_window);
+    fillMenu(menu, view);
+    menu.exec(position);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QObject>
+
+#include "ui/views/view_grid.h"
+#include "ui/window/view_menu.h"
+#include "ui/window/window_actions.h"
+
+namespace cullscope::ui {
+
+/// The commands that work on one view: the Picture menu for the active one, and each view's own menu.
+class ViewCommands : public QObject {
+    Q_OBJECT
+
+public:
+    ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, QWidget* window);
+
+    /// The panels that a view's menu offers in the view's place; asked when the menu opens.
+    void setPlaceablePanels(std::function<std::vector<PlaceablePanel>()> panels) { m_panels = std::move(panels); }
+    void fillMenu(QMenu& menu, int view);
+    void showMenuOf(int view, const QPoint& position);
+    /// Puts the copying commands' pictures on the clipboard; `overlays`: with what is painted over it.
+    void copyPicture(int view, bool overlays);
+
+private:
+    void refresh();
+    /// Changes the active view's setup.
+    void edit(const std::function<void(ViewSetup&)>& change);
+    void askForSize(int view);
+    void wire();
+
+    Session& m_session;
+    ViewGrid& m_views;
+    WindowActions& m_actions;
+    QWidget* m_window;
+    std::function<std::vector<PlaceablePanel>()> m_panels;
+};
+
+}  // namespace cullscope::ui

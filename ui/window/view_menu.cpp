@@ -1,0 +1,140 @@
+#include "ui/window/view_menu.h"
+
+#include "core/visibility/registry.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr std::array kUsualSizes{Viewport{320, 240}, Viewport{640, 480}, Viewport{1280, 720}};
+
+QString sizeText(const Viewport& size) { return QStringLiteral("%1 × %2").arg(size.width).arg(size.height); }
+
+}  // namespace
+
+QAction* ViewMenu::option(QMenu& menu, const QString& text, bool checked, std::function<void()> choose) {
+    QAction* action = menu.addAction(text);
+    action->setCheckable(true);
+    action->setChecked(checked);
+    QObject::connect(action, &QAction::triggered, &menu, std::move(choose));
+    return action;
+}
+
+QAction* ViewMenu::change(QMenu& menu, const QString& text, bool checked, const std::function<void(ViewSetup&)>& edit) {
+    return option(menu, text, checked, [session = &m_session, view = view(), edit] {
+        ViewSetup changed = session->setup(view);
+        edit(changed);
+        session->setSetup(view, changed);
+    });
+}
+
+void ViewMenu::addStrategies() {
+    QMenu* menu = m_menu.addMenu(tr("Strategy"));
+    menu->setToolTipsVisible(true);
+    const int culling = m_session.culledBy(view());
+    for (const RegisteredStrategy& strategy : strategies()) {
+        QAction* action = option(*menu, translated(strategy.info.name), strategy.info.id == m_session.slot(culling).id(),
+                                 [session = &m_session, culling, id = strategy.info.id] { session->slot(culling).choose(id); });
+        action->setToolTip(translated(strategy.info.description));
+    }
+}
+
+void ViewMenu::addCameras() {
+    QMenu* menu = m_menu.addMenu(tr("Camera"));
+    Session* session = &m_session;
+    const int view = this->view();
+    option(*menu, tr("Linked with the other views"), setup().role == Role::Linked, [session, view] { session->setLinked(view); });
+    QAction* freeze = option(*menu, tr("Freeze culling, fly on"), setup().role == Role::Frozen,
+                             [session, view] { session->setFrozen(view, session->setup(view).role != Role::Frozen); });
+    freeze->setShortcut(Qt::Key_F);
+    menu->addSeparator();
+    for (const int other : m_session.shownViews()) {
+        if (other == view || m_session.setup(other).role == Role::Observer) continue;
+        option(*menu, tr("Watch view %1 from outside").arg(viewLetter(other)),
+               setup().role == Role::Observer && setup().observed == other, [session, view, other] {
+                   session->observe(view, other);
+                   ViewSetup changed = session->setup(view);
+                   changed.look = {Colouring::Verdicts, true, true, changed.look.boxes};
+                   session->setSetup(view, changed);
+               });
+    }
+}
+
+void ViewMenu::addLook() {
+    QMenu* menu = m_menu.addMenu(tr("Show"));
+    const ViewLook& look = setup().look;
+    const bool verdicts = look.colouring == Colouring::Verdicts;
+    change(*menu, tr("Colours by verdict"), verdicts, [verdicts](ViewSetup& setup) {
+        setup.look.colouring = verdicts ? Colouring::Shaded : Colouring::Verdicts;
+    })->setShortcut(Qt::Key_V);
+    change(*menu, tr("With verdicts, what was left out too"), look.culledToo, [](ViewSetup& setup) {
+        setup.look.culledToo = !setup.look.culledToo;
+    })->setEnabled(verdicts);
+    change(*menu, tr("The culling camera's frustum"), look.frustum,
+           [](ViewSetup& setup) { setup.look.frustum = !setup.look.frustum; });
+    change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
+}
+
+void ViewMenu::addComparisons() {
+    QMenu* menu = m_menu.addMenu(tr("Compare"));
+    const Wipe& wipe = setup().wipe;
+    const auto choice = [&](const QString& text, Wipe::Mode mode, int other) {
+        const bool pair = mode == Wipe::Mode::OtherView || mode == Wipe::Mode::Difference;
+        return change(*menu, text, wipe.mode == mode && (!pair || wipe.other == other), [mode, other](ViewSetup& setup) {
+            setup.wipe.mode = mode;
+            setup.wipe.other = other;
+        });
+    };
+    choice(tr("Nothing"), Wipe::Mode::None, wipe.other);
+    choice(tr("Wipe: truth | strategy"), Wipe::Mode::Truth, wipe.other)->setShortcut(Qt::Key_T);
+    choice(tr("Missed and added pixels"), Wipe::Mode::Loss, wipe.other)->setShortcut(Qt::Key_M);
+    for (const int other : m_session.shownViews()) {
+        if (m_session.culledBy(other) == m_session.culledBy(view())) continue;
+        menu->addSeparator();
+        choice(tr("Wipe: view %1 | this one").arg(viewLetter(other)), Wipe::Mode::OtherView, other);
+        choice(tr("Pixels that differ from view %1").arg(viewLetter(other)), Wipe::Mode::Difference, other);
+    }
+}
+
+void ViewMenu::addSizes(const std::function<void()>& askForSize) {
+    QMenu* menu = m_menu.addMenu(tr("Picture size"));
+    const std::optional<Viewport>& size = setup().size;
+    change(*menu, tr("Fits the window"), !size, [](ViewSetup& setup) { setup.size.reset(); });
+    bool usual = !size;
+    for (const Viewport& one : kUsualSizes) {
+        usual = usual || size == one;
+        change(*menu, sizeText(one), size == one, [one](ViewSetup& setup) { setup.size = one; });
+    }
+    option(*menu, usual ? tr("Other…") : tr("Other (%1)…").arg(sizeText(*size)), !usual, askForSize);
+    menu->addSeparator();
+    QObject::connect(menu->addAction(tr("The same in all views")), &QAction::triggered, menu, [session = &m_session, size] {
+        for (int view = 0; view < Session::kMostViews; ++view) {
+            ViewSetup changed = session->setup(view);
+            changed.size = size;
+            session->setSetup(view, changed);
+        }
+    });
+}
+
+void ViewMenu::addUploads() {
+    QMenu* menu = m_menu.addMenu(tr("Vertices"));
+    menu->setToolTipsVisible(true);
+    change(*menu, tr("Buffer objects"), setup().upload == Upload::Vbo, [](ViewSetup& setup) { setup.upload = Upload::Vbo; });
+    QAction* arrays = change(*menu, tr("Vertex arrays of the program's memory"), setup().upload == Upload::VertexArray,
+                             [](ViewSetup& setup) { setup.upload = Upload::VertexArray; });
+    if (m_session.gpu() && !m_session.gpu()->info().compatibilityProfile) {
+        arrays->setEnabled(false);
+        arrays->setText(tr("Vertex arrays: this OpenGL has no compatibility profile"));
+    }
+}
+
+void ViewMenu::addPanels(const std::vector<PlaceablePanel>& panels) {
+    QMenu* menu = m_menu.addMenu(tr("In this place"));
+    change(*menu, tr("Picture"), setup().panel.empty(), [](ViewSetup& setup) { setup.panel.clear(); });
+    for (const PlaceablePanel& panel : panels)
+        change(*menu, panel.name, setup().panel == panel.id, [id = panel.id](ViewSetup& setup) { setup.panel = id; });
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QMenu>
+#include <functional>
+
+#include "ui/views/view_pane.h"
+
+namespace cullscope::ui {
+
+/// A panel that can stand in a view's place.
+struct PlaceablePanel {
+    std::string id;
+    QString name;
+};
+
+/// Fills the menu of one view: what it shows, with which cameras, how coloured, compared with what, and how large.
+class ViewMenu {
+    Q_DECLARE_TR_FUNCTIONS(ViewMenu)
+
+public:
+    ViewMenu(Session& session, ViewPane& pane, QMenu& menu) : m_session(session), m_pane(pane), m_menu(menu) {}
+
+    void addStrategies();
+    void addCameras();
+    void addLook();
+    void addComparisons();
+    void addSizes(const std::function<void()>& askForSize);
+    void addUploads();
+    void addPanels(const std::vector<PlaceablePanel>& panels);
+
+private:
+    [[nodiscard]] int view() const { return m_pane.view(); }
+    [[nodiscard]] const ViewSetup& setup() const { return m_session.setup(view()); }
+    QAction* option(QMenu& menu, const QString& text, bool checked, std::function<void()> choose);
+    /// An option that changes the view's setup.
+    QAction* change(QMenu& menu, const QString& text, bool checked, const std::function<void(ViewSetup&)>& edit);
+
+    Session& m_session;
+    ViewPane& m_pane;
+    QMenu& m_menu;
+};
+
+}  // namespace cullscope::ui

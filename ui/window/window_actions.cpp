@@ -1,0 +1,255 @@
+#include "ui/window/window_actions.h"
+
+#include <QRegularExpression>
+
+#include "core/scene/scene_source.h"
+#include "ui/text/language.h"
+#include "ui/text/translated.h"
+#include "ui/views/tinted_icon.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+/// A menu's words as a toolbar shows them: without the letter to press, which Korean and Chinese put in parentheses.
+QString withoutMnemonic(QString text) {
+    static const QRegularExpression inParentheses(QStringLiteral("\\(&.\\)"));
+    return text.remove(inParentheses).remove(QLatin1Char('&')).remove(QChar(u'…'));
+}
+
+/// Sets a command's words; its tip names the key.
+void say(QAction* action, const QString& text, const QString& tip) {
+    action->setText(text);
+    action->setIconText(withoutMnemonic(text));
+    action->setToolTip(action->shortcut().isEmpty()
+                           ? tip
+                           : QStringLiteral("%1 (%2)").arg(tip, action->shortcut().toString(QKeySequence::NativeText)));
+}
+
+}  // namespace
+
+WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window) {
+    views = new QActionGroup(this);
+    upAxis = new QActionGroup(this);
+    languages = new QActionGroup(this);
+    appearance = new QActionGroup(this);
+    for (QMenu** menu : {&generate, &recent, &editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu, &m_pictureMenu,
+                         &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
+        *menu = new QMenu(window);
+    makeFile();
+    makeView();
+    makePicture();
+    keys = command(Qt::Key_H, QStringLiteral("keys"));
+    about = command({});
+    about->setMenuRole(QAction::AboutRole);
+    makeLanguages();
+    retranslate();
+}
+
+void WindowActions::makeFile() {
+    open = command(QKeySequence::Open, QStringLiteral("open"));
+    saveSession = command(QKeySequence::Save, QStringLiteral("save"));
+    saveSessionAs = command(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
+    screenshot = command(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_F12), QStringLiteral("screenshot"));
+    screenshotNow = command(Qt::Key_F12);
+    screenshotBare = command(QKeySequence(Qt::CTRL | Qt::Key_F12));
+    quit = command(QKeySequence::Quit);
+}
+
+void WindowActions::makeView() {
+    oneView = option(views, QStringLiteral("1"), Qt::CTRL | Qt::Key_1, QStringLiteral("one-view"));
+    twoViews = option(views, QStringLiteral("2"), Qt::CTRL | Qt::Key_2, QStringLiteral("two-views"));
+    fourViews = option(views, QStringLiteral("4"), Qt::CTRL | Qt::Key_4, QStringLiteral("four-views"));
+    eightViews = option(views, QStringLiteral("8"), Qt::CTRL | Qt::Key_8, QStringLiteral("eight-views"));
+    home = command(Qt::Key_Home, QStringLiteral("home"));
+    frame = command(Qt::Key_Period, QStringLiteral("frame"));
+    upY = option(upAxis, QStringLiteral("y"));
+    upZ = option(upAxis, QStringLiteral("z"));
+    lecture = command(Qt::Key_F5, QStringLiteral("lecture"));
+    resetLayout = command({});
+    systemAppearance = option(appearance, QStringLiteral("system"));
+    lightAppearance = option(appearance, QStringLiteral("light"));
+    darkAppearance = option(appearance, QStringLiteral("dark"));
+}
+
+void WindowActions::makePicture() {
+    freeze = toggle(Qt::Key_F, QStringLiteral("freeze"));
+    verdicts = toggle(Qt::Key_V, QStringLiteral("verdicts"));
+    frustum = toggle({});
+    boxes = toggle({});
+    truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
+    loss = toggle(Qt::Key_M);
+    nextLoss = command(Qt::Key_N);
+    loupe = toggle(Qt::Key_L);
+    record = toggle({});
+    addPose = command(QKeySequence(Qt::CTRL | Qt::Key_K));
+    savePath = command({});
+    openPath = command({});
+    play = toggle(Qt::Key_Space);
+    stop = command({});
+}
+
+QAction* WindowActions::command(const QKeySequence& shortcut, const QString& icon) {
+    auto* action = new QAction(m_window);
+    action->setShortcut(shortcut);
+    if (!icon.isEmpty()) action->setIcon(tintedIcon(icon));
+    m_window->addAction(action);
+    return action;
+}
+
+QAction* WindowActions::toggle(const QKeySequence& shortcut, const QString& icon) {
+    QAction* action = command(shortcut, icon);
+    action->setCheckable(true);
+    return action;
+}
+
+QAction* WindowActions::option(QActionGroup* group, const QString& data, const QKeySequence& shortcut, const QString& icon) {
+    QAction* action = command(shortcut, icon);
+    action->setCheckable(true);
+    action->setData(data);
+    group->addAction(action);
+    return action;
+}
+
+void WindowActions::makeLanguages() {
+    for (const Language::Known& language : Language::known()) {
+        QAction* action = option(languages, language.id);
+        action->setText(language.nativeName);
+        connect(action, &QAction::triggered, this, [this, id = language.id] { emit languageChosen(id); });
+    }
+}
+
+void WindowActions::fill(QMenuBar& bar) {
+    m_fileMenu->addAction(open);
+    m_fileMenu->addMenu(recent);
+    m_fileMenu->addMenu(generate);
+    m_fileMenu->addSeparator();
+    m_fileMenu->addActions({saveSession, saveSessionAs});
+    m_fileMenu->addSeparator();
+    m_fileMenu->addActions({screenshot, screenshotNow, screenshotBare});
+    m_fileMenu->addSeparator();
+    m_fileMenu->addAction(quit);
+    m_viewMenu->addActions(views->actions());
+    m_viewMenu->addAction(lecture);
+    m_viewMenu->addSeparator();
+    m_viewMenu->addActions({home, frame});
+    m_viewMenu->addMenu(bookmarks);
+    m_viewMenu->addMenu(m_upMenu);
+    m_upMenu->addActions(upAxis->actions());
+    m_viewMenu->addSeparator();
+    m_viewMenu->addMenu(panels);
+    m_viewMenu->addAction(resetLayout);
+    m_viewMenu->addMenu(m_appearanceMenu);
+    m_appearanceMenu->addActions(appearance->actions());
+    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes});
+    m_pictureMenu->addSeparator();
+    m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
+    m_pathMenu->addActions({record, addPose, savePath});
+    m_pathMenu->addSeparator();
+    m_pathMenu->addActions({openPath, play, stop});
+    m_languageMenu->addActions(languages->actions());
+    m_helpMenu->addActions({keys, about});
+    for (QMenu* menu : {m_fileMenu, editMenu, m_viewMenu, m_pictureMenu, m_pathMenu, m_languageMenu, m_helpMenu})
+        bar.addMenu(menu);
+}
+
+void WindowActions::fill(QToolBar& bar) {
+    bar.addAction(open);
+    bar.addAction(generate->menuAction());
+    bar.addSeparator();
+    bar.addActions(views->actions());
+    bar.addSeparator();
+    bar.addActions({home, frame});
+    bar.addSeparator();
+    bar.addActions({freeze, verdicts, truth});
+    bar.addSeparator();
+    bar.addActions({screenshot, lecture, keys});
+    // The words of the rarer ones are in their tips: all of the bar is to be seen on the least screen in every language.
+    for (QAction* action : bar.actions())
+        if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action));
+            button && action != open && action != generate->menuAction())
+            button->setToolButtonStyle(Qt::ToolButtonIconOnly);
+}
+
+void WindowActions::fillGenerate() {
+    generate->clear();
+    generate->setToolTipsVisible(true);
+    const std::vector<GeneratorInfo>& generators = sceneGenerators();
+    for (size_t i = 0; i < generators.size(); ++i) {
+        const GeneratorInfo& generator = generators[i];
+        const QString name = QString::fromStdString(generator.id);
+        QAction* action = generate->addAction(generator.parameters.empty() ? name : name + QStringLiteral("…"));
+        action->setToolTip(translated(generator.description));
+        connect(action, &QAction::triggered, this, [this, i] { emit generatorChosen(int(i)); });
+    }
+}
+
+void WindowActions::retranslate() {
+    m_fileMenu->setTitle(tr("&File"));
+    editMenu->setTitle(tr("&Edit"));
+    m_viewMenu->setTitle(tr("&View"));
+    m_pictureMenu->setTitle(tr("&Picture"));
+    m_pathMenu->setTitle(tr("P&ath"));
+    // The English word stays beside the translation, so that the menu can be found again from any language.
+    m_languageMenu->setTitle(tr("&Language"));
+    m_helpMenu->setTitle(tr("&Help"));
+    retranslateFile();
+    retranslateView();
+    retranslatePicture();
+    say(keys, tr("Mouse and &keys"), tr("Show all mouse moves and keys"));
+    say(about, tr("&About Cullscope"), tr("Version and licences"));
+    fillGenerate();
+}
+
+void WindowActions::retranslateFile() {
+    generate->setTitle(tr("&Generate"));
+    generate->menuAction()->setIconText(withoutMnemonic(generate->title()));
+    generate->setIcon(tintedIcon(QStringLiteral("generate")));
+    recent->setTitle(tr("Open &recent"));
+    say(open, tr("&Open…"), tr("Open a mesh file, a session, or a picture that Cullscope took"));
+    say(saveSession, tr("&Save the session"), tr("Save scene, views, strategies and cameras as a file"));
+    say(saveSessionAs, tr("Save the session &as…"), tr("Save the session under another name"));
+    say(screenshot, tr("S&creenshot…"), tr("Save a picture of the views: size, format, legend, background"));
+    say(screenshotNow, tr("Screenshot a&gain"), tr("Save a picture as the last time"));
+    say(screenshotBare, tr("Screenshot &without overlays"), tr("Save a picture of what was drawn and nothing over it"));
+    say(quit, tr("&Quit"), tr("Leave the program"));
+}
+
+void WindowActions::retranslateView() {
+    m_upMenu->setTitle(tr("&Up axis"));
+    m_appearanceMenu->setTitle(tr("&Appearance"));
+    bookmarks->setTitle(tr("Camera &bookmarks"));
+    panels->setTitle(tr("&Panels"));
+    say(oneView, tr("&1 view"), tr("Show one view"));
+    say(twoViews, tr("&2 views"), tr("Show two views beside each other"));
+    say(fourViews, tr("&4 views"), tr("Compare four views"));
+    say(eightViews, tr("&8 views"), tr("Compare eight views"));
+    say(home, tr("&Home"), tr("Back to the first view of the scene"));
+    say(frame, tr("&Frame the scene"), tr("Show the whole scene from the present direction"));
+    say(upY, tr("&y up"), tr("The y axis points up"));
+    say(upZ, tr("&z up"), tr("The z axis points up"));
+    say(lecture, tr("&Lecture"), tr("Show the active view full screen, large enough for the back row"));
+    say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));
+    say(systemAppearance, tr("As the &system"), tr("Light or dark as the system is set"));
+    say(lightAppearance, tr("&Light"), tr("Dark on light"));
+    say(darkAppearance, tr("&Dark"), tr("Light on dark"));
+}
+
+void WindowActions::retranslatePicture() {
+    say(freeze, tr("&Freeze culling"), tr("The culling camera stands while you fly on in the active view"));
+    say(verdicts, tr("Colours by &verdict"), tr("Colour the active view by what became of each triangle"));
+    say(frustum, tr("F&rustum"), tr("Show the culling camera's frustum in the active view"));
+    say(boxes, tr("&Boxes"), tr("Show the boxes that the strategy tested in the active view"));
+    say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));
+    say(loss, tr("&Missed pixels"), tr("Mark the pixels that the strategy missed or added"));
+    say(nextLoss, tr("&Next loss"), tr("Go to the next lost pixels, largest hole first"));
+    say(loupe, tr("&Loupe"), tr("Enlarge what is under the pointer"));
+    say(record, tr("&Record"), tr("Record the camera's moves as a path"));
+    say(addPose, tr("&Add this pose"), tr("Add the present camera to the path"));
+    say(savePath, tr("&Save the path…"), tr("Save the recorded path as a file"));
+    say(openPath, tr("&Open a path…"), tr("Open a camera path to play it"));
+    say(play, tr("&Play"), tr("Play the path, a picture of every view at every pose"));
+    say(stop, tr("S&top"), tr("Stop recording and playing"));
+}
+
+}  // namespace cullscope::ui
