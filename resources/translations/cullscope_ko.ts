@@ -2,6 +2,252 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="ko" sourcelanguage="en">
 <context>
+    <name>HtmlReport</name>
+    <message>
+        <source>until the median is steady</source>
+        <translation>중앙값이 안정될 때까지</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>카메라 경로</translation>
+    </message>
+    <message>
+        <source>Poses measured</source>
+        <translation>측정한 자세</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 중 %1</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>그림</translation>
+    </message>
+    <message>
+        <source>Pictures a frame</source>
+        <translation>프레임당 그림</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>반복</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>프로세서</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>소프트웨어 OpenGL: 그래픽 카드의 시간이 아님</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>프로그램</translation>
+    </message>
+    <message>
+        <source>Promise</source>
+        <translation>보장</translation>
+    </message>
+    <message>
+        <source>: broken</source>
+        <translation>: 깨짐</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>Frame, ms</source>
+        <translation>프레임, ms</translation>
+    </message>
+    <message>
+        <source>Cull, ms</source>
+        <translation>컬링, ms</translation>
+    </message>
+    <message>
+        <source>Submitted</source>
+        <translation>제출</translation>
+    </message>
+    <message>
+        <source>Missed pixels</source>
+        <translation>놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>Covered pixels</source>
+        <translation>덮인 픽셀</translation>
+    </message>
+    <message>
+        <source>Cullscope: what culling gains and loses in %1</source>
+        <translation>Cullscope: %1에서 컬링이 얻는 것과 잃는 것</translation>
+    </message>
+    <message>
+        <source>stopped early: the poses measured until then</source>
+        <translation>일찍 멈춤: 그때까지 측정한 자세</translation>
+    </message>
+    <message>
+        <source>The command that repeats it</source>
+        <translation>다시 실행하는 명령</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>Every frame</source>
+        <translation>모든 프레임</translation>
+    </message>
+</context>
+<context>
+    <name>Screenshot</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>what a colour means, how many</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>farther away than beside it, or missing (pixels)</source>
+        <translation>옆보다 멀거나 빠진 화소</translation>
+    </message>
+    <message>
+        <source>nearer than beside it (pixels)</source>
+        <translation>옆보다 가까운 화소</translation>
+    </message>
+    <message>
+        <source>figures at %1 × %2 pixels</source>
+        <translation>%1 × %2 화소에서의 수치</translation>
+    </message>
+    <message>
+        <source>software OpenGL</source>
+        <translation>소프트웨어 OpenGL</translation>
+    </message>
+</context>
+<context>
+    <name>ViewMenu</name>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Linked with the other views</source>
+        <translation>다른 뷰와 연결</translation>
+    </message>
+    <message>
+        <source>Freeze culling, fly on</source>
+        <translation>컬링을 고정하고 비행</translation>
+    </message>
+    <message>
+        <source>Watch view %1 from outside</source>
+        <translation>뷰 %1을(를) 밖에서 관찰</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>표시</translation>
+    </message>
+    <message>
+        <source>Colours by verdict</source>
+        <translation>판정별 색</translation>
+    </message>
+    <message>
+        <source>With verdicts, what was left out too</source>
+        <translation>판정 색에서 제외된 것도 표시</translation>
+    </message>
+    <message>
+        <source>The culling camera's frustum</source>
+        <translation>컬링 카메라의 절두체</translation>
+    </message>
+    <message>
+        <source>The boxes that were tested</source>
+        <translation>검사한 상자</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>없음</translation>
+    </message>
+    <message>
+        <source>Wipe: truth | strategy</source>
+        <translation>나란히: 참값 | 전략</translation>
+    </message>
+    <message>
+        <source>Missed and added pixels</source>
+        <translation>놓치거나 더해진 화소</translation>
+    </message>
+    <message>
+        <source>Wipe: view %1 | this one</source>
+        <translation>나란히: 뷰 %1 | 이 뷰</translation>
+    </message>
+    <message>
+        <source>Pixels that differ from view %1</source>
+        <translation>뷰 %1과(와) 다른 화소</translation>
+    </message>
+    <message>
+        <source>Picture size</source>
+        <translation>그림 크기</translation>
+    </message>
+    <message>
+        <source>Fits the window</source>
+        <translation>창에 맞춤</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>기타…</translation>
+    </message>
+    <message>
+        <source>Other (%1)…</source>
+        <translation>기타 (%1)…</translation>
+    </message>
+    <message>
+        <source>The same in all views</source>
+        <translation>모든 뷰에 똑같이</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>꼭짓점</translation>
+    </message>
+    <message>
+        <source>Buffer objects</source>
+        <translation>버퍼 객체</translation>
+    </message>
+    <message>
+        <source>Vertex arrays of the program's memory</source>
+        <translation>프로그램 메모리의 정점 배열</translation>
+    </message>
+    <message>
+        <source>Vertex arrays: this OpenGL has no compatibility profile</source>
+        <translation>정점 배열: 이 OpenGL에는 호환성 프로필이 없음</translation>
+    </message>
+    <message>
+        <source>In this place</source>
+        <translation>이 자리에</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>그림</translation>
+    </message>
+</context>
+<context>
     <name>Wording</name>
     <message>
         <source>exact set</source>
@@ -49,7 +295,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 놓침 %3</translation>
     </message>
     <message>
@@ -77,7 +323,7 @@
         <translation>OpenGL: %1</translation>
     </message>
     <message>
-        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
+        <source>Of the missed, beyond the raster's snapping to 1/256 pixel: %1</source>
         <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
     </message>
 </context>
@@ -144,11 +390,11 @@
         <translation>여기에는 OpenGL 컨텍스트가 없습니다. OpenGL 4.5를 지원하는 그래픽 드라이버나 Mesa를 설치하세요.</translation>
     </message>
     <message>
-        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa&apos;s software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa's software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>OpenGL 4.5가 필요한데 이 컴퓨터에는 %1(%2)이 있습니다. 그래픽 드라이버를 업데이트하거나 LIBGL_ALWAYS_SOFTWARE=1로 Mesa의 소프트웨어 OpenGL을 쓰세요.</translation>
     </message>
     <message>
-        <source>No OpenGL 4.5 context without a display: EGL&apos;s surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU&apos;s driver.</source>
+        <source>No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU's driver.</source>
         <translation>화면 없이 OpenGL 4.5 컨텍스트를 만들 수 없습니다. EGL의 surfaceless와 device 플랫폼을 모두 시도했습니다. libegl1과 Mesa(libgl1-mesa-dri) 또는 GPU 드라이버를 설치하세요.</translation>
     </message>
     <message>
@@ -160,7 +406,7 @@
         <translation>그래픽 드라이버가 셰이더를 거부합니다: %1</translation>
     </message>
     <message>
-        <source>Client vertex arrays need OpenGL&apos;s compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
+        <source>Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
         <translation>클라이언트 정점 배열에는 OpenGL 호환 프로파일이 필요하지만 이 드라이버는 제공하지 않습니다. 버퍼 객체(vbo)를 쓰세요.</translation>
     </message>
     <message>
@@ -232,12 +478,12 @@
         <translation>%1 파일 %2행이 %3 MB보다 깁니다. 텍스트 형식의 메시 파일인지 확인하세요.</translation>
     </message>
     <message>
-        <source>%1 is compressed with xz. Unpack it first: xz -dk &quot;%1&quot;.</source>
-        <translation>%1 파일은 xz로 압축되어 있습니다. 먼저 푸세요: xz -dk &quot;%1&quot;.</translation>
+        <source>%1 is compressed with xz. Unpack it first: xz -dk "%1".</source>
+        <translation>%1 파일은 xz로 압축되어 있습니다. 먼저 푸세요: xz -dk "%1".</translation>
     </message>
     <message>
-        <source>%1 is compressed with gzip. Unpack it first: gzip -dk &quot;%1&quot;.</source>
-        <translation>%1 파일은 gzip으로 압축되어 있습니다. 먼저 푸세요: gzip -dk &quot;%1&quot;.</translation>
+        <source>%1 is compressed with gzip. Unpack it first: gzip -dk "%1".</source>
+        <translation>%1 파일은 gzip으로 압축되어 있습니다. 먼저 푸세요: gzip -dk "%1".</translation>
     </message>
     <message>
         <source>%1 is an archive or compressed. Unpack it first.</source>
@@ -296,8 +542,8 @@
         <translation>%1 파일의 한 물체에 꼭짓점이 2,147,483,647개보다 많습니다. 물체를 나누세요.</translation>
     </message>
     <message>
-        <source>%1: the object &quot;%2&quot; is smaller than 1e-30. Scale it up.</source>
-        <translation>%1: 물체 &quot;%2&quot;이(가) 1e-30보다 작습니다. 크기를 키우세요.</translation>
+        <source>%1: the object "%2" is smaller than 1e-30. Scale it up.</source>
+        <translation>%1: 물체 "%2"이(가) 1e-30보다 작습니다. 크기를 키우세요.</translation>
     </message>
     <message>
         <source>%1 holds no faces. Export the mesh with its faces, not only points or lines.</source>
@@ -328,28 +574,28 @@
         <translation>%1 파일 %2행: 꼭짓점이나 법선의 좌표가 3개 중 %3개뿐입니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a number. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: &quot;%3&quot;은(는) 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: "%3" is not a number. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: "%3"은(는) 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a corner of a face. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: &quot;%3&quot;은(는) 면의 꼭짓점이 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: "%3" is not a corner of a face. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: "%3"은(는) 면의 꼭짓점이 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
         <source>%1, line %2: the PLY header has no end_header. Fetch or export the file again.</source>
         <translation>%1 파일 %2행: PLY 헤더에 end_header가 없습니다. 파일을 다시 받거나 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; cannot be understood in a PLY header. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: PLY 헤더의 &quot;%3&quot;을(를) 이해할 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: "%3" cannot be understood in a PLY header. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: PLY 헤더의 "%3"을(를) 이해할 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of &quot;%4&quot;, but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
-        <translation>%1 파일 %2행은 &quot;%4&quot; %3개를 약속하지만 헤더 뒤에 %5바이트뿐입니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
+        <source>%1, line %2 promises %3 of "%4", but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
+        <translation>%1 파일 %2행은 "%4" %3개를 약속하지만 헤더 뒤에 %5바이트뿐입니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of &quot;%4&quot;, which have no properties. Export the file again.</source>
-        <translation>%1 파일 %2행은 속성이 없는 &quot;%4&quot; %3개를 약속합니다. 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2 promises %3 of "%4", which have no properties. Export the file again.</source>
+        <translation>%1 파일 %2행은 속성이 없는 "%4" %3개를 약속합니다. 파일을 다시 내보내세요.</translation>
     </message>
     <message>
         <source>Lines passed over because their keyword is unknown: %1, first line %2.</source>
@@ -392,12 +638,12 @@
         <translation>%1 파일 %2행: 꼭짓점에 x, y, z가 없습니다. 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1 ends at byte %2, within number %3 of the %4 of &quot;%5&quot; that it promises. The file was cut off: fetch it again.</source>
-        <translation>%1 파일은 약속한 &quot;%5&quot; %4개 중 %3번째 안인 %2바이트에서 끝납니다. 파일이 잘렸으니 다시 받으세요.</translation>
+        <source>%1 ends at byte %2, within number %3 of the %4 of "%5" that it promises. The file was cut off: fetch it again.</source>
+        <translation>%1 파일은 약속한 "%5" %4개 중 %3번째 안인 %2바이트에서 끝납니다. 파일이 잘렸으니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, byte %2: number %3 of &quot;%4&quot; promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
-        <translation>%1 파일 %2바이트: &quot;%4&quot;의 %3번째가 길이 %5의 목록을 약속하지만 %6바이트만 남았습니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
+        <source>%1, byte %2: number %3 of "%4" promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
+        <translation>%1 파일 %2바이트: "%4"의 %3번째가 길이 %5의 목록을 약속하지만 %6바이트만 남았습니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
     </message>
     <message>
         <source>%1, line %2: a list cannot have %3 values. Correct the line or export the file again.</source>
@@ -420,15 +666,15 @@
         <translation>%1 파일 80바이트는 삼각형 %2개를 약속하지만 파일에는 %3개 자리뿐입니다. STL이 아니거나 잘린 파일이니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; cannot stand here in an STL file. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: STL 파일의 이 자리에 &quot;%3&quot;이(가) 올 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: "%3" cannot stand here in an STL file. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: STL 파일의 이 자리에 "%3"이(가) 올 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
         <source>Simplifying the mesh</source>
         <translation>메시 단순화 중</translation>
     </message>
     <message>
-        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine&apos;s. Ask for fewer triangles.</source>
+        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine's. Ask for fewer triangles.</source>
         <translation>메시를 그만큼의 삼각형으로 바꾸려면 이 컴퓨터 메모리의 4분의 3이 넘는 약 %1 MB가 필요합니다. 삼각형 수를 줄이세요.</translation>
     </message>
     <message>
@@ -440,12 +686,12 @@
         <translation>메시를 삼각형 %1개로, 또는 %1개에서 바꿀 수 없습니다. 삼각형을 하나 이상 지정하세요.</translation>
     </message>
     <message>
-        <source>The mesh &quot;%1&quot; has no surface that could be simplified or subdivided.</source>
-        <translation>메시 &quot;%1&quot;에는 단순화하거나 세분할 면이 없습니다.</translation>
+        <source>The mesh "%1" has no surface that could be simplified or subdivided.</source>
+        <translation>메시 "%1"에는 단순화하거나 세분할 면이 없습니다.</translation>
     </message>
     <message>
-        <source>The mesh &quot;%1&quot; cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
-        <translation>메시 &quot;%1&quot;을(를) 삼각형 %2개로 바꿀 수 없습니다. 조각들은 %3개까지만 줄일 수 있습니다. 그 이상을 지정하세요.</translation>
+        <source>The mesh "%1" cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
+        <translation>메시 "%1"을(를) 삼각형 %2개로 바꿀 수 없습니다. 조각들은 %3개까지만 줄일 수 있습니다. 그 이상을 지정하세요.</translation>
     </message>
     <message>
         <source>Writing the file</source>
@@ -464,19 +710,19 @@
         <translation>%1 파일은 약속한 내용이 다 나오기 전 %2행에서 끝납니다. 파일이 잘렸으니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a number that can stand here. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: &quot;%3&quot;은(는) 이 자리에 올 수 있는 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: "%3" is not a number that can stand here. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: "%3"은(는) 이 자리에 올 수 있는 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>The camera&apos;s eye, target and up must be finite numbers.</source>
+        <source>The camera's eye, target and up must be finite numbers.</source>
         <translation>카메라의 눈, 목표, 위쪽은 유한한 수여야 합니다.</translation>
     </message>
     <message>
-        <source>The camera&apos;s eye and target are the same point: move one of them.</source>
+        <source>The camera's eye and target are the same point: move one of them.</source>
         <translation>카메라의 눈과 목표가 같은 점입니다. 하나를 옮기세요.</translation>
     </message>
     <message>
-        <source>The camera&apos;s up vector is zero: give it a direction.</source>
+        <source>The camera's up vector is zero: give it a direction.</source>
         <translation>카메라의 위쪽 벡터가 0입니다. 방향을 지정하세요.</translation>
     </message>
     <message>
@@ -496,16 +742,16 @@
         <translation>경로 %1에는 콜론 뒤에 1~1000000의 자세 수가 필요합니다.</translation>
     </message>
     <message>
-        <source>%1: pose %2: &quot;%3&quot; must be three numbers.</source>
-        <translation>%1: 자세 %2: &quot;%3&quot;은(는) 수 세 개여야 합니다.</translation>
+        <source>%1: pose %2: "%3" must be three numbers.</source>
+        <translation>%1: 자세 %2: "%3"은(는) 수 세 개여야 합니다.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; must be a number.</source>
-        <translation>%1: &quot;%2&quot;은(는) 수여야 합니다.</translation>
+        <source>%1: "%2" must be a number.</source>
+        <translation>%1: "%2"은(는) 수여야 합니다.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
-        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</translation>
+        <source>"%1" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
+        <translation>"%1"은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</translation>
     </message>
     <message>
         <source>%1 cannot be opened: check the name and that you may read it.</source>
@@ -516,15 +762,15 @@
         <translation>%1 파일은 JSON이 아닙니다. %2바이트에서 끊깁니다. 카메라 경로에는 fovy_deg, near, far, poses 필드가 있습니다.</translation>
     </message>
     <message>
-        <source>%1: a camera path needs a list &quot;poses&quot; with at least one pose.</source>
-        <translation>%1: 카메라 경로에는 자세가 하나 이상인 &quot;poses&quot; 목록이 필요합니다.</translation>
+        <source>%1: a camera path needs a list "poses" with at least one pose.</source>
+        <translation>%1: 카메라 경로에는 자세가 하나 이상인 "poses" 목록이 필요합니다.</translation>
     </message>
     <message>
         <source>%1: pose %2: %3</source>
         <translation>%1: 자세 %2: %3</translation>
     </message>
     <message>
-        <source>N poses on a circle at three times the scene&apos;s radius, 15 degrees above it</source>
+        <source>N poses on a circle at three times the scene's radius, 15 degrees above it</source>
         <translation>장면 반지름의 세 배 거리, 15도 위의 원을 따르는 N개 자세</translation>
     </message>
     <message>
@@ -544,7 +790,7 @@
         <translation>구면 맵의 한 덩어리를 보는 가까운 시점</translation>
     </message>
     <message>
-        <source>a close view of a clump that the map&apos;s seam splits</source>
+        <source>a close view of a clump that the map's seam splits</source>
         <translation>맵의 이음매가 가르는 덩어리를 보는 가까운 시점</translation>
     </message>
     <message>
@@ -552,12 +798,12 @@
         <translation>%1: %2=%3은(는) %4과(와) %5 사이의 수가 아닙니다.</translation>
     </message>
     <message>
-        <source>%1 has no parameter &quot;%2&quot;. It has: %3.</source>
-        <translation>%1에는 매개변수 &quot;%2&quot;이(가) 없습니다. 있는 것: %3.</translation>
+        <source>%1 has no parameter "%2". It has: %3.</source>
+        <translation>%1에는 매개변수 "%2"이(가) 없습니다. 있는 것: %3.</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; is not of the form key=value.</source>
-        <translation>%1: &quot;%2&quot;은(는) key=value 꼴이 아닙니다.</translation>
+        <source>%1: "%2" is not of the form key=value.</source>
+        <translation>%1: "%2"은(는) key=value 꼴이 아닙니다.</translation>
     </message>
     <message>
         <source>No bunny is installed here. Install the package glmark2-data, or name a folder that holds bunny.obj with --models DIR or CULLSCOPE_MODELS.</source>
@@ -568,7 +814,7 @@
         <translation>mesh:에 파일이 없습니다. mesh:FILE,triangles=N처럼 쓰세요.</translation>
     </message>
     <message>
-        <source>how many triangles, to the nearest that the shape&apos;s grid allows</source>
+        <source>how many triangles, to the nearest that the shape's grid allows</source>
         <translation>삼각형 수(형상의 격자가 허용하는 가장 가까운 수)</translation>
     </message>
     <message>
@@ -576,7 +822,7 @@
         <translation>설치된 모델 파일의 스탠퍼드 토끼</translation>
     </message>
     <message>
-        <source>Newell&apos;s teapot, tessellated from its 32 Bézier patches</source>
+        <source>Newell's teapot, tessellated from its 32 Bézier patches</source>
         <translation>베지에 패치 32개로 만든 뉴얼의 찻주전자</translation>
     </message>
     <message>
@@ -604,10 +850,6 @@
         <translation>반지름 1인 메시를 n × n으로 늘어놓은 격자</translation>
     </message>
     <message>
-        <source>mesh file, or bunny</source>
-        <translation>메시 파일 또는 bunny</translation>
-    </message>
-    <message>
         <source>copies along each side</source>
         <translation>한 변의 사본 수</translation>
     </message>
@@ -628,8 +870,8 @@
         <translation>장면이 지정되지 않았습니다. 메시 파일이나 bunny, sphere:triangles=1e5 같은 생성기를 지정하세요.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a file nor a generator. Generators: %2.</source>
-        <translation>&quot;%1&quot;은(는) 파일도 생성기도 아닙니다. 생성기: %2.</translation>
+        <source>"%1" is neither a file nor a generator. Generators: %2.</source>
+        <translation>"%1"은(는) 파일도 생성기도 아닙니다. 생성기: %2.</translation>
     </message>
     <message>
         <source>All triangles</source>
@@ -700,12 +942,12 @@
         <translation>%1=%2: %1은(는) %3과(와) %4 사이의 수입니다.</translation>
     </message>
     <message>
-        <source>There is no parameter &quot;%1&quot; here. Known: %2.</source>
-        <translation>여기에는 매개변수 &quot;%1&quot;이(가) 없습니다. 알려진 것: %2.</translation>
+        <source>There is no parameter "%1" here. Known: %2.</source>
+        <translation>여기에는 매개변수 "%1"이(가) 없습니다. 알려진 것: %2.</translation>
     </message>
     <message>
-        <source>There is no strategy &quot;%1&quot;. Known: %2.</source>
-        <translation>전략 &quot;%1&quot;이(가) 없습니다. 알려진 것: %2.</translation>
+        <source>There is no strategy "%1". Known: %2.</source>
+        <translation>전략 "%1"이(가) 없습니다. 알려진 것: %2.</translation>
     </message>
     <message>
         <source>outside the frustum</source>
@@ -722,10 +964,6 @@
     <message>
         <source>too small</source>
         <translation>너무 작음</translation>
-    </message>
-    <message>
-        <source>There is not enough memory to draw this view. Make the window or the scene smaller.</source>
-        <translation>이 뷰를 그릴 메모리가 부족합니다. 창이나 장면을 더 작게 하세요.</translation>
     </message>
     <message>
         <source>This view cannot be drawn: %1</source>
@@ -807,6 +1045,306 @@
         <source>plane tests</source>
         <translation>평면 검사</translation>
     </message>
+    <message>
+        <source>No camera path was recorded yet: record one, or add the present camera to it.</source>
+        <translation>기록된 카메라 경로가 아직 없습니다. 경로를 기록하거나 현재 카메라를 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this experiment. Choose a smaller scene.</source>
+        <translation>이 실험을 하기에 메모리가 부족합니다. 더 작은 장면을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>The experiment cannot be run: %1</source>
+        <translation>실험을 실행할 수 없습니다: %1</translation>
+    </message>
+    <message>
+        <source>%1: "%2": %3</source>
+        <translation>%1: "%2": %3</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be one of these words: %3.</source>
+        <translation>%1: "%2"은(는) 다음 낱말 중 하나여야 합니다: %3.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a group of fields in braces.</source>
+        <translation>%1: "%2"은(는) 중괄호로 묶인 필드여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: the field "%2" is missing.</source>
+        <translation>%1: "%2" 필드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a list of 1 to %3 entries.</source>
+        <translation>%1: "%2"은(는) 1개에서 %3개까지의 항목으로 된 목록이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a number between %3 and %4.</source>
+        <translation>%1: "%2"은(는) %3에서 %4 사이의 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a whole number between %3 and %4.</source>
+        <translation>%1: "%2"은(는) %3에서 %4 사이의 정수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be true or false.</source>
+        <translation>%1: "%2"은(는) true 또는 false여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a text in quotes.</source>
+        <translation>%1: "%2"은(는) 따옴표로 묶인 글이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be three numbers.</source>
+        <translation>%1: "%2"은(는) 세 개의 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw this view. Make the picture or the scene smaller.</source>
+        <translation>이 뷰를 그릴 메모리가 부족합니다. 그림이나 장면을 줄이십시오.</translation>
+    </message>
+    <message>
+        <source>There is no memory for a picture of %1x%2 pixels: choose a smaller size.</source>
+        <translation>%1x%2 화소의 그림을 위한 메모리가 없습니다: 더 작은 크기를 고르십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more; it was taken off the list of recent files.</source>
+        <translation>%1이(가) 더 이상 없어 최근 파일 목록에서 뺐습니다.</translation>
+    </message>
+    <message>
+        <source>There is no memory for this picture: choose a smaller size.</source>
+        <translation>이 그림을 위한 메모리가 없습니다: 더 작은 크기를 고르십시오.</translation>
+    </message>
+    <message>
+        <source>A picture of %1x%2 pixels is too large: at most 16384 pixels a side can be saved.</source>
+        <translation>%1x%2 화소의 그림은 너무 큽니다: 한 변에 최대 16384 화소까지 저장할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>In %1x%2 pixels there is no room for the pictures beside legend and caption: choose a larger size or leave those out.</source>
+        <translation>%1x%2 화소에는 범례와 설명 옆에 그림이 들어갈 자리가 없습니다: 더 큰 크기를 고르거나 그것들을 빼십시오.</translation>
+    </message>
+    <message>
+        <source>There is no picture to save yet: open a scene and wait until it is drawn.</source>
+        <translation>아직 저장할 그림이 없습니다: 장면을 열고 그려질 때까지 기다리십시오.</translation>
+    </message>
+    <message>
+        <source>There is no folder %1: choose another one.</source>
+        <translation>폴더 %1이(가) 없습니다: 다른 폴더를 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Nothing can be written into the folder %1: choose another one.</source>
+        <translation>폴더 %1에 쓸 수 없습니다: 다른 폴더를 고르십시오.</translation>
+    </message>
+    <message>
+        <source>The file has no name: give it one, such as {scene}-{n}.png.</source>
+        <translation>파일 이름이 없습니다: {scene}-{n}.png 같은 이름을 주십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is no session that can be read: it is not JSON from byte %2 on.</source>
+        <translation>%1은(는) 읽을 수 있는 세션이 아닙니다. %2번째 바이트부터 JSON이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>%1 is no session that can be read: a number in it is too large.</source>
+        <translation>%1은(는) 읽을 수 있는 세션이 아닙니다. 너무 큰 수가 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 was saved by a newer Cullscope: install that one to open it.</source>
+        <translation>%1은(는) 더 새로운 Cullscope에서 저장되었습니다. 열려면 그 버전을 설치하십시오.</translation>
+    </message>
+    <message>
+        <source>name a mesh file or a generator such as bunny.</source>
+        <translation>메시 파일이나 bunny 같은 생성기를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>a view can watch only another one that is no observer itself.</source>
+        <translation>뷰는 관찰자가 아닌 다른 뷰만 관찰할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>there are 1, 2, 4 or 8 views.</source>
+        <translation>뷰는 1, 2, 4 또는 8개입니다.</translation>
+    </message>
+    <message>
+        <source>the near distance must be above 0.</source>
+        <translation>가까운 거리는 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>There is no scene to save yet: open one first.</source>
+        <translation>저장할 장면이 아직 없습니다. 먼저 장면을 여십시오.</translation>
+    </message>
+    <message>
+        <source>The name of the scene's file is no UTF-8, which a session needs: rename the file.</source>
+        <translation>장면 파일의 이름이 세션에 필요한 UTF-8이 아닙니다. 파일 이름을 바꾸십시오.</translation>
+    </message>
+    <message>
+        <source>%1 is no session that Cullscope saved. Open a mesh, a session, or a picture of Cullscope.</source>
+        <translation>%1은(는) Cullscope가 저장한 세션이 아닙니다. 메시, 세션 또는 Cullscope의 그림을 여십시오.</translation>
+    </message>
+    <message>
+        <source>%1 does not say what it shows: only pictures that Cullscope saved can be opened.</source>
+        <translation>%1에는 무엇을 보여 주는지 적혀 있지 않습니다. Cullscope가 저장한 그림만 열 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The scene has %1 objects now, no longer %2: all of them are shown.</source>
+        <translation>장면의 객체가 이제 %2개가 아니라 %1개입니다. 모두 표시합니다.</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>%1을(를) 저장했습니다.</translation>
+    </message>
+    <message>
+        <source>File names have no placeholder {%1}. There are {scene}, {strategy}, {n} and {n:04}.</source>
+        <translation>파일 이름에 {%1}이라는 자리표시자는 없습니다. {scene}, {strategy}, {n}, {n:04}가 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1 exists already: put {n} into the file name, and every picture gets a number of its own.</source>
+        <translation>%1이(가) 이미 있습니다. 파일 이름에 {n}을 넣으면 그림마다 번호가 붙습니다.</translation>
+    </message>
+    <message>
+        <source>Colours by verdict need %1 bytes in one buffer and this OpenGL gives %2: show the scene shaded, or a part of it.</source>
+        <translation>판정별 색에는 버퍼 하나에 %1바이트가 필요하지만 이 OpenGL은 %2바이트만 제공합니다: 장면을 음영으로 표시하거나 일부만 표시하십시오.</translation>
+    </message>
+    <message>
+        <source>%1: what the picture shows takes %2 bytes to describe, and this format holds %3. Write a .png or .exr file.</source>
+        <translation>%1: 그림의 내용을 적는 데 %2바이트가 필요하지만 이 형식에는 %3바이트만 들어갑니다. .png 또는 .exr 파일로 쓰세요.</translation>
+    </message>
+    <message>
+        <source>%1 is %2x%3 pixels large or no flat picture: pictures of 1 to 16384 pixels a side are read.</source>
+        <translation>%1은(는) 크기가 %2x%3 픽셀이거나 평면 그림이 아닙니다. 한 변이 1~16384픽셀인 그림만 읽습니다.</translation>
+    </message>
+    <message>
+        <source>drawn and visible</source>
+        <translation>그려지고 보임</translation>
+    </message>
+    <message>
+        <source>drawn in vain</source>
+        <translation>헛되이 그려짐</translation>
+    </message>
+    <message>
+        <source>wrongly culled</source>
+        <translation>잘못 제거됨</translation>
+    </message>
+    <message>
+        <source>The mesh "%1" would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
+        <translation>메시 "%1"이(가) %2개 조각으로 나뉩니다. 객체는 최대 %3개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
+    </message>
+    <message>
+        <source>Splitting the mesh</source>
+        <translation>메시를 나누는 중</translation>
+    </message>
+    <message>
+        <source>"%1" in "%2" is neither an object's number nor a range. Hidden objects are written as in 3,7-9.</source>
+        <translation>"%2"의 "%1"은(는) 객체 번호도 범위도 아닙니다. 숨길 객체는 3,7-9처럼 씁니다.</translation>
+    </message>
+    <message>
+        <source>There is no object %1 to hide: the scene has %2 objects, counted from 0.</source>
+        <translation>숨길 객체 %1이(가) 없습니다. 장면의 객체는 %2개이며 0부터 셉니다.</translation>
+    </message>
+    <message>
+        <source>"%1" has %2 triangles, too many to be one mesh.</source>
+        <translation>"%1"의 삼각형은 %2개로, 메시 하나로 만들기에는 너무 많습니다.</translation>
+    </message>
+    <message>
+        <source>split: by=%1 is unknown. Write by=components or by=clusters.</source>
+        <translation>split: by=%1은(는) 알 수 없습니다. by=components 또는 by=clusters로 쓰세요.</translation>
+    </message>
+    <message>
+        <source>split: triangles is the size of clusters. Write by=clusters with it, or leave it out.</source>
+        <translation>split: triangles는 클러스터의 크기입니다. by=clusters와 함께 쓰거나 빼세요.</translation>
+    </message>
+    <message>
+        <source>mesh file, or a generator with its own parameters</source>
+        <translation>메시 파일, 또는 자체 매개변수가 있는 생성기</translation>
+    </message>
+    <message>
+        <source>a mesh with every object split, so that there are objects to leave out; draws the same picture</source>
+        <translation>모든 객체를 나눈 메시. 뺄 수 있는 객체가 생기며, 그림은 같습니다</translation>
+    </message>
+    <message>
+        <source>components: what hangs together becomes an object; clusters: compact pieces of like size do</source>
+        <translation>components: 이어진 것마다 객체가 됩니다. clusters: 크기가 비슷한 밀집 조각마다 객체가 됩니다</translation>
+    </message>
+    <message>
+        <source>how many triangles a cluster has at most (with by=clusters)</source>
+        <translation>클러스터 하나의 최대 삼각형 수(by=clusters일 때)</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given twice.</source>
+        <translation>%1: %2이(가) 두 번 주어졌습니다.</translation>
+    </message>
+    <message>
+        <source>The scene would fall into %1 objects; at most %2 are possible. Split it by=clusters with more triangles each.</source>
+        <translation>장면이 %1개 객체로 나뉩니다. 최대 %2개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
+    </message>
+    <message>
+        <source>left plane</source>
+        <translation>왼쪽 평면</translation>
+    </message>
+    <message>
+        <source>right plane</source>
+        <translation>오른쪽 평면</translation>
+    </message>
+    <message>
+        <source>bottom plane</source>
+        <translation>아래쪽 평면</translation>
+    </message>
+    <message>
+        <source>top plane</source>
+        <translation>위쪽 평면</translation>
+    </message>
+    <message>
+        <source>near plane</source>
+        <translation>가까운 평면</translation>
+    </message>
+    <message>
+        <source>far plane</source>
+        <translation>먼 평면</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3.</source>
+        <translation>%1 검사: 경계의 가장 가까운 점도 바깥으로 %2 떨어져 있어 허용 한계 %3을(를) 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
+        <translation>%1 검사: 경계 전체가 안쪽에 있으며, 가장 깊은 점은 %2 안쪽입니다.</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.</source>
+        <translation>%1 검사: 경계가 바깥으로 %2 벗어나 있지만 허용 한계 %3 이내이므로 안쪽으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds reach %2 to the inside.</source>
+        <translation>%1 검사: 경계가 안쪽으로 %2까지 들어옵니다.</translation>
+    </message>
+    <message>
+        <source>The strategy leaves the object out: %1.</source>
+        <translation>전략이 물체를 제외합니다: %1.</translation>
+    </message>
+    <message>
+        <source>The strategy keeps the object.</source>
+        <translation>전략이 물체를 남깁니다.</translation>
+    </message>
+    <message>
+        <source>The object "%1" is tested as one box with %2 triangles.</source>
+        <translation>물체 "%1"은(는) 삼각형 %2개를 담은 상자 하나로 검사됩니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL draws the triangle: both sides count.</source>
+        <translation>OpenGL이 삼각형을 그립니다: 양면을 모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL drops the triangle: it is back-facing.</source>
+        <translation>OpenGL이 삼각형을 버립니다: 은면입니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL draws the triangle: its front is turned to the eye.</source>
+        <translation>OpenGL이 삼각형을 그립니다: 앞면이 눈을 향합니다.</translation>
+    </message>
+    <message>
+        <source>The triangle is given to OpenGL.</source>
+        <translation>삼각형이 OpenGL에 전달됩니다.</translation>
+    </message>
+    <message>
+        <source>The triangle is not given to OpenGL.</source>
+        <translation>삼각형이 OpenGL에 전달되지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -828,7 +1366,7 @@ OpenGL %2
 %3</translation>
     </message>
     <message>
-        <source>Cullscope&apos;s own sources are under the MIT licence.</source>
+        <source>Cullscope's own sources are under the MIT licence.</source>
         <translation>Cullscope 자체의 소스는 MIT 라이선스를 따릅니다.</translation>
     </message>
     <message>
@@ -838,6 +1376,61 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>그 밖에 OpenMesh, libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BudgetBar</name>
+    <message>
+        <source>Where the triangles went</source>
+        <translation>삼각형의 행방</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, %3 %</source>
+        <extracomment>A state of triangles, how many, and their share of all.</extracomment>
+        <translation>%1: 삼각형 %2개, %3 %</translation>
+    </message>
+    <message>
+        <source>Not known yet.</source>
+        <translation>아직 모릅니다.</translation>
+    </message>
+    <message>
+        <source>The view changed since: being counted anew.</source>
+        <translation>그 뒤 뷰가 바뀌었습니다. 다시 세는 중.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::DocumentCommands</name>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>메시 (%1)</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>세션</translation>
+    </message>
+    <message>
+        <source>Pictures that Cullscope took</source>
+        <translation>Cullscope가 찍은 그림</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>모든 파일</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>열기</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>세션 저장</translation>
+    </message>
+    <message>
+        <source>Go to camera %1</source>
+        <translation>카메라 %1(으)로 이동</translation>
+    </message>
+    <message>
+        <source>Keep as camera %1</source>
+        <translation>카메라 %1(으)로 보관</translation>
     </message>
 </context>
 <context>
@@ -865,6 +1458,77 @@ OpenGL %2
     <message>
         <source>Generate</source>
         <translation>생성</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ExperimentBar</name>
+    <message>
+        <source>recorded path</source>
+        <translation>녹화한 경로</translation>
+    </message>
+    <message>
+        <source>Open a path file…</source>
+        <translation>경로 파일 열기…</translation>
+    </message>
+    <message>
+        <source>Open a camera path</source>
+        <translation>카메라 경로 열기</translation>
+    </message>
+    <message>
+        <source>Camera paths (*.json)</source>
+        <translation>카메라 경로 (*.json)</translation>
+    </message>
+    <message>
+        <source>as the view: %1 × %2</source>
+        <translation>보기와 같이: %1 × %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>시작</translation>
+    </message>
+    <message>
+        <source>Open a scene first</source>
+        <translation>먼저 장면을 여십시오</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>카메라 경로</translation>
+    </message>
+    <message>
+        <source>Number of poses</source>
+        <translation>자세의 수</translation>
+    </message>
+    <message>
+        <source> poses</source>
+        <translation> 자세</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>그림의 크기</translation>
+    </message>
+    <message>
+        <source>Repetitions of each frame</source>
+        <translation>각 프레임의 반복 횟수</translation>
+    </message>
+    <message>
+        <source>repeat until steady</source>
+        <translation>안정될 때까지 반복</translation>
+    </message>
+    <message>
+        <source>repeat </source>
+        <translation>반복 </translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation>회</translation>
+    </message>
+    <message>
+        <source>Progress of the experiment</source>
+        <translation>실험 진행</translation>
     </message>
 </context>
 <context>
@@ -910,11 +1574,11 @@ OpenGL %2
         <translation>덮인 픽셀</translation>
     </message>
     <message>
-        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <source>Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera</source>
         <translation>같은 카메라에서 번갈아 잰 backface 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
     </message>
     <message>
-        <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
+        <source>Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted</source>
         <translation>컬링하고 뷰 자체의 그림에 그려 OpenGL이 끝날 때까지의 시간(창에 표시하는 시간은 제외)</translation>
     </message>
     <message>
@@ -954,7 +1618,7 @@ OpenGL %2
         <translation>– 맞춤을 넘는 것</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 정답은 양면을 그릴 때 셉니다</translation>
     </message>
 </context>
@@ -978,6 +1642,85 @@ OpenGL %2
     <message>
         <source>Generate</source>
         <translation>생성</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::InsideModel</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a tree of boxes</comment>
+        <translation>노드 %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <comment>a box that holds others</comment>
+        <translation>유지</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>제출됨</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Rejected by</source>
+        <translation>탈락시킨 평면</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::InsidePanel</name>
+    <message>
+        <source>This strategy has no index map.</source>
+        <translation>이 전략에는 색인 맵이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Strategies that look up what is visible by direction show their map here.</source>
+        <translation>방향으로 보이는 것을 찾는 전략은 여기에 맵을 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
+        <translation>이 전략에는 띠가 없습니다. 방향 구를 띠로 나누는 전략은 여기에 띠를 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>Inside the strategy</source>
+        <translation>전략의 내부</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>띠</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>트리</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>이유</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>손실</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::InsideTree</name>
+    <message>
+        <source>Boxes that the strategy tests</source>
+        <translation>전략이 검사하는 상자</translation>
+    </message>
+    <message>
+        <source>This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they decided about each.</source>
+        <translation>이 전략은 상자를 검사하지 않습니다. 경계를 검사하거나 트리를 내려가는 전략은 상자마다 내린 판정을 여기에 보여 줍니다.</translation>
     </message>
 </context>
 <context>
@@ -1124,6 +1867,38 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::LectureWindow</name>
+    <message>
+        <source>%1 – %2</source>
+        <comment>strategy, scene</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Speed: %1</source>
+        <translation>속도: %1</translation>
+    </message>
+    <message>
+        <source>Submitted: %1</source>
+        <translation>제출: %1</translation>
+    </message>
+    <message>
+        <source>Missed: %1</source>
+        <translation>놓침: %1</translation>
+    </message>
+    <message>
+        <source>◀ Back</source>
+        <translation>◀ 이전</translation>
+    </message>
+    <message>
+        <source>Next ▶</source>
+        <translation>다음 ▶</translation>
+    </message>
+    <message>
+        <source>Lecture – Cullscope</source>
+        <translation>강의 – Cullscope</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::LegendPanel</name>
     <message>
         <source>Next: open a mesh file, or generate a scene.</source>
@@ -1154,6 +1929,23 @@ OpenGL %2
         <comment>promise, its meaning</comment>
         <translation>%1: %2</translation>
     </message>
+    <message>
+        <source>Next: drag in view %1 and watch in view %2 what is left out.</source>
+        <translation>다음: 뷰 %1에서 끌면서, 무엇이 빠지는지 뷰 %2에서 보세요.</translation>
+    </message>
+    <message>
+        <source>Next: click on something in a picture to see why it was drawn or left out.</source>
+        <translation>다음: 그림에서 무언가를 클릭해 왜 그려졌는지 또는 빠졌는지 보세요.</translation>
+    </message>
+    <message>
+        <source>What the colours mean</source>
+        <translation>색의 뜻</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles in the active view</source>
+        <comment>a state of triangles</comment>
+        <translation>%1: 활성 뷰에서 삼각형 %2개</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LoadingStrip</name>
@@ -1180,14 +1972,66 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::LossModel</name>
+    <message>
+        <source>Object</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Pixels lost</source>
+        <translation>잃은 픽셀</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <comment>of all lost pixels</comment>
+        <translation>비율</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LossPanel</name>
+    <message>
+        <source>Nothing of the scene is in this view: there is nothing to lose.</source>
+        <translation>이 뷰에는 장면이 보이지 않으므로 잃을 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>0 of %1 covered pixels lost in this view. One view cannot show a loss rarer than about 3 in %1 (&lt; %2 %).</source>
+        <translation>이 뷰에서 덮인 픽셀 %1개 중 0개를 잃었습니다. 뷰 하나로는 약 %1개 중 3개(%2 %)보다 드문 손실을 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 covered pixels lost in this view (%3 %), in %4 holes; the largest has %5.</source>
+        <comment>numbers of pixels</comment>
+        <translation>이 뷰에서 덮인 픽셀 %2개 중 %1개(%3 %)를 잃었습니다. 구멍 %4개, 가장 큰 것은 %5픽셀.</translation>
+    </message>
+    <message>
+        <source>Beyond what the raster's snapping of edges explains: %1.</source>
+        <translation>래스터의 가장자리 맞춤으로 설명되지 않는 픽셀: %1.</translation>
+    </message>
+    <message>
+        <source>There is no scene.</source>
+        <translation>장면이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The view changed: what it lost is being counted…</source>
+        <translation>뷰가 바뀌었습니다. 잃은 픽셀을 세는 중…</translation>
+    </message>
+    <message>
+        <source>The scene is large: what the view lost is counted when you ask for it.</source>
+        <translation>장면이 큽니다. 잃은 픽셀은 요청할 때 셉니다.</translation>
+    </message>
+    <message>
+        <source>Objects that lost pixels</source>
+        <translation>픽셀을 잃은 물체</translation>
+    </message>
+    <message>
+        <source>Count now</source>
+        <translation>지금 세기</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::MainWindow</name>
     <message>
         <source>%1 – Cullscope</source>
         <translation>%1 – Cullscope</translation>
-    </message>
-    <message>
-        <source>Strategy and figures</source>
-        <translation>전략과 수치</translation>
     </message>
     <message>
         <source>Toolbar</source>
@@ -1210,32 +2054,20 @@ OpenGL %2
         <translation>프로세서가 그립니다. 시간은 그래픽 카드의 것이 아닙니다.</translation>
     </message>
     <message>
-        <source>Open a mesh file</source>
-        <translation>메시 파일 열기</translation>
-    </message>
-    <message>
-        <source>Copy the picture</source>
-        <translation>그림 복사</translation>
-    </message>
-    <message>
-        <source>Copy the cullbench command</source>
-        <translation>cullbench 명령 복사</translation>
-    </message>
-    <message>
         <source>Strategy</source>
         <translation>전략</translation>
     </message>
     <message>
-        <source>Figures and scene</source>
-        <translation>수치와 장면</translation>
+        <source>Legend</source>
+        <translation>범례</translation>
     </message>
     <message>
-        <source>Meshes (%1)</source>
-        <translation>메시(%1)</translation>
+        <source>Inside</source>
+        <translation>내부</translation>
     </message>
     <message>
-        <source>All files</source>
-        <translation>모든 파일</translation>
+        <source>Inside: what the strategy decided, and why</source>
+        <translation>내부: 전략이 무엇을 왜 결정했는지</translation>
     </message>
 </context>
 <context>
@@ -1246,10 +2078,325 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::ObjectModel</name>
+    <message>
+        <source>not shown</source>
+        <translation>표시 안 함</translation>
+    </message>
+    <message>
+        <source>verdict not known yet</source>
+        <translation>판정 아직 모름</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>제출됨</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>표시함</translation>
+    </message>
+    <message>
+        <source>Whether it is shown</source>
+        <translation>표시 여부</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Diagonal of its box, scene units</source>
+        <translation>경계 상자의 대각선(장면 단위)</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>크기</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::Outliner</name>
+    <message>
+        <source>Hide</source>
+        <translation>숨기기</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>표시</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>이것만 표시</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>모두 표시</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>맞추기</translation>
+    </message>
+    <message>
+        <source>Search objects</source>
+        <translation>물체 검색</translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>장면의 물체</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ParameterForm</name>
     <message>
         <source>This strategy has no parameters.</source>
         <translation>이 전략에는 매개변수가 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ParetoPlot</name>
+    <message>
+        <source>Speed against loss</source>
+        <translation>속도와 손실</translation>
+    </message>
+    <message>
+        <source>The missed pixels were not measured, so there is no loss to show.</source>
+        <translation>놓친 픽셀을 측정하지 않아 보여 줄 손실이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, %2: ×%3 against backface, %4 per million missed</source>
+        <translation>%1, %2: backface 대비 ×%3, 백만분의 %4 놓침</translation>
+    </message>
+    <message>
+        <source>0 (&lt; 3/%1)</source>
+        <extracomment>Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.</extracomment>
+        <translation>0 (&lt; 3/%1)</translation>
+    </message>
+    <message>
+        <source>shape: %1</source>
+        <translation>모양: %1</translation>
+    </message>
+    <message>
+        <source>Upwards: missed per million; to the right: speed against backface</source>
+        <translation>위로: 백만분의 놓침; 오른쪽으로: backface 대비 속도</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PathCommands</name>
+    <message>
+        <source>Save the path</source>
+        <translation>경로 저장</translation>
+    </message>
+    <message>
+        <source>Camera paths</source>
+        <translation>카메라 경로</translation>
+    </message>
+    <message>
+        <source>Open a path</source>
+        <translation>경로 열기</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PathPlot</name>
+    <message>
+        <source>Along the path</source>
+        <translation>경로를 따라</translation>
+    </message>
+    <message>
+        <source>%1: %2 a frame on average</source>
+        <translation>%1: 프레임 평균 %2</translation>
+    </message>
+    <message>
+        <source>Frame time in ms, by pose</source>
+        <translation>자세별 프레임 시간 (ms)</translation>
+    </message>
+    <message>
+        <source>Missed pixels, by pose</source>
+        <translation>자세별 놓친 픽셀</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PlaneTable</name>
+    <message>
+        <source>Plane</source>
+        <translation>평면</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>거리</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>한계</translation>
+    </message>
+    <message>
+        <source>Outside | inside</source>
+        <translation>바깥 | 안</translation>
+    </message>
+    <message>
+        <source>The distance in multiples of the bound, logarithmically; outside begins at the dashed line.</source>
+        <translation>한계의 배수로 나타낸 거리(로그 눈금). 점선부터가 바깥입니다.</translation>
+    </message>
+    <message>
+        <source>Plane tests</source>
+        <translation>평면 검사</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PlotWidget</name>
+    <message>
+        <source>Nothing is measured yet. Choose a camera path above and press Start.</source>
+        <translation>아직 측정한 것이 없습니다. 위에서 카메라 경로를 고르고 시작을 누르십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PosePlot</name>
+    <message>
+        <source>Pose %1</source>
+        <translation>자세 %1</translation>
+    </message>
+    <message>
+        <source>Frame: %1</source>
+        <translation>프레임: %1</translation>
+    </message>
+    <message>
+        <source>Missed: %1 pixels, %2 per million</source>
+        <translation>놓침: %1픽셀, 백만분의 %2</translation>
+    </message>
+    <message>
+        <source>Missed: not measured</source>
+        <translation>놓침: 측정하지 않음</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n poses. The arrow keys go through them, Enter flies there.</source>
+        <translation><numerusform>%1: 자세 %n개. 화살표 키로 옮기고 Enter로 그곳으로 갑니다.</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PoseStrip</name>
+    <message>
+        <source>Time and loss by pose</source>
+        <translation>자세별 시간과 손실</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>놓침</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ResultTableModel</name>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>Speed against
+backface [95 %]</source>
+        <translation>backface 대비
+속도 [95 %]</translation>
+    </message>
+    <message>
+        <source>Speed against
+all [95 %]</source>
+        <translation>all 대비
+속도 [95 %]</translation>
+    </message>
+    <message>
+        <source>fps</source>
+        <translation>fps</translation>
+    </message>
+    <message>
+        <source>fps
+least – most</source>
+        <translation>fps
+최소 – 최대</translation>
+    </message>
+    <message>
+        <source>Culling of
+the frame</source>
+        <translation>프레임 중
+컬링</translation>
+    </message>
+    <message>
+        <source>Submitted
+triangles</source>
+        <translation>제출한
+삼각형</translation>
+    </message>
+    <message>
+        <source>Missed
+pixels</source>
+        <translation>놓친
+픽셀</translation>
+    </message>
+    <message>
+        <source>Missed per
+million</source>
+        <translation>백만분의
+놓침</translation>
+    </message>
+    <message>
+        <source>Worst
+view</source>
+        <translation>가장 나쁜
+시점</translation>
+    </message>
+    <message>
+        <source>The strategy, and its parameters where they are not at their defaults</source>
+        <translation>전략, 그리고 기본값이 아닌 매개변수</translation>
+    </message>
+    <message>
+        <source>Frame time of backface divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <translation>backface의 프레임 시간을 이 전략의 시간으로 나눈 값: 시점 평균과 95 % 구간</translation>
+    </message>
+    <message>
+        <source>Frame time of all divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <translation>all의 프레임 시간을 이 전략의 시간으로 나눈 값: 시점 평균과 95 % 구간</translation>
+    </message>
+    <message>
+        <source>Views divided by the time of all of them; a frame is cull + draw</source>
+        <translation>시점의 수를 그 시간의 합으로 나눈 값; 프레임은 컬링 + 그리기</translation>
+    </message>
+    <message>
+        <source>In the slowest and in the fastest view</source>
+        <translation>가장 느린 시점과 가장 빠른 시점에서</translation>
+    </message>
+    <message>
+        <source>Share of the frame's time that goes into deciding what to draw</source>
+        <translation>프레임 시간 중 무엇을 그릴지 정하는 데 드는 몫</translation>
+    </message>
+    <message>
+        <source>Share of the scene's triangles given to OpenGL, mean over the views</source>
+        <translation>장면의 삼각형 중 OpenGL에 넘긴 몫, 시점 평균</translation>
+    </message>
+    <message>
+        <source>Pixels of all views in which the truth has a surface and the strategy a farther one or none</source>
+        <translation>모든 시점에서 참값에는 면이 있으나 전략에는 더 먼 면이 있거나 없는 픽셀</translation>
+    </message>
+    <message>
+        <source>Missed pixels in a million pixels in which the truth has a surface</source>
+        <translation>참값에 면이 있는 픽셀 백만 개당 놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>The pose with the most missed pixels; double-click to fly there</source>
+        <translation>놓친 픽셀이 가장 많은 자세; 두 번 누르면 그곳으로 갑니다</translation>
+    </message>
+    <message>
+        <source>It lost pixels: the promise is broken.</source>
+        <translation>픽셀을 잃었습니다: 보장이 깨졌습니다.</translation>
+    </message>
+    <message>
+        <source>%1 of them beyond the raster's snapping to 1/256 pixel</source>
+        <translation>그중 %1개는 래스터가 1/256픽셀로 맞추는 것을 넘음</translation>
     </message>
 </context>
 <context>
@@ -1293,6 +2440,368 @@ OpenGL %2
         <source>What was found in the file</source>
         <translation>파일에서 발견한 것</translation>
     </message>
+    <message>
+        <source>Hide</source>
+        <translation>숨기기</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>표시</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>맞추기</translation>
+    </message>
+    <message>
+        <source>Brings the selected objects into the active view</source>
+        <translation>선택한 물체를 활성 뷰에 맞춥니다</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>이것만 표시</translation>
+    </message>
+    <message>
+        <source>Hides all other objects</source>
+        <translation>다른 물체를 모두 숨깁니다</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>모두 표시</translation>
+    </message>
+    <message>
+        <source>Split…</source>
+        <translation>나누기…</translation>
+    </message>
+    <message>
+        <source>Splits the object, so that there are objects to leave out</source>
+        <translation>물체를 나누어, 뺄 수 있는 물체가 생기게 합니다</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SceneView</name>
+    <message>
+        <source>Truth</source>
+        <translation>참값</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>letter of a view, strategy</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ScreenshotDialog</name>
+    <message>
+        <source>Screenshot</source>
+        <translation>화면 저장</translation>
+    </message>
+    <message>
+        <source>View %1 alone</source>
+        <translation>뷰 %1만</translation>
+    </message>
+    <message>
+        <source>All views, as they are arranged</source>
+        <translation>모든 뷰를 배치된 대로</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>창과 같이</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 화소</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>다른 크기</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>흰색</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>검은색</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>투명</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays: frustum, boxes, wipe and marks</source>
+        <translation>덧그림(&amp;O): 절두체, 상자, 경계선, 표시</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the colours, with counts</source>
+        <translation>개수가 있는 색 범례(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Caption</source>
+        <translation>설명(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>찾아보기(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>What is saved</source>
+        <translation>저장할 것</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>크기</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>너비(화소)</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>높이(화소)</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>배경</translation>
+    </message>
+    <message>
+        <source>Text of the caption</source>
+        <translation>설명 글</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>폴더</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>파일 이름</translation>
+    </message>
+    <message>
+        <source>{scene}, {strategy} and {n}, a number that no file has yet, are filled in; {n:03} has three digits. The ending chooses the format: .png, .jpg, .tif or .exr.</source>
+        <translation>{scene}, {strategy}, 그리고 아직 쓰이지 않은 번호 {n}이 채워집니다. {n:03}은 세 자리입니다. 확장자가 형식을 정합니다: .png, .jpg, .tif 또는 .exr.</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>대상(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>크기(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>배경(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>폴더(&amp;F)</translation>
+    </message>
+    <message>
+        <source>File &amp;name</source>
+        <translation>파일 이름(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>저장</translation>
+    </message>
+    <message>
+        <source>Saved as %1, %2 × %3 pixels.</source>
+        <translation>%1(으)로 저장됩니다, %2 × %3 화소.</translation>
+    </message>
+    <message>
+        <source>Depth and triangle numbers are kept for one view alone.</source>
+        <translation>깊이와 삼각형 번호는 뷰 하나일 때만 저장됩니다.</translation>
+    </message>
+    <message>
+        <source>This format keeps no transparency: the window's background takes its place.</source>
+        <translation>이 형식은 투명도를 저장하지 않습니다: 창의 배경이 대신합니다.</translation>
+    </message>
+    <message>
+        <source>Folder for screenshots</source>
+        <translation>화면 저장 폴더</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ScreenshotTaker</name>
+    <message>
+        <source>Saving the screenshot…</source>
+        <translation>화면을 저장하는 중…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SizeDialog</name>
+    <message>
+        <source>Picture size</source>
+        <translation>그림 크기</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>너비</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>높이</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SphereMap</name>
+    <message>
+        <source>Loss by direction of view</source>
+        <translation>보는 방향별 손실</translation>
+    </message>
+    <message>
+        <source>nothing missed</source>
+        <translation>놓친 것 없음</translation>
+    </message>
+    <message>
+        <source>%1 per million</source>
+        <translation>백만분의 %1</translation>
+    </message>
+    <message>
+        <source>a tenth</source>
+        <translation>십분의 일</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SplitDialog</name>
+    <message>
+        <source>Split the object</source>
+        <translation>물체 나누기</translation>
+    </message>
+    <message>
+        <source>Strategies that decide by objects have nothing to leave out in a scene of one object. What is drawn stays the same.</source>
+        <translation>물체 단위로 판정하는 전략은 물체가 하나인 장면에서 뺄 것이 없습니다. 그려지는 그림은 그대로입니다.</translation>
+    </message>
+    <message>
+        <source>Components: what hangs together becomes an object</source>
+        <translation>연결 요소: 이어진 것이 한 물체가 됩니다</translation>
+    </message>
+    <message>
+        <source>Clusters: compact pieces with at most this many triangles:</source>
+        <translation>클러스터: 삼각형이 최대 이만큼인 뭉친 조각</translation>
+    </message>
+    <message>
+        <source>Triangles a cluster</source>
+        <translation>클러스터당 삼각형</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>나누기</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StatisticsDock</name>
+    <message>
+        <source>Statistics</source>
+        <translation>통계</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StatisticsPanel</name>
+    <message>
+        <source>Open a scene: its figures appear here.</source>
+        <translation>장면을 여십시오: 그 수치가 여기에 나타납니다.</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Choose a camera path above and press Start.</source>
+        <translation>아직 측정한 것이 없습니다. 위에서 카메라 경로를 고르고 시작을 누르십시오.</translation>
+    </message>
+    <message>
+        <source>The views' figures appear here as soon as they are measured.</source>
+        <translation>보기들을 측정하는 대로 수치가 여기에 나타납니다.</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3 · %4 of %5 poses</source>
+        <extracomment>A camera path, the size of the picture, and how many of the path's poses were measured.</extracomment>
+        <translation>%1 · %2 × %3 · 자세 %5개 중 %4개</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>표</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>시간</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>자세</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>그래프</translation>
+    </message>
+    <message>
+        <source>Pareto</source>
+        <translation>파레토</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>구면</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>통계</translation>
+    </message>
+    <message>
+        <source>at the present camera</source>
+        <translation>지금 카메라에서</translation>
+    </message>
+    <message>
+        <source>of the experiment</source>
+        <translation>실험의 값</translation>
+    </message>
+    <message>
+        <source>Which figures are shown</source>
+        <translation>보이는 수치</translation>
+    </message>
+    <message>
+        <source>Strategy whose poses are shown</source>
+        <translation>자세를 보일 전략</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>결과</translation>
+    </message>
+    <message>
+        <source>software OpenGL</source>
+        <translation>소프트웨어 OpenGL</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>소프트웨어 OpenGL: 그래픽 카드의 시간이 아님</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
+    </message>
+    <message>
+        <source>Frames as CSV…</source>
+        <translation>프레임을 CSV로…</translation>
+    </message>
+    <message>
+        <source>Result as JSON…</source>
+        <translation>결과를 JSON으로…</translation>
+    </message>
+    <message>
+        <source>Plot as SVG…</source>
+        <translation>그래프를 SVG로…</translation>
+    </message>
+    <message>
+        <source>Plot as PDF…</source>
+        <translation>그래프를 PDF로…</translation>
+    </message>
+    <message>
+        <source>Report as HTML…</source>
+        <translation>보고서를 HTML로…</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::StrategyPanel</name>
@@ -1303,6 +2812,95 @@ OpenGL %2
     <message>
         <source>Strategy</source>
         <translation>전략</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::TimeBar</name>
+    <message>
+        <source>Time of a frame</source>
+        <translation>한 프레임의 시간</translation>
+    </message>
+    <message>
+        <source>%1 = %2 cull + %3 draw</source>
+        <extracomment>A frame's time: total = culling + drawing</extracomment>
+        <translation>%1 = 컬링 %2 + 그리기 %3</translation>
+    </message>
+    <message>
+        <source>cull</source>
+        <translation>컬링</translation>
+    </message>
+    <message>
+        <source>draw</source>
+        <translation>그리기</translation>
+    </message>
+    <message>
+        <source>grey: all and backface</source>
+        <translation>회색: all과 backface</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::UndoRecorder</name>
+    <message>
+        <source>Undo</source>
+        <translation>실행 취소</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>실행 취소: %1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>다시 실행: %1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>다시 실행</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::UndoStep</name>
+    <message>
+        <source>hidden objects</source>
+        <translation>숨긴 객체</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>camera of view %1</source>
+        <translation>뷰 %1의 카메라</translation>
+    </message>
+    <message>
+        <source>several changes</source>
+        <translation>여러 변경</translation>
+    </message>
+    <message>
+        <source>strategy of view %1</source>
+        <translation>뷰 %1의 전략</translation>
+    </message>
+    <message>
+        <source>parameters of view %1</source>
+        <translation>뷰 %1의 매개변수</translation>
+    </message>
+    <message>
+        <source>display of view %1</source>
+        <translation>뷰 %1의 표시</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ViewCommands</name>
+    <message>
+        <source>Copy the picture</source>
+        <translation>그림 복사</translation>
+    </message>
+    <message>
+        <source>Copy the picture without what lies over it</source>
+        <translation>덧그림 없이 그림 복사</translation>
+    </message>
+    <message>
+        <source>Copy the cullbench command</source>
+        <translation>cullbench 명령 복사</translation>
     </message>
 </context>
 <context>
@@ -1330,6 +2928,19 @@ OpenGL %2
         <comment>letter, strategy and promise, figures</comment>
         <translation>뷰 %1: %2, %3</translation>
     </message>
+    <message>
+        <source>watches %1 · </source>
+        <comment>letter of a view</comment>
+        <translation>%1 관찰 · </translation>
+    </message>
+    <message>
+        <source>frozen · </source>
+        <translation>고정 · </translation>
+    </message>
+    <message>
+        <source>What view %1 shows, and how</source>
+        <translation>뷰 %1이(가) 보이는 것과 방식</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewPane</name>
@@ -1352,6 +2963,67 @@ OpenGL %2
     <message>
         <source>Arrow keys turn, plus and minus zoom, Shift with arrow keys pans, W A S D Q E fly.</source>
         <translation>화살표 키로 돌리고, 더하기와 빼기로 확대·축소하고, Shift와 화살표 키로 옆으로 움직이고, W A S D Q E로 날아다닙니다.</translation>
+    </message>
+    <message>
+        <source>culling frozen (F)</source>
+        <translation>컬링 고정 (F)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 shown at %3 %</source>
+        <translation>%1 × %2, %3 %로 표시</translation>
+    </message>
+    <message>
+        <source>vertex arrays</source>
+        <translation>정점 배열</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) hidden</source>
+        <translation><numerusform>물체 %n개 숨김</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 pixels missed, %2 nearer than the truth</source>
+        <translation>화소 %1개 놓침, %2개는 참값보다 가까움</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ from view %2</source>
+        <translation>뷰 %2과(와) 다른 화소 %1개</translation>
+    </message>
+    <message numerus="yes">
+        <source>loss %1 of %2: %n pixel(s)</source>
+        <translation><numerusform>손실 %1 / %2: 화소 %n개</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::WhyPanel</name>
+    <message>
+        <source>Click on something in a picture to see why it was drawn or left out.</source>
+        <translation>그림에서 무언가를 클릭하면 왜 그려졌는지 또는 빠졌는지 볼 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The picked object is hidden by you. Show it again to see why the strategy draws it or leaves it out.</source>
+        <translation>선택한 물체는 직접 숨긴 것입니다. 다시 표시하면 전략이 왜 그리거나 빼는지 볼 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Why the picked triangle was drawn or left out</source>
+        <translation>선택한 삼각형이 그려졌거나 빠진 이유</translation>
+    </message>
+    <message>
+        <source>The strategy's decisions are being read…</source>
+        <translation>전략의 판정을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number of a step, its sentence</comment>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Whether it is visible is not known yet.</source>
+        <translation>보이는지는 아직 모릅니다.</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2</source>
+        <comment>name of an object</comment>
+        <translation>%1, 삼각형 %2</translation>
     </message>
 </context>
 <context>
@@ -1387,10 +3059,6 @@ OpenGL %2
     <message>
         <source>&amp;Open…</source>
         <translation>열기(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open a mesh file</source>
-        <translation>메시 파일 열기</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -1487,6 +3155,218 @@ OpenGL %2
     <message>
         <source>Version and licences</source>
         <translation>버전과 라이선스</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>편집(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>그림(&amp;P)</translation>
+    </message>
+    <message>
+        <source>P&amp;ath</source>
+        <translation>경로(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>최근 파일 열기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open a mesh file, a session, or a picture that Cullscope took</source>
+        <translation>메시 파일, 세션, 또는 Cullscope가 찍은 그림을 엽니다</translation>
+    </message>
+    <message>
+        <source>&amp;Save the session</source>
+        <translation>세션 저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save scene, views, strategies and cameras as a file</source>
+        <translation>장면, 뷰, 전략, 카메라를 파일로 저장합니다</translation>
+    </message>
+    <message>
+        <source>Save the session &amp;as…</source>
+        <translation>다른 이름으로 세션 저장(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the session under another name</source>
+        <translation>세션을 다른 이름으로 저장합니다</translation>
+    </message>
+    <message>
+        <source>S&amp;creenshot…</source>
+        <translation>화면 저장(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Save a picture of the views: size, format, legend, background</source>
+        <translation>뷰의 그림을 저장합니다: 크기, 형식, 범례, 배경</translation>
+    </message>
+    <message>
+        <source>Screenshot a&amp;gain</source>
+        <translation>화면 다시 저장(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Save a picture as the last time</source>
+        <translation>지난번과 같이 그림을 저장합니다</translation>
+    </message>
+    <message>
+        <source>Screenshot &amp;without overlays</source>
+        <translation>덧그림 없이 화면 저장(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save a picture of what was drawn and nothing over it</source>
+        <translation>그려진 것만 그림으로 저장합니다</translation>
+    </message>
+    <message>
+        <source>Camera &amp;bookmarks</source>
+        <translation>카메라 책갈피(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>패널(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;4 views</source>
+        <translation>뷰 4개(&amp;4)</translation>
+    </message>
+    <message>
+        <source>Compare four views</source>
+        <translation>뷰 네 개를 비교합니다</translation>
+    </message>
+    <message>
+        <source>&amp;8 views</source>
+        <translation>뷰 8개(&amp;8)</translation>
+    </message>
+    <message>
+        <source>Compare eight views</source>
+        <translation>뷰 여덟 개를 비교합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>강의(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show the active view full screen, large enough for the back row</source>
+        <translation>활성 뷰를 뒷줄에서도 보이게 전체 화면으로 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>배치 초기화(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Put all panels back to their places</source>
+        <translation>모든 패널을 제자리로 되돌립니다</translation>
+    </message>
+    <message>
+        <source>&amp;Freeze culling</source>
+        <translation>컬링 고정(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The culling camera stands while you fly on in the active view</source>
+        <translation>활성 뷰에서 비행하는 동안 컬링 카메라는 멈춰 있습니다</translation>
+    </message>
+    <message>
+        <source>Colours by &amp;verdict</source>
+        <translation>판정별 색(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colour the active view by what became of each triangle</source>
+        <translation>각 삼각형이 어떻게 되었는지에 따라 활성 뷰를 칠합니다</translation>
+    </message>
+    <message>
+        <source>F&amp;rustum</source>
+        <translation>절두체(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the culling camera's frustum in the active view</source>
+        <translation>활성 뷰에 컬링 카메라의 절두체를 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Boxes</source>
+        <translation>상자(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the boxes that the strategy tested in the active view</source>
+        <translation>전략이 검사한 상자를 활성 뷰에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Wipe: &amp;truth | strategy</source>
+        <translation>나란히: 참값 | 전략(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Put the truth beside the strategy's picture; drag the line</source>
+        <translation>전략의 그림 옆에 참값을 놓습니다. 선을 끌어 보십시오</translation>
+    </message>
+    <message>
+        <source>&amp;Missed pixels</source>
+        <translation>놓친 화소(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Mark the pixels that the strategy missed or added</source>
+        <translation>전략이 놓치거나 더한 화소를 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Next loss</source>
+        <translation>다음 손실(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Go to the next lost pixels, largest hole first</source>
+        <translation>가장 큰 구멍부터 다음 손실 화소로 갑니다</translation>
+    </message>
+    <message>
+        <source>&amp;Loupe</source>
+        <translation>돋보기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Enlarge what is under the pointer</source>
+        <translation>포인터 아래를 확대합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>기록(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Record the camera's moves as a path</source>
+        <translation>카메라의 움직임을 경로로 기록합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Add this pose</source>
+        <translation>이 자세 추가(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Add the present camera to the path</source>
+        <translation>현재 카메라를 경로에 추가합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Save the path…</source>
+        <translation>경로 저장(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save the recorded path as a file</source>
+        <translation>기록한 경로를 파일로 저장합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Open a path…</source>
+        <translation>경로 열기(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a camera path to play it</source>
+        <translation>재생할 카메라 경로를 엽니다</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>재생(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Play the path, a picture of every view at every pose</source>
+        <translation>자세마다 모든 뷰의 그림을 그리며 경로를 재생합니다</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>정지(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Stop recording and playing</source>
+        <translation>기록과 재생을 멈춥니다</translation>
     </message>
 </context>
 </TS>

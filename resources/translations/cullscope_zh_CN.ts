@@ -2,6 +2,252 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="zh_CN" sourcelanguage="en">
 <context>
+    <name>HtmlReport</name>
+    <message>
+        <source>until the median is steady</source>
+        <translation>直到中位数稳定</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Objects</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>相机路径</translation>
+    </message>
+    <message>
+        <source>Poses measured</source>
+        <translation>已测姿态</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2 个中的 %1 个</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图像</translation>
+    </message>
+    <message>
+        <source>Pictures a frame</source>
+        <translation>每帧图像数</translation>
+    </message>
+    <message>
+        <source>Repetitions</source>
+        <translation>重复次数</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>处理器</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>软件 OpenGL：不是显卡的时间</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>程序</translation>
+    </message>
+    <message>
+        <source>Promise</source>
+        <translation>承诺</translation>
+    </message>
+    <message>
+        <source>: broken</source>
+        <translation>：未兑现</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Pose</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>Frame, ms</source>
+        <translation>帧，ms</translation>
+    </message>
+    <message>
+        <source>Cull, ms</source>
+        <translation>剔除，ms</translation>
+    </message>
+    <message>
+        <source>Submitted</source>
+        <translation>提交</translation>
+    </message>
+    <message>
+        <source>Missed pixels</source>
+        <translation>遗漏像素</translation>
+    </message>
+    <message>
+        <source>Covered pixels</source>
+        <translation>覆盖像素</translation>
+    </message>
+    <message>
+        <source>Cullscope: what culling gains and loses in %1</source>
+        <translation>Cullscope：剔除在 %1 中的得与失</translation>
+    </message>
+    <message>
+        <source>stopped early: the poses measured until then</source>
+        <translation>提前停止：截至当时测得的姿态</translation>
+    </message>
+    <message>
+        <source>The command that repeats it</source>
+        <translation>可重现此结果的命令</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>Every frame</source>
+        <translation>所有帧</translation>
+    </message>
+</context>
+<context>
+    <name>Screenshot</name>
+    <message>
+        <source>%1: %2</source>
+        <comment>what a colour means, how many</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>farther away than beside it, or missing (pixels)</source>
+        <translation>比旁边更远或缺失（像素）</translation>
+    </message>
+    <message>
+        <source>nearer than beside it (pixels)</source>
+        <translation>比旁边更近（像素）</translation>
+    </message>
+    <message>
+        <source>figures at %1 × %2 pixels</source>
+        <translation>%1 × %2 像素下的数值</translation>
+    </message>
+    <message>
+        <source>software OpenGL</source>
+        <translation>软件 OpenGL</translation>
+    </message>
+</context>
+<context>
+    <name>ViewMenu</name>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Linked with the other views</source>
+        <translation>与其他视图联动</translation>
+    </message>
+    <message>
+        <source>Freeze culling, fly on</source>
+        <translation>冻结剔除，继续飞行</translation>
+    </message>
+    <message>
+        <source>Watch view %1 from outside</source>
+        <translation>从外部观察视图 %1</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Colours by verdict</source>
+        <translation>按判定着色</translation>
+    </message>
+    <message>
+        <source>With verdicts, what was left out too</source>
+        <translation>按判定着色时也显示被剔除的部分</translation>
+    </message>
+    <message>
+        <source>The culling camera's frustum</source>
+        <translation>剔除相机的视锥体</translation>
+    </message>
+    <message>
+        <source>The boxes that were tested</source>
+        <translation>被测试的包围盒</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>比较</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>无</translation>
+    </message>
+    <message>
+        <source>Wipe: truth | strategy</source>
+        <translation>对比：真值 | 策略</translation>
+    </message>
+    <message>
+        <source>Missed and added pixels</source>
+        <translation>丢失和多出的像素</translation>
+    </message>
+    <message>
+        <source>Wipe: view %1 | this one</source>
+        <translation>对比：视图 %1 | 本视图</translation>
+    </message>
+    <message>
+        <source>Pixels that differ from view %1</source>
+        <translation>与视图 %1 不同的像素</translation>
+    </message>
+    <message>
+        <source>Picture size</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source>Fits the window</source>
+        <translation>适应窗口</translation>
+    </message>
+    <message>
+        <source>Other…</source>
+        <translation>其他…</translation>
+    </message>
+    <message>
+        <source>Other (%1)…</source>
+        <translation>其他（%1）…</translation>
+    </message>
+    <message>
+        <source>The same in all views</source>
+        <translation>所有视图相同</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>顶点</translation>
+    </message>
+    <message>
+        <source>Buffer objects</source>
+        <translation>缓冲区对象</translation>
+    </message>
+    <message>
+        <source>Vertex arrays of the program's memory</source>
+        <translation>程序内存中的顶点数组</translation>
+    </message>
+    <message>
+        <source>Vertex arrays: this OpenGL has no compatibility profile</source>
+        <translation>顶点数组：此 OpenGL 没有兼容性配置文件</translation>
+    </message>
+    <message>
+        <source>In this place</source>
+        <translation>在此处</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>图像</translation>
+    </message>
+</context>
+<context>
     <name>Wording</name>
     <message>
         <source>exact set</source>
@@ -49,7 +295,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 丢失 %3</translation>
     </message>
     <message>
@@ -77,7 +323,7 @@
         <translation>OpenGL：%1</translation>
     </message>
     <message>
-        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
+        <source>Of the missed, beyond the raster's snapping to 1/256 pixel: %1</source>
         <translation>丢失像素中无法用光栅 1/256 像素对齐解释的：%1</translation>
     </message>
 </context>
@@ -144,11 +390,11 @@
         <translation>这里没有 OpenGL 上下文：请安装支持 OpenGL 4.5 的显卡驱动或 Mesa。</translation>
     </message>
     <message>
-        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa&apos;s software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa's software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>需要 OpenGL 4.5，而本机为 %1（%2）：请更新显卡驱动，或设置 LIBGL_ALWAYS_SOFTWARE=1 使用 Mesa 的软件 OpenGL。</translation>
     </message>
     <message>
-        <source>No OpenGL 4.5 context without a display: EGL&apos;s surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU&apos;s driver.</source>
+        <source>No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU's driver.</source>
         <translation>无法在没有显示器的情况下创建 OpenGL 4.5 上下文：已尝试 EGL 的 surfaceless 和 device 平台。请安装 libegl1 以及 Mesa（libgl1-mesa-dri）或 GPU 驱动。</translation>
     </message>
     <message>
@@ -160,7 +406,7 @@
         <translation>显卡驱动拒绝了着色器：%1</translation>
     </message>
     <message>
-        <source>Client vertex arrays need OpenGL&apos;s compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
+        <source>Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
         <translation>客户端顶点数组需要 OpenGL 兼容配置，而此驱动不提供：请使用缓冲对象（vbo）。</translation>
     </message>
     <message>
@@ -232,12 +478,12 @@
         <translation>%1 第 %2 行超过 %3 MB。请确认该文件是文本格式的网格。</translation>
     </message>
     <message>
-        <source>%1 is compressed with xz. Unpack it first: xz -dk &quot;%1&quot;.</source>
-        <translation>%1 经 xz 压缩。请先解压：xz -dk &quot;%1&quot;。</translation>
+        <source>%1 is compressed with xz. Unpack it first: xz -dk "%1".</source>
+        <translation>%1 经 xz 压缩。请先解压：xz -dk "%1"。</translation>
     </message>
     <message>
-        <source>%1 is compressed with gzip. Unpack it first: gzip -dk &quot;%1&quot;.</source>
-        <translation>%1 经 gzip 压缩。请先解压：gzip -dk &quot;%1&quot;。</translation>
+        <source>%1 is compressed with gzip. Unpack it first: gzip -dk "%1".</source>
+        <translation>%1 经 gzip 压缩。请先解压：gzip -dk "%1"。</translation>
     </message>
     <message>
         <source>%1 is an archive or compressed. Unpack it first.</source>
@@ -296,7 +542,7 @@
         <translation>%1 中有一个物体的顶点超过 2,147,483,647 个。请拆分该物体。</translation>
     </message>
     <message>
-        <source>%1: the object &quot;%2&quot; is smaller than 1e-30. Scale it up.</source>
+        <source>%1: the object "%2" is smaller than 1e-30. Scale it up.</source>
         <translation>%1：物体“%2”小于 1e-30。请将其放大。</translation>
     </message>
     <message>
@@ -328,11 +574,11 @@
         <translation>%1 第 %2 行：顶点或法线的 3 个坐标只有 %3 个。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a number. Correct the line or export the file again.</source>
+        <source>%1, line %2: "%3" is not a number. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是数字。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a corner of a face. Correct the line or export the file again.</source>
+        <source>%1, line %2: "%3" is not a corner of a face. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是面的顶点。请改正该行或重新导出文件。</translation>
     </message>
     <message>
@@ -340,15 +586,15 @@
         <translation>%1 第 %2 行：PLY 文件头没有 end_header。请重新获取或导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; cannot be understood in a PLY header. Correct the line or export the file again.</source>
+        <source>%1, line %2: "%3" cannot be understood in a PLY header. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：无法理解 PLY 文件头中的“%3”。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of &quot;%4&quot;, but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
+        <source>%1, line %2 promises %3 of "%4", but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
         <translation>%1 第 %2 行声明有 %3 个“%4”，但文件头之后只有 %5 字节。文件被截断或改动：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of &quot;%4&quot;, which have no properties. Export the file again.</source>
+        <source>%1, line %2 promises %3 of "%4", which have no properties. Export the file again.</source>
         <translation>%1 第 %2 行声明有 %3 个“%4”，但它们没有属性。请重新导出文件。</translation>
     </message>
     <message>
@@ -392,11 +638,11 @@
         <translation>%1 第 %2 行：顶点没有 x、y 和 z。请重新导出文件。</translation>
     </message>
     <message>
-        <source>%1 ends at byte %2, within number %3 of the %4 of &quot;%5&quot; that it promises. The file was cut off: fetch it again.</source>
+        <source>%1 ends at byte %2, within number %3 of the %4 of "%5" that it promises. The file was cut off: fetch it again.</source>
         <translation>%1 在第 %2 字节处结束，位于所声明的 %4 个“%5”中的第 %3 个之内。文件被截断：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, byte %2: number %3 of &quot;%4&quot; promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
+        <source>%1, byte %2: number %3 of "%4" promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
         <translation>%1 第 %2 字节：第 %3 个“%4”声明了长度为 %5 的列表，但只剩 %6 字节。文件被截断或改动：请重新获取。</translation>
     </message>
     <message>
@@ -420,7 +666,7 @@
         <translation>%1 第 80 字节声明有 %2 个三角形，但文件只容得下 %3 个。该文件不是 STL 或被截断：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; cannot stand here in an STL file. Correct the line or export the file again.</source>
+        <source>%1, line %2: "%3" cannot stand here in an STL file. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不应出现在 STL 文件的此处。请改正该行或重新导出文件。</translation>
     </message>
     <message>
@@ -428,7 +674,7 @@
         <translation>正在简化网格</translation>
     </message>
     <message>
-        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine&apos;s. Ask for fewer triangles.</source>
+        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine's. Ask for fewer triangles.</source>
         <translation>将网格改为这么多三角形约需 %1 MB 内存，超过本机内存的四分之三。请减少三角形数。</translation>
     </message>
     <message>
@@ -440,11 +686,11 @@
         <translation>网格的三角形数不能为 %1。请至少指定一个三角形。</translation>
     </message>
     <message>
-        <source>The mesh &quot;%1&quot; has no surface that could be simplified or subdivided.</source>
+        <source>The mesh "%1" has no surface that could be simplified or subdivided.</source>
         <translation>网格“%1”没有可简化或细分的表面。</translation>
     </message>
     <message>
-        <source>The mesh &quot;%1&quot; cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
+        <source>The mesh "%1" cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
         <translation>网格“%1”无法改为 %2 个三角形：其各部分最少只能减到 %3 个。请至少指定这么多。</translation>
     </message>
     <message>
@@ -464,19 +710,19 @@
         <translation>%1 在第 %2 行之后结束，内容不完整。文件被截断：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, line %2: &quot;%3&quot; is not a number that can stand here. Correct the line or export the file again.</source>
+        <source>%1, line %2: "%3" is not a number that can stand here. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是此处允许的数字。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>The camera&apos;s eye, target and up must be finite numbers.</source>
+        <source>The camera's eye, target and up must be finite numbers.</source>
         <translation>相机的视点、目标和上方向必须是有限数。</translation>
     </message>
     <message>
-        <source>The camera&apos;s eye and target are the same point: move one of them.</source>
+        <source>The camera's eye and target are the same point: move one of them.</source>
         <translation>相机的视点和目标是同一点：请移动其中一个。</translation>
     </message>
     <message>
-        <source>The camera&apos;s up vector is zero: give it a direction.</source>
+        <source>The camera's up vector is zero: give it a direction.</source>
         <translation>相机的上方向向量为零：请给它一个方向。</translation>
     </message>
     <message>
@@ -496,15 +742,15 @@
         <translation>路径 %1 的冒号后需要 1 到 1000000 之间的位姿数。</translation>
     </message>
     <message>
-        <source>%1: pose %2: &quot;%3&quot; must be three numbers.</source>
+        <source>%1: pose %2: "%3" must be three numbers.</source>
         <translation>%1：位姿 %2：“%3”必须是三个数。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; must be a number.</source>
+        <source>%1: "%2" must be a number.</source>
         <translation>%1：“%2”必须是数字。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
+        <source>"%1" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
         <translation>“%1”既不是相机路径文件，也不是内置路径。内置路径：orbit:N、fibonacci:N、walk:N、case-1、case-2、case-3。</translation>
     </message>
     <message>
@@ -516,7 +762,7 @@
         <translation>%1 不是 JSON：在第 %2 字节处中断。相机路径包含字段 fovy_deg、near、far 和 poses。</translation>
     </message>
     <message>
-        <source>%1: a camera path needs a list &quot;poses&quot; with at least one pose.</source>
+        <source>%1: a camera path needs a list "poses" with at least one pose.</source>
         <translation>%1：相机路径需要至少含一个位姿的列表“poses”。</translation>
     </message>
     <message>
@@ -524,7 +770,7 @@
         <translation>%1：位姿 %2：%3</translation>
     </message>
     <message>
-        <source>N poses on a circle at three times the scene&apos;s radius, 15 degrees above it</source>
+        <source>N poses on a circle at three times the scene's radius, 15 degrees above it</source>
         <translation>位于场景半径三倍处、高出 15 度的圆上的 N 个位姿</translation>
     </message>
     <message>
@@ -544,7 +790,7 @@
         <translation>球面图中一个团块的近景</translation>
     </message>
     <message>
-        <source>a close view of a clump that the map&apos;s seam splits</source>
+        <source>a close view of a clump that the map's seam splits</source>
         <translation>被图的接缝分开的团块的近景</translation>
     </message>
     <message>
@@ -552,11 +798,11 @@
         <translation>%1：%2=%3 不是 %4 到 %5 之间的数。</translation>
     </message>
     <message>
-        <source>%1 has no parameter &quot;%2&quot;. It has: %3.</source>
+        <source>%1 has no parameter "%2". It has: %3.</source>
         <translation>%1 没有参数“%2”。可用参数：%3。</translation>
     </message>
     <message>
-        <source>%1: &quot;%2&quot; is not of the form key=value.</source>
+        <source>%1: "%2" is not of the form key=value.</source>
         <translation>%1：“%2”不是 key=value 的形式。</translation>
     </message>
     <message>
@@ -568,7 +814,7 @@
         <translation>mesh: 未指定文件。请写成 mesh:FILE,triangles=N。</translation>
     </message>
     <message>
-        <source>how many triangles, to the nearest that the shape&apos;s grid allows</source>
+        <source>how many triangles, to the nearest that the shape's grid allows</source>
         <translation>三角形数（取形状网格允许的最接近值）</translation>
     </message>
     <message>
@@ -576,7 +822,7 @@
         <translation>斯坦福兔子，来自已安装的模型文件</translation>
     </message>
     <message>
-        <source>Newell&apos;s teapot, tessellated from its 32 Bézier patches</source>
+        <source>Newell's teapot, tessellated from its 32 Bézier patches</source>
         <translation>纽厄尔茶壶，由 32 个贝塞尔面片细分而成</translation>
     </message>
     <message>
@@ -604,10 +850,6 @@
         <translation>由 n × n 个半径为 1 的网格副本排成的阵列</translation>
     </message>
     <message>
-        <source>mesh file, or bunny</source>
-        <translation>网格文件，或 bunny</translation>
-    </message>
-    <message>
         <source>copies along each side</source>
         <translation>每边的副本数</translation>
     </message>
@@ -628,7 +870,7 @@
         <translation>未指定场景。请给出网格文件或生成器，例如 bunny 或 sphere:triangles=1e5。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a file nor a generator. Generators: %2.</source>
+        <source>"%1" is neither a file nor a generator. Generators: %2.</source>
         <translation>“%1”既不是文件也不是生成器。生成器：%2。</translation>
     </message>
     <message>
@@ -700,11 +942,11 @@
         <translation>%1=%2：%1 是 %3 到 %4 之间的数。</translation>
     </message>
     <message>
-        <source>There is no parameter &quot;%1&quot; here. Known: %2.</source>
+        <source>There is no parameter "%1" here. Known: %2.</source>
         <translation>这里没有参数“%1”。已知：%2。</translation>
     </message>
     <message>
-        <source>There is no strategy &quot;%1&quot;. Known: %2.</source>
+        <source>There is no strategy "%1". Known: %2.</source>
         <translation>没有策略“%1”。已知：%2。</translation>
     </message>
     <message>
@@ -722,10 +964,6 @@
     <message>
         <source>too small</source>
         <translation>过小</translation>
-    </message>
-    <message>
-        <source>There is not enough memory to draw this view. Make the window or the scene smaller.</source>
-        <translation>内存不足，无法绘制此视图。请缩小窗口或使用更小的场景。</translation>
     </message>
     <message>
         <source>This view cannot be drawn: %1</source>
@@ -807,6 +1045,306 @@
         <source>plane tests</source>
         <translation>平面测试</translation>
     </message>
+    <message>
+        <source>No camera path was recorded yet: record one, or add the present camera to it.</source>
+        <translation>还没有录制相机路径：请录制一条，或把当前相机加入其中。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this experiment. Choose a smaller scene.</source>
+        <translation>内存不足，无法进行此实验。请选择较小的场景。</translation>
+    </message>
+    <message>
+        <source>The experiment cannot be run: %1</source>
+        <translation>无法运行实验：%1</translation>
+    </message>
+    <message>
+        <source>%1: "%2": %3</source>
+        <translation>%1：“%2”：%3</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be one of these words: %3.</source>
+        <translation>%1：“%2”必须是以下词之一：%3。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a group of fields in braces.</source>
+        <translation>%1：“%2”必须是花括号中的一组字段。</translation>
+    </message>
+    <message>
+        <source>%1: the field "%2" is missing.</source>
+        <translation>%1：缺少字段“%2”。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a list of 1 to %3 entries.</source>
+        <translation>%1：“%2”必须是含 1 到 %3 项的列表。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a number between %3 and %4.</source>
+        <translation>%1：“%2”必须是 %3 到 %4 之间的数。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a whole number between %3 and %4.</source>
+        <translation>%1：“%2”必须是 %3 到 %4 之间的整数。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be true or false.</source>
+        <translation>%1：“%2”必须是 true 或 false。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be a text in quotes.</source>
+        <translation>%1：“%2”必须是引号中的文字。</translation>
+    </message>
+    <message>
+        <source>%1: "%2" must be three numbers.</source>
+        <translation>%1：“%2”必须是三个数。</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw this view. Make the picture or the scene smaller.</source>
+        <translation>内存不足，无法绘制此视图。请缩小图像或场景。</translation>
+    </message>
+    <message>
+        <source>There is no memory for a picture of %1x%2 pixels: choose a smaller size.</source>
+        <translation>没有内存用于 %1x%2 像素的图像：请选择更小的尺寸。</translation>
+    </message>
+    <message>
+        <source>%1 is not there any more; it was taken off the list of recent files.</source>
+        <translation>%1 已不存在，已从最近文件列表中移除。</translation>
+    </message>
+    <message>
+        <source>There is no memory for this picture: choose a smaller size.</source>
+        <translation>没有内存用于此图像：请选择更小的尺寸。</translation>
+    </message>
+    <message>
+        <source>A picture of %1x%2 pixels is too large: at most 16384 pixels a side can be saved.</source>
+        <translation>%1x%2 像素的图像太大：每边最多可保存 16384 像素。</translation>
+    </message>
+    <message>
+        <source>In %1x%2 pixels there is no room for the pictures beside legend and caption: choose a larger size or leave those out.</source>
+        <translation>%1x%2 像素中除图例和说明外没有图像的位置：请选择更大的尺寸或去掉它们。</translation>
+    </message>
+    <message>
+        <source>There is no picture to save yet: open a scene and wait until it is drawn.</source>
+        <translation>还没有可保存的图像：请打开场景并等待绘制完成。</translation>
+    </message>
+    <message>
+        <source>There is no folder %1: choose another one.</source>
+        <translation>没有文件夹 %1：请选择另一个。</translation>
+    </message>
+    <message>
+        <source>Nothing can be written into the folder %1: choose another one.</source>
+        <translation>无法写入文件夹 %1：请选择另一个。</translation>
+    </message>
+    <message>
+        <source>The file has no name: give it one, such as {scene}-{n}.png.</source>
+        <translation>文件没有名称：请命名，例如 {scene}-{n}.png。</translation>
+    </message>
+    <message>
+        <source>%1 is no session that can be read: it is not JSON from byte %2 on.</source>
+        <translation>%1 不是可读取的会话：从第 %2 字节起不是 JSON。</translation>
+    </message>
+    <message>
+        <source>%1 is no session that can be read: a number in it is too large.</source>
+        <translation>%1 不是可读取的会话：其中有一个数过大。</translation>
+    </message>
+    <message>
+        <source>%1 was saved by a newer Cullscope: install that one to open it.</source>
+        <translation>%1 由更新版本的 Cullscope 保存：请安装该版本后再打开。</translation>
+    </message>
+    <message>
+        <source>name a mesh file or a generator such as bunny.</source>
+        <translation>请指定网格文件或 bunny 之类的生成器。</translation>
+    </message>
+    <message>
+        <source>a view can watch only another one that is no observer itself.</source>
+        <translation>视图只能观察另一个本身不是观察者的视图。</translation>
+    </message>
+    <message>
+        <source>there are 1, 2, 4 or 8 views.</source>
+        <translation>视图数为 1、2、4 或 8。</translation>
+    </message>
+    <message>
+        <source>the near distance must be above 0.</source>
+        <translation>近平面距离必须大于 0。</translation>
+    </message>
+    <message>
+        <source>There is no scene to save yet: open one first.</source>
+        <translation>还没有可保存的场景：请先打开一个。</translation>
+    </message>
+    <message>
+        <source>The name of the scene's file is no UTF-8, which a session needs: rename the file.</source>
+        <translation>场景文件的名称不是会话所需的 UTF-8：请重命名该文件。</translation>
+    </message>
+    <message>
+        <source>%1 is no session that Cullscope saved. Open a mesh, a session, or a picture of Cullscope.</source>
+        <translation>%1 不是 Cullscope 保存的会话。请打开网格、会话或 Cullscope 的图片。</translation>
+    </message>
+    <message>
+        <source>%1 does not say what it shows: only pictures that Cullscope saved can be opened.</source>
+        <translation>%1 没有说明其显示的内容：只能打开由 Cullscope 保存的图片。</translation>
+    </message>
+    <message>
+        <source>The scene has %1 objects now, no longer %2: all of them are shown.</source>
+        <translation>场景现在有 %1 个对象，不再是 %2 个：全部显示。</translation>
+    </message>
+    <message>
+        <source>Saved %1.</source>
+        <translation>已保存 %1。</translation>
+    </message>
+    <message>
+        <source>File names have no placeholder {%1}. There are {scene}, {strategy}, {n} and {n:04}.</source>
+        <translation>文件名没有占位符 {%1}。可用的有 {scene}、{strategy}、{n} 和 {n:04}。</translation>
+    </message>
+    <message>
+        <source>%1 exists already: put {n} into the file name, and every picture gets a number of its own.</source>
+        <translation>%1 已存在：在文件名中加入 {n}，每张图像就会有自己的编号。</translation>
+    </message>
+    <message>
+        <source>Colours by verdict need %1 bytes in one buffer and this OpenGL gives %2: show the scene shaded, or a part of it.</source>
+        <translation>按判定着色需要单个缓冲区 %1 字节，而此 OpenGL 只提供 %2 字节：请以着色方式显示场景，或只显示一部分。</translation>
+    </message>
+    <message>
+        <source>%1: what the picture shows takes %2 bytes to describe, and this format holds %3. Write a .png or .exr file.</source>
+        <translation>%1：描述图像内容需要 %2 字节，而此格式只能容纳 %3 字节。请写成 .png 或 .exr 文件。</translation>
+    </message>
+    <message>
+        <source>%1 is %2x%3 pixels large or no flat picture: pictures of 1 to 16384 pixels a side are read.</source>
+        <translation>%1 大小为 %2x%3 像素，或不是平面图像：只读取每边 1 到 16384 像素的图像。</translation>
+    </message>
+    <message>
+        <source>drawn and visible</source>
+        <translation>绘制且可见</translation>
+    </message>
+    <message>
+        <source>drawn in vain</source>
+        <translation>白白绘制</translation>
+    </message>
+    <message>
+        <source>wrongly culled</source>
+        <translation>误剔除</translation>
+    </message>
+    <message>
+        <source>The mesh "%1" would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
+        <translation>网格“%1”会分成 %2 块，而对象最多 %3 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
+    </message>
+    <message>
+        <source>Splitting the mesh</source>
+        <translation>正在拆分网格</translation>
+    </message>
+    <message>
+        <source>"%1" in "%2" is neither an object's number nor a range. Hidden objects are written as in 3,7-9.</source>
+        <translation>“%2”中的“%1”既不是对象编号也不是范围。要隐藏的对象写成 3,7-9 的样子。</translation>
+    </message>
+    <message>
+        <source>There is no object %1 to hide: the scene has %2 objects, counted from 0.</source>
+        <translation>没有可隐藏的对象 %1：场景有 %2 个对象，从 0 数起。</translation>
+    </message>
+    <message>
+        <source>"%1" has %2 triangles, too many to be one mesh.</source>
+        <translation>“%1”有 %2 个三角形，太多，不能成为一个网格。</translation>
+    </message>
+    <message>
+        <source>split: by=%1 is unknown. Write by=components or by=clusters.</source>
+        <translation>split：by=%1 未知。请写 by=components 或 by=clusters。</translation>
+    </message>
+    <message>
+        <source>split: triangles is the size of clusters. Write by=clusters with it, or leave it out.</source>
+        <translation>split：triangles 是簇的大小。请与 by=clusters 一起写，或去掉它。</translation>
+    </message>
+    <message>
+        <source>mesh file, or a generator with its own parameters</source>
+        <translation>网格文件，或带有自己参数的生成器</translation>
+    </message>
+    <message>
+        <source>a mesh with every object split, so that there are objects to leave out; draws the same picture</source>
+        <translation>把每个对象拆开的网格，使得有对象可以剔除；画面不变</translation>
+    </message>
+    <message>
+        <source>components: what hangs together becomes an object; clusters: compact pieces of like size do</source>
+        <translation>components：相连的部分各成一个对象；clusters：大小相近的紧凑块各成一个对象</translation>
+    </message>
+    <message>
+        <source>how many triangles a cluster has at most (with by=clusters)</source>
+        <translation>一个簇最多有多少三角形（用 by=clusters 时）</translation>
+    </message>
+    <message>
+        <source>%1: %2 is given twice.</source>
+        <translation>%1：%2 给了两次。</translation>
+    </message>
+    <message>
+        <source>The scene would fall into %1 objects; at most %2 are possible. Split it by=clusters with more triangles each.</source>
+        <translation>场景会分成 %1 个对象，而最多 %2 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
+    </message>
+    <message>
+        <source>left plane</source>
+        <translation>左平面</translation>
+    </message>
+    <message>
+        <source>right plane</source>
+        <translation>右平面</translation>
+    </message>
+    <message>
+        <source>bottom plane</source>
+        <translation>下平面</translation>
+    </message>
+    <message>
+        <source>top plane</source>
+        <translation>上平面</translation>
+    </message>
+    <message>
+        <source>near plane</source>
+        <translation>近平面</translation>
+    </message>
+    <message>
+        <source>far plane</source>
+        <translation>远平面</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3.</source>
+        <translation>针对%1的测试：包围体的最近点也在外侧 %2 处，超过界限 %3。</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
+        <translation>针对%1的测试：整个包围体都在内侧，最深的点在内侧 %2 处。</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.</source>
+        <translation>针对%1的测试：包围体在外侧 %2 处，但未超过界限 %3，视为内侧。</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds reach %2 to the inside.</source>
+        <translation>针对%1的测试：包围体伸入内侧 %2。</translation>
+    </message>
+    <message>
+        <source>The strategy leaves the object out: %1.</source>
+        <translation>策略略去该对象：%1。</translation>
+    </message>
+    <message>
+        <source>The strategy keeps the object.</source>
+        <translation>策略保留该对象。</translation>
+    </message>
+    <message>
+        <source>The object "%1" is tested as one box with %2 triangles.</source>
+        <translation>对象“%1”作为一个包含 %2 个三角形的包围盒进行测试。</translation>
+    </message>
+    <message>
+        <source>OpenGL draws the triangle: both sides count.</source>
+        <translation>OpenGL 绘制该三角形：双面都算。</translation>
+    </message>
+    <message>
+        <source>OpenGL drops the triangle: it is back-facing.</source>
+        <translation>OpenGL 丢弃该三角形：它是背面。</translation>
+    </message>
+    <message>
+        <source>OpenGL draws the triangle: its front is turned to the eye.</source>
+        <translation>OpenGL 绘制该三角形：其正面朝向眼睛。</translation>
+    </message>
+    <message>
+        <source>The triangle is given to OpenGL.</source>
+        <translation>该三角形被提交给 OpenGL。</translation>
+    </message>
+    <message>
+        <source>The triangle is not given to OpenGL.</source>
+        <translation>该三角形未被提交给 OpenGL。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -828,7 +1366,7 @@ OpenGL %2
 %3</translation>
     </message>
     <message>
-        <source>Cullscope&apos;s own sources are under the MIT licence.</source>
+        <source>Cullscope's own sources are under the MIT licence.</source>
         <translation>Cullscope 自身的源代码采用 MIT 许可证。</translation>
     </message>
     <message>
@@ -838,6 +1376,61 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>此外还使用 OpenMesh、libepoxy、GLM、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BudgetBar</name>
+    <message>
+        <source>Where the triangles went</source>
+        <translation>三角形的去向</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, %3 %</source>
+        <extracomment>A state of triangles, how many, and their share of all.</extracomment>
+        <translation>%1:%2 个三角形,%3 %</translation>
+    </message>
+    <message>
+        <source>Not known yet.</source>
+        <translation>尚未知。</translation>
+    </message>
+    <message>
+        <source>The view changed since: being counted anew.</source>
+        <translation>视图已变化:正在重新统计。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::DocumentCommands</name>
+    <message>
+        <source>Meshes (%1)</source>
+        <translation>网格（%1）</translation>
+    </message>
+    <message>
+        <source>Sessions</source>
+        <translation>会话</translation>
+    </message>
+    <message>
+        <source>Pictures that Cullscope took</source>
+        <translation>Cullscope 截取的图像</translation>
+    </message>
+    <message>
+        <source>All files</source>
+        <translation>所有文件</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>打开</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>保存会话</translation>
+    </message>
+    <message>
+        <source>Go to camera %1</source>
+        <translation>转到相机 %1</translation>
+    </message>
+    <message>
+        <source>Keep as camera %1</source>
+        <translation>保存为相机 %1</translation>
     </message>
 </context>
 <context>
@@ -865,6 +1458,77 @@ OpenGL %2
     <message>
         <source>Generate</source>
         <translation>生成</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ExperimentBar</name>
+    <message>
+        <source>recorded path</source>
+        <translation>录制的路径</translation>
+    </message>
+    <message>
+        <source>Open a path file…</source>
+        <translation>打开路径文件…</translation>
+    </message>
+    <message>
+        <source>Open a camera path</source>
+        <translation>打开相机路径</translation>
+    </message>
+    <message>
+        <source>Camera paths (*.json)</source>
+        <translation>相机路径 (*.json)</translation>
+    </message>
+    <message>
+        <source>as the view: %1 × %2</source>
+        <translation>与视图相同：%1 × %2</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>开始</translation>
+    </message>
+    <message>
+        <source>Open a scene first</source>
+        <translation>请先打开场景</translation>
+    </message>
+    <message>
+        <source>Camera path</source>
+        <translation>相机路径</translation>
+    </message>
+    <message>
+        <source>Number of poses</source>
+        <translation>姿态数</translation>
+    </message>
+    <message>
+        <source> poses</source>
+        <translation> 个姿态</translation>
+    </message>
+    <message>
+        <source>Size of the picture</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source>Repetitions of each frame</source>
+        <translation>每帧的重复次数</translation>
+    </message>
+    <message>
+        <source>repeat until steady</source>
+        <translation>重复至稳定</translation>
+    </message>
+    <message>
+        <source>repeat </source>
+        <translation>重复 </translation>
+    </message>
+    <message>
+        <source> times</source>
+        <translation> 次</translation>
+    </message>
+    <message>
+        <source>Progress of the experiment</source>
+        <translation>实验进度</translation>
     </message>
 </context>
 <context>
@@ -910,11 +1574,11 @@ OpenGL %2
         <translation>覆盖的像素</translation>
     </message>
     <message>
-        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <source>Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera</source>
         <translation>在同一相机下交替测量：backface 策略的帧时间除以本策略的帧时间</translation>
     </message>
     <message>
-        <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
+        <source>Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted</source>
         <translation>剔除并绘制到视图自身的图像，直到 OpenGL 完成为止；不含窗口显示的时间</translation>
     </message>
     <message>
@@ -954,7 +1618,7 @@ OpenGL %2
         <translation>– 超出对齐误差</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真实结果画双面时统计</translation>
     </message>
 </context>
@@ -978,6 +1642,85 @@ OpenGL %2
     <message>
         <source>Generate</source>
         <translation>生成</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::InsideModel</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a tree of boxes</comment>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <comment>a box that holds others</comment>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Rejected by</source>
+        <translation>被何平面排除</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::InsidePanel</name>
+    <message>
+        <source>This strategy has no index map.</source>
+        <translation>该策略没有索引图。</translation>
+    </message>
+    <message>
+        <source>Strategies that look up what is visible by direction show their map here.</source>
+        <translation>按方向查找可见内容的策略会在此显示其索引图。</translation>
+    </message>
+    <message>
+        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
+        <translation>该策略没有环带。把方向球面切成环带的策略会在此显示它们。</translation>
+    </message>
+    <message>
+        <source>Inside the strategy</source>
+        <translation>策略内部</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>环带</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>树</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>丢失</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::InsideTree</name>
+    <message>
+        <source>Boxes that the strategy tests</source>
+        <translation>策略测试的包围盒</translation>
+    </message>
+    <message>
+        <source>This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they decided about each.</source>
+        <translation>该策略不测试包围盒。测试包围体或遍历树的策略会在此列出它们以及对每个的判定。</translation>
     </message>
 </context>
 <context>
@@ -1124,6 +1867,38 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::LectureWindow</name>
+    <message>
+        <source>%1 – %2</source>
+        <comment>strategy, scene</comment>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Speed: %1</source>
+        <translation>速度：%1</translation>
+    </message>
+    <message>
+        <source>Submitted: %1</source>
+        <translation>提交：%1</translation>
+    </message>
+    <message>
+        <source>Missed: %1</source>
+        <translation>丢失：%1</translation>
+    </message>
+    <message>
+        <source>◀ Back</source>
+        <translation>◀ 上一个</translation>
+    </message>
+    <message>
+        <source>Next ▶</source>
+        <translation>下一个 ▶</translation>
+    </message>
+    <message>
+        <source>Lecture – Cullscope</source>
+        <translation>讲课 – Cullscope</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::LegendPanel</name>
     <message>
         <source>Next: open a mesh file, or generate a scene.</source>
@@ -1154,6 +1929,23 @@ OpenGL %2
         <comment>promise, its meaning</comment>
         <translation>%1：%2</translation>
     </message>
+    <message>
+        <source>Next: drag in view %1 and watch in view %2 what is left out.</source>
+        <translation>下一步:在视图 %1 中拖动,在视图 %2 中观察哪些被剔除。</translation>
+    </message>
+    <message>
+        <source>Next: click on something in a picture to see why it was drawn or left out.</source>
+        <translation>下一步:点击画面中的任意处,查看它为何被绘制或被剔除。</translation>
+    </message>
+    <message>
+        <source>What the colours mean</source>
+        <translation>颜色含义</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles in the active view</source>
+        <comment>a state of triangles</comment>
+        <translation>%1:活动视图中 %2 个三角形</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LoadingStrip</name>
@@ -1180,14 +1972,66 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::LossModel</name>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Pixels lost</source>
+        <translation>丢失像素</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <comment>of all lost pixels</comment>
+        <translation>占比</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LossPanel</name>
+    <message>
+        <source>Nothing of the scene is in this view: there is nothing to lose.</source>
+        <translation>此视图中没有场景内容:无可丢失。</translation>
+    </message>
+    <message>
+        <source>0 of %1 covered pixels lost in this view. One view cannot show a loss rarer than about 3 in %1 (&lt; %2 %).</source>
+        <translation>此视图 %1 个覆盖像素中丢失 0 个。仅凭一个视图无法发现低于约 %1 分之 3(&lt; %2 %)的丢失。</translation>
+    </message>
+    <message>
+        <source>%1 of %2 covered pixels lost in this view (%3 %), in %4 holes; the largest has %5.</source>
+        <comment>numbers of pixels</comment>
+        <translation>此视图 %2 个覆盖像素中丢失 %1 个(%3 %),共 %4 个空洞,最大的有 %5 个像素。</translation>
+    </message>
+    <message>
+        <source>Beyond what the raster's snapping of edges explains: %1.</source>
+        <translation>其中无法用光栅边缘对齐解释的:%1。</translation>
+    </message>
+    <message>
+        <source>There is no scene.</source>
+        <translation>没有场景。</translation>
+    </message>
+    <message>
+        <source>The view changed: what it lost is being counted…</source>
+        <translation>视图已变化:正在统计丢失像素…</translation>
+    </message>
+    <message>
+        <source>The scene is large: what the view lost is counted when you ask for it.</source>
+        <translation>场景很大:仅在您要求时统计丢失像素。</translation>
+    </message>
+    <message>
+        <source>Objects that lost pixels</source>
+        <translation>丢失像素的物体</translation>
+    </message>
+    <message>
+        <source>Count now</source>
+        <translation>立即统计</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::MainWindow</name>
     <message>
         <source>%1 – Cullscope</source>
         <translation>%1 – Cullscope</translation>
-    </message>
-    <message>
-        <source>Strategy and figures</source>
-        <translation>策略与数据</translation>
     </message>
     <message>
         <source>Toolbar</source>
@@ -1210,32 +2054,20 @@ OpenGL %2
         <translation>由处理器绘制：所示时间并非显卡的时间。</translation>
     </message>
     <message>
-        <source>Open a mesh file</source>
-        <translation>打开网格文件</translation>
-    </message>
-    <message>
-        <source>Copy the picture</source>
-        <translation>复制图像</translation>
-    </message>
-    <message>
-        <source>Copy the cullbench command</source>
-        <translation>复制 cullbench 命令</translation>
-    </message>
-    <message>
         <source>Strategy</source>
         <translation>策略</translation>
     </message>
     <message>
-        <source>Figures and scene</source>
-        <translation>数据和场景</translation>
+        <source>Legend</source>
+        <translation>图例</translation>
     </message>
     <message>
-        <source>Meshes (%1)</source>
-        <translation>网格（%1）</translation>
+        <source>Inside</source>
+        <translation>内部</translation>
     </message>
     <message>
-        <source>All files</source>
-        <translation>所有文件</translation>
+        <source>Inside: what the strategy decided, and why</source>
+        <translation>内部：策略的决定及其原因</translation>
     </message>
 </context>
 <context>
@@ -1246,10 +2078,325 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::ObjectModel</name>
+    <message>
+        <source>not shown</source>
+        <translation>未显示</translation>
+    </message>
+    <message>
+        <source>verdict not known yet</source>
+        <translation>判定尚未知</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>shown</source>
+        <translation>已显示</translation>
+    </message>
+    <message>
+        <source>Whether it is shown</source>
+        <translation>是否显示</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Diagonal of its box, scene units</source>
+        <translation>包围盒对角线(场景单位)</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::Outliner</name>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>仅显示此项</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>对准</translation>
+    </message>
+    <message>
+        <source>Search objects</source>
+        <translation>搜索物体</translation>
+    </message>
+    <message>
+        <source>Objects of the scene</source>
+        <translation>场景中的物体</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ParameterForm</name>
     <message>
         <source>This strategy has no parameters.</source>
         <translation>此策略没有参数。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ParetoPlot</name>
+    <message>
+        <source>Speed against loss</source>
+        <translation>速度与损失</translation>
+    </message>
+    <message>
+        <source>The missed pixels were not measured, so there is no loss to show.</source>
+        <translation>未测量遗漏像素，因此没有可显示的损失。</translation>
+    </message>
+    <message>
+        <source>%1, %2: ×%3 against backface, %4 per million missed</source>
+        <translation>%1，%2：相对 backface ×%3，每百万遗漏 %4</translation>
+    </message>
+    <message>
+        <source>0 (&lt; 3/%1)</source>
+        <extracomment>Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.</extracomment>
+        <translation>0 (&lt; 3/%1)</translation>
+    </message>
+    <message>
+        <source>shape: %1</source>
+        <translation>形状：%1</translation>
+    </message>
+    <message>
+        <source>Upwards: missed per million; to the right: speed against backface</source>
+        <translation>向上：每百万遗漏；向右：相对 backface 的速度</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PathCommands</name>
+    <message>
+        <source>Save the path</source>
+        <translation>保存路径</translation>
+    </message>
+    <message>
+        <source>Camera paths</source>
+        <translation>相机路径</translation>
+    </message>
+    <message>
+        <source>Open a path</source>
+        <translation>打开路径</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PathPlot</name>
+    <message>
+        <source>Along the path</source>
+        <translation>沿路径</translation>
+    </message>
+    <message>
+        <source>%1: %2 a frame on average</source>
+        <translation>%1：平均每帧 %2</translation>
+    </message>
+    <message>
+        <source>Frame time in ms, by pose</source>
+        <translation>各姿态的帧时间（ms）</translation>
+    </message>
+    <message>
+        <source>Missed pixels, by pose</source>
+        <translation>各姿态的遗漏像素</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PlaneTable</name>
+    <message>
+        <source>Plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>界限</translation>
+    </message>
+    <message>
+        <source>Outside | inside</source>
+        <translation>外 | 内</translation>
+    </message>
+    <message>
+        <source>The distance in multiples of the bound, logarithmically; outside begins at the dashed line.</source>
+        <translation>以界限的倍数表示的距离(对数刻度);虚线以外为外部。</translation>
+    </message>
+    <message>
+        <source>Plane tests</source>
+        <translation>平面测试</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PlotWidget</name>
+    <message>
+        <source>Nothing is measured yet. Choose a camera path above and press Start.</source>
+        <translation>尚未测量。请在上方选择相机路径并按“开始”。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PosePlot</name>
+    <message>
+        <source>Pose %1</source>
+        <translation>姿态 %1</translation>
+    </message>
+    <message>
+        <source>Frame: %1</source>
+        <translation>帧：%1</translation>
+    </message>
+    <message>
+        <source>Missed: %1 pixels, %2 per million</source>
+        <translation>遗漏：%1 像素，每百万 %2</translation>
+    </message>
+    <message>
+        <source>Missed: not measured</source>
+        <translation>遗漏：未测量</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n poses. The arrow keys go through them, Enter flies there.</source>
+        <translation><numerusform>%1：%n 个姿态。方向键逐个浏览，Enter 飞到该处。</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PoseStrip</name>
+    <message>
+        <source>Time and loss by pose</source>
+        <translation>各姿态的时间与损失</translation>
+    </message>
+    <message>
+        <source>frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>missed</source>
+        <translation>遗漏</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ResultTableModel</name>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Speed against
+backface [95 %]</source>
+        <translation>相对 backface
+速度 [95 %]</translation>
+    </message>
+    <message>
+        <source>Speed against
+all [95 %]</source>
+        <translation>相对 all
+速度 [95 %]</translation>
+    </message>
+    <message>
+        <source>fps</source>
+        <translation>fps</translation>
+    </message>
+    <message>
+        <source>fps
+least – most</source>
+        <translation>fps
+最低 – 最高</translation>
+    </message>
+    <message>
+        <source>Culling of
+the frame</source>
+        <translation>剔除占
+帧时间</translation>
+    </message>
+    <message>
+        <source>Submitted
+triangles</source>
+        <translation>提交的
+三角形</translation>
+    </message>
+    <message>
+        <source>Missed
+pixels</source>
+        <translation>遗漏
+像素</translation>
+    </message>
+    <message>
+        <source>Missed per
+million</source>
+        <translation>每百万
+遗漏</translation>
+    </message>
+    <message>
+        <source>Worst
+view</source>
+        <translation>最差
+视角</translation>
+    </message>
+    <message>
+        <source>The strategy, and its parameters where they are not at their defaults</source>
+        <translation>策略，以及非默认值的参数</translation>
+    </message>
+    <message>
+        <source>Frame time of backface divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <translation>backface 的帧时间除以此策略的帧时间：各视角的平均值及其 95 % 区间</translation>
+    </message>
+    <message>
+        <source>Frame time of all divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <translation>all 的帧时间除以此策略的帧时间：各视角的平均值及其 95 % 区间</translation>
+    </message>
+    <message>
+        <source>Views divided by the time of all of them; a frame is cull + draw</source>
+        <translation>视角数除以其总时间；一帧为剔除 + 绘制</translation>
+    </message>
+    <message>
+        <source>In the slowest and in the fastest view</source>
+        <translation>在最慢和最快的视角中</translation>
+    </message>
+    <message>
+        <source>Share of the frame's time that goes into deciding what to draw</source>
+        <translation>帧时间中用于决定绘制内容的份额</translation>
+    </message>
+    <message>
+        <source>Share of the scene's triangles given to OpenGL, mean over the views</source>
+        <translation>场景三角形中交给 OpenGL 的份额，各视角平均</translation>
+    </message>
+    <message>
+        <source>Pixels of all views in which the truth has a surface and the strategy a farther one or none</source>
+        <translation>所有视角中真值有表面而策略显示更远表面或无表面的像素</translation>
+    </message>
+    <message>
+        <source>Missed pixels in a million pixels in which the truth has a surface</source>
+        <translation>真值有表面的每百万像素中的遗漏像素</translation>
+    </message>
+    <message>
+        <source>The pose with the most missed pixels; double-click to fly there</source>
+        <translation>遗漏像素最多的姿态；双击飞到该处</translation>
+    </message>
+    <message>
+        <source>It lost pixels: the promise is broken.</source>
+        <translation>丢失了像素：承诺未兑现。</translation>
+    </message>
+    <message>
+        <source>%1 of them beyond the raster's snapping to 1/256 pixel</source>
+        <translation>其中 %1 个超出光栅对 1/256 像素的对齐</translation>
     </message>
 </context>
 <context>
@@ -1293,6 +2440,368 @@ OpenGL %2
         <source>What was found in the file</source>
         <translation>文件中发现的问题</translation>
     </message>
+    <message>
+        <source>Hide</source>
+        <translation>隐藏</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>显示</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>对准</translation>
+    </message>
+    <message>
+        <source>Brings the selected objects into the active view</source>
+        <translation>把所选物体置入活动视图</translation>
+    </message>
+    <message>
+        <source>Isolate</source>
+        <translation>仅显示此项</translation>
+    </message>
+    <message>
+        <source>Hides all other objects</source>
+        <translation>隐藏其他所有物体</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>全部显示</translation>
+    </message>
+    <message>
+        <source>Split…</source>
+        <translation>分割…</translation>
+    </message>
+    <message>
+        <source>Splits the object, so that there are objects to leave out</source>
+        <translation>分割物体,使策略有物体可剔除</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SceneView</name>
+    <message>
+        <source>Truth</source>
+        <translation>真值</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>letter of a view, strategy</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ScreenshotDialog</name>
+    <message>
+        <source>Screenshot</source>
+        <translation>截图</translation>
+    </message>
+    <message>
+        <source>View %1 alone</source>
+        <translation>仅视图 %1</translation>
+    </message>
+    <message>
+        <source>All views, as they are arranged</source>
+        <translation>按布局的所有视图</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>与窗口相同</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>Another size</source>
+        <translation>其他尺寸</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>白色</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>黑色</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>透明</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays: frustum, boxes, wipe and marks</source>
+        <translation>叠加层(&amp;O)：视锥体、包围盒、分界线和标记</translation>
+    </message>
+    <message>
+        <source>&amp;Legend of the colours, with counts</source>
+        <translation>带数量的颜色图例(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Caption</source>
+        <translation>说明(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Browse…</source>
+        <translation>浏览(&amp;B)…</translation>
+    </message>
+    <message>
+        <source>What is saved</source>
+        <translation>保存的内容</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>尺寸</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>宽度（像素）</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>高度（像素）</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>背景</translation>
+    </message>
+    <message>
+        <source>Text of the caption</source>
+        <translation>说明文字</translation>
+    </message>
+    <message>
+        <source>Folder</source>
+        <translation>文件夹</translation>
+    </message>
+    <message>
+        <source>File name</source>
+        <translation>文件名</translation>
+    </message>
+    <message>
+        <source>{scene}, {strategy} and {n}, a number that no file has yet, are filled in; {n:03} has three digits. The ending chooses the format: .png, .jpg, .tif or .exr.</source>
+        <translation>{scene}、{strategy} 和尚未使用的编号 {n} 会被填入；{n:03} 为三位数。扩展名决定格式：.png、.jpg、.tif 或 .exr。</translation>
+    </message>
+    <message>
+        <source>&amp;What</source>
+        <translation>内容(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Size</source>
+        <translation>尺寸(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Back&amp;ground</source>
+        <translation>背景(&amp;G)</translation>
+    </message>
+    <message>
+        <source>&amp;Folder</source>
+        <translation>文件夹(&amp;F)</translation>
+    </message>
+    <message>
+        <source>File &amp;name</source>
+        <translation>文件名(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>保存</translation>
+    </message>
+    <message>
+        <source>Saved as %1, %2 × %3 pixels.</source>
+        <translation>将保存为 %1，%2 × %3 像素。</translation>
+    </message>
+    <message>
+        <source>Depth and triangle numbers are kept for one view alone.</source>
+        <translation>仅单个视图会保存深度和三角形编号。</translation>
+    </message>
+    <message>
+        <source>This format keeps no transparency: the window's background takes its place.</source>
+        <translation>此格式不保存透明度：以窗口背景代替。</translation>
+    </message>
+    <message>
+        <source>Folder for screenshots</source>
+        <translation>截图文件夹</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ScreenshotTaker</name>
+    <message>
+        <source>Saving the screenshot…</source>
+        <translation>正在保存截图…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SizeDialog</name>
+    <message>
+        <source>Picture size</source>
+        <translation>图像大小</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message>
+        <source>Width</source>
+        <translation>宽度</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>高度</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SphereMap</name>
+    <message>
+        <source>Loss by direction of view</source>
+        <translation>各视线方向的损失</translation>
+    </message>
+    <message>
+        <source>nothing missed</source>
+        <translation>无遗漏</translation>
+    </message>
+    <message>
+        <source>%1 per million</source>
+        <translation>每百万 %1</translation>
+    </message>
+    <message>
+        <source>a tenth</source>
+        <translation>十分之一</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SplitDialog</name>
+    <message>
+        <source>Split the object</source>
+        <translation>分割物体</translation>
+    </message>
+    <message>
+        <source>Strategies that decide by objects have nothing to leave out in a scene of one object. What is drawn stays the same.</source>
+        <translation>按物体判定的策略在只有一个物体的场景中无可剔除。绘制结果不变。</translation>
+    </message>
+    <message>
+        <source>Components: what hangs together becomes an object</source>
+        <translation>连通分量:相连的部分成为一个物体</translation>
+    </message>
+    <message>
+        <source>Clusters: compact pieces with at most this many triangles:</source>
+        <translation>簇:紧凑的小块,三角形数不超过:</translation>
+    </message>
+    <message>
+        <source>Triangles a cluster</source>
+        <translation>每簇三角形数</translation>
+    </message>
+    <message>
+        <source>Split</source>
+        <translation>分割</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StatisticsDock</name>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StatisticsPanel</name>
+    <message>
+        <source>Open a scene: its figures appear here.</source>
+        <translation>请打开场景：其数值显示在此处。</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet. Choose a camera path above and press Start.</source>
+        <translation>尚未测量。请在上方选择相机路径并按“开始”。</translation>
+    </message>
+    <message>
+        <source>The views' figures appear here as soon as they are measured.</source>
+        <translation>测量完成后，各视图的数值显示在此处。</translation>
+    </message>
+    <message>
+        <source>%1 · %2 × %3 · %4 of %5 poses</source>
+        <extracomment>A camera path, the size of the picture, and how many of the path's poses were measured.</extracomment>
+        <translation>%1 · %2 × %3 · %5 个姿态中的 %4 个</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表格</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>时间</translation>
+    </message>
+    <message>
+        <source>Poses</source>
+        <translation>姿态</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>曲线</translation>
+    </message>
+    <message>
+        <source>Pareto</source>
+        <translation>帕累托</translation>
+    </message>
+    <message>
+        <source>Sphere</source>
+        <translation>球面</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+    <message>
+        <source>at the present camera</source>
+        <translation>当前相机</translation>
+    </message>
+    <message>
+        <source>of the experiment</source>
+        <translation>实验结果</translation>
+    </message>
+    <message>
+        <source>Which figures are shown</source>
+        <translation>显示哪些数值</translation>
+    </message>
+    <message>
+        <source>Strategy whose poses are shown</source>
+        <translation>显示其姿态的策略</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>结果</translation>
+    </message>
+    <message>
+        <source>software OpenGL</source>
+        <translation>软件 OpenGL</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>软件 OpenGL：不是显卡的时间</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
+    </message>
+    <message>
+        <source>Frames as CSV…</source>
+        <translation>将各帧存为 CSV…</translation>
+    </message>
+    <message>
+        <source>Result as JSON…</source>
+        <translation>将结果存为 JSON…</translation>
+    </message>
+    <message>
+        <source>Plot as SVG…</source>
+        <translation>将图存为 SVG…</translation>
+    </message>
+    <message>
+        <source>Plot as PDF…</source>
+        <translation>将图存为 PDF…</translation>
+    </message>
+    <message>
+        <source>Report as HTML…</source>
+        <translation>将报告存为 HTML…</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::StrategyPanel</name>
@@ -1303,6 +2812,95 @@ OpenGL %2
     <message>
         <source>Strategy</source>
         <translation>策略</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::TimeBar</name>
+    <message>
+        <source>Time of a frame</source>
+        <translation>一帧的时间</translation>
+    </message>
+    <message>
+        <source>%1 = %2 cull + %3 draw</source>
+        <extracomment>A frame's time: total = culling + drawing</extracomment>
+        <translation>%1 = 剔除 %2 + 绘制 %3</translation>
+    </message>
+    <message>
+        <source>cull</source>
+        <translation>剔除</translation>
+    </message>
+    <message>
+        <source>draw</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>grey: all and backface</source>
+        <translation>灰色：all 和 backface</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::UndoRecorder</name>
+    <message>
+        <source>Undo</source>
+        <translation>撤销</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>撤销：%1</translation>
+    </message>
+    <message>
+        <source>Redo: %1</source>
+        <translation>重做：%1</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>重做</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::UndoStep</name>
+    <message>
+        <source>hidden objects</source>
+        <translation>隐藏的对象</translation>
+    </message>
+    <message>
+        <source>camera</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>camera of view %1</source>
+        <translation>视图 %1 的相机</translation>
+    </message>
+    <message>
+        <source>several changes</source>
+        <translation>多项更改</translation>
+    </message>
+    <message>
+        <source>strategy of view %1</source>
+        <translation>视图 %1 的策略</translation>
+    </message>
+    <message>
+        <source>parameters of view %1</source>
+        <translation>视图 %1 的参数</translation>
+    </message>
+    <message>
+        <source>display of view %1</source>
+        <translation>视图 %1 的显示</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ViewCommands</name>
+    <message>
+        <source>Copy the picture</source>
+        <translation>复制图像</translation>
+    </message>
+    <message>
+        <source>Copy the picture without what lies over it</source>
+        <translation>复制不带叠加层的图像</translation>
+    </message>
+    <message>
+        <source>Copy the cullbench command</source>
+        <translation>复制 cullbench 命令</translation>
     </message>
 </context>
 <context>
@@ -1330,6 +2928,19 @@ OpenGL %2
         <comment>letter, strategy and promise, figures</comment>
         <translation>视图 %1：%2，%3</translation>
     </message>
+    <message>
+        <source>watches %1 · </source>
+        <comment>letter of a view</comment>
+        <translation>观察 %1 · </translation>
+    </message>
+    <message>
+        <source>frozen · </source>
+        <translation>已冻结 · </translation>
+    </message>
+    <message>
+        <source>What view %1 shows, and how</source>
+        <translation>视图 %1 显示的内容和方式</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::ViewPane</name>
@@ -1352,6 +2963,67 @@ OpenGL %2
     <message>
         <source>Arrow keys turn, plus and minus zoom, Shift with arrow keys pans, W A S D Q E fly.</source>
         <translation>方向键转动，加号和减号缩放，Shift 加方向键平移，W A S D Q E 飞行。</translation>
+    </message>
+    <message>
+        <source>culling frozen (F)</source>
+        <translation>剔除已冻结 (F)</translation>
+    </message>
+    <message>
+        <source>%1 × %2 shown at %3 %</source>
+        <translation>%1 × %2，以 %3 % 显示</translation>
+    </message>
+    <message>
+        <source>vertex arrays</source>
+        <translation>顶点数组</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n object(s) hidden</source>
+        <translation><numerusform>隐藏了 %n 个物体</numerusform></translation>
+    </message>
+    <message>
+        <source>%1 pixels missed, %2 nearer than the truth</source>
+        <translation>丢失 %1 个像素，%2 个比真值更近</translation>
+    </message>
+    <message>
+        <source>%1 pixels differ from view %2</source>
+        <translation>有 %1 个像素与视图 %2 不同</translation>
+    </message>
+    <message numerus="yes">
+        <source>loss %1 of %2: %n pixel(s)</source>
+        <translation><numerusform>损失 %1 / %2：%n 个像素</numerusform></translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::WhyPanel</name>
+    <message>
+        <source>Click on something in a picture to see why it was drawn or left out.</source>
+        <translation>点击画面中的任意处,查看它为何被绘制或被剔除。</translation>
+    </message>
+    <message>
+        <source>The picked object is hidden by you. Show it again to see why the strategy draws it or leaves it out.</source>
+        <translation>所选物体已被您隐藏。重新显示它即可查看策略为何绘制或剔除它。</translation>
+    </message>
+    <message>
+        <source>Why the picked triangle was drawn or left out</source>
+        <translation>所选三角形被绘制或剔除的原因</translation>
+    </message>
+    <message>
+        <source>The strategy's decisions are being read…</source>
+        <translation>正在读取策略的判定…</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <comment>number of a step, its sentence</comment>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>Whether it is visible is not known yet.</source>
+        <translation>尚不知它是否可见。</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2</source>
+        <comment>name of an object</comment>
+        <translation>%1,三角形 %2</translation>
     </message>
 </context>
 <context>
@@ -1387,10 +3059,6 @@ OpenGL %2
     <message>
         <source>&amp;Open…</source>
         <translation>打开(&amp;O)…</translation>
-    </message>
-    <message>
-        <source>Open a mesh file</source>
-        <translation>打开网格文件</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -1487,6 +3155,218 @@ OpenGL %2
     <message>
         <source>Version and licences</source>
         <translation>版本和许可证</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>编辑(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;Picture</source>
+        <translation>图像(&amp;P)</translation>
+    </message>
+    <message>
+        <source>P&amp;ath</source>
+        <translation>路径(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>打开最近的文件(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Open a mesh file, a session, or a picture that Cullscope took</source>
+        <translation>打开网格文件、会话或 Cullscope 截取的图像</translation>
+    </message>
+    <message>
+        <source>&amp;Save the session</source>
+        <translation>保存会话(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save scene, views, strategies and cameras as a file</source>
+        <translation>将场景、视图、策略和相机保存为文件</translation>
+    </message>
+    <message>
+        <source>Save the session &amp;as…</source>
+        <translation>会话另存为(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the session under another name</source>
+        <translation>以其他名称保存会话</translation>
+    </message>
+    <message>
+        <source>S&amp;creenshot…</source>
+        <translation>截图(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Save a picture of the views: size, format, legend, background</source>
+        <translation>保存视图的图像：尺寸、格式、图例、背景</translation>
+    </message>
+    <message>
+        <source>Screenshot a&amp;gain</source>
+        <translation>再次截图(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Save a picture as the last time</source>
+        <translation>按上次的设置保存图像</translation>
+    </message>
+    <message>
+        <source>Screenshot &amp;without overlays</source>
+        <translation>不带叠加层的截图(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Save a picture of what was drawn and nothing over it</source>
+        <translation>仅保存绘制的内容</translation>
+    </message>
+    <message>
+        <source>Camera &amp;bookmarks</source>
+        <translation>相机书签(&amp;B)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>面板(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;4 views</source>
+        <translation>4 个视图(&amp;4)</translation>
+    </message>
+    <message>
+        <source>Compare four views</source>
+        <translation>比较四个视图</translation>
+    </message>
+    <message>
+        <source>&amp;8 views</source>
+        <translation>8 个视图(&amp;8)</translation>
+    </message>
+    <message>
+        <source>Compare eight views</source>
+        <translation>比较八个视图</translation>
+    </message>
+    <message>
+        <source>&amp;Lecture</source>
+        <translation>讲课(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show the active view full screen, large enough for the back row</source>
+        <translation>全屏显示活动视图，后排也能看清</translation>
+    </message>
+    <message>
+        <source>&amp;Reset the layout</source>
+        <translation>重置布局(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Put all panels back to their places</source>
+        <translation>将所有面板放回原位</translation>
+    </message>
+    <message>
+        <source>&amp;Freeze culling</source>
+        <translation>冻结剔除(&amp;F)</translation>
+    </message>
+    <message>
+        <source>The culling camera stands while you fly on in the active view</source>
+        <translation>在活动视图中继续飞行时剔除相机保持不动</translation>
+    </message>
+    <message>
+        <source>Colours by &amp;verdict</source>
+        <translation>按判定着色(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colour the active view by what became of each triangle</source>
+        <translation>按每个三角形的结果为活动视图着色</translation>
+    </message>
+    <message>
+        <source>F&amp;rustum</source>
+        <translation>视锥体(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the culling camera's frustum in the active view</source>
+        <translation>在活动视图中显示剔除相机的视锥体</translation>
+    </message>
+    <message>
+        <source>&amp;Boxes</source>
+        <translation>包围盒(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the boxes that the strategy tested in the active view</source>
+        <translation>在活动视图中显示策略测试的包围盒</translation>
+    </message>
+    <message>
+        <source>Wipe: &amp;truth | strategy</source>
+        <translation>对比：真值 | 策略(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Put the truth beside the strategy's picture; drag the line</source>
+        <translation>将真值放在策略图像旁边；拖动分界线</translation>
+    </message>
+    <message>
+        <source>&amp;Missed pixels</source>
+        <translation>丢失的像素(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Mark the pixels that the strategy missed or added</source>
+        <translation>标记策略丢失或多出的像素</translation>
+    </message>
+    <message>
+        <source>&amp;Next loss</source>
+        <translation>下一处损失(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Go to the next lost pixels, largest hole first</source>
+        <translation>转到下一处丢失的像素，最大的空洞优先</translation>
+    </message>
+    <message>
+        <source>&amp;Loupe</source>
+        <translation>放大镜(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Enlarge what is under the pointer</source>
+        <translation>放大指针下的内容</translation>
+    </message>
+    <message>
+        <source>&amp;Record</source>
+        <translation>录制(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Record the camera's moves as a path</source>
+        <translation>将相机的移动录制为路径</translation>
+    </message>
+    <message>
+        <source>&amp;Add this pose</source>
+        <translation>添加此姿态(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Add the present camera to the path</source>
+        <translation>将当前相机添加到路径</translation>
+    </message>
+    <message>
+        <source>&amp;Save the path…</source>
+        <translation>保存路径(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>Save the recorded path as a file</source>
+        <translation>将录制的路径保存为文件</translation>
+    </message>
+    <message>
+        <source>&amp;Open a path…</source>
+        <translation>打开路径(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open a camera path to play it</source>
+        <translation>打开相机路径以播放</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>播放(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Play the path, a picture of every view at every pose</source>
+        <translation>播放路径，每个姿态绘制每个视图</translation>
+    </message>
+    <message>
+        <source>S&amp;top</source>
+        <translation>停止(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Stop recording and playing</source>
+        <translation>停止录制和播放</translation>
     </message>
 </context>
 </TS>

@@ -82,7 +82,7 @@ struct ScreenshotTest : ::testing::Test {
 
     [[nodiscard]] QStringList files() const { return QDir(folder.path()).entryList(QDir::Files | QDir::Hidden | QDir::System); }
 
-    QImage image(const QString& file) { return QImage(file).convertToFormat(QImage::Format_RGBA8888); }
+    QImage image(const QString& file) { return pixelsAlone(QImage(file)); }
     QImage shownImage(int view) { return session.picture(view)->colour.convertToFormat(QImage::Format_RGBA8888); }
 
     QTemporaryDir folder;

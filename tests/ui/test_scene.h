@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QColorSpace>
+#include <QImage>
 #include <QSignalSpy>
 #include <QTest>
 #include <functional>
@@ -21,6 +23,13 @@ inline Session::Options sessionOptions(bool graphics) {
 }
 
 inline bool waitUntil(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); }
+
+/// An image that equals another wherever their pixels do: without the colour space that files state.
+inline QImage pixelsAlone(const QImage& image, QImage::Format format = QImage::Format_RGBA8888) {
+    QImage pixels = image.convertToFormat(format);
+    pixels.setColorSpace(QColorSpace());
+    return pixels;
+}
 
 /// Opens a scene and waits for it.
 inline void openAndWait(Session& session, const QString& specification) {

@@ -302,13 +302,13 @@ TEST_F(Window, theCopiedCommandDrewAnotherPicture) {
         cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(picture(0).request(), file));
         ASSERT_TRUE(cullbench.waitForFinished(kPatience));
         ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
-        EXPECT_EQ(QImage(file).convertToFormat(QImage::Format_RGB888),
+        EXPECT_EQ(pixelsAlone(QImage(file), QImage::Format_RGB888),
                   picture(0).picture().convertToFormat(QImage::Format_RGB888));
     }
 }
 
 TEST(FileDialog, typesWereAListOfPatterns) {
-    const QString meshes = MainWindow::meshFileTypes().section(QStringLiteral(";;"), 0, 0);
+    const QString meshes = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 0, 0);
     EXPECT_TRUE(meshes.startsWith(QStringLiteral("Meshes (obj, "))) << meshes.toStdString();
     EXPECT_TRUE(meshes.contains(QStringLiteral(" (*.obj *.OBJ "))) << meshes.toStdString();
 }

@@ -128,7 +128,7 @@ QVariant InsideModel::headerData(int section, Qt::Orientation orientation, int r
 }
 
 void InsideModel::tellOfData() {
-    // Views repaint as a whole at this; told for every inner node's rows, each would search all of the view.
+    // Views repaint as a whole at this; told for every inner node's rows, they would look for each of them.
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 

@@ -11,7 +11,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr std::array kWidths{110, 66, 118};  // of all columns but the last, which takes the rest
+constexpr std::array kWidths{0, 64, 146, 92};  // of the columns in order; the name takes what is left of 400 pixels
 
 }  // namespace
 
@@ -20,7 +20,7 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
       m_session(session),
       m_reader(reader),
       m_model(new InsideModel(this)),
-      m_view(new QTreeView(this)),
+      m_view(new LongListView(this)),
       m_empty(new QLabel(this)) {
     setUpView();
     m_empty->setWordWrap(true);
@@ -40,13 +40,11 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
 
 void InsideTree::setUpView() {
     m_view->setModel(m_model);
-    m_view->setFrameShape(QFrame::NoFrame);
-    m_view->setUniformRowHeights(true);
-    m_view->setAlternatingRowColors(true);
-    m_view->setTabKeyNavigation(false);
     m_view->setIconSize({14, 14});
-    m_view->setTextElideMode(Qt::ElideMiddle);
-    for (size_t column = 0; column < kWidths.size(); ++column) m_view->setColumnWidth(int(column), kWidths[column]);
+    m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_view->header()->setSectionResizeMode(InsideModel::Name, QHeaderView::Stretch);
+    for (int column = InsideModel::Triangles; column < InsideModel::ColumnCount; ++column)
+        m_view->setColumnWidth(column, kWidths[size_t(column)]);
 }
 
 void InsideTree::refresh() {

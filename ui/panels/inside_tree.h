@@ -1,9 +1,9 @@
 #pragma once
 
 #include <QLabel>
-#include <QTreeView>
 
 #include "ui/models/inside_model.h"
+#include "ui/panels/long_list_view.h"
 #include "ui/session/inside_reader.h"
 
 namespace cullscope::ui {
@@ -31,7 +31,7 @@ private:
     Session& m_session;
     InsideReader& m_reader;
     InsideModel* m_model;
-    QTreeView* m_view;
+    LongListView* m_view;
     QLabel* m_empty;
     bool m_following = false;
 };

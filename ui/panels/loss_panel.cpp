@@ -42,15 +42,10 @@ LossPanel::LossPanel(Session& session, QWidget* parent)
       m_model(new LossModel(this)),
       m_summary(new QLabel(this)),
       m_measure(new QPushButton(this)),
-      m_view(new QTreeView(this)) {
+      m_view(new LongListView(this)) {
     m_summary->setWordWrap(true);
     m_view->setModel(m_model);
-    m_view->setFrameShape(QFrame::NoFrame);
     m_view->setRootIsDecorated(false);
-    m_view->setUniformRowHeights(true);
-    m_view->setAlternatingRowColors(true);
-    m_view->setTabKeyNavigation(false);
-    m_view->header()->setStretchLastSection(false);
     m_view->header()->setSectionResizeMode(LossModel::Name, QHeaderView::Stretch);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 0);

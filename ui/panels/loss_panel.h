@@ -2,9 +2,9 @@
 
 #include <QLabel>
 #include <QPushButton>
-#include <QTreeView>
 
 #include "ui/models/loss_model.h"
+#include "ui/panels/long_list_view.h"
 #include "ui/session/session.h"
 
 namespace cullscope::ui {
@@ -33,7 +33,7 @@ private:
     LossModel* m_model;
     QLabel* m_summary;
     QPushButton* m_measure;
-    QTreeView* m_view;
+    LongListView* m_view;
 };
 
 }  // namespace cullscope::ui

@@ -23,7 +23,7 @@ Outliner::Outliner(Session& session, QWidget* parent)
       m_session(session),
       m_model(new ObjectModel(this)),
       m_search(new QLineEdit(this)),
-      m_view(new QTreeView(this)) {
+      m_view(new LongListView(this)) {
     setUpView();
     m_search->setClearButtonEnabled(true);
     m_search->installEventFilter(this);
@@ -63,22 +63,16 @@ void Outliner::setReader(InsideReader& reader) {
 
 void Outliner::setUpView() {
     m_view->setModel(m_model);
-    m_view->setFrameShape(QFrame::NoFrame);
     m_view->setRootIsDecorated(false);
-    m_view->setUniformRowHeights(true);
-    m_view->setAlternatingRowColors(true);
     m_view->setAllColumnsShowFocus(true);
-    m_view->setTabKeyNavigation(false);
     m_view->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_view->setIconSize({16, 16});
     m_view->setIndentation(0);
-    m_view->setTextElideMode(Qt::ElideMiddle);
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     m_view->setSortingEnabled(true);
     QHeaderView& header = *m_view->header();
     header.setSortIndicatorClearable(true);
     header.setSortIndicator(-1, Qt::AscendingOrder);
-    header.setStretchLastSection(false);
     header.setMinimumSectionSize(kVerdictWidth);
     header.setSectionResizeMode(ObjectModel::Name, QHeaderView::Stretch);
     m_view->setColumnWidth(ObjectModel::Eye, kEyeWidth);

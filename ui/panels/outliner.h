@@ -2,9 +2,9 @@
 
 #include <QLineEdit>
 #include <QMenu>
-#include <QTreeView>
 
 #include "ui/models/object_model.h"
+#include "ui/panels/long_list_view.h"
 #include "ui/session/inside_reader.h"
 
 namespace cullscope::ui {
@@ -60,7 +60,7 @@ private:
     InsideReader* m_reader = nullptr;
     ObjectModel* m_model;
     QLineEdit* m_search;
-    QTreeView* m_view;
+    LongListView* m_view;
     bool m_following = false;
 };
 

@@ -74,6 +74,8 @@ void applyState(Session& session, const SessionState& state) {
 }
 
 std::string withAbsoluteFiles(const std::string& specification) {
+    // No file, no folder: what is empty stays so.
+    if (specification.empty()) return {};
     return withFiles(specification,
                      [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal().string(); });
 }

@@ -43,7 +43,7 @@ struct SessionState {
 /// same already is not touched. Throws Error(Usage) for a strategy or parameter that there is none of, before anything changes.
 void applyState(Session& session, const SessionState& state);
 
-/// A specification with its files by absolute paths; words such as `bunny` stay.
+/// A specification with its files by absolute paths; words such as `bunny`, and an empty one, stay.
 [[nodiscard]] std::string withAbsoluteFiles(const std::string& specification);
 
 /// The view's parameters as the strategy takes them. Throws Error(Usage) naming what there is none of.

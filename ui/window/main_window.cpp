@@ -3,8 +3,6 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStatusBar>
@@ -12,7 +10,6 @@
 #include <QTabWidget>
 #include <QVBoxLayout>
 
-#include "core/mesh/load.h"
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/generate_dialog.h"
 #include "ui/dialogs/keys_dialog.h"
@@ -30,7 +27,6 @@ constexpr int kStrategyPage = 0;
 constexpr int kScenePage = 1;
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
-constexpr const char* kFolderSetting = "folder";
 
 /// The one local file that is dragged; empty where it is none or several.
 QString draggedFile(const QMimeData& data) {
@@ -63,6 +59,9 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     makeStatusBar();
     m_viewCommands = new ViewCommands(m_session, *m_views, *m_actions, this);
     m_viewCommands->setPlaceablePanels([this] { return placeablePanels(); });
+    m_document = new DocumentCommands(m_session, *m_views, *m_actions, this);
+    m_paths = new PathCommands(m_session, *m_actions, this);
+    connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
     wireCommands();
     wireSession();
     retranslate();
@@ -118,18 +117,27 @@ void MainWindow::makeDocks() {
     m_dockScroll->setFocusPolicy(Qt::NoFocus);
     auto* content = new QWidget(m_dockScroll);
     auto* layout = new QVBoxLayout(content);
-    m_tabs = new QTabWidget(content);
+    m_reader = new InsideReader(m_session, this);
+    m_inside = new InsidePanel(m_session, *m_reader, content);
+    m_tabs = &m_inside->tabs();
     m_figures = new FigurePanel(m_session, m_tabs);
-    m_tabs->addTab(m_figures, QString());
+    m_tabs->insertTab(0, m_figures, QString());
+    m_tabs->setCurrentIndex(0);
     m_legend = new LegendPanel(m_session, content);
-    layout->addWidget(m_tabs, 1);
+    layout->addWidget(m_inside, 1);
     layout->addWidget(m_legend);
     m_dockScroll->setWidget(content);
     m_dockScroll->setMinimumWidth(kNarrowestDock);
     m_dock->setWidget(m_dockScroll);
     addDockWidget(Qt::RightDockWidgetArea, m_dock);
+    m_statistics = new StatisticsDock(m_session, this);
+    addDockWidget(Qt::BottomDockWidgetArea, m_statistics);
+    m_statistics->hide();
+    setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+    m_statistics->toggleViewAction()->setIcon(tintedIcon(QStringLiteral("statistics")));
+    m_side->addAction(m_statistics->toggleViewAction());
     m_dock->toggleViewAction()->setIcon(tintedIcon(QStringLiteral("inside")));
-    m_actions->panels->addAction(m_dock->toggleViewAction());
+    m_actions->panels->addActions({m_dock->toggleViewAction(), m_statistics->toggleViewAction()});
     addRailButton(m_dock->toggleViewAction());
     connect(m_dock, &QDockWidget::visibilityChanged, this, [this] { m_rightRail->setVisible(!m_dock->isVisibleTo(this)); });
 }
@@ -153,6 +161,15 @@ void MainWindow::arrange() {
     m_dock->setVisible(!compare);
     m_rightRail->setVisible(compare);
     resizeDocks({m_dock}, {wide ? kWideDockWidth : kDockWidth}, Qt::Horizontal);
+}
+
+void MainWindow::resetLayout() {
+    for (QDockWidget* dock : {m_dock, static_cast<QDockWidget*>(m_statistics)}) dock->setFloating(false);
+    addDockWidget(Qt::RightDockWidgetArea, m_dock);
+    addDockWidget(Qt::BottomDockWidgetArea, m_statistics);
+    m_statistics->hide();
+    m_arrangedFor.reset();
+    arrange();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -204,8 +221,7 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::wireCommands() {
-    connect(m_actions->open, &QAction::triggered, this, &MainWindow::openByDialog);
-    connect(m_empty, &EmptyState::openRequested, this, &MainWindow::openByDialog);
+    connect(m_empty, &EmptyState::openRequested, m_document, &DocumentCommands::openByDialog);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions, &WindowActions::generatorChosen, this, &MainWindow::generate);
     connect(m_actions->lecture, &QAction::triggered, this, &MainWindow::beginLecture);
@@ -240,6 +256,9 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::setupChanged, this, &MainWindow::placePanels);
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
+    connect(&m_session, &Session::pickChanged, this, [this] {
+        if (m_session.pick()) m_inside->showWhy();
+    });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }
@@ -262,6 +281,7 @@ void MainWindow::showState() {
 
 void MainWindow::retranslate() {
     m_actions->retranslate();
+    m_document->retranslate();
     m_dock->setWindowTitle(tr("Inside"));
     m_dock->toggleViewAction()->setToolTip(tr("Inside: what the strategy decided, and why"));
     m_toolBar->setWindowTitle(tr("Toolbar"));
@@ -278,35 +298,14 @@ void MainWindow::retranslate() {
     showState();
 }
 
-QString MainWindow::meshFileTypes() {
-    QStringList names;
-    QStringList patterns;
-    for (const std::string& extension : readableMeshExtensions()) {
-        const QString name = QString::fromStdString(extension);
-        names << name;
-        patterns << QStringLiteral("*.") + name << QStringLiteral("*.") + name.toUpper();
-    }
-    const QString meshes = tr("Meshes (%1)").arg(names.join(QStringLiteral(", ")));
-    return QStringLiteral("%1 (%2);;%3 (*)").arg(meshes, patterns.join(QLatin1Char(' ')), tr("All files"));
-}
-
-void MainWindow::openByDialog() {
-    const QString file =
-        QFileDialog::getOpenFileName(this, tr("Open a mesh file"), m_settings.value(QLatin1String(kFolderSetting)).toString(),
-                                     meshFileTypes(), nullptr, QFileDialog::HideNameFilterDetails);
-    if (file.isEmpty()) return;
-    m_settings.setValue(QLatin1String(kFolderSetting), QFileInfo(file).absolutePath());
-    m_session.open(file);
-}
-
 void MainWindow::generate(int generator) {
     const GeneratorInfo& info = sceneGenerators()[size_t(generator)];
     if (info.parameters.empty()) {
-        m_session.open(QString::fromStdString(info.id));
+        m_document->opener().open(QString::fromStdString(info.id));
         return;
     }
     GenerateDialog dialog(info, this);
-    if (dialog.exec() == QDialog::Accepted) m_session.open(dialog.specification());
+    if (dialog.exec() == QDialog::Accepted) m_document->opener().open(dialog.specification());
 }
 
 void MainWindow::beginLecture() {
@@ -332,7 +331,7 @@ void MainWindow::dropEvent(QDropEvent* event) {
     const QString file = draggedFile(*event->mimeData());
     if (file.isEmpty()) return;
     event->acceptProposedAction();
-    m_session.open(file);
+    m_document->opener().open(file);
 }
 
 }  // namespace cullscope::ui

@@ -7,17 +7,22 @@
 
 #include "ui/panels/empty_state.h"
 #include "ui/panels/figure_panel.h"
+#include "ui/panels/inside_panel.h"
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/loading_strip.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/strategy_panel.h"
+#include "ui/session/inside_reader.h"
 #include "ui/session/session.h"
 #include "ui/startup/appearance.h"
 #include "ui/text/language.h"
 #include "ui/views/view_grid.h"
+#include "ui/window/document_commands.h"
 #include "ui/window/lecture_window.h"
+#include "ui/window/path_commands.h"
 #include "ui/window/side_panel.h"
+#include "ui/window/statistics_dock.h"
 #include "ui/window/view_commands.h"
 #include "ui/window/window_actions.h"
 
@@ -46,8 +51,10 @@ public:
     /// Null: no lecture is being held.
     [[nodiscard]] LectureWindow* lecture() { return m_lecture; }
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
-    /// The types that the dialog for opening offers, as QFileDialog takes them.
-    [[nodiscard]] static QString meshFileTypes();
+    [[nodiscard]] InsidePanel& inside() { return *m_inside; }
+    [[nodiscard]] DocumentCommands& document() { return *m_document; }
+    [[nodiscard]] PathCommands& paths() { return *m_paths; }
+    [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -65,9 +72,9 @@ private:
     void wireSession();
     /// Two views at most are explored beside all panels; more are compared, with the panels folded to rails.
     void arrange();
+    void resetLayout();
     void showState();
     void retranslate();
-    void openByDialog();
     void generate(int generator);
     void beginLecture();
     /// Puts the panels that views' setups name into the views' places.
@@ -92,6 +99,11 @@ private:
     QScrollArea* m_dockScroll;
     StrategyPanel* m_strategy;
     QTabWidget* m_tabs;
+    InsideReader* m_reader;
+    InsidePanel* m_inside;
+    StatisticsDock* m_statistics;
+    DocumentCommands* m_document;
+    PathCommands* m_paths;
     FigurePanel* m_figures;
     ScenePanel* m_scene;
     LegendPanel* m_legend;

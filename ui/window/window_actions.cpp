@@ -33,7 +33,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     upAxis = new QActionGroup(this);
     languages = new QActionGroup(this);
     appearance = new QActionGroup(this);
-    for (QMenu** menu : {&generate, &recent, &editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu, &m_pictureMenu,
+    for (QMenu** menu : {&generate, &recent, &m_editMenu, &bookmarks, &panels, &m_fileMenu, &m_viewMenu, &m_pictureMenu,
                          &m_pathMenu, &m_upMenu, &m_appearanceMenu, &m_languageMenu, &m_helpMenu})
         *menu = new QMenu(window);
     makeFile();
@@ -54,6 +54,8 @@ void WindowActions::makeFile() {
     screenshotNow = command(Qt::Key_F12);
     screenshotBare = command(QKeySequence(Qt::CTRL | Qt::Key_F12));
     quit = command(QKeySequence::Quit);
+    undo = command(QKeySequence::Undo, QStringLiteral("undo"));
+    redo = command(QKeySequence::Redo, QStringLiteral("redo"));
 }
 
 void WindowActions::makeView() {
@@ -129,6 +131,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addActions({screenshot, screenshotNow, screenshotBare});
     m_fileMenu->addSeparator();
     m_fileMenu->addAction(quit);
+    m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
     m_viewMenu->addAction(lecture);
     m_viewMenu->addSeparator();
@@ -149,7 +152,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_pathMenu->addActions({openPath, play, stop});
     m_languageMenu->addActions(languages->actions());
     m_helpMenu->addActions({keys, about});
-    for (QMenu* menu : {m_fileMenu, editMenu, m_viewMenu, m_pictureMenu, m_pathMenu, m_languageMenu, m_helpMenu})
+    for (QMenu* menu : {m_fileMenu, m_editMenu, m_viewMenu, m_pictureMenu, m_pathMenu, m_languageMenu, m_helpMenu})
         bar.addMenu(menu);
 }
 
@@ -162,6 +165,8 @@ void WindowActions::fill(QToolBar& bar) {
     bar.addActions({home, frame});
     bar.addSeparator();
     bar.addActions({freeze, verdicts, truth});
+    bar.addSeparator();
+    bar.addActions({undo, redo});
     bar.addSeparator();
     bar.addActions({screenshot, lecture, keys});
     // The words of the rarer ones are in their tips: all of the bar is to be seen on the least screen in every language.
@@ -186,7 +191,7 @@ void WindowActions::fillGenerate() {
 
 void WindowActions::retranslate() {
     m_fileMenu->setTitle(tr("&File"));
-    editMenu->setTitle(tr("&Edit"));
+    m_editMenu->setTitle(tr("&Edit"));
     m_viewMenu->setTitle(tr("&View"));
     m_pictureMenu->setTitle(tr("&Picture"));
     m_pathMenu->setTitle(tr("P&ath"));

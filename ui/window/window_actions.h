@@ -25,8 +25,8 @@ public:
     // File
     QAction *open, *saveSession, *saveSessionAs, *screenshot, *screenshotNow, *screenshotBare, *quit;
     QMenu *generate, *recent;
-    // Edit: undo and redo come from the undo stack
-    QMenu* editMenu;
+    // Edit: their words say what they undo, and come from the undo recorder
+    QAction *undo, *redo;
     // View
     QAction *oneView, *twoViews, *fourViews, *eightViews;
     QAction *home, *frame;
@@ -64,7 +64,8 @@ private:
     void fillGenerate();
 
     QWidget* m_window;
-    QMenu *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu, *m_helpMenu;
+    QMenu *m_editMenu, *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu,
+        *m_helpMenu;
 };
 
 }  // namespace cullscope::ui

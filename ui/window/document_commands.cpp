@@ -1,0 +1,137 @@
+#include "ui/window/document_commands.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+#include "core/mesh/load.h"
+#include "ui/session/session_file.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr const char* kFolderSetting = "folder";
+
+QString pattern(const QString& extension) {
+    return QStringLiteral("*.") + extension + QStringLiteral(" *.") + extension.toUpper();
+}
+
+}  // namespace
+
+DocumentCommands::DocumentCommands(Session& session, ViewGrid& views, WindowActions& actions, QWidget* window)
+    : QObject(window),
+      m_session(session),
+      m_actions(actions),
+      m_window(window),
+      m_opener(new SessionOpener(session, m_bookmarks, this)),
+      m_undo(new UndoRecorder(session, this)),
+      m_screenshots(new ScreenshotTaker(session, window)) {
+    m_screenshots->setParent(this);
+    m_screenshots->setSessionText([this] { return stateToText(m_opener->current({}), {}); });
+    m_screenshots->setExtras([&views](int view) { return views.pane(view).picture().extras(); });
+    wire();
+    fillRecent();
+    fillBookmarks();
+}
+
+void DocumentCommands::wire() {
+    connect(m_actions.open, &QAction::triggered, this, &DocumentCommands::openByDialog);
+    connect(m_actions.saveSession, &QAction::triggered, this, [this] { save(false); });
+    connect(m_actions.saveSessionAs, &QAction::triggered, this, [this] { save(true); });
+    connect(m_actions.screenshot, &QAction::triggered, m_screenshots, &ScreenshotTaker::askAndTake);
+    connect(m_actions.screenshotNow, &QAction::triggered, this, [this] { m_screenshots->take(true); });
+    connect(m_actions.screenshotBare, &QAction::triggered, this, [this] { m_screenshots->take(false); });
+    connect(m_screenshots, &ScreenshotTaker::failed, this,
+            [this](const Message& message) { m_session.raise(Severity::Error, message); });
+    connect(m_screenshots, &ScreenshotTaker::done, this, [this](const QString& path) {
+        m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
+    });
+    connect(m_actions.undo, &QAction::triggered, m_undo, &UndoRecorder::undo);
+    connect(m_actions.redo, &QAction::triggered, m_undo, &UndoRecorder::redo);
+    connect(m_undo, &UndoRecorder::changed, this, &DocumentCommands::retranslate);
+    connect(&m_recent, &RecentFiles::changed, this, &DocumentCommands::fillRecent);
+    connect(&m_bookmarks, &CameraBookmarks::changed, this, &DocumentCommands::fillBookmarks);
+    connect(&m_session, &Session::sceneChanged, this, &DocumentCommands::fillBookmarks);
+    connect(m_opener, &SessionOpener::opened, this, [this](const QString& what) {
+        m_recent.add(what);
+        m_file = SessionOpener::kindOf(what) == SessionOpener::Kind::Session ? what : QString();
+    });
+    connect(m_opener, &SessionOpener::restored, this, [this] { m_undo->startAnew(); });
+}
+
+QString DocumentCommands::fileTypes() {
+    QStringList names, patterns;
+    for (const std::string& extension : readableMeshExtensions()) {
+        names << QString::fromStdString(extension);
+        patterns << pattern(names.back());
+    }
+    const QString session = QString::fromLatin1(kSessionExtension);
+    return QStringLiteral("%1 (%2);;%3 (%4);;%5 (*.png *.jpg *.tif *.exr);;%6 (*)")
+        .arg(tr("Meshes (%1)").arg(names.join(QStringLiteral(", "))), patterns.join(QLatin1Char(' ')), tr("Sessions"),
+             pattern(session), tr("Pictures that Cullscope took"), tr("All files"));
+}
+
+void DocumentCommands::openByDialog() {
+    const QString file =
+        QFileDialog::getOpenFileName(m_window, tr("Open"), m_settings.value(QLatin1String(kFolderSetting)).toString(),
+                                     fileTypes(), nullptr, QFileDialog::HideNameFilterDetails);
+    if (file.isEmpty()) return;
+    m_settings.setValue(QLatin1String(kFolderSetting), QFileInfo(file).absolutePath());
+    m_opener->open(file);
+}
+
+void DocumentCommands::save(bool askWhere) {
+    if (!m_session.opened()) return;
+    QString file = m_file;
+    if (file.isEmpty() || askWhere)
+        file = QFileDialog::getSaveFileName(m_window, tr("Save the session"),
+                                            m_settings.value(QLatin1String(kFolderSetting)).toString(),
+                                            tr("Sessions") + QStringLiteral(" (*.%1)").arg(QLatin1String(kSessionExtension)));
+    if (file.isEmpty()) return;
+    if (QFileInfo(file).suffix().isEmpty()) file += QLatin1Char('.') + QLatin1String(kSessionExtension);
+    if (!m_opener->save(file, {})) return;
+    m_file = file;
+    m_recent.add(file);
+}
+
+void DocumentCommands::fillRecent() {
+    m_actions.recent->clear();
+    for (const QString& entry : m_recent.entries())
+        m_actions.recent->addAction(entry, this, [this, entry] {
+            if (m_recent.keepIfThere(entry))
+                m_opener->open(entry);
+            else
+                m_session.raise(Severity::Warning, RecentFiles::goneMessage(entry));
+        });
+    m_actions.recent->setEnabled(!m_recent.entries().isEmpty());
+}
+
+void DocumentCommands::fillBookmarks() {
+    QMenu& menu = *m_actions.bookmarks;
+    menu.clear();
+    for (int place = 0; place < CameraBookmarks::kCount; ++place) {
+        QAction* recall =
+            menu.addAction(tr("Go to camera %1").arg(place + 1), this, [this, place] { m_bookmarks.recall(place, m_session); });
+        recall->setShortcut(QKeySequence(int(Qt::ALT) | (Qt::Key_1 + place)));
+        recall->setEnabled(m_bookmarks.places()[size_t(place)].has_value() && m_session.opened());
+    }
+    menu.addSeparator();
+    for (int place = 0; place < CameraBookmarks::kCount; ++place) {
+        QAction* store =
+            menu.addAction(tr("Keep as camera %1").arg(place + 1), this, [this, place] { m_bookmarks.store(place, m_session); });
+        store->setShortcut(QKeySequence(int(Qt::ALT) | int(Qt::SHIFT) | (Qt::Key_1 + place)));
+        store->setEnabled(m_session.opened() != nullptr);
+    }
+}
+
+void DocumentCommands::retranslate() {
+    m_actions.undo->setText(m_undo->undoText());
+    m_actions.redo->setText(m_undo->redoText());
+    m_actions.undo->setToolTip(m_undo->undoText());
+    m_actions.redo->setToolTip(m_undo->redoText());
+    m_actions.undo->setEnabled(m_undo->canUndo());
+    m_actions.redo->setEnabled(m_undo->canRedo());
+    fillBookmarks();
+}
+
+}  // namespace cullscope::ui

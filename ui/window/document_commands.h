@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QObject>
+#include <QSettings>
+
+#include "ui/dialogs/screenshot_taker.h"
+#include "ui/session/camera_bookmarks.h"
+#include "ui/session/recent_files.h"
+#include "ui/session/session_opener.h"
+#include "ui/session/undo_recorder.h"
+#include "ui/views/view_grid.h"
+#include "ui/window/window_actions.h"
+
+namespace cullscope::ui {
+
+/// The commands that work on the document as a whole: open, recent files, sessions, screenshots, undo, camera bookmarks.
+class DocumentCommands : public QObject {
+    Q_OBJECT
+
+public:
+    DocumentCommands(Session& session, ViewGrid& views, WindowActions& actions, QWidget* window);
+
+    [[nodiscard]] SessionOpener& opener() { return *m_opener; }
+    [[nodiscard]] UndoRecorder& undo() { return *m_undo; }
+    [[nodiscard]] ScreenshotTaker& screenshots() { return *m_screenshots; }
+    void openByDialog();
+    void retranslate();
+    /// The types that the dialog for opening offers, as QFileDialog takes them.
+    [[nodiscard]] static QString fileTypes();
+
+private:
+    void wire();
+    void fillRecent();
+    void fillBookmarks();
+    void save(bool askWhere);
+
+    Session& m_session;
+    WindowActions& m_actions;
+    QWidget* m_window;
+    CameraBookmarks m_bookmarks;
+    RecentFiles m_recent;
+    SessionOpener* m_opener;
+    UndoRecorder* m_undo;
+    ScreenshotTaker* m_screenshots;
+    QString m_file;  ///< of the session; empty: none yet
+    QSettings m_settings;
+};
+
+}  // namespace cullscope::ui
