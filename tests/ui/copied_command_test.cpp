@@ -50,7 +50,7 @@ struct CopiedCommand : ::testing::Test {
         QProcess cullbench;
         cullbench.setWorkingDirectory(folder.path());
         cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(view.request(), file));
-        ASSERT_TRUE(cullbench.waitForFinished(kPatience));
+        ASSERT_TRUE(cullbench.waitForFinished(kPatience)) << cullbench.errorString().toStdString();
         ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
         const QImage drawn = view.picture().convertToFormat(QImage::Format_RGB888);
         EXPECT_EQ(pixelsAlone(QImage(file), QImage::Format_RGB888), drawn) << cullbenchCommand(view.request()).toStdString();

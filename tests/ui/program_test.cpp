@@ -67,7 +67,7 @@ TEST(Program, withoutADisplayItEndsWithASentence) {
 TEST(Program, wrongUsageEndsWithTwo) {
     EXPECT_EQ(runProgram({QStringLiteral("--nonsense")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("nonsense")}).status, 2);
-    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("all,all,all")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("all,all,all,all,all,all,all,all,all")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--size"), QStringLiteral("wide")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--language"), QStringLiteral("xx")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--help")}).status, 0);

@@ -12,9 +12,9 @@
 #include "core/gpu/framebuffer.h"
 #include "core/measure/frame.h"
 #include "tests/ui/test_scene.h"
-#include "ui/window/main_window.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
+#include "ui/window/main_window.h"
 
 namespace cullscope::ui {
 namespace {
@@ -302,8 +302,7 @@ TEST_F(Window, theCopiedCommandDrewAnotherPicture) {
         cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(picture(0).request(), file));
         ASSERT_TRUE(cullbench.waitForFinished(kPatience));
         ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
-        EXPECT_EQ(pixelsAlone(QImage(file), QImage::Format_RGB888),
-                  picture(0).picture().convertToFormat(QImage::Format_RGB888));
+        EXPECT_EQ(pixelsAlone(QImage(file), QImage::Format_RGB888), picture(0).picture().convertToFormat(QImage::Format_RGB888));
     }
 }
 

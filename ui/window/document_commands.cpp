@@ -48,9 +48,10 @@ void DocumentCommands::wire() {
     });
     connect(m_actions.undo, &QAction::triggered, m_undo, &UndoRecorder::undo);
     connect(m_actions.redo, &QAction::triggered, m_undo, &UndoRecorder::redo);
-    connect(m_undo, &UndoRecorder::changed, this, &DocumentCommands::retranslate);
-    connect(&m_recent, &RecentFiles::changed, this, &DocumentCommands::fillRecent);
-    connect(&m_bookmarks, &CameraBookmarks::changed, this, &DocumentCommands::fillBookmarks);
+    connect(m_undo, &UndoRecorder::changed, this, &DocumentCommands::showUndo);
+    // Queued: the menu must not be filled anew while one of its commands runs.
+    connect(&m_recent, &RecentFiles::changed, this, &DocumentCommands::fillRecent, Qt::QueuedConnection);
+    connect(&m_bookmarks, &CameraBookmarks::changed, this, &DocumentCommands::fillBookmarks, Qt::QueuedConnection);
     connect(&m_session, &Session::sceneChanged, this, &DocumentCommands::fillBookmarks);
     connect(m_opener, &SessionOpener::opened, this, [this](const QString& what) {
         m_recent.add(what);
@@ -125,13 +126,17 @@ void DocumentCommands::fillBookmarks() {
 }
 
 void DocumentCommands::retranslate() {
+    showUndo();
+    fillBookmarks();
+}
+
+void DocumentCommands::showUndo() {
     m_actions.undo->setText(m_undo->undoText());
     m_actions.redo->setText(m_undo->redoText());
     m_actions.undo->setToolTip(m_undo->undoText());
     m_actions.redo->setToolTip(m_undo->redoText());
     m_actions.undo->setEnabled(m_undo->canUndo());
     m_actions.redo->setEnabled(m_undo->canRedo());
-    fillBookmarks();
 }
 
 }  // namespace cullscope::ui

@@ -32,6 +32,7 @@ private:
     void wire();
     void fillRecent();
     void fillBookmarks();
+    void showUndo();
     void save(bool askWhere);
 
     Session& m_session;

@@ -53,6 +53,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
         button->setPopupMode(QToolButton::InstantPopup);
     addToolBar(m_toolBar);
     setAcceptDrops(true);
+    m_reader = new InsideReader(m_session, this);
     makeCentre();
     makeSide();
     makeDocks();
@@ -101,6 +102,7 @@ void MainWindow::makeSide() {
     scroll->setWidget(m_strategy);
     scroll->setFocusProxy(m_strategy);
     m_scene = new ScenePanel(m_session, m_side);
+    m_scene->setReader(*m_reader);
     m_side->addPage(scroll, QStringLiteral("strategy"));
     m_side->addPage(m_scene, QStringLiteral("scene"));
 }
@@ -117,7 +119,6 @@ void MainWindow::makeDocks() {
     m_dockScroll->setFocusPolicy(Qt::NoFocus);
     auto* content = new QWidget(m_dockScroll);
     auto* layout = new QVBoxLayout(content);
-    m_reader = new InsideReader(m_session, this);
     m_inside = new InsidePanel(m_session, *m_reader, content);
     m_tabs = &m_inside->tabs();
     m_figures = new FigurePanel(m_session, m_tabs);
