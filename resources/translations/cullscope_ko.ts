@@ -1370,8 +1370,8 @@ OpenGL %2
         <translation>Cullscope 자체의 소스는 MIT 라이선스를 따릅니다.</translation>
     </message>
     <message>
-        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. This program does not link Qt Charts, which is under the GPL version 3; a program that links it is under the GPL version 3 as a whole.</source>
-        <translation>Qt는 LGPL 버전 3에 따라 동적으로 링크하여 사용하므로, 직접 만든 Qt로 바꿀 수 있습니다. 이 프로그램은 GPL 버전 3인 Qt Charts를 링크하지 않습니다. Qt Charts를 링크한 프로그램은 전체가 GPL 버전 3을 따르게 됩니다.</translation>
+        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which draws the plots, is under the GPL version 3, and so the desktop as a whole is too.</source>
+        <translation>Qt는 LGPL 버전 3에 따라 동적으로 연결됩니다: Qt를 다른 버전으로 바꿀 수 있습니다. 그래프를 그리는 Qt Charts는 GPL 버전 3이므로 데스크톱 전체도 GPL 버전 3에 따릅니다.</translation>
     </message>
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>

@@ -1370,8 +1370,8 @@ OpenGL %2
         <translation>Cullscope 自身的源代码采用 MIT 许可证。</translation>
     </message>
     <message>
-        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. This program does not link Qt Charts, which is under the GPL version 3; a program that links it is under the GPL version 3 as a whole.</source>
-        <translation>本程序依据 LGPL 第 3 版以动态链接方式使用 Qt：您可以换用自己的 Qt 版本。本程序未链接采用 GPL 第 3 版的 Qt Charts；链接它的程序整体须遵循 GPL 第 3 版。</translation>
+        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which draws the plots, is under the GPL version 3, and so the desktop as a whole is too.</source>
+        <translation>它按 LGPL 第 3 版动态链接 Qt：您可以用自己的版本替换 Qt。绘制图表的 Qt Charts 采用 GPL 第 3 版，因此整个桌面程序也采用 GPL 第 3 版。</translation>
     </message>
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>

@@ -29,8 +29,8 @@ AboutDialog::AboutDialog(const GlInfo& gl, QWidget* parent) : QDialog(parent) {
         tr("Qt %1\nOpenGL %2\n%3", "versions, then the OpenGL renderer").arg(QString::fromLatin1(qVersion()), version, renderer));
     paragraph(tr("Cullscope's own sources are under the MIT licence."));
     paragraph(tr(
-        "It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. This program does "
-        "not link Qt Charts, which is under the GPL version 3; a program that links it is under the GPL version 3 as a whole."));
+        "It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which "
+        "draws the plots, is under the GPL version 3, and so the desktop as a whole is too."));
     paragraph(
         tr("Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json "
            "and fmt, each under its own free licence."));

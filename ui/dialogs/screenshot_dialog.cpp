@@ -106,7 +106,10 @@ void ScreenshotDialog::layOut() {
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     form->addRow(tr("&What"), m_what);
     form->addRow(tr("&Size"), m_size);
-    form->addRow(QString(), row({m_width, new QLabel(QStringLiteral("×"), this), m_height}, this));
+    auto* times = new QLabel(QStringLiteral("×"), this);
+    times->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Preferred);
+    for (QSpinBox* box : {m_width, m_height}) box->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    form->addRow(QString(), row({m_width, times, m_height}, this));
     form->addRow(tr("Back&ground"), m_background);
     form->addRow(QString(), m_overlays);
     form->addRow(QString(), m_legend);
