@@ -1,10 +1,7 @@
 // The copied `cullbench` command repeats a view's picture, whatever camera and look it has.
 #include <gtest/gtest.h>
 
-#include <QProcess>
-#include <QTemporaryDir>
-
-#include "tests/ui/test_scene.h"
+#include "tests/ui/cullbench_picture.h"
 #include "ui/views/scene_view.h"
 
 namespace cullscope::ui {
@@ -45,15 +42,8 @@ struct CopiedCommand : ::testing::Test {
     }
 
     void expectSame(const SceneView& view) {
-        const QTemporaryDir folder;
-        const QString file = folder.filePath(QStringLiteral("view.png"));
-        QProcess cullbench;
-        cullbench.setWorkingDirectory(folder.path());
-        cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(view.request(), file));
-        ASSERT_TRUE(cullbench.waitForFinished(kPatience)) << cullbench.errorString().toStdString();
-        ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
-        const QImage drawn = view.picture().convertToFormat(QImage::Format_RGB888);
-        EXPECT_EQ(pixelsAlone(QImage(file), QImage::Format_RGB888), drawn) << cullbenchCommand(view.request()).toStdString();
+        const QImage drawn = pixelsAlone(view.picture(), QImage::Format_RGB888);
+        EXPECT_EQ(cullbenchPicture(view.request()), drawn) << cullbenchCommand(view.request()).toStdString();
         int covered = 0;
         for (int y = 0; y < drawn.height(); ++y)
             for (int x = 0; x < drawn.width(); ++x) covered += drawn.pixel(x, y) != drawn.pixel(0, 0) ? 1 : 0;

@@ -11,7 +11,7 @@
 #include <QTemporaryDir>
 
 #include "core/scene/camera_path.h"
-#include "tests/ui/test_scene.h"
+#include "tests/ui/cullbench_picture.h"
 #include "ui/window/main_window.h"
 
 namespace cullscope::ui {
@@ -194,7 +194,7 @@ TEST_F(EightViews, whatAFrozenFrustumLeftOutIsAHole) {
 }
 
 TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) {
-    open(kScene);
+    open(kObjects);
     session.setViewCount(8);
     session.setActiveView(0);
     setSizes(Viewport{320, 240});
@@ -232,7 +232,7 @@ TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) 
         EXPECT_TRUE(picture(view).pictureIsCurrent());
     }
     for (int view = 0; view < 8; ++view)
-        EXPECT_EQ(shown(view), session.pictures()->drawNow(*session.viewRequest(view))->colour) << "view " << view;
+        EXPECT_EQ(pixelsAlone(shown(view), QImage::Format_RGB888), cullbenchPicture(picture(view).request())) << "view " << view;
 }
 
 TEST_F(EightViews, theActiveViewComesFirstAndNoViewStarves) {
