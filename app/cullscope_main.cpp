@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/visibility/registry.h"
 #include "ui/startup/display.h"
+#include "ui/startup/first_views.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 #include "ui/window/main_window.h"
@@ -79,22 +80,6 @@ void chooseLanguage(ui::Language& language, const std::string& asked) {
         language.use(ui::Language::isKnown(stored) ? stored : ui::Language::ofSystem());
 }
 
-/// Without a choice: a strategy that leaves something out of any scene, and beside it a view that watches it from outside.
-void showStrategies(ui::Session& session, const std::vector<std::string>& chosen) {
-    session.setActiveView(0);
-    if (chosen.empty()) {
-        session.slot(0).choose("backface");
-        session.observe(1, 0);
-        ui::ViewSetup watching = session.setup(1);
-        watching.look = {Colouring::Verdicts, true, true, false};
-        session.setSetup(1, watching);
-        return;
-    }
-    for (size_t i = 0; i < chosen.size(); ++i) session.slot(int(i)).choose(chosen[i]);
-    for (const int count : ui::Session::kViewCounts)
-        if (size_t(count) >= chosen.size()) return session.setViewCount(count);
-}
-
 int show(QApplication& application, const CommandLine& line) {
     ui::Language language;
     chooseLanguage(language, line.language);
@@ -107,11 +92,17 @@ int show(QApplication& application, const CommandLine& line) {
     QObject::connect(&session, &ui::Session::messageRaised, [](ui::Severity severity, const Message& message) {
         if (severity == ui::Severity::Error) std::fprintf(stderr, "cullscope: %s\n", message.english().c_str());
     });
-    showStrategies(session, line.strategies);
+    ui::showFirstViews(session, line.strategies);
 
     ui::MainWindow window(session, language, appearance);
+    // A picture of the window is to be the same on every machine: it neither takes nor leaves a layout.
+    const bool remembers = line.screenshot.empty();
+    window.setKeepsLayout(remembers);
+    const bool restored = remembers && window.restoreLayout(line.strategies.empty());
     if (line.size) {
         window.resize(line.size->width, line.size->height);
+        window.show();
+    } else if (restored) {
         window.show();
     } else {
         ui::showFitting(window, kUsualSize);
@@ -122,7 +113,7 @@ int show(QApplication& application, const CommandLine& line) {
         picture = std::make_unique<ui::WindowPicture>(window, session, QString::fromStdString(line.screenshot));
         QObject::connect(picture.get(), &ui::WindowPicture::done, &application, &QCoreApplication::exit);
     }
-    session.open(QString::fromStdString(scene));
+    window.document().opener().open(QString::fromStdString(scene));
     return QApplication::exec();
 }
 

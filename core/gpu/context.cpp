@@ -132,6 +132,8 @@ GlInfo requireOpenGl45() {
     return info;
 }
 
+bool contextLost() { return glGetGraphicsResetStatus() != GL_NO_ERROR; }
+
 struct HeadlessContext::Implementation {
     EglContext egl;
     GlInfo info;

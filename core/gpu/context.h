@@ -19,6 +19,10 @@ struct GlInfo {
 /// Asks the current context. Throws Error(OpenGl) where none is current or it is older than 4.5.
 [[nodiscard]] GlInfo requireOpenGl45();
 
+/// Whether OpenGL says that the current context was lost, as by a driver's reset. Says so only where the context was made with
+/// reset notification. Needs a current context of OpenGL 4.5.
+[[nodiscard]] bool contextLost();
+
 /// An OpenGL 4.5 context on EGL without a display: the surfaceless platform (Mesa), else the first device that gives one
 /// (NVIDIA). Compatibility profile where there is one. Current on the creating thread from construction on.
 /// Throws Error(OpenGl) saying what was tried.

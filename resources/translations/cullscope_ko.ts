@@ -1345,6 +1345,26 @@
         <source>The triangle is not given to OpenGL.</source>
         <translation>삼각형이 OpenGL에 전달되지 않습니다.</translation>
     </message>
+    <message>
+        <source>OpenGL lost its context (the graphics driver was reset), which ended the experiment. What was measured before is kept; start it again for the rest.</source>
+        <translation>OpenGL 컨텍스트를 잃어(그래픽 드라이버가 초기화됨) 실험이 끝났습니다. 그전에 측정한 것은 남아 있습니다. 나머지는 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>OpenGL lost its context (the graphics driver was reset). The scene is being uploaded again; nothing is lost.</source>
+        <translation>OpenGL 컨텍스트를 잃었습니다(그래픽 드라이버가 초기화됨). 장면을 다시 올리는 중이며 잃은 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL lost its context, and no new one can be made. What is shown stays: save the session and start Cullscope again.</source>
+        <translation>OpenGL 컨텍스트를 잃었고 새로 만들 수 없습니다. 보이는 것은 그대로 있습니다. 세션을 저장하고 Cullscope를 다시 시작하세요.</translation>
+    </message>
+    <message>
+        <source>OpenGL lost its context while this picture was drawn. Take the picture again.</source>
+        <translation>이 그림을 그리는 동안 OpenGL 컨텍스트를 잃었습니다. 그림을 다시 찍으세요.</translation>
+    </message>
+    <message>
+        <source>The field of view changed while the path was recorded: all of it has that of its first pose.</source>
+        <translation>경로를 기록하는 동안 시야각이 바뀌었습니다. 경로 전체에 첫 자세의 시야각이 쓰입니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1558,10 +1578,6 @@ OpenGL %2
         <translation>보이는 삼각형</translation>
     </message>
     <message>
-        <source>Drawn in vain</source>
-        <translation>헛되이 그림</translation>
-    </message>
-    <message>
         <source>Missed pixels</source>
         <translation>놓친 픽셀</translation>
     </message>
@@ -1620,6 +1636,10 @@ OpenGL %2
     <message>
         <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 정답은 양면을 그릴 때 셉니다</translation>
+    </message>
+    <message>
+        <source>Submitted in vain</source>
+        <translation>헛되이 제출</translation>
     </message>
 </context>
 <context>
@@ -2058,10 +2078,6 @@ OpenGL %2
         <translation>전략</translation>
     </message>
     <message>
-        <source>Legend</source>
-        <translation>범례</translation>
-    </message>
-    <message>
         <source>Inside</source>
         <translation>내부</translation>
     </message>
@@ -2221,6 +2237,33 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::PlacedPanels</name>
+    <message>
+        <source>Inside</source>
+        <translation>내부</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>수치</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>통계</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>범례</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::PlaneTable</name>
     <message>
         <source>Plane</source>
@@ -2274,7 +2317,9 @@ OpenGL %2
     </message>
     <message numerus="yes">
         <source>%1: %n poses. The arrow keys go through them, Enter flies there.</source>
-        <translation><numerusform>%1: 자세 %n개. 화살표 키로 옮기고 Enter로 그곳으로 갑니다.</numerusform></translation>
+        <translation>
+            <numerusform>%1: 자세 %n개. 화살표 키로 옮기고 Enter로 그곳으로 갑니다.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2978,7 +3023,9 @@ view</source>
     </message>
     <message numerus="yes">
         <source>%n object(s) hidden</source>
-        <translation><numerusform>물체 %n개 숨김</numerusform></translation>
+        <translation>
+            <numerusform>물체 %n개 숨김</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 pixels missed, %2 nearer than the truth</source>
@@ -2990,7 +3037,9 @@ view</source>
     </message>
     <message numerus="yes">
         <source>loss %1 of %2: %n pixel(s)</source>
-        <translation><numerusform>손실 %1 / %2: 화소 %n개</numerusform></translation>
+        <translation>
+            <numerusform>손실 %1 / %2: 화소 %n개</numerusform>
+        </translation>
     </message>
 </context>
 <context>

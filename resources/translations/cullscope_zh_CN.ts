@@ -1345,6 +1345,26 @@
         <source>The triangle is not given to OpenGL.</source>
         <translation>该三角形未被提交给 OpenGL。</translation>
     </message>
+    <message>
+        <source>OpenGL lost its context (the graphics driver was reset), which ended the experiment. What was measured before is kept; start it again for the rest.</source>
+        <translation>OpenGL 上下文丢失(显卡驱动被重置),实验因此结束。此前的测量结果已保留;如需其余部分,请重新开始。</translation>
+    </message>
+    <message>
+        <source>OpenGL lost its context (the graphics driver was reset). The scene is being uploaded again; nothing is lost.</source>
+        <translation>OpenGL 上下文丢失(显卡驱动被重置)。正在重新上传场景;没有任何丢失。</translation>
+    </message>
+    <message>
+        <source>OpenGL lost its context, and no new one can be made. What is shown stays: save the session and start Cullscope again.</source>
+        <translation>OpenGL 上下文丢失,且无法创建新的。已显示的内容保持不变:请保存会话并重新启动 Cullscope。</translation>
+    </message>
+    <message>
+        <source>OpenGL lost its context while this picture was drawn. Take the picture again.</source>
+        <translation>绘制此图时 OpenGL 上下文丢失。请重新截图。</translation>
+    </message>
+    <message>
+        <source>The field of view changed while the path was recorded: all of it has that of its first pose.</source>
+        <translation>录制路径时视场角发生了变化:整条路径都采用第一个位姿的视场角。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1558,10 +1578,6 @@ OpenGL %2
         <translation>可见的三角形</translation>
     </message>
     <message>
-        <source>Drawn in vain</source>
-        <translation>白画的三角形</translation>
-    </message>
-    <message>
         <source>Missed pixels</source>
         <translation>丢失的像素</translation>
     </message>
@@ -1620,6 +1636,10 @@ OpenGL %2
     <message>
         <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真实结果画双面时统计</translation>
+    </message>
+    <message>
+        <source>Submitted in vain</source>
+        <translation>徒劳提交</translation>
     </message>
 </context>
 <context>
@@ -2058,10 +2078,6 @@ OpenGL %2
         <translation>策略</translation>
     </message>
     <message>
-        <source>Legend</source>
-        <translation>图例</translation>
-    </message>
-    <message>
         <source>Inside</source>
         <translation>内部</translation>
     </message>
@@ -2221,6 +2237,33 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::PlacedPanels</name>
+    <message>
+        <source>Inside</source>
+        <translation>内部</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Statistics</source>
+        <translation>统计</translation>
+    </message>
+    <message>
+        <source>Scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>Strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>Legend</source>
+        <translation>图例</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::PlaneTable</name>
     <message>
         <source>Plane</source>
@@ -2274,7 +2317,9 @@ OpenGL %2
     </message>
     <message numerus="yes">
         <source>%1: %n poses. The arrow keys go through them, Enter flies there.</source>
-        <translation><numerusform>%1：%n 个姿态。方向键逐个浏览，Enter 飞到该处。</numerusform></translation>
+        <translation>
+            <numerusform>%1：%n 个姿态。方向键逐个浏览，Enter 飞到该处。</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2978,7 +3023,9 @@ view</source>
     </message>
     <message numerus="yes">
         <source>%n object(s) hidden</source>
-        <translation><numerusform>隐藏了 %n 个物体</numerusform></translation>
+        <translation>
+            <numerusform>隐藏了 %n 个物体</numerusform>
+        </translation>
     </message>
     <message>
         <source>%1 pixels missed, %2 nearer than the truth</source>
@@ -2990,7 +3037,9 @@ view</source>
     </message>
     <message numerus="yes">
         <source>loss %1 of %2: %n pixel(s)</source>
-        <translation><numerusform>损失 %1 / %2：%n 个像素</numerusform></translation>
+        <translation>
+            <numerusform>损失 %1 / %2：%n 个像素</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -52,6 +52,7 @@ ViewSetup anySetup(Random& random) {
     setup.wipe = {
         oneOf(random, {Wipe::Mode::None, Wipe::Mode::Truth, Wipe::Mode::Loss, Wipe::Mode::OtherView, Wipe::Mode::Difference}),
         int(below(random, 8)), random.unit()};
+    setup.panel = oneOf<const char*>(random, {"", "inside", "statistics"});
     return setup;
 }
 
@@ -85,6 +86,12 @@ SessionState anyState(Random& random) {
     }
     for (std::optional<Camera>& place : state.bookmarks)
         if (random.unit() < 0.5) place = anyCamera(random);
+    if (random.unit() < 0.5) {
+        const auto channel = [&] { return float(random.unit()); };
+        state.style.emplace();
+        state.style->background = Vec3f(channel(), channel(), channel());
+        state.style->surface = Vec3f(channel(), channel(), channel());
+    }
     return state;
 }
 

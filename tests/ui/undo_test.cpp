@@ -213,6 +213,20 @@ TEST_F(Undo, aWindowThatChangesItsSizeMakesNoStep) {
     EXPECT_EQ(session.camera(), turnedCamera);
 }
 
+TEST_F(Undo, backToTheFirstCameraItNoLongerFollowedTheWindow) {
+    session.setActiveView(0);
+    session.observe(1, 0);
+    session.goHome();
+    undo.startAnew();
+    session.setCamera(turnedBy(30.0));
+    undo.settle();
+    undo.undo();
+    const Camera before = session.camera(), observer = session.viewingCamera(1);
+    session.setViewport(0, {200, 900});
+    EXPECT_NE(session.camera(), before);
+    EXPECT_NE(session.viewingCamera(1), observer);
+}
+
 TEST_F(Undo, aNewChangeEndsTheRedo) {
     session.setCamera(turnedBy(10.0));
     undo.settle();

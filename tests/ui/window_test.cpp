@@ -263,6 +263,9 @@ TEST_F(Window, theTabBarHadNoName) {
     window.side().setOpenPage(0);
     session.setActiveView(0);
     session.slot(0).choose("frustum");
+    const auto* parameter = window.strategyPanel().form().findChild<QWidget*>(QStringLiteral("box"));
+    ASSERT_TRUE(parameter);
+    ASSERT_TRUE(waitUntil([&] { return parameter->isVisible(); }));
     QWidget* choice = &window.strategyPanel().choice();
     std::vector<QWidget*> stops;
     QWidget* widget = choice;
@@ -271,9 +274,9 @@ TEST_F(Window, theTabBarHadNoName) {
         widget = widget->nextInFocusChain();
     } while (widget != choice);
     const auto place = [&](const QWidget* wanted) { return std::find(stops.begin(), stops.end(), wanted) - stops.begin(); };
-    const auto* parameter = window.strategyPanel().form().findChild<QWidget*>(QStringLiteral("box"));
-    ASSERT_TRUE(parameter);
     EXPECT_LT(place(choice), place(parameter));
+    EXPECT_LT(place(parameter), place(window.tabs().tabBar()));
+    EXPECT_LT(place(window.tabs().tabBar()), place(&window.figures().table()));
     EXPECT_LT(place(&window.figures().table()), std::ptrdiff_t(stops.size()));
     EXPECT_FALSE(window.tabs().tabBar()->accessibleName().isEmpty());
 }

@@ -33,7 +33,7 @@ QString FigureModel::title(int row) {
         case Visible:
             return tr("Visible triangles");
         case InVain:
-            return tr("Drawn in vain");
+            return tr("Submitted in vain");
         case Missed:
             return tr("Missed pixels");
         case Beyond:

@@ -34,6 +34,7 @@ FigurePanel::FigurePanel(Session& session, QWidget* parent)
     connect(&session, &Session::activeViewChanged, this, [this] {
         if (m_session.viewCount() == 1) refresh();
     });
+    connect(&session, &Session::setupChanged, this, &FigurePanel::refresh);
     connect(&session, &Session::figuresChanged, this, [this](int view) { m_model->setFigures(view, m_session.figures(view)); });
     refresh();
 }
@@ -63,8 +64,7 @@ void FigurePanel::refresh() {
     m_software->setText(tr("Software OpenGL: not the times of a graphics card"));
     m_software->setVisible(m_session.gpu() && m_session.gpu()->info().software);
     std::vector<FigureModel::Column> columns;
-    for (int view = 0; view < Session::kMostViews; ++view)
-        if (m_session.shown(view)) columns.push_back({view, m_session.figures(view)});
+    for (const int view : m_session.measuredViews()) columns.push_back({view, m_session.figures(view)});
     m_model->setColumns(std::move(columns));
     // The dock scrolls as a whole: a table that scrolled inside it would be hard to reach.
     m_table->ensurePolished();

@@ -32,9 +32,25 @@ MeasureRequest measureRequest(const ExperimentRunner::Request& request) {
     return measured;
 }
 
+Message experimentLoss() {
+    return {QT_TRANSLATE_NOOP("core",
+                              "OpenGL lost its context (the graphics driver was reset), which ended the experiment. What was "
+                              "measured before is kept; start it again for the rest."),
+            {}};
+}
+
+/// Empty: the user stopped it.
+Message sentenceOf(const std::exception& exception) {
+    if (const auto* error = dynamic_cast<const Error*>(&exception))
+        return error->kind() == ErrorKind::Interrupted ? Message() : error->message();
+    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr)
+        return {QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."), {}};
+    return {QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"), {exception.what()}};
+}
+
 }  // namespace
 
-ExperimentRunner::ExperimentRunner(QObject* parent) : QObject(parent) {
+ExperimentRunner::ExperimentRunner(QObject* parent, GpuThread::Options gpu) : QObject(parent), m_gpuOptions(std::move(gpu)) {
     m_poll.setInterval(kInterval);
     connect(&m_poll, &QTimer::timeout, this, &ExperimentRunner::showBoard);
 }
@@ -49,7 +65,7 @@ void ExperimentRunner::start(const Request& request) {
     m_stop.request_stop();
     const uint64_t job = m_jobs.begin();
     try {
-        if (!m_gpu) m_gpu = std::make_unique<GpuThread>();
+        if (!m_gpu) m_gpu = std::make_unique<GpuThread>(m_gpuOptions);
     } catch (const Error& error) {
         m_running = false;
         m_poll.stop();
@@ -60,8 +76,8 @@ void ExperimentRunner::start(const Request& request) {
     m_board = std::make_shared<Board>();
     m_running = true;
     ++m_underWay;
-    m_gpu->post([this, job, measured = measureRequest(request), stop = m_stop.get_token(), board = m_board] {
-        Outcome outcome = run(measured, stop, *board);
+    m_gpu->post([this, job, &gpu = *m_gpu, measured = measureRequest(request), stop = m_stop.get_token(), board = m_board] {
+        Outcome outcome = run(measured, gpu, stop, *board);
         QMetaObject::invokeMethod(
             this, [this, job, outcome = std::move(outcome)] { deliver(job, outcome); }, Qt::QueuedConnection);
     });
@@ -77,7 +93,8 @@ void ExperimentRunner::cancel() {
     emit cancelled();
 }
 
-ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, const std::stop_token& stop, Board& board) {
+ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, GpuThread& gpu, const std::stop_token& stop,
+                                                Board& board) {
     Progress progress;
     progress.stop = stop;
     progress.report = [&](double share, std::string_view stage) {
@@ -85,15 +102,18 @@ ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, c
         board.share = share;
         board.stage = stage;
     };
+    std::optional<MeasureResult> known;
     const PoseObserver afterPose = [&](const std::function<MeasureResult()>& resultSoFar) {
+        // The pose just measured cannot be told from those before: what is known without it is kept.
+        if (gpu.lost()) throw Error(ErrorKind::OpenGl, experimentLoss());
         {
             // Nobody has picked up the last one yet.
             const std::lock_guard lock(board.mutex);
             if (board.snapshot) return;
         }
-        MeasureResult snapshot = resultSoFar();
+        known = resultSoFar();
         const std::lock_guard lock(board.mutex);
-        board.snapshot = std::move(snapshot);
+        board.snapshot = known;
     };
     MeasureResult nothing;
     nothing.request = request;
@@ -101,13 +121,10 @@ ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, c
     try {
         if (stop.stop_requested()) return {nothing, {}};
         return {measure(request, progress, afterPose), {}};
-    } catch (const Error& error) {
-        if (error.kind() == ErrorKind::Interrupted) return {nothing, {}};
-        return {{}, error.message()};
-    } catch (const std::bad_alloc&) {
-        return {{}, {QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."), {}}};
     } catch (const std::exception& error) {
-        return {{}, {QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"), {error.what()}}};
+        if (gpu.lost()) return {known, experimentLoss()};
+        const Message failure = sentenceOf(error);
+        return failure.empty() ? Outcome{nothing, {}} : Outcome{std::nullopt, failure};
     }
 }
 
@@ -133,10 +150,9 @@ void ExperimentRunner::deliver(uint64_t job, const Outcome& outcome) {
     if (!m_jobs.isCurrent(job)) return;
     m_running = false;
     m_poll.stop();
-    if (outcome.failure.empty())
-        emit finished(outcome.result);
-    else
-        emit failed(outcome.failure);
+    if (outcome.result) emit finished(*outcome.result);
+    // Whoever heard of the result may have started another.
+    if (!outcome.failure.empty() && m_jobs.isCurrent(job)) emit failed(outcome.failure);
 }
 
 }  // namespace cullscope::ui

@@ -31,7 +31,7 @@ public:
         bool accuracy = true;
     };
 
-    explicit ExperimentRunner(QObject* parent = nullptr);
+    explicit ExperimentRunner(QObject* parent = nullptr, GpuThread::Options gpu = GpuThread::Options());
     /// Waits for the frame under way.
     ~ExperimentRunner() override;
 
@@ -49,6 +49,7 @@ signals:
     /// The poses measured so far. At most 10 times a second.
     void partial(const cullscope::MeasureResult& result);
     void finished(const cullscope::MeasureResult& result);
+    /// After `finished` where something was measured before.
     void failed(const cullscope::Message& message);
     void cancelled();
 
@@ -60,13 +61,13 @@ private:
         std::string stage;
         std::optional<MeasureResult> snapshot;
     };
-    /// What came of an experiment: a result, or a message.
+    /// What came of an experiment: a result, or a message, or (where the context was lost) the poses before and a message.
     struct Outcome {
-        MeasureResult result;
+        std::optional<MeasureResult> result;
         Message failure;
     };
 
-    [[nodiscard]] static Outcome run(const MeasureRequest& request, const std::stop_token& stop, Board& board);
+    [[nodiscard]] static Outcome run(const MeasureRequest& request, GpuThread& gpu, const std::stop_token& stop, Board& board);
     void showBoard();
     void deliver(uint64_t job, const Outcome& outcome);
 
@@ -76,6 +77,7 @@ private:
     std::stop_source m_stop;
     std::shared_ptr<Board> m_board;
     QTimer m_poll;
+    GpuThread::Options m_gpuOptions;
     std::unique_ptr<GpuThread> m_gpu;
 };
 

@@ -86,6 +86,13 @@ struct FigureMeter::Bench {
         return *framebuffer;
     }
 
+    /// Lets go of what is of the context, and of truth that may have been found in a lost one.
+    void letGo() {
+        renderer.reset();
+        framebuffer.reset();
+        references.clear();
+    }
+
     /// Keeps only what the newest request can use.
     void forgetOthers(const std::vector<Subject>& subjects) {
         std::erase_if(references, [&](const KnownReference& known) {
@@ -193,7 +200,10 @@ struct FigureMeter::Job {
     }
 };
 
-FigureMeter::FigureMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {}
+FigureMeter::FigureMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {
+    connect(
+        &gpu, &GpuThread::contextGoing, this, [bench = m_bench] { bench->letGo(); }, Qt::DirectConnection);
+}
 
 FigureMeter::~FigureMeter() {
     cancel();
@@ -236,28 +246,44 @@ void FigureMeter::measure(std::vector<Subject> subjects) {
     });
 }
 
+bool FigureMeter::held(const Job& job) const {
+    return std::all_of(job.subjects.begin(), job.subjects.end(),
+                       [this](const Subject& subject) { return m_gpu.holds(subject.what.buffers); });
+}
+
 void FigureMeter::step(const std::shared_ptr<Job>& job) {
-    if (!m_jobs.isCurrent(job->number)) return;
+    // What the loss of the context ends is asked for again with the buffers of the new one.
+    if (!m_jobs.isCurrent(job->number) || !held(*job)) return;
     try {
-        if (job->figures.size() < job->subjects.size()) {
-            const Subject& subject = job->subjects[job->figures.size()];
-            job->figures.push_back(m_bench->accuracy(subject.what));
-            deliver(job->number, subject.view, job->figures.back());
-            if (job->figures.size() == job->subjects.size()) job->prepareTiming(*m_bench);
-        } else if (!job->timeOne(*m_bench)) {
-            for (size_t i = 0; i < job->subjects.size(); ++i) {
-                fillTimes(job->figures[i], job->runners[job->places[i].first], job->runners[job->places[i].second]);
-                deliver(job->number, job->subjects[i].view, job->figures[i]);
-            }
-            return;
-        }
-        m_gpu.post([this, job, bench = m_bench] { step(job); });
+        if (measureNext(*job)) m_gpu.post([this, job, bench = m_bench] { step(job); });
     } catch (const Error& error) {
-        for (const Subject& subject : job->subjects) deliver(job->number, subject.view, failure(error.message(), subject.what));
+        fail(*job, error.message());
     } catch (const std::exception& error) {
-        const Message message{QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"), {error.what()}};
-        for (const Subject& subject : job->subjects) deliver(job->number, subject.view, failure(message, subject.what));
+        fail(*job, {QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"), {error.what()}});
     }
+}
+
+bool FigureMeter::measureNext(Job& job) {
+    if (job.figures.size() < job.subjects.size()) {
+        const Subject& subject = job.subjects[job.figures.size()];
+        job.figures.push_back(m_bench->accuracy(subject.what));
+        if (!held(job)) return false;
+        deliver(job.number, subject.view, job.figures.back());
+        if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench);
+        return true;
+    }
+    if (job.timeOne(*m_bench)) return true;
+    if (!held(job)) return false;
+    for (size_t i = 0; i < job.subjects.size(); ++i) {
+        fillTimes(job.figures[i], job.runners[job.places[i].first], job.runners[job.places[i].second]);
+        deliver(job.number, job.subjects[i].view, job.figures[i]);
+    }
+    return false;
+}
+
+void FigureMeter::fail(const Job& job, const Message& message) {
+    if (!held(job)) return;
+    for (const Subject& subject : job.subjects) deliver(job.number, subject.view, failure(message, subject.what));
 }
 
 }  // namespace cullscope::ui

@@ -14,6 +14,7 @@ namespace cullscope::ui {
 /// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per
 /// camera, size and facing rule), then their speed beside `backface`, interleaved. Goes step by step, so that pictures
 /// come in between. A newer request makes an older one stale: it stops after the step in hand and brings nothing any more.
+/// So does the loss of the thread's context.
 class FigureMeter : public QObject {
     Q_OBJECT
 
@@ -40,6 +41,11 @@ private:
     struct Job;    ///< one request and how far it is
 
     void step(const std::shared_ptr<Job>& job);
+    /// False: that was the last of it.
+    [[nodiscard]] bool measureNext(Job& job);
+    /// Whether OpenGL still has what the job measures.
+    [[nodiscard]] bool held(const Job& job) const;
+    void fail(const Job& job, const Message& message);
     void deliver(uint64_t job, int view, const Figures& figures);
 
     GpuThread& m_gpu;

@@ -33,12 +33,15 @@ PictureMaker::PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent
       m_gpu(gpu),
       m_wish(std::move(wish)),
       m_drawer(std::make_shared<ViewPictureDrawer>()),
-      m_views(size_t(views)) {}
+      m_views(size_t(views)) {
+    connect(
+        &gpu, &GpuThread::contextGoing, this, [drawer = m_drawer] { *drawer = ViewPictureDrawer(); }, Qt::DirectConnection);
+}
 
 PictureMaker::~PictureMaker() {
     m_jobs.invalidate();
     // What lives on the GPU thread ends there.
-    m_gpu.run([this] { m_drawer.reset(); });
+    m_gpu.run([this] { *m_drawer = ViewPictureDrawer(); });
 }
 
 void PictureMaker::forget() {
@@ -106,11 +109,17 @@ void PictureMaker::drawNext() {
         [this, job, view, request = *m_wish(view), drawer = m_drawer] {
             if (!m_jobs.isCurrent(job)) return;
             Message failure;
-            const ViewPicturePointer picture = guarded(failure, [&] { return drawer->draw(request); });
+            ViewPicturePointer picture;
+            if (m_gpu.holds(request.buffers)) picture = guarded(failure, [&] { return drawer->draw(request); });
+            const bool held = m_gpu.holds(request.buffers);
             QMetaObject::invokeMethod(
                 this,
-                [this, job, view, request, picture, failure] {
-                    if (m_jobs.isCurrent(job)) finish(view, request, picture, failure);
+                [this, job, view, request, picture, failure, held] {
+                    if (!m_jobs.isCurrent(job)) return;
+                    if (held)
+                        finish(view, request, picture, failure);
+                    else
+                        passOver(view, request);
                 },
                 Qt::QueuedConnection);
         },
@@ -131,16 +140,25 @@ void PictureMaker::finish(int view, const ViewRequest& request, const ViewPictur
     schedule();
 }
 
+void PictureMaker::passOver(int view, const ViewRequest& request) {
+    m_drawing = false;
+    // The picture stays until the scene is in the new context, which makes another wish.
+    m_views[size_t(view)].given = request;
+    schedule();
+}
+
 void PictureMaker::pick(const ViewRequest& request, int x, int y,
                         std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found) {
     m_gpu.post(
         [this, request, x, y, found = std::move(found), drawer = m_drawer] {
+            if (!m_gpu.holds(request.buffers)) return;
             std::optional<ViewPictureDrawer::Picked> picked;
             Message failure;  // the same that drawing the view meets, and tells
             (void)guarded(failure, [&]() -> ViewPicturePointer {
                 picked = drawer->pick(request, x, y);
                 return nullptr;
             });
+            if (!m_gpu.holds(request.buffers)) return;
             QMetaObject::invokeMethod(
                 this, [found, picked] { found(picked); }, Qt::QueuedConnection);
         },
@@ -152,7 +170,9 @@ ViewPicturePointer PictureMaker::drawNow(const ViewRequest& request) {
     std::exception_ptr failure;
     m_gpu.run([&] {
         try {
+            m_gpu.requireHeld(request.buffers);
             picture = m_drawer->draw(request);
+            m_gpu.requireHeld(request.buffers);
         } catch (...) {
             failure = std::current_exception();
         }

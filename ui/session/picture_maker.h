@@ -11,7 +11,8 @@
 namespace cullscope::ui {
 
 /// Draws the views' pictures on the GPU thread, one at a time and in turns, each from what its view wants when its turn
-/// comes: nothing is ever drawn for a wish that has passed, and a view whose wish has not changed is not drawn.
+/// comes: nothing is ever drawn for a wish that has passed, and a view whose wish has not changed is not drawn. What the loss of
+/// the thread's context spoils is not shown: the picture before it stays until the scene is in the new context.
 class PictureMaker : public QObject {
     Q_OBJECT
 
@@ -38,7 +39,8 @@ public:
     /// Draws a picture out of turn and waits for it. Throws what core throws.
     [[nodiscard]] ViewPicturePointer drawNow(const ViewRequest& request);
 
-    /// Looks up what a request's picture shows at a pixel (y upward); `found` is called here, not on the GPU thread.
+    /// Looks up what a request's picture shows at a pixel (y upward); `found` is called here, not on the GPU thread, and not at
+    /// all where the thread lost its context.
     void pick(const ViewRequest& request, int x, int y,
               std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found);
 
@@ -59,6 +61,7 @@ private:
     [[nodiscard]] bool wants(int view) const;
     [[nodiscard]] int nextView() const;
     void finish(int view, const ViewRequest& request, const ViewPicturePointer& picture, const Message& failure);
+    void passOver(int view, const ViewRequest& request);
 
     GpuThread& m_gpu;
     Wish m_wish;

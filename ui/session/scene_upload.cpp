@@ -7,7 +7,9 @@
 namespace cullscope::ui {
 
 SceneUpload::SceneUpload(GpuThread& gpu, Uploader uploader, QObject* parent)
-    : QObject(parent), m_gpu(gpu), m_uploader(std::move(uploader)) {}
+    : QObject(parent), m_gpu(gpu), m_uploader(std::move(uploader)) {
+    connect(&gpu, &GpuThread::contextLost, this, &SceneUpload::contextLost);
+}
 
 SceneUpload::~SceneUpload() {
     m_jobs.invalidate();
@@ -38,7 +40,7 @@ void SceneUpload::want(Upload upload) {
 }
 
 SceneBuffersPointer SceneUpload::make(const ScenePointer& scene, Upload upload, const SceneBuffersPointer& before) const {
-    if (before) return m_gpu.share(scene, *before);
+    if (before && m_gpu.holds(before)) return m_gpu.share(scene, *before);
     return upload == Upload::Vbo && m_uploader ? m_uploader(m_gpu, scene) : m_gpu.upload(scene, upload);
 }
 
@@ -54,17 +56,36 @@ void SceneUpload::post(Upload upload, const SceneBuffersPointer& before) {
         } catch (const std::exception& error) {
             failure = {QT_TRANSLATE_NOOP("core", "The scene cannot be given to OpenGL: %1"), {error.what()}};
         }
+        // Uploaded into nothing: it begins anew as soon as the loss is known here.
+        if (m_gpu.losing()) return;
         QMetaObject::invokeMethod(
             this,
             [this, job, upload, buffers, failure] {
-                if (!m_jobs.isCurrent(job)) return;
-                m_ways[size_t(upload)].buffers = buffers;
-                if (!failure.empty()) m_failure = failure;
-                emit changed();
-                if (!failure.empty()) emit failed(failure);
+                if (m_jobs.isCurrent(job)) take(upload, buffers, failure);
             },
             Qt::QueuedConnection);
     });
+}
+
+void SceneUpload::take(Upload upload, const SceneBuffersPointer& buffers, const Message& failure) {
+    const SceneBuffersPointer before = std::exchange(m_ways[size_t(upload)].buffers, buffers);
+    if (!failure.empty()) m_failure = failure;
+    if (before && buffers) emit renewed(before, buffers);
+    emit changed();
+    if (!failure.empty()) emit failed(failure);
+}
+
+void SceneUpload::contextLost(bool replaced) {
+    if (!m_scene) return;
+    m_job = m_jobs.begin();
+    if (!replaced) {
+        m_failure = lossMessage(false);
+        emit changed();
+        return;
+    }
+    m_failure = {};
+    for (const Upload upload : {Upload::Vbo, Upload::VertexArray})
+        if (m_ways[size_t(upload)].begun) post(upload, nullptr);
 }
 
 }  // namespace cullscope::ui

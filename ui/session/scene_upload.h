@@ -11,7 +11,8 @@
 namespace cullscope::ui {
 
 /// Brings a scene to OpenGL on the GPU thread, as buffer objects and, where a view asks for it, as client arrays. A scene of
-/// the same meshes as the one before shares its buffers.
+/// the same meshes as the one before shares its buffers. After the loss of the thread's context it is uploaded again; until that
+/// is there the old buffers stay, which nobody draws any more but by which pictures and figures know what they are of.
 class SceneUpload : public QObject {
     Q_OBJECT
 
@@ -31,6 +32,8 @@ public:
 
 signals:
     void changed();
+    /// Before `changed`: the same scene in a new context.
+    void renewed(const cullscope::ui::SceneBuffersPointer& before, const cullscope::ui::SceneBuffersPointer& now);
     void failed(const cullscope::Message& message);
 
 private:
@@ -39,6 +42,8 @@ private:
         bool begun = false;
     };
 
+    void contextLost(bool replaced);
+    void take(Upload upload, const SceneBuffersPointer& buffers, const Message& failure);
     void post(Upload upload, const SceneBuffersPointer& before);
     [[nodiscard]] SceneBuffersPointer make(const ScenePointer& scene, Upload upload, const SceneBuffersPointer& before) const;
 

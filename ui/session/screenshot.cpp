@@ -51,7 +51,9 @@ struct Screenshot::Drawing {
 };
 
 Screenshot::Screenshot(GpuThread& gpu, ScreenshotPlan plan, std::filesystem::path path, QObject* parent)
-    : QObject(parent), m_gpu(gpu), m_plan(std::move(plan)), m_path(std::move(path)), m_drawing(std::make_unique<Drawing>()) {
+    : QObject(parent), m_gpu(gpu), m_plan(std::move(plan)), m_path(std::move(path)), m_drawing(std::make_shared<Drawing>()) {
+    connect(
+        &gpu, &GpuThread::contextGoing, this, [drawing = m_drawing] { drawing->renderer.reset(); }, Qt::DirectConnection);
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_drawing->steps += TiledPicture(part.request, part.wanted).steps();
 }
 
@@ -60,7 +62,7 @@ Screenshot::~Screenshot() {
     // A step in hand may post one more, which finds itself cancelled: wait for both.
     m_gpu.run([] {});
     // What lives on the GPU thread ends there.
-    m_gpu.run([this] { m_drawing.reset(); });
+    m_gpu.run([this] { *m_drawing = Drawing(); });
 }
 
 void Screenshot::cancel() {
@@ -82,10 +84,17 @@ void Screenshot::deliver(uint64_t job, std::function<void()> news) {
         Qt::QueuedConnection);
 }
 
+bool Screenshot::drawNext() {
+    for (const ScreenshotPlan::Part& part : m_plan.parts) m_gpu.requireHeld(part.request.buffers);
+    const bool more = m_drawing->drawNext(m_plan);
+    m_gpu.requireHeld(m_plan.parts.front().request.buffers);
+    return more;
+}
+
 void Screenshot::step(uint64_t job) {
     if (!m_jobs.isCurrent(job)) return;
     bool more = false;
-    const Message failure = sentenceOf([&] { more = m_drawing->drawNext(m_plan); });
+    const Message failure = sentenceOf([&] { more = drawNext(); });
     if (!failure.empty()) return deliver(job, [this, failure] { emit failed(failure); });
     const double share = kDrawingShare * double(m_drawing->stepsDone) / double(m_drawing->steps);
     deliver(job, [this, share] { emit progressed(share); });

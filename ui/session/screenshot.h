@@ -33,6 +33,8 @@ private:
     struct Drawing;  ///< what lives on the GPU thread
     using Pictures = std::vector<TiledPicture::Result>;
 
+    /// Draws one tile; false: that was the last. Throws what core throws, and Error(OpenGl) where the context was lost.
+    [[nodiscard]] bool drawNext();
     void step(uint64_t job);
     void deliver(uint64_t job, std::function<void()> news);
     void write(const std::shared_ptr<Pictures>& pictures);
@@ -41,7 +43,7 @@ private:
     ScreenshotPlan m_plan;
     std::filesystem::path m_path;
     JobNumbers m_jobs;
-    std::unique_ptr<Drawing> m_drawing;
+    std::shared_ptr<Drawing> m_drawing;
     Background m_background;
 };
 

@@ -33,7 +33,7 @@ const RegisteredStrategy& firstStrategy(size_t view) {
 Session::Session(Options options, QObject* parent)
     : QObject(parent), m_sceneSource(options.sceneSource), m_loader(openerFor(options)) {
     if (options.graphics) {
-        m_gpu = std::make_unique<GpuThread>();
+        m_gpu = std::make_unique<GpuThread>(options.gpu);
         m_upload = std::make_unique<SceneUpload>(*m_gpu, options.uploader);
         makeGraphics();
     }
@@ -70,6 +70,14 @@ void Session::makeGraphics() {
         emit buffersChanged();
         update();
     });
+    connect(m_upload.get(), &SceneUpload::renewed, this,
+            [this](const SceneBuffersPointer& before, const SceneBuffersPointer& now) {
+                // What is known does not depend on the context; what is half known is measured anew.
+                for (ViewState& view : m_views)
+                    if (view.figures.timed && view.figures.subject.buffers == before) view.figures.subject.buffers = now;
+            });
+    connect(m_gpu.get(), &GpuThread::contextLost, this,
+            [this](bool replaced) { raise(replaced ? Severity::Warning : Severity::Error, lossMessage(replaced)); });
     connect(m_upload.get(), &SceneUpload::failed, this, [this](const Message& message) { raise(Severity::Error, message); });
     connect(m_meter.get(), &FigureMeter::measured, this, [this](int view, const Figures& figures) {
         if (figures.timed || figures.state == Figures::State::Failed)
@@ -162,116 +170,6 @@ const Message& Session::uploadFailure() const {
     return m_upload ? m_upload->failure() : none;
 }
 
-// ---- Cameras
-
-double Session::aspect(int view) const {
-    const Viewport size = renderSize(view);
-    return size.width > 0 && size.height > 0 ? double(size.width) / size.height : 4.0 / 3.0;
-}
-
-void Session::setCamera(const Camera& camera) {
-    if (!m_opened) return;
-    const Camera complete = withClipPlanes(camera, m_opened->scene->boundingSphere(), m_chosenNear);
-    m_atHome = false;
-    if (complete == m_camera) return;
-    m_camera = complete;
-    emit cameraChanged();
-    update();
-}
-
-void Session::setUpAxis(UpAxis up) {
-    if (up == m_up) return;
-    m_up = up;
-    goHome();
-    emit cameraChanged();
-}
-
-void Session::goHome() {
-    m_chosenNear.reset();
-    if (!m_opened) return;
-    // The view whose shape decides is a linked one: an observer has a camera of its own.
-    int view = culledBy(m_activeView);
-    if (setup(view).role != Role::Linked) view = m_activeView;
-    setCamera(homeCamera(*m_opened->scene, m_up, aspect(view)));
-    m_atHome = true;
-    placeObservers();
-}
-
-void Session::placeObservers() {
-    for (int view = 0; view < kMostViews; ++view)
-        if (setup(view).role == Role::Observer) observe(view, setup(view).observed);
-}
-
-void Session::frameScene() {
-    if (m_scene) frame(m_scene->boundingSphere());
-}
-
-void Session::frame(const Sphere& sphere) {
-    if (m_opened) setViewingCamera(m_activeView, framed(viewingCamera(m_activeView), m_up, sphere, aspect(m_activeView)));
-}
-
-void Session::setChosenNear(const std::optional<double>& distance) {
-    m_chosenNear = distance;
-    setCamera(m_camera);
-}
-
-Camera Session::withClipPlanesFor(int view, const Camera& camera) const {
-    Sphere scene = m_opened->scene->boundingSphere();
-    if (setup(view).role == Role::Linked) return withClipPlanes(camera, scene, m_chosenNear);
-    // The culling camera's frustum is to be seen too.
-    scene.radius = std::max(scene.radius, glm::length(cullingCamera(view).eye - scene.centre));
-    return withClipPlanes(camera, scene, std::nullopt);
-}
-
-void Session::setLinked(int view) {
-    ViewSetup changed = setup(view);
-    changed.role = Role::Linked;
-    changeSetup(view, changed);
-}
-
-void Session::observe(int view, int observed) {
-    observed = culledBy(observed);
-    if (observed == view) return;
-    ViewSetup changed = setup(view);
-    changed.role = Role::Observer;
-    changed.observed = observed;
-    if (m_opened)
-        changed.viewing = observerCamera(cullingCamera(observed), m_opened->scene->boundingSphere(), m_up, aspect(view));
-    changeSetup(view, changed);
-    if (m_opened) setViewingCamera(view, changed.viewing);
-}
-
-void Session::setFrozen(int view, bool frozen) {
-    if (!m_opened || frozen == (setup(view).role == Role::Frozen)) return;
-    ViewSetup changed = setup(view);
-    changed.culling = cullingCamera(view);
-    changed.viewing = viewingCamera(view);
-    changed.role = frozen ? Role::Frozen : Role::Linked;
-    changeSetup(view, changed);
-}
-
-int Session::culledBy(int view) const { return setup(view).role == Role::Observer ? setup(view).observed : view; }
-
-const Camera& Session::cullingCamera(int view) const {
-    const ViewSetup& culling = setup(culledBy(view));
-    return culling.role == Role::Frozen ? culling.culling : m_camera;
-}
-
-const Camera& Session::viewingCamera(int view) const { return setup(view).role == Role::Linked ? m_camera : setup(view).viewing; }
-
-void Session::setViewingCamera(int view, const Camera& camera) {
-    if (setup(view).role == Role::Linked) {
-        setCamera(camera);
-        return;
-    }
-    if (!m_opened) return;
-    const Camera complete = withClipPlanesFor(view, camera);
-    if (complete == setup(view).viewing) return;
-    m_views[size_t(view)].setup.viewing = complete;
-    emit cameraChanged();
-    update();
-}
-
 // ---- Views
 
 std::vector<int> Session::shownViews() const {
@@ -328,11 +226,7 @@ void Session::setViewport(int view, const Viewport& size) {
     ViewState& state = m_views[size_t(view)];
     if (state.viewport == size) return;
     state.viewport = size;
-    // Until the camera is moved, the scene goes on filling a window that changes its size.
-    if (m_atHome && view == m_activeView && !state.setup.size) {
-        goHome();
-        emit camerasFollowedWindow();
-    }
+    followWindow(view);
     update();
 }
 
@@ -369,111 +263,6 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
 void Session::update() {
     if (m_pictures) m_pictures->update(m_activeView);
     updateFigures();
-}
-
-// ---- Figures
-
-std::vector<int> Session::measuredViews() const {
-    std::vector<int> views;
-    for (const int view : shownViews())
-        if (setup(view).panel.empty()) views.push_back(culledBy(view));
-    std::sort(views.begin(), views.end());
-    views.erase(std::unique(views.begin(), views.end()), views.end());
-    return views;
-}
-
-std::optional<FigureSubject> Session::subject(int view) const {
-    const SceneBuffersPointer& uploaded = buffers(setup(view).upload);
-    const BuiltStrategyPointer& built = slot(view).built();
-    Viewport size = renderSize(view);
-    // A view that is not shown has the size of the one that watches it.
-    for (int other = 0; other < kMostViews && !shown(view); ++other)
-        if (shown(other) && culledBy(other) == view) size = renderSize(other);
-    if (!uploaded || !built || built->scene != uploaded->scenePointer() || size.width < 1 || size.height < 1) return std::nullopt;
-    return FigureSubject{uploaded, built, cullingCamera(view), size};
-}
-
-Figures Session::figuresWithoutMeasuring() const {
-    Figures figures;
-    figures.state = m_opened ? Figures::State::Stale : Figures::State::Nothing;
-    if (!uploadFailure().empty()) {
-        figures.state = Figures::State::Failed;
-        figures.failure = uploadFailure();
-    }
-    return figures;
-}
-
-bool Session::figuresStand(int view) const {
-    const Figures& known = m_views[size_t(view)].figures;
-    // What cannot be built has no figures, and that is said until it is chosen anew.
-    if (known.state == Figures::State::Failed && !slot(view).built() && m_opened && uploadFailure().empty()) return true;
-    if (known.state != Figures::State::Ready && known.state != Figures::State::Failed) return false;
-    const std::optional<FigureSubject> now = subject(view);
-    return now && !slot(view).building() && known.subject == *now;
-}
-
-void Session::updateFigures() {
-    const bool overtaken = std::any_of(m_underWay.begin(), m_underWay.end(), [this](const FigureMeter::Subject& measured) {
-        return subject(measured.view) != measured.what || slot(measured.view).building();
-    });
-    if (overtaken) {
-        m_meter->cancel();
-        m_underWay.clear();
-    }
-    const std::vector<int> measured = measuredViews();
-    for (int view = 0; view < kMostViews; ++view) {
-        if (figuresStand(view)) continue;
-        const Figures next = figuresWithoutMeasuring();
-        if (m_views[size_t(view)].figures.state != next.state) setFigures(view, next);
-        const bool begun = std::any_of(m_underWay.begin(), m_underWay.end(),
-                                       [view](const FigureMeter::Subject& subject) { return subject.view == view; });
-        if (!begun && std::find(measured.begin(), measured.end(), view) != measured.end()) m_rest.start();
-    }
-}
-
-void Session::setFigures(int view, const Figures& figures) {
-    m_views[size_t(view)].figures = figures;
-    emit figuresChanged(view);
-}
-
-void Session::requestFigures() { measure(true); }
-
-void Session::setMeasuring(bool measuring) {
-    m_measuring = measuring;
-    if (!m_meter) return;
-    m_meter->cancel();
-    m_underWay.clear();
-    if (measuring) m_rest.start();
-}
-
-void Session::measure(bool asked) {
-    if (!m_meter || !m_opened || !m_measuring) return;
-    const bool large = m_scene->triangleCount() > kOptionalAnalysisLimit;
-    std::vector<FigureMeter::Subject> subjects;
-    for (const int view : measuredViews()) {
-        const std::optional<FigureSubject> now = subject(view);
-        const Figures& known = m_views[size_t(view)].figures;
-        if (!now || slot(view).building() || (known.timed && known.subject == *now)) continue;
-        if (large && !asked) {
-            Figures waiting;
-            waiting.state = Figures::State::OnRequest;
-            if (known.state != waiting.state) setFigures(view, waiting);
-            continue;
-        }
-        if (known.state == Figures::State::OnRequest) setFigures(view, figuresWithoutMeasuring());
-        subjects.push_back({view, *now});
-    }
-    if (subjects.empty()) return;
-    m_underWay = subjects;
-    m_meter->measure(std::move(subjects));
-}
-
-bool Session::figuresSettled() const {
-    for (const int view : measuredViews()) {
-        const Figures& known = figures(view);
-        if (known.state == Figures::State::Stale || (known.state == Figures::State::Ready && !known.timed)) return false;
-    }
-    return true;
 }
 
 // ---- Picking

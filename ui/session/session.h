@@ -47,7 +47,8 @@ public:
         SceneSourceOptions sceneSource;
         SceneLoader::Opener opener;      ///< empty: core's openScene
         SceneUpload::Uploader uploader;  ///< empty: GpuThread::upload
-        bool graphics = true;            ///< false: no OpenGL, for tests of the rest
+        GpuThread::Options gpu;
+        bool graphics = true;  ///< false: no OpenGL, for tests of the rest
     };
 
     /// Throws Error(OpenGl) where graphics are wanted and there is no OpenGL 4.5.
@@ -130,6 +131,8 @@ public:
 
     // Figures
     [[nodiscard]] const Figures& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
+    /// The views whose figures the shown pictures have, in order, each once: an observer's are those of the view that it watches.
+    [[nodiscard]] std::vector<int> measuredViews() const;
     /// Measures although the scene is large.
     void requestFigures();
     /// Whether the figures of every shown view are known (or known to be unobtainable).
@@ -173,6 +176,7 @@ private:
         std::unique_ptr<StrategySlot> slot;
         ViewSetup setup;
         Viewport viewport{0, 0};
+        Camera firstWatch;  ///< Observer: where observe() put the camera that looks
         Figures figures;
         bool complained = false;  ///< of a picture that cannot be drawn, since the last one that could
     };
@@ -183,7 +187,11 @@ private:
     void show(const OpenedScenePointer& opened);
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);
-    void placeObservers();
+    /// The view whose shape decides where the linked views' home is.
+    [[nodiscard]] int homeView() const;
+    void placeObservers(const std::vector<int>& views);
+    [[nodiscard]] std::vector<int> observers() const;
+    void followWindow(int view);
     [[nodiscard]] Camera withClipPlanesFor(int view, const Camera& camera) const;
     [[nodiscard]] double aspect(int view) const;
     void update();
@@ -191,7 +199,6 @@ private:
     /// Whether a view's figures are of what it is now.
     [[nodiscard]] bool figuresStand(int view) const;
     [[nodiscard]] Figures figuresWithoutMeasuring() const;
-    [[nodiscard]] std::vector<int> measuredViews() const;
     [[nodiscard]] std::optional<FigureSubject> subject(int view) const;
     void setFigures(int view, const Figures& figures);
     void measure(bool asked);
@@ -211,7 +218,7 @@ private:
     Camera m_camera;
     UpAxis m_up = UpAxis::Y;
     std::optional<double> m_chosenNear;
-    bool m_atHome = true;
+    Camera m_home;  ///< the camera that the scene was first shown with; while it stands, it follows the window
 
     std::array<ViewState, kMostViews> m_views;
     int m_viewCount = 2;

@@ -48,6 +48,7 @@ Json jsonOfState(const SessionState& state, const std::string& scene) {
     json["arrangement"] = state.arrangement;
     json["view_count"] = state.viewCount;
     json["active_view"] = state.activeView;
+    if (state.style) json["colours"] = jsonOf(*state.style);
     for (const SessionState::View& view : state.views) json["views"].push_back(jsonOf(view));
     for (const std::optional<Camera>& place : state.bookmarks) json["bookmarks"].push_back(place ? jsonOf(*place) : Json());
     return json;
@@ -130,6 +131,7 @@ SessionState readState(const JsonField& json, const std::filesystem::path& file)
             near->checked([] { throwInput(QT_TRANSLATE_NOOP("core", "the near distance must be above 0.")); });
     }
     readWindow(json, state);
+    if (const auto colours = json.find("colours")) state.style = readStyle(*colours);
     readViews(json.at("views"), state);
     if (const auto bookmarks = json.find("bookmarks")) readBookmarks(*bookmarks, state.bookmarks);
     return state;

@@ -93,6 +93,17 @@ Camera readCamera(const JsonField& field) {
     return camera;
 }
 
+Json jsonOf(const DrawStyle& style) {
+    return {{"background", jsonOf(Vec3(style.background))}, {"surface", jsonOf(Vec3(style.surface))}};
+}
+
+DrawStyle readStyle(const JsonField& field) {
+    DrawStyle style;
+    style.background = Vec3f(field.at("background").vector());
+    style.surface = Vec3f(field.at("surface").vector());
+    return style;
+}
+
 Json jsonOf(const ViewSetup& setup) {
     Json json{{"role", wordOf(kRoles, setup.role)},
               {"observed", setup.observed},
@@ -100,6 +111,7 @@ Json jsonOf(const ViewSetup& setup) {
               {"culling", jsonOf(setup.culling)}};
     if (setup.size) json["size"] = {{"width", setup.size->width}, {"height", setup.size->height}};
     json["upload"] = wordOf(kUploads, setup.upload);
+    if (!setup.panel.empty()) json["panel"] = setup.panel;
     json["look"] = jsonOf(setup.look);
     json["wipe"] = jsonOf(setup.wipe);
     return json;
@@ -113,6 +125,7 @@ ViewSetup readSetup(const JsonField& field) {
     if (const auto culling = field.find("culling")) setup.culling = readCamera(*culling);
     if (const auto size = field.find("size")) setup.size = readSize(*size);
     read(field, "upload", kUploads, setup.upload);
+    if (const auto panel = field.find("panel")) setup.panel = panel->text();
     if (const auto look = field.find("look")) setup.look = readLook(*look);
     if (const auto wipe = field.find("wipe")) setup.wipe = readWipe(*wipe);
     return setup;

@@ -12,6 +12,10 @@ namespace cullscope::ui {
 [[nodiscard]] nlohmann::ordered_json jsonOf(const Camera& camera);
 [[nodiscard]] Camera readCamera(const JsonField& field);
 
+/// Background and surface.
+[[nodiscard]] nlohmann::ordered_json jsonOf(const DrawStyle& style);
+[[nodiscard]] DrawStyle readStyle(const JsonField& field);
+
 [[nodiscard]] nlohmann::ordered_json jsonOf(const ViewSetup& setup);
 /// Reads out of the same group of fields as the view's strategy; what is missing stays as in a new view.
 [[nodiscard]] ViewSetup readSetup(const JsonField& field);

@@ -92,6 +92,7 @@ void SessionOpener::finish() {
     if (pending) {
         applyState(m_session, pending->state);
         m_bookmarks.setPlaces(pending->state.bookmarks);
+        if (pending->state.style) m_session.setDrawStyle(*pending->state.style);
     }
     emit opened(pending && !pending->origin.isEmpty() ? pending->origin : m_session.loader().specification());
     if (pending) emit restored(pending->state);
@@ -101,6 +102,7 @@ SessionState SessionOpener::current(const QString& arrangement) const {
     SessionState state = captureState(m_session);
     state.arrangement = arrangement.toStdString();
     state.bookmarks = m_bookmarks.places();
+    state.style = m_session.drawStyle();
     return state;
 }
 

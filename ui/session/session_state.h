@@ -31,15 +31,16 @@ struct SessionState {
     std::string arrangement;  ///< the window's id for it; empty: as it is
     std::array<View, Session::kMostViews> views;
     CameraBookmarks::Places bookmarks;
+    std::optional<DrawStyle> style;  ///< background and surface of the pictures; none: as the window's appearance has them
 
     bool operator==(const SessionState&) const = default;
 };
 
-/// Everything but arrangement and bookmarks, which the session does not know. `scene` is empty where nothing is opened.
+/// Everything but arrangement and bookmarks, which the session does not know, and the style, which the window's appearance gives. `scene` is empty where nothing is opened.
 [[nodiscard]] SessionState captureState(const Session& session);
 
-/// Gives the opened scene the state's cameras, hidden objects and views; neither opens `scene` nor looks at arrangement and
-/// bookmarks. Hidden objects of a scene with another number of objects are shown, which is raised as a warning. What is the
+/// Gives the opened scene the state's cameras, hidden objects and views; neither opens `scene` nor looks at arrangement,
+/// bookmarks and style. Hidden objects of a scene with another number of objects are shown, which is raised as a warning. What is the
 /// same already is not touched. Throws Error(Usage) for a strategy or parameter that there is none of, before anything changes.
 void applyState(Session& session, const SessionState& state);
 

@@ -25,12 +25,14 @@ ViewGrid::ViewGrid(Session& session, QWidget* parent) : QWidget(parent), m_sessi
 ViewPane* ViewGrid::lend(int view) {
     m_lent = m_panes[size_t(view)];
     m_lent->setCompare(false);
+    m_lent->setLent(true);
     return m_lent;
 }
 
 void ViewGrid::take(ViewPane* pane) {
     m_lent = nullptr;
     pane->setParent(this);
+    pane->setLent(false);
     arrange();
 }
 

@@ -116,13 +116,15 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     QFont bold = font();
     bold.setBold(true);
     int x = kMargin;
+    m_elided = false;
     const auto write = [&](int line, const QString& text, const QFont& face, const QColor& colour) {
         const int room = width() - kMargin - x - (line == 0 ? m_menu->width() : 0);
         const QFontMetrics metrics(face);
+        const QString fitting = metrics.elidedText(text, Qt::ElideRight, room);
+        m_elided = m_elided || fitting != text;
         painter.setFont(face);
         painter.setPen(colour);
-        painter.drawText(QRect(x, line * kLineHeight, room, kLineHeight), Qt::AlignLeft | Qt::AlignVCenter,
-                         metrics.elidedText(text, Qt::ElideRight, room));
+        painter.drawText(QRect(x, line * kLineHeight, room, kLineHeight), Qt::AlignLeft | Qt::AlignVCenter, fitting);
         x += metrics.horizontalAdvance(text) + kMargin;
     };
     const QColor text = colours.color(QPalette::WindowText);

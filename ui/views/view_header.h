@@ -19,6 +19,8 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {320, 2 * kLineHeight}; }
     [[nodiscard]] QString firstLine() const;
     [[nodiscard]] QString secondLine() const;
+    /// Whether words had to be cut off when it was last painted.
+    [[nodiscard]] bool elided() const { return m_elided; }
 
 signals:
     /// The user asks for this view's menu.
@@ -41,6 +43,7 @@ private:
     int m_view;
     QToolButton* m_measure;
     QToolButton* m_menu;
+    bool m_elided = false;
 };
 
 }  // namespace cullscope::ui

@@ -11,6 +11,8 @@ namespace {
 
 constexpr int kChipInset = 8;
 constexpr double kUsualScale = 1.0;
+constexpr int kSmallestLentLetters = 20;  // pixels, in a lecture at the size it is designed for
+constexpr int kLentLines = 31;            // as many of them a picture is high there
 
 }  // namespace
 
@@ -105,6 +107,12 @@ void ViewPane::setCompare(bool compare) {
     arrange();
 }
 
+void ViewPane::setLent(bool lent) {
+    m_lent = lent;
+    if (!lent) setFont(QFont());
+    arrange();
+}
+
 void ViewPane::setPanel(QWidget* panel) {
     delete m_panel;
     m_panel = panel;
@@ -118,7 +126,13 @@ void ViewPane::setPanel(QWidget* panel) {
 void ViewPane::arrange() {
     m_picture->setVisible(!m_panel);
     m_budget->setVisible(!m_panel);
-    const int top = m_header->sizeHint().height();
+    m_header->setVisible(!m_lent);
+    if (m_lent) {
+        QFont large = font();
+        large.setPixelSize(std::max(kSmallestLentLetters, height() / kLentLines));
+        setFont(large);
+    }
+    const int top = m_lent ? 0 : m_header->sizeHint().height();
     m_header->setGeometry(0, 0, width(), top);
     if (m_panel) {
         m_panel->setGeometry(0, top, width(), height() - top);

@@ -26,6 +26,8 @@ public:
     [[nodiscard]] QString chipText() const;
     /// Among many views pictures that fit the window are of 4 by 3: eight of them are 320 × 240 on the least screen.
     void setCompare(bool compare);
+    /// Lent to a lecture, which says around the picture what the header says: without the header, and letters for the back row.
+    void setLent(bool lent);
     /// Takes the picture's place and belongs to this pane; null: the picture again.
     void setPanel(QWidget* panel);
     [[nodiscard]] QWidget* panel() const { return m_panel; }
@@ -49,6 +51,7 @@ private:
     QLabel* m_chip;
     QWidget* m_panel = nullptr;
     bool m_compare = false;
+    bool m_lent = false;
 };
 
 }  // namespace cullscope::ui

@@ -27,7 +27,7 @@ DocumentCommands::DocumentCommands(Session& session, ViewGrid& views, WindowActi
       m_undo(new UndoRecorder(session, this)),
       m_screenshots(new ScreenshotTaker(session, window)) {
     m_screenshots->setParent(this);
-    m_screenshots->setSessionText([this] { return stateToText(m_opener->current({}), {}); });
+    m_screenshots->setSessionText([this] { return stateToText(m_opener->current(m_arrangement()), {}); });
     m_screenshots->setExtras([&views](int view) { return views.pane(view).picture().extras(); });
     wire();
     fillRecent();
@@ -90,7 +90,7 @@ void DocumentCommands::save(bool askWhere) {
                                             tr("Sessions") + QStringLiteral(" (*.%1)").arg(QLatin1String(kSessionExtension)));
     if (file.isEmpty()) return;
     if (QFileInfo(file).suffix().isEmpty()) file += QLatin1Char('.') + QLatin1String(kSessionExtension);
-    if (!m_opener->save(file, {})) return;
+    if (!m_opener->save(file, m_arrangement())) return;
     m_file = file;
     m_recent.add(file);
 }

@@ -23,6 +23,8 @@ public:
     [[nodiscard]] SessionOpener& opener() { return *m_opener; }
     [[nodiscard]] UndoRecorder& undo() { return *m_undo; }
     [[nodiscard]] ScreenshotTaker& screenshots() { return *m_screenshots; }
+    /// Who says how the window is arranged, for what is saved.
+    void setArrangement(std::function<QString()> arrangement) { m_arrangement = std::move(arrangement); }
     void openByDialog();
     void retranslate();
     /// The types that the dialog for opening offers, as QFileDialog takes them.
@@ -43,6 +45,7 @@ private:
     SessionOpener* m_opener;
     UndoRecorder* m_undo;
     ScreenshotTaker* m_screenshots;
+    std::function<QString()> m_arrangement = [] { return QString(); };
     QString m_file;  ///< of the session; empty: none yet
     QSettings m_settings;
 };

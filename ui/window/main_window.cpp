@@ -25,6 +25,9 @@ constexpr int kNarrowestDock = 320;
 constexpr int kWideWindow = 1600;  // from which on there is room for the side panel beside the views
 constexpr int kStrategyPage = 0;
 constexpr int kScenePage = 1;
+constexpr const char* kExploreArrangement = "explore";
+constexpr const char* kCompareArrangement = "compare";
+constexpr const char* kLectureArrangement = "lecture";
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
 
@@ -44,11 +47,11 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
       m_actions(new WindowActions(this)),
       m_toolBar(new QToolBar(this)) {
     m_actions->fill(*menuBar());
-    m_actions->fill(*m_toolBar);
     m_toolBar->setObjectName(QStringLiteral("toolbar"));
     m_toolBar->setMovable(false);
     m_toolBar->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_toolBar->setIconSize({20, 20});
+    m_actions->fill(*m_toolBar);
     if (auto* button = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_actions->generate->menuAction())))
         button->setPopupMode(QToolButton::InstantPopup);
     addToolBar(m_toolBar);
@@ -58,11 +61,11 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     makeSide();
     makeDocks();
     makeStatusBar();
-    m_viewCommands = new ViewCommands(m_session, *m_views, *m_actions, this);
-    m_viewCommands->setPlaceablePanels([this] { return placeablePanels(); });
+    m_panels = new PlacedPanels(m_session, *m_views, *m_reader, *m_experiments, this);
     m_document = new DocumentCommands(m_session, *m_views, *m_actions, this);
-    m_paths = new PathCommands(m_session, *m_actions, this);
-    connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
+    m_viewCommands = new ViewCommands(m_session, *m_views, *m_actions, m_document->screenshots(), this);
+    m_paths = new PathCommands(m_session, *m_actions, *m_experiments, this);
+    m_memory = std::make_unique<WindowMemory>(*this);
     wireCommands();
     wireSession();
     retranslate();
@@ -131,7 +134,8 @@ void MainWindow::makeDocks() {
     m_dockScroll->setMinimumWidth(kNarrowestDock);
     m_dock->setWidget(m_dockScroll);
     addDockWidget(Qt::RightDockWidgetArea, m_dock);
-    m_statistics = new StatisticsDock(m_session, this);
+    m_experiments = new Experiments(m_session, this);
+    m_statistics = new StatisticsDock(*m_experiments, this);
     addDockWidget(Qt::BottomDockWidgetArea, m_statistics);
     m_statistics->hide();
     setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
@@ -157,51 +161,49 @@ void MainWindow::arrange() {
     const bool compare = m_session.viewCount() > 2;
     const bool wide = width() >= kWideWindow;
     m_side->setDocked(wide && !compare);
-    if (std::exchange(m_arrangedFor, std::pair(compare, wide)) == std::pair(compare, wide)) return;
+    const bool otherWidth = std::exchange(m_arrangedWide, wide) != wide;
+    const bool otherArrangement = std::exchange(m_arrangedCompare, compare) != compare;
+    if (!otherWidth && !otherArrangement) return;
     m_side->setOpenPage(wide && !compare ? kStrategyPage : -1);
-    m_dock->setVisible(!compare);
-    m_rightRail->setVisible(compare);
+    if (otherArrangement) {
+        m_dock->setVisible(!compare);
+        m_rightRail->setVisible(compare);
+    }
     resizeDocks({m_dock}, {wide ? kWideDockWidth : kDockWidth}, Qt::Horizontal);
 }
 
+QString MainWindow::arrangement() const {
+    if (m_lecture) return QLatin1String(kLectureArrangement);
+    return QLatin1String(m_session.viewCount() > 2 ? kCompareArrangement : kExploreArrangement);
+}
+
+bool MainWindow::restoreLayout(bool viewCount) {
+    const std::optional<WindowMemory::Layout> kept = m_memory->restore();
+    if (!kept) return false;
+    // The panels stand as they were left: what follows from the number of views was decided then.
+    if (viewCount) {
+        m_arrangedCompare = kept->viewCount > 2;
+        m_session.setViewCount(kept->viewCount);
+    }
+    m_rightRail->setVisible(!m_dock->isVisibleTo(this));
+    return true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_keepsLayout) m_memory->save({arrangement(), m_session.viewCount()});
+    QMainWindow::closeEvent(event);
+}
+
 void MainWindow::resetLayout() {
-    for (QDockWidget* dock : {m_dock, static_cast<QDockWidget*>(m_statistics)}) dock->setFloating(false);
-    addDockWidget(Qt::RightDockWidgetArea, m_dock);
-    addDockWidget(Qt::BottomDockWidgetArea, m_statistics);
-    m_statistics->hide();
-    m_arrangedFor.reset();
+    m_memory->reset();
+    m_arrangedCompare.reset();
+    m_arrangedWide.reset();
     arrange();
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
     QMainWindow::resizeEvent(event);
     arrange();
-}
-
-std::vector<PlaceablePanel> MainWindow::placeablePanels() const {
-    return {{"figures", tr("Figures")}, {"legend", tr("Legend")}, {"scene", tr("Scene")}};
-}
-
-QWidget* MainWindow::makePanel(const std::string& id) {
-    if (id == "figures") return new FigurePanel(m_session);
-    if (id == "legend") return new LegendPanel(m_session);
-    if (id == "scene") return new ScenePanel(m_session);
-    return nullptr;
-}
-
-void MainWindow::placePanels() {
-    for (int view = 0; view < Session::kMostViews; ++view) {
-        ViewPane& pane = m_views->pane(view);
-        const std::string& wanted = m_session.setup(view).panel;
-        const QString placed = pane.panel() ? pane.panel()->objectName() : QString();
-        if (placed == QString::fromStdString(wanted)) continue;
-        QWidget* panel = wanted.empty() ? nullptr : makePanel(wanted);
-        if (panel) {
-            panel->setObjectName(QString::fromStdString(wanted));
-            panel->setAutoFillBackground(true);
-        }
-        pane.setPanel(panel);
-    }
 }
 
 void MainWindow::makeStatusBar() {
@@ -222,6 +224,11 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::wireCommands() {
+    connect(m_actions->resetLayout, &QAction::triggered, this, &MainWindow::resetLayout);
+    m_document->setArrangement([this] { return arrangement(); });
+    connect(&m_document->opener(), &SessionOpener::restored, this, [this](const SessionState& state) {
+        if (state.arrangement == kLectureArrangement) beginLecture();
+    });
     connect(m_empty, &EmptyState::openRequested, m_document, &DocumentCommands::openByDialog);
     connect(m_actions->quit, &QAction::triggered, this, &QWidget::close);
     connect(m_actions, &WindowActions::generatorChosen, this, &MainWindow::generate);
@@ -254,7 +261,6 @@ void MainWindow::wireSession() {
     });
     connect(&m_session, &Session::viewCountChanged, this, &MainWindow::showState);
     connect(&m_session, &Session::viewCountChanged, this, &MainWindow::arrange);
-    connect(&m_session, &Session::setupChanged, this, &MainWindow::placePanels);
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
     connect(&m_session, &Session::pickChanged, this, [this] {
@@ -311,7 +317,7 @@ void MainWindow::generate(int generator) {
 
 void MainWindow::beginLecture() {
     if (m_lecture || !m_session.opened()) return;
-    m_lecture = new LectureWindow(m_session, *m_views, makePanel("legend"), this);
+    m_lecture = new LectureWindow(m_session, *m_views, m_panels->make("legend"), this);
     connect(m_lecture, &LectureWindow::left, this, [this] {
         m_lecture->deleteLater();
         m_lecture = nullptr;

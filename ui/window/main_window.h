@@ -16,11 +16,13 @@
 #include "ui/session/inside_reader.h"
 #include "ui/session/session.h"
 #include "ui/startup/appearance.h"
+#include "ui/startup/window_memory.h"
 #include "ui/text/language.h"
 #include "ui/views/view_grid.h"
 #include "ui/window/document_commands.h"
 #include "ui/window/lecture_window.h"
 #include "ui/window/path_commands.h"
+#include "ui/window/placed_panels.h"
 #include "ui/window/side_panel.h"
 #include "ui/window/statistics_dock.h"
 #include "ui/window/view_commands.h"
@@ -56,7 +58,13 @@ public:
     [[nodiscard]] PathCommands& paths() { return *m_paths; }
     [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
 
+    /// Gives the window the place, panels and number of views that it was left with. False: there is nothing kept.
+    bool restoreLayout(bool viewCount);
+    /// Keeps the layout when the window is closed.
+    void setKeepsLayout(bool keeps) { m_keepsLayout = keeps; }
+
 protected:
+    void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
@@ -73,14 +81,12 @@ private:
     /// Two views at most are explored beside all panels; more are compared, with the panels folded to rails.
     void arrange();
     void resetLayout();
+    /// The window's id for its arrangement, as sessions and settings keep it.
+    [[nodiscard]] QString arrangement() const;
     void showState();
     void retranslate();
     void generate(int generator);
     void beginLecture();
-    /// Puts the panels that views' setups name into the views' places.
-    void placePanels();
-    [[nodiscard]] QWidget* makePanel(const std::string& id);
-    [[nodiscard]] std::vector<PlaceablePanel> placeablePanels() const;
 
     Session& m_session;
     Language& m_language;
@@ -101,7 +107,9 @@ private:
     QTabWidget* m_tabs;
     InsideReader* m_reader;
     InsidePanel* m_inside;
+    Experiments* m_experiments;
     StatisticsDock* m_statistics;
+    PlacedPanels* m_panels;
     DocumentCommands* m_document;
     PathCommands* m_paths;
     FigurePanel* m_figures;
@@ -111,7 +119,9 @@ private:
     QLabel* m_gl;
     QLabel* m_software;
     QSettings m_settings;
-    std::optional<std::pair<bool, bool>> m_arrangedFor;  ///< compared, wide
+    std::unique_ptr<WindowMemory> m_memory;
+    bool m_keepsLayout = false;
+    std::optional<bool> m_arrangedCompare, m_arrangedWide;  ///< what the panels stand for now
 };
 
 }  // namespace cullscope::ui

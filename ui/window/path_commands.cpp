@@ -1,24 +1,27 @@
 #include "ui/window/path_commands.h"
 
 #include <QFileDialog>
+#include <QFileInfo>
 
 #include "core/base/error.h"
 
 namespace cullscope::ui {
 
-PathCommands::PathCommands(Session& session, WindowActions& actions, QWidget* window)
+PathCommands::PathCommands(Session& session, WindowActions& actions, Experiments& experiments, QWidget* window)
     : QObject(window),
       m_session(session),
       m_actions(actions),
       m_window(window),
       m_recorder(new CameraRecorder(session, this)),
-      m_player(new CameraPlayer(session, this)) {
+      m_player(new CameraPlayer(session, this)),
+      m_experiments(experiments) {
     wire();
     refresh();
 }
 
 void PathCommands::wire() {
     connect(m_actions.record, &QAction::triggered, this, [this](bool on) { on ? m_recorder->start() : m_recorder->stop(); });
+    connect(m_recorder, &CameraRecorder::changed, this, &PathCommands::offerRecorded);
     connect(m_actions.addPose, &QAction::triggered, m_recorder, &CameraRecorder::addPose);
     connect(m_actions.savePath, &QAction::triggered, this, &PathCommands::save);
     connect(m_actions.openPath, &QAction::triggered, this, &PathCommands::open);
@@ -45,20 +48,48 @@ void PathCommands::refresh() {
     m_actions.stop->setEnabled(m_recorder->recording() || m_player->active());
 }
 
+/// What was recorded is there for experiments as soon as the recording ends.
+void PathCommands::offerRecorded() {
+    if (m_recorder->recording()) return;
+    CameraPath path = m_recorder->path();
+    m_experiments.setRecordedPath(path.poses.empty() ? std::nullopt : std::optional(std::move(path)));
+    if (m_recorder->lensDiffers())
+        m_session.raise(Severity::Warning,
+                        {QT_TRANSLATE_NOOP("core",
+                                           "The field of view changed while the path was recorded: all of it has that of its "
+                                           "first pose."),
+                         {}});
+}
+
+QString PathCommands::askFile(bool save) {
+    const QString folder = m_settings.value(QStringLiteral("folder")).toString();
+    const QString types = tr("Camera paths") + QStringLiteral(" (*.json)");
+    QString file = save ? QFileDialog::getSaveFileName(m_window, tr("Save the path"), folder, types)
+                        : QFileDialog::getOpenFileName(m_window, tr("Open a path"), folder, types);
+    if (file.isEmpty()) return {};
+    if (save && QFileInfo(file).suffix().isEmpty()) file += QStringLiteral(".json");
+    m_settings.setValue(QStringLiteral("folder"), QFileInfo(file).absolutePath());
+    return file;
+}
+
 void PathCommands::save() {
-    const QString file =
-        QFileDialog::getSaveFileName(m_window, tr("Save the path"), {}, tr("Camera paths") + QStringLiteral(" (*.json)"));
+    const QString file = askFile(true);
     if (file.isEmpty()) return;
     try {
         m_recorder->save(file.toStdString());
     } catch (const Error& error) {
         m_session.raise(Severity::Error, error.message());
+        return;
     }
+    // An experiment over it can be repeated from the file.
+    CameraPath path = m_recorder->path();
+    path.name = QFileInfo(file).absoluteFilePath().toStdString();
+    m_experiments.setRecordedPath(std::move(path));
+    m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {file.toStdString()}});
 }
 
 void PathCommands::open() {
-    const QString file =
-        QFileDialog::getOpenFileName(m_window, tr("Open a path"), {}, tr("Camera paths") + QStringLiteral(" (*.json)"));
+    const QString file = askFile(false);
     if (file.isEmpty()) return;
     try {
         m_opened = readCameraPath(file.toStdString());

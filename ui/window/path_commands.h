@@ -1,9 +1,11 @@
 #pragma once
 
 #include <QObject>
+#include <QSettings>
 
 #include "ui/session/camera_player.h"
 #include "ui/session/camera_recorder.h"
+#include "ui/window/experiments.h"
 #include "ui/window/window_actions.h"
 
 namespace cullscope::ui {
@@ -13,7 +15,7 @@ class PathCommands : public QObject {
     Q_OBJECT
 
 public:
-    PathCommands(Session& session, WindowActions& actions, QWidget* window);
+    PathCommands(Session& session, WindowActions& actions, Experiments& experiments, QWidget* window);
 
     [[nodiscard]] CameraRecorder& recorder() { return *m_recorder; }
     [[nodiscard]] CameraPlayer& player() { return *m_player; }
@@ -24,13 +26,18 @@ private:
     void open();
     void play(bool on);
     void refresh();
+    void offerRecorded();
+    /// Empty: none chosen. Dialogs begin in the folder of the newest file.
+    [[nodiscard]] QString askFile(bool save);
 
     Session& m_session;
     WindowActions& m_actions;
     QWidget* m_window;
     CameraRecorder* m_recorder;
     CameraPlayer* m_player;
+    Experiments& m_experiments;
     CameraPath m_opened;
+    QSettings m_settings;
 };
 
 }  // namespace cullscope::ui

@@ -2,18 +2,16 @@
 
 #include <QDockWidget>
 
-#include "ui/session/experiment_runner.h"
-#include "ui/session/session.h"
-#include "ui/statistics/statistics_panel.h"
+#include "ui/window/experiments.h"
 
 namespace cullscope::ui {
 
-/// The statistics below the views: experiments over the shown views' strategies, and the present camera's figures.
+/// The statistics below the views.
 class StatisticsDock : public QDockWidget {
     Q_OBJECT
 
 public:
-    explicit StatisticsDock(Session& session, QWidget* parent = nullptr);
+    explicit StatisticsDock(Experiments& experiments, QWidget* parent = nullptr);
 
     [[nodiscard]] StatisticsPanel& statistics() { return *m_panel; }
 
@@ -21,16 +19,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void wire();
-    void start(const ExperimentSettings& settings);
-    void end();
-    void goToPose(int pose);
-    void showLive();
-
-    Session& m_session;
     StatisticsPanel* m_panel;
-    ExperimentRunner* m_runner;
-    CameraPath m_path;  ///< of the newest experiment
 };
 
 }  // namespace cullscope::ui

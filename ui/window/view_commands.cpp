@@ -4,11 +4,13 @@
 #include <QGuiApplication>
 
 #include "ui/dialogs/size_dialog.h"
+#include "ui/window/placed_panels.h"
 
 namespace cullscope::ui {
 
-ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, QWidget* window)
-    : QObject(window), m_session(session), m_views(views), m_actions(actions), m_window(window) {
+ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, ScreenshotTaker& screenshots,
+                           QWidget* window)
+    : QObject(window), m_session(session), m_views(views), m_actions(actions), m_window(window), m_screenshots(screenshots) {
     wire();
     const auto mine = [this](int view) {
         if (view == m_session.activeView()) refresh();
@@ -64,17 +66,8 @@ void ViewCommands::refresh() {
 }
 
 void ViewCommands::copyPicture(int view, bool overlays) {
-    const SceneView& picture = m_views.pane(view).picture();
-    QImage image = picture.picture();
-    if (overlays && !image.isNull()) {
-        QImage painted = image.convertToFormat(QImage::Format_RGB32);
-        QPainter painter(&painted);
-        if (const ViewPicturePointer shown = m_session.picture(view))
-            paintPicture(painter, QRectF(painted.rect()), *shown, picture.extras());
-        painter.end();
-        image = painted;
-    }
-    QGuiApplication::clipboard()->setImage(image);
+    const QImage picture = m_screenshots.clipboardImage(view, overlays);
+    if (!picture.isNull()) QGuiApplication::clipboard()->setImage(picture);
 }
 
 void ViewCommands::askForSize(int view) {
@@ -94,7 +87,7 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
     filler.addComparisons();
     filler.addSizes([this, view] { askForSize(view); });
     filler.addUploads();
-    filler.addPanels(m_panels ? m_panels() : std::vector<PlaceablePanel>{});
+    filler.addPanels(PlacedPanels::known());
     menu.addSeparator();
     menu.addAction(tr("Copy the picture"), this, [this, view] { copyPicture(view, true); });
     menu.addAction(tr("Copy the picture without what lies over it"), this, [this, view] { copyPicture(view, false); });

@@ -2,6 +2,7 @@
 
 #include <QObject>
 
+#include "ui/dialogs/screenshot_taker.h"
 #include "ui/views/view_grid.h"
 #include "ui/window/view_menu.h"
 #include "ui/window/window_actions.h"
@@ -13,10 +14,8 @@ class ViewCommands : public QObject {
     Q_OBJECT
 
 public:
-    ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, QWidget* window);
+    ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, ScreenshotTaker& screenshots, QWidget* window);
 
-    /// The panels that a view's menu offers in the view's place; asked when the menu opens.
-    void setPlaceablePanels(std::function<std::vector<PlaceablePanel>()> panels) { m_panels = std::move(panels); }
     void fillMenu(QMenu& menu, int view);
     void showMenuOf(int view, const QPoint& position);
     /// Puts the copying commands' pictures on the clipboard; `overlays`: with what is painted over it.
@@ -33,7 +32,7 @@ private:
     ViewGrid& m_views;
     WindowActions& m_actions;
     QWidget* m_window;
-    std::function<std::vector<PlaceablePanel>()> m_panels;
+    ScreenshotTaker& m_screenshots;
 };
 
 }  // namespace cullscope::ui

@@ -1,0 +1,95 @@
+#include "tests/ui/looks/kept_picture.h"
+
+#include <QDir>
+#include <QImageWriter>
+#include <QPainter>
+#include <cstdlib>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kTolerance = 24;            // of 255, in any channel
+constexpr double kToleratedShare = 1e-3;  // of the pixels
+constexpr qint64 kLargestFile = 150'000;  // bytes
+const QString kRendererKey = QStringLiteral("Renderer");
+
+QString keptFile(const QString& name) { return QStringLiteral(CULLSCOPE_SOURCE_DIR "/tests/ui/looks/pictures/%1.png").arg(name); }
+
+bool differ(QRgb a, QRgb b, int tolerance) {
+    return std::abs(qRed(a) - qRed(b)) > tolerance || std::abs(qGreen(a) - qGreen(b)) > tolerance ||
+           std::abs(qBlue(a) - qBlue(b)) > tolerance;
+}
+
+/// How many pixels of a rectangle differ; they are marked.
+int countDifferent(const QImage& a, const QImage& b, const QRect& place, int tolerance, QImage& marks) {
+    int count = 0;
+    for (int y = place.top(); y <= place.bottom(); ++y)
+        for (int x = place.left(); x <= place.right(); ++x)
+            if (differ(a.pixel(x, y), b.pixel(x, y), tolerance)) {
+                marks.setPixel(x, y, qRgb(255, 0, 0));
+                ++count;
+            }
+    return count;
+}
+
+bool write(QImage picture, const QString& file, const QString& renderer) {
+    picture.setText(kRendererKey, renderer);
+    QDir().mkpath(QFileInfo(file).absolutePath());
+    QImageWriter writer(file, "png");
+    writer.setCompression(100);
+    return writer.write(picture);
+}
+
+/// Writes the picture and the marks beside each other in the build folder and says where.
+::testing::AssertionResult different(const Look& look, const QString& name, const QImage& marks) {
+    const QString file = QStringLiteral("%1/%2.png").arg(writtenPicturesFolder(), name);
+    const QString markFile = QStringLiteral("%1/%2-difference.png").arg(writtenPicturesFolder(), name);
+    write(look.picture, file, look.renderer);
+    if (!marks.isNull()) write(marks, markFile, look.renderer);
+    return ::testing::AssertionFailure() << "The window looks as in " << file.toStdString() << ", which is kept as "
+                                         << keptFile(name).toStdString()
+                                         << (marks.isNull() ? "" : "; differences are marked in " + markFile.toStdString())
+                                         << ". Where it is meant, run again with CULLSCOPE_RENEW_PICTURES=1. ";
+}
+
+::testing::AssertionResult renew(const Look& look, const QString& name) {
+    const QString file = keptFile(name);
+    if (!write(look.picture, file, look.renderer))
+        return ::testing::AssertionFailure() << file.toStdString() << " cannot be written.";
+    const qint64 bytes = QFileInfo(file).size();
+    if (bytes > kLargestFile) return ::testing::AssertionFailure() << file.toStdString() << " is large: " << bytes << " bytes.";
+    return ::testing::AssertionSuccess();
+}
+
+}  // namespace
+
+QString writtenPicturesFolder() { return QStringLiteral(CULLSCOPE_LOOKS_FOLDER); }
+
+QImage withoutMasked(const QImage& picture, const std::vector<QRect>& masked) {
+    QImage copy = picture.convertToFormat(QImage::Format_RGB32);
+    QPainter painter(&copy);
+    for (const QRect& place : masked) painter.fillRect(place, Qt::gray);
+    return copy;
+}
+
+::testing::AssertionResult looksAsKept(const Look& look, const QString& name) {
+    if (qEnvironmentVariableIntValue("CULLSCOPE_RENEW_PICTURES") == 1) return renew(look, name);
+    const QImage kept(keptFile(name));
+    if (kept.isNull()) return different(look, name, {}) << "There is no kept picture.";
+    if (kept.size() != look.picture.size())
+        return different(look, name, {}) << "It is of " << look.picture.width() << " x " << look.picture.height()
+                                         << " pixels and not of " << kept.width() << " x " << kept.height() << ".";
+    const QImage now = withoutMasked(look.picture, look.masked), before = withoutMasked(kept, look.masked);
+    QImage marks = now.convertToFormat(QImage::Format_Grayscale8).convertToFormat(QImage::Format_RGB32);
+    int inScenes = 0;
+    if (kept.text(kRendererKey) == look.renderer)
+        for (const QRect& scene : look.scenes) inScenes += countDifferent(now, before, scene & now.rect(), 0, marks);
+    const int count = countDifferent(now, before, now.rect(), kTolerance, marks);
+    const int pixels = now.width() * now.height();
+    if (inScenes == 0 && count <= int(kToleratedShare * pixels)) return ::testing::AssertionSuccess();
+    return different(look, name, marks) << count << " of " << pixels << " pixels differ clearly, and " << inScenes
+                                        << " at all in the pictures of the scene.";
+}
+
+}  // namespace cullscope::ui

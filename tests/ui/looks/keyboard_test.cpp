@@ -1,0 +1,107 @@
+// The window without a mouse.
+#include <QAccessible>
+#include <QDialog>
+#include <QLineEdit>
+#include <QTabBar>
+
+#include "tests/ui/looks/desktop.h"
+
+namespace cullscope::ui {
+namespace {
+
+constexpr int kMostStops = 120;
+
+void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+    QWidget* widget = QApplication::focusWidget() ? QApplication::focusWidget() : QApplication::activeWindow();
+    ASSERT_TRUE(widget);
+    QTest::keyClick(widget, key, modifiers);
+    QApplication::processEvents();
+}
+
+/// Presses Tab until something has the focus.
+bool tabTo(const std::function<bool(const QWidget&)>& wanted) {
+    for (int stop = 0; stop < kMostStops; ++stop) {
+        if (const QWidget* widget = QApplication::focusWidget(); widget && wanted(*widget)) return true;
+        press(Qt::Key_Tab);
+    }
+    return false;
+}
+
+bool tabTo(const QWidget* wanted) {
+    return tabTo([wanted](const QWidget& widget) { return &widget == wanted; });
+}
+
+QString nameOf(const QWidget& widget) {
+    if (!widget.accessibleName().isEmpty()) return widget.accessibleName();
+    QAccessibleInterface* interface = QAccessible::queryAccessibleInterface(const_cast<QWidget*>(&widget));
+    return interface ? interface->text(QAccessible::Name) : QString();
+}
+
+TEST(Keyboard, everythingOfALessonWorksWithoutAMouse) {
+    Desktop desktop;
+    Session& session = desktop.session;
+    MainWindow& window = desktop.window;
+    // The strategy: the rail's first button opens its page, whose list has the focus.
+    ASSERT_TRUE(tabTo(&window.side().button(0)));
+    press(Qt::Key_Space);
+    ASSERT_TRUE(tabTo(&window.strategyPanel().choice()));
+    while (session.slot(0).id() != "frustum" &&
+           window.strategyPanel().choice().currentIndex() + 1 < window.strategyPanel().choice().count())
+        press(Qt::Key_Down);
+    ASSERT_EQ(session.slot(0).id(), "frustum");
+    desktop.settle();
+    // A parameter, right behind it.
+    const ParameterSet before = session.slot(0).parameters();
+    ASSERT_TRUE(tabTo(window.strategyPanel().form().findChild<QWidget*>(QStringLiteral("box"))));
+    press(Qt::Key_Down);
+    EXPECT_FALSE(session.slot(0).parameters() == before);
+    press(Qt::Key_Escape);
+    EXPECT_EQ(window.side().openPage(), -1);
+    // The losses of back-face culling, whose raster snaps.
+    ASSERT_TRUE(tabTo(&window.side().button(0)));
+    press(Qt::Key_Space);
+    ASSERT_TRUE(tabTo(&window.strategyPanel().choice()));
+    while (session.slot(0).id() != "backface" && window.strategyPanel().choice().currentIndex() > 0) press(Qt::Key_Up);
+    ASSERT_EQ(session.slot(0).id(), "backface");
+    press(Qt::Key_Escape);
+    desktop.settle();
+    ASSERT_TRUE(tabTo(window.tabs().tabBar()));
+    for (int tab = 0; tab < window.tabs().count() && window.tabs().currentWidget() != &window.inside().losses(); ++tab)
+        press(Qt::Key_Right);
+    EXPECT_EQ(window.tabs().currentWidget(), &window.inside().losses());
+    EXPECT_TRUE(window.inside().losses().isVisible());
+    ASSERT_GT(session.figures(0).holes.size(), 0u) << "nothing was lost that one could go to";
+    press(Qt::Key_N);
+    EXPECT_EQ(desktop.view(0).markedLoss(), std::optional<size_t>(0));
+    desktop.settle();
+    EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("next-loss")));
+    // A screenshot, and not after all.
+    bool asked = false;
+    QTimer::singleShot(0, &window, [&] {
+        asked = waitUntil([] { return qobject_cast<QDialog*>(QApplication::activeModalWidget()) != nullptr; });
+        if (asked) press(Qt::Key_Escape);
+    });
+    press(Qt::Key_F12, Qt::ControlModifier | Qt::ShiftModifier);
+    EXPECT_TRUE(asked);
+    EXPECT_EQ(QApplication::activeModalWidget(), nullptr);
+    EXPECT_FALSE(window.document().screenshots().busy());
+}
+
+TEST(Keyboard, whatTakesTheFocusHasAName) {
+    Desktop desktop;
+    desktop.window.side().setOpenPage(0);
+    desktop.window.statistics().toggleViewAction()->trigger();
+    desktop.settle();
+    int stops = 0;
+    for (const auto* widget : desktop.window.findChildren<QWidget*>()) {
+        if (!widget->isVisible() || !widget->isEnabled() || widget->focusProxy() || (widget->focusPolicy() & Qt::TabFocus) == 0)
+            continue;
+        ++stops;
+        EXPECT_FALSE(nameOf(*widget).isEmpty()) << widget->metaObject()->className() << " " << widget->objectName().toStdString()
+                                                << " in " << widget->parentWidget()->metaObject()->className();
+    }
+    EXPECT_GT(stops, 20);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

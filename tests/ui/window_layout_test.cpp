@@ -1,0 +1,107 @@
+// The window comes back as it was left, and any panel can stand in a view's place.
+#include <gtest/gtest.h>
+
+#include <QDockWidget>
+#include <QTemporaryDir>
+
+#include "tests/ui/test_scene.h"
+#include "ui/window/main_window.h"
+
+namespace cullscope::ui {
+namespace {
+
+/// A program's session and window, as at a start.
+struct Program {
+    explicit Program(const QSize& size) {
+        window.setKeepsLayout(true);
+        restored = window.restoreLayout(true);
+        if (!restored) window.resize(size);
+        window.show();
+        EXPECT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+    }
+
+    [[nodiscard]] QDockWidget& dock(const char* name) { return *window.findChild<QDockWidget*>(QString::fromLatin1(name)); }
+
+    Session session{sessionOptions(true)};
+    Language language;
+    Appearance appearance;
+    MainWindow window{session, language, appearance};
+    bool restored = false;
+};
+
+struct WindowLayout : ::testing::Test {
+    void SetUp() override { QSettings().clear(); }
+    void TearDown() override { QSettings().clear(); }
+};
+
+TEST_F(WindowLayout, comesBackAsItWasLeft) {
+    {
+        Program first({1200, 740});
+        EXPECT_FALSE(first.restored);
+        first.session.setViewCount(4);
+        first.dock("inside").show();
+        first.dock("statistics").show();
+        first.window.resize(1180, 720);
+        QApplication::processEvents();
+        first.window.close();
+    }
+    Program second({900, 600});
+    EXPECT_TRUE(second.restored);
+    EXPECT_EQ(second.session.viewCount(), 4);
+    EXPECT_EQ(second.window.size(), QSize(1180, 720));
+    EXPECT_TRUE(second.dock("inside").isVisible()) << "opened by hand beside four views";
+    EXPECT_TRUE(second.dock("statistics").isVisible());
+    second.window.actions().resetLayout->trigger();
+    EXPECT_FALSE(second.dock("inside").isVisible()) << "four views are compared without it";
+    EXPECT_FALSE(second.dock("statistics").isVisible());
+    second.session.setViewCount(2);
+    EXPECT_TRUE(second.dock("inside").isVisible());
+}
+
+TEST_F(WindowLayout, anyPanelStandsInAViewsPlaceAndComesBackWithTheSession) {
+    Program program({1366, 768});
+    openAndWait(program.session, QStringLiteral("split:mesh=torus:triangles=2000,by=clusters,triangles=200"));
+    program.session.setViewCount(8);
+    const std::vector<PlaceablePanel> panels = PlacedPanels::known();
+    ASSERT_LE(panels.size(), 7u);
+    for (size_t i = 0; i < panels.size(); ++i) {
+        ViewSetup setup = program.session.setup(int(i) + 1);
+        setup.panel = panels[i].id;
+        program.session.setSetup(int(i) + 1, setup);
+    }
+    const auto expectPlaced = [&] {
+        for (size_t i = 0; i < panels.size(); ++i) {
+            const ViewPane& pane = program.window.views().pane(int(i) + 1);
+            ASSERT_TRUE(pane.panel()) << panels[i].id;
+            EXPECT_TRUE(pane.panel()->isVisible()) << panels[i].id;
+            EXPECT_EQ(pane.panel()->objectName().toStdString(), panels[i].id);
+            EXPECT_FALSE(program.session.viewRequest(int(i) + 1)) << "a picture that nobody sees is not drawn";
+        }
+    };
+    expectPlaced();
+    ASSERT_TRUE(waitUntil([&] { return program.session.figuresSettled() && !program.session.pictures()->busy(); }));
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("panels.cullscope"));
+    ASSERT_TRUE(program.window.document().opener().save(file, QStringLiteral("compare")));
+    for (int view = 1; view < 8; ++view) program.session.setSetup(view, ViewSetup{});
+    EXPECT_FALSE(program.window.views().pane(1).panel());
+    EXPECT_TRUE(program.session.viewRequest(1));
+    program.window.document().opener().open(file);
+    ASSERT_TRUE(waitUntil([&] { return !program.session.setup(1).panel.empty(); }));
+    expectPlaced();
+}
+
+TEST_F(WindowLayout, aLectureThatWasSavedIsHeldAgain) {
+    Program program({1366, 768});
+    openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("lecture.cullscope"));
+    ASSERT_TRUE(program.window.document().opener().save(file, QStringLiteral("lecture")));
+    program.window.document().opener().open(file);
+    EXPECT_TRUE(waitUntil([&] { return program.window.lecture() != nullptr; }));
+    QTest::keyClick(program.window.lecture(), Qt::Key_Escape);
+    EXPECT_TRUE(waitUntil([&] { return program.window.lecture() == nullptr; }));
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,142 @@
+// The session's cameras: the linked one, and those of observers and frozen views.
+#include "ui/session/session.h"
+
+#include <algorithm>
+
+namespace cullscope::ui {
+
+double Session::aspect(int view) const {
+    const Viewport size = renderSize(view);
+    return size.width > 0 && size.height > 0 ? double(size.width) / size.height : 4.0 / 3.0;
+}
+
+void Session::setCamera(const Camera& camera) {
+    if (!m_opened) return;
+    const Camera complete = withClipPlanes(camera, m_opened->scene->boundingSphere(), m_chosenNear);
+    if (complete == m_camera) return;
+    m_camera = complete;
+    emit cameraChanged();
+    update();
+}
+
+void Session::setUpAxis(UpAxis up) {
+    if (up == m_up) return;
+    m_up = up;
+    goHome();
+    emit cameraChanged();
+}
+
+int Session::homeView() const {
+    // An observer has a camera of its own.
+    const int culling = culledBy(m_activeView);
+    return setup(culling).role == Role::Linked ? culling : m_activeView;
+}
+
+void Session::goHome() {
+    m_chosenNear.reset();
+    if (!m_opened) return;
+    setCamera(homeCamera(*m_opened->scene, m_up, aspect(homeView())));
+    m_home = m_camera;
+    placeObservers(observers());
+}
+
+std::vector<int> Session::observers() const {
+    std::vector<int> views;
+    for (int view = 0; view < kMostViews; ++view)
+        if (setup(view).role == Role::Observer) views.push_back(view);
+    return views;
+}
+
+void Session::placeObservers(const std::vector<int>& views) {
+    for (const int view : views) observe(view, setup(view).observed);
+}
+
+/// Until somebody moves the cameras, the scene goes on filling a window that changes its size.
+void Session::followWindow(int view) {
+    if (!m_opened || setup(view).size || !(m_camera == m_home)) return;
+    std::vector<int> following;
+    for (const int observer : observers())
+        if (setup(observer).viewing == m_views[size_t(observer)].firstWatch) following.push_back(observer);
+    if (view == homeView()) {
+        setCamera(homeCamera(*m_opened->scene, m_up, aspect(view)));
+        m_home = m_camera;
+    } else {
+        std::erase_if(following, [view](int observer) { return observer != view; });
+        if (following.empty()) return;
+    }
+    placeObservers(following);
+    emit camerasFollowedWindow();
+}
+
+void Session::frameScene() {
+    if (m_scene) frame(m_scene->boundingSphere());
+}
+
+void Session::frame(const Sphere& sphere) {
+    if (m_opened) setViewingCamera(m_activeView, framed(viewingCamera(m_activeView), m_up, sphere, aspect(m_activeView)));
+}
+
+void Session::setChosenNear(const std::optional<double>& distance) {
+    m_chosenNear = distance;
+    setCamera(m_camera);
+}
+
+Camera Session::withClipPlanesFor(int view, const Camera& camera) const {
+    Sphere scene = m_opened->scene->boundingSphere();
+    if (setup(view).role == Role::Linked) return withClipPlanes(camera, scene, m_chosenNear);
+    // The culling camera's frustum is to be seen too.
+    scene.radius = std::max(scene.radius, glm::length(cullingCamera(view).eye - scene.centre));
+    return withClipPlanes(camera, scene, std::nullopt);
+}
+
+void Session::setLinked(int view) {
+    ViewSetup changed = setup(view);
+    changed.role = Role::Linked;
+    changeSetup(view, changed);
+}
+
+void Session::observe(int view, int observed) {
+    observed = culledBy(observed);
+    if (observed == view) return;
+    ViewSetup changed = setup(view);
+    changed.role = Role::Observer;
+    changed.observed = observed;
+    if (m_opened)
+        changed.viewing = observerCamera(cullingCamera(observed), m_opened->scene->boundingSphere(), m_up, aspect(view));
+    changeSetup(view, changed);
+    if (m_opened) setViewingCamera(view, changed.viewing);
+    m_views[size_t(view)].firstWatch = setup(view).viewing;
+}
+
+void Session::setFrozen(int view, bool frozen) {
+    if (!m_opened || frozen == (setup(view).role == Role::Frozen)) return;
+    ViewSetup changed = setup(view);
+    changed.culling = cullingCamera(view);
+    changed.viewing = viewingCamera(view);
+    changed.role = frozen ? Role::Frozen : Role::Linked;
+    changeSetup(view, changed);
+}
+
+int Session::culledBy(int view) const { return setup(view).role == Role::Observer ? setup(view).observed : view; }
+
+const Camera& Session::cullingCamera(int view) const {
+    const ViewSetup& culling = setup(culledBy(view));
+    return culling.role == Role::Frozen ? culling.culling : m_camera;
+}
+
+const Camera& Session::viewingCamera(int view) const { return setup(view).role == Role::Linked ? m_camera : setup(view).viewing; }
+
+void Session::setViewingCamera(int view, const Camera& camera) {
+    if (setup(view).role == Role::Linked) {
+        setCamera(camera);
+        return;
+    }
+    if (!m_opened) return;
+    const Camera complete = withClipPlanesFor(view, camera);
+    if (complete == setup(view).viewing) return;
+    m_views[size_t(view)].setup.viewing = complete;
+    emit cameraChanged();
+    update();
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,20 @@
+#include "ui/startup/first_views.h"
+
+namespace cullscope::ui {
+
+void showFirstViews(Session& session, const std::vector<std::string>& chosen) {
+    session.setActiveView(0);
+    if (chosen.empty()) {
+        session.slot(0).choose("backface");
+        session.observe(1, 0);
+        ViewSetup watching = session.setup(1);
+        watching.look = {Colouring::Verdicts, true, true, false};
+        session.setSetup(1, watching);
+        return;
+    }
+    for (size_t i = 0; i < chosen.size(); ++i) session.slot(int(i)).choose(chosen[i]);
+    for (const int count : Session::kViewCounts)
+        if (size_t(count) >= chosen.size()) return session.setViewCount(count);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,120 @@
+#include "ui/window/experiments.h"
+
+#include <algorithm>
+
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+Experiments::Experiments(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_runner(new ExperimentRunner(this)) {
+    wire();
+}
+
+void Experiments::wire() {
+    const auto live = [this] {
+        for (StatisticsPanel* panel : m_panels) showLive(*panel);
+    };
+    connect(&m_session, &Session::sceneChanged, this, [this] {
+        m_result.reset();
+        for (StatisticsPanel* panel : m_panels) showScene(*panel);
+    });
+    connect(&m_session, &Session::figuresChanged, this, live);
+    connect(&m_session, &Session::viewCountChanged, this, live);
+    connect(m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
+        for (StatisticsPanel* panel : m_panels) panel->setProgress(share, stage);
+    });
+    connect(m_runner, &ExperimentRunner::partial, this, &Experiments::show);
+    connect(m_runner, &ExperimentRunner::finished, this, [this](const MeasureResult& result) {
+        show(result);
+        end();
+    });
+    connect(m_runner, &ExperimentRunner::cancelled, this, &Experiments::end);
+    connect(m_runner, &ExperimentRunner::failed, this, [this](const Message& message) {
+        end();
+        m_session.raise(Severity::Error, message);
+    });
+}
+
+StatisticsPanel* Experiments::makePanel(QWidget* parent) {
+    auto* panel = new StatisticsPanel(parent);
+    m_panels.push_back(panel);
+    connect(panel, &QObject::destroyed, this, [this, panel] { std::erase(m_panels, panel); });
+    connect(panel, &StatisticsPanel::startRequested, this, &Experiments::start);
+    connect(panel, &StatisticsPanel::cancelRequested, m_runner, &ExperimentRunner::cancel);
+    connect(panel, &StatisticsPanel::poseChosen, this, &Experiments::goToPose);
+    connect(panel, &StatisticsPanel::failed, this, [this](const Message& message) { m_session.raise(Severity::Error, message); });
+    connect(panel, &StatisticsPanel::exported, this, [this](const QString& path) {
+        m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
+    });
+    panel->setSoftwareOpenGl(m_session.gpu() && m_session.gpu()->info().software);
+    panel->setRecordedPath(m_recorded);
+    if (m_session.opened()) showScene(*panel);
+    showLive(*panel);
+    panel->setRunning(m_running);
+    if (m_result) panel->setResult(*m_result);
+    return panel;
+}
+
+void Experiments::setRecordedPath(const std::optional<CameraPath>& path) {
+    m_recorded = path;
+    for (StatisticsPanel* panel : m_panels) panel->setRecordedPath(path);
+}
+
+void Experiments::show(const MeasureResult& result) {
+    m_result = result;
+    for (StatisticsPanel* panel : m_panels) panel->setResult(result);
+}
+
+void Experiments::showScene(StatisticsPanel& panel) const {
+    const OpenedScenePointer& opened = m_session.opened();
+    panel.setScene(opened->scene, {opened->specification, m_session.sceneSource().modelFolders});
+}
+
+void Experiments::start(const ExperimentSettings& settings) {
+    if (!m_session.opened()) return;
+    ExperimentRunner::Request request;
+    // Hidden objects are measured too: results are of the scene that their file names.
+    request.scene = m_session.opened()->scene;
+    request.path = settings.path;
+    request.size = settings.size;
+    request.repetitions = settings.repetitions;
+    for (const int view : m_session.measuredViews()) {
+        const StrategySlot& slot = m_session.slot(view);
+        const bool known =
+            std::any_of(request.strategies.begin(), request.strategies.end(), [&](const StrategyRequest& strategy) {
+                return strategy.id == slot.id() && strategy.parameters == slot.parameters();
+            });
+        if (!known) request.strategies.push_back({slot.id(), slot.parameters()});
+    }
+    m_path = settings.path;
+    // What the window measures beside it would be in the experiment's times.
+    m_session.setMeasuring(false);
+    m_running = true;
+    m_result.reset();
+    for (StatisticsPanel* panel : m_panels) panel->setRunning(true);
+    m_runner->start(request);
+}
+
+void Experiments::end() {
+    m_running = false;
+    for (StatisticsPanel* panel : m_panels) panel->setRunning(false);
+    m_session.setMeasuring(true);
+}
+
+void Experiments::goToPose(int pose) {
+    if (pose >= 0 && size_t(pose) < m_path.poses.size()) m_session.setCamera(m_path.camera(size_t(pose)));
+}
+
+void Experiments::showLive(StatisticsPanel& panel) const {
+    std::vector<LiveFigures> live;
+    for (const int view : m_session.measuredViews()) {
+        const StrategySlot& slot = m_session.slot(view);
+        const Figures& figures = m_session.figures(view);
+        live.push_back({viewLetter(view), {slot.id(), slot.parameters()}, figures.promise, figures});
+    }
+    panel.setLive(std::move(live));
+    panel.setCurrentSize(m_session.renderSize(m_session.activeView()));
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,48 @@
+#include "ui/window/placed_panels.h"
+
+#include "ui/panels/figure_panel.h"
+#include "ui/panels/inside_panel.h"
+#include "ui/panels/legend_panel.h"
+#include "ui/panels/scene_panel.h"
+#include "ui/panels/strategy_panel.h"
+
+namespace cullscope::ui {
+
+PlacedPanels::PlacedPanels(Session& session, ViewGrid& views, InsideReader& reader, Experiments& experiments, QObject* parent)
+    : QObject(parent), m_session(session), m_views(views), m_reader(reader), m_experiments(experiments) {
+    connect(&session, &Session::setupChanged, this, &PlacedPanels::place);
+}
+
+std::vector<PlaceablePanel> PlacedPanels::known() {
+    return {{"inside", tr("Inside")}, {"figures", tr("Figures")},   {"statistics", tr("Statistics")},
+            {"scene", tr("Scene")},   {"strategy", tr("Strategy")}, {"legend", tr("Legend")}};
+}
+
+QWidget* PlacedPanels::make(const std::string& id) const {
+    if (id == "inside") return new InsidePanel(m_session, m_reader);
+    if (id == "figures") return new FigurePanel(m_session);
+    if (id == "statistics") return m_experiments.makePanel();
+    if (id == "strategy") return new StrategyPanel(m_session);
+    if (id == "legend") return new LegendPanel(m_session);
+    if (id != "scene") return nullptr;
+    auto* scene = new ScenePanel(m_session);
+    scene->setReader(m_reader);
+    return scene;
+}
+
+void PlacedPanels::place() {
+    for (int view = 0; view < Session::kMostViews; ++view) {
+        ViewPane& pane = m_views.pane(view);
+        const std::string& wanted = m_session.setup(view).panel;
+        const QString placed = pane.panel() ? pane.panel()->objectName() : QString();
+        if (placed == QString::fromStdString(wanted)) continue;
+        QWidget* panel = wanted.empty() ? nullptr : make(wanted);
+        if (panel) {
+            panel->setObjectName(QString::fromStdString(wanted));
+            panel->setAutoFillBackground(true);
+        }
+        pane.setPanel(panel);
+    }
+}
+
+}  // namespace cullscope::ui
