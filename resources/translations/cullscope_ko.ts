@@ -121,15 +121,15 @@
     </message>
     <message>
         <source>farther away than beside it, or missing (pixels)</source>
-        <translation>옆보다 멀거나 빠진 화소</translation>
+        <translation>옆보다 멀거나 빠진 픽셀</translation>
     </message>
     <message>
         <source>nearer than beside it (pixels)</source>
-        <translation>옆보다 가까운 화소</translation>
+        <translation>옆보다 가까운 픽셀</translation>
     </message>
     <message>
         <source>figures at %1 × %2 pixels</source>
-        <translation>%1 × %2 화소에서의 수치</translation>
+        <translation>%1 × %2 픽셀에서의 수치</translation>
     </message>
     <message>
         <source>software OpenGL</source>
@@ -192,7 +192,7 @@
     </message>
     <message>
         <source>Missed and added pixels</source>
-        <translation>놓치거나 더해진 화소</translation>
+        <translation>놓치거나 더해진 픽셀</translation>
     </message>
     <message>
         <source>Wipe: view %1 | this one</source>
@@ -200,7 +200,7 @@
     </message>
     <message>
         <source>Pixels that differ from view %1</source>
-        <translation>뷰 %1과(와) 다른 화소</translation>
+        <translation>뷰 %1과(와) 다른 픽셀</translation>
     </message>
     <message>
         <source>Picture size</source>
@@ -1103,7 +1103,7 @@
     </message>
     <message>
         <source>There is no memory for a picture of %1x%2 pixels: choose a smaller size.</source>
-        <translation>%1x%2 화소의 그림을 위한 메모리가 없습니다: 더 작은 크기를 고르십시오.</translation>
+        <translation>%1x%2 픽셀의 그림을 위한 메모리가 없습니다: 더 작은 크기를 고르십시오.</translation>
     </message>
     <message>
         <source>%1 is not there any more; it was taken off the list of recent files.</source>
@@ -1115,11 +1115,11 @@
     </message>
     <message>
         <source>A picture of %1x%2 pixels is too large: at most 16384 pixels a side can be saved.</source>
-        <translation>%1x%2 화소의 그림은 너무 큽니다: 한 변에 최대 16384 화소까지 저장할 수 있습니다.</translation>
+        <translation>%1x%2 픽셀의 그림은 너무 큽니다: 한 변에 최대 16384 픽셀까지 저장할 수 있습니다.</translation>
     </message>
     <message>
         <source>In %1x%2 pixels there is no room for the pictures beside legend and caption: choose a larger size or leave those out.</source>
-        <translation>%1x%2 화소에는 범례와 설명 옆에 그림이 들어갈 자리가 없습니다: 더 큰 크기를 고르거나 그것들을 빼십시오.</translation>
+        <translation>%1x%2 픽셀에는 범례와 설명 옆에 그림이 들어갈 자리가 없습니다: 더 큰 크기를 고르거나 그것들을 빼십시오.</translation>
     </message>
     <message>
         <source>There is no picture to save yet: open a scene and wait until it is drawn.</source>
@@ -1500,7 +1500,7 @@ OpenGL %2
     </message>
     <message>
         <source>as the view: %1 × %2</source>
-        <translation>보기와 같이: %1 × %2</translation>
+        <translation>뷰와 같이: %1 × %2</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -1662,6 +1662,13 @@ OpenGL %2
     <message>
         <source>Generate</source>
         <translation>생성</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>도움말</translation>
     </message>
 </context>
 <context>
@@ -1854,14 +1861,6 @@ OpenGL %2
         <translation>장면 전체 보기</translation>
     </message>
     <message>
-        <source>Ctrl + 1, Ctrl + 2</source>
-        <translation>Ctrl + 1, Ctrl + 2</translation>
-    </message>
-    <message>
-        <source>one view, two views</source>
-        <translation>뷰 1개, 뷰 2개</translation>
-    </message>
-    <message>
         <source>Tab</source>
         <translation>Tab</translation>
     </message>
@@ -1870,20 +1869,120 @@ OpenGL %2
         <translation>다음 뷰나 패널</translation>
     </message>
     <message>
-        <source>Ctrl + O</source>
-        <translation>Ctrl + O</translation>
+        <source>Mouse</source>
+        <translation>마우스</translation>
     </message>
     <message>
-        <source>open a file</source>
-        <translation>파일 열기</translation>
+        <source>Click</source>
+        <translation>클릭</translation>
     </message>
     <message>
-        <source>H</source>
-        <translation>H</translation>
+        <source>select triangle and object; on an axis' end: look from there</source>
+        <translation>삼각형과 물체 선택, 축 끝에서는 그 방향에서 보기</translation>
     </message>
     <message>
-        <source>this page</source>
-        <translation>이 페이지</translation>
+        <source>Cameras</source>
+        <translation>카메라</translation>
+    </message>
+    <message>
+        <source>Alt + 1 … 4</source>
+        <translation>Alt + 1 … 4</translation>
+    </message>
+    <message>
+        <source>go to a kept camera; with Shift: keep this one</source>
+        <translation>보관한 카메라로 이동, Shift와 함께: 지금 카메라 보관</translation>
+    </message>
+    <message>
+        <source>Ctrl + K</source>
+        <translation>Ctrl + K</translation>
+    </message>
+    <message>
+        <source>add this pose to the path</source>
+        <translation>이 자세를 경로에 추가</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>스페이스</translation>
+    </message>
+    <message>
+        <source>play the path, or pause</source>
+        <translation>경로 재생 또는 일시 정지</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>그림</translation>
+    </message>
+    <message>
+        <source>freeze culling and fly on</source>
+        <translation>컬링을 고정하고 계속 이동</translation>
+    </message>
+    <message>
+        <source>colours by verdict</source>
+        <translation>판정별 색</translation>
+    </message>
+    <message>
+        <source>wipe between truth and strategy</source>
+        <translation>참값과 전략을 나란히 비교</translation>
+    </message>
+    <message>
+        <source>missed and added pixels</source>
+        <translation>놓친 픽셀과 더해진 픽셀</translation>
+    </message>
+    <message>
+        <source>next loss</source>
+        <translation>다음 손실</translation>
+    </message>
+    <message>
+        <source>loupe</source>
+        <translation>돋보기</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>축</translation>
+    </message>
+    <message>
+        <source>Window and files</source>
+        <translation>창과 파일</translation>
+    </message>
+    <message>
+        <source>Ctrl + 1, 2, 4, 8</source>
+        <translation>Ctrl + 1, 2, 4, 8</translation>
+    </message>
+    <message>
+        <source>number of views</source>
+        <translation>뷰 개수</translation>
+    </message>
+    <message>
+        <source>lecture; Page Up and Page Down step, B blanks, Esc leaves</source>
+        <translation>강의, Page Up과 Page Down으로 넘기기, B로 화면 가리기, Esc로 나가기</translation>
+    </message>
+    <message>
+        <source>Ctrl + O, Ctrl + S</source>
+        <translation>Ctrl + O, Ctrl + S</translation>
+    </message>
+    <message>
+        <source>open; save the session</source>
+        <translation>열기, 세션 저장</translation>
+    </message>
+    <message>
+        <source>Ctrl + Z, Ctrl + Shift + Z</source>
+        <translation>Ctrl + Z, Ctrl + Shift + Z</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>실행 취소, 다시 실행</translation>
+    </message>
+    <message>
+        <source>screenshot; with Ctrl: without overlays; with Ctrl + Shift: ask</source>
+        <translation>스크린샷, Ctrl: 덧그림 없이, Ctrl + Shift: 설정 묻기</translation>
+    </message>
+    <message>
+        <source>F1, H</source>
+        <translation>F1, H</translation>
+    </message>
+    <message>
+        <source>help; this page</source>
+        <translation>도움말, 이 쪽</translation>
     </message>
 </context>
 <context>
@@ -2554,7 +2653,7 @@ view</source>
     </message>
     <message>
         <source>%1 × %2 pixels</source>
-        <translation>%1 × %2 화소</translation>
+        <translation>%1 × %2 픽셀</translation>
     </message>
     <message>
         <source>Another size</source>
@@ -2598,11 +2697,11 @@ view</source>
     </message>
     <message>
         <source>Width in pixels</source>
-        <translation>너비(화소)</translation>
+        <translation>너비(픽셀)</translation>
     </message>
     <message>
         <source>Height in pixels</source>
-        <translation>높이(화소)</translation>
+        <translation>높이(픽셀)</translation>
     </message>
     <message>
         <source>Background</source>
@@ -2650,7 +2749,7 @@ view</source>
     </message>
     <message>
         <source>Saved as %1, %2 × %3 pixels.</source>
-        <translation>%1(으)로 저장됩니다, %2 × %3 화소.</translation>
+        <translation>%1(으)로 저장됩니다, %2 × %3 픽셀.</translation>
     </message>
     <message>
         <source>Depth and triangle numbers are kept for one view alone.</source>
@@ -2760,7 +2859,7 @@ view</source>
     </message>
     <message>
         <source>The views' figures appear here as soon as they are measured.</source>
-        <translation>보기들을 측정하는 대로 수치가 여기에 나타납니다.</translation>
+        <translation>뷰들을 측정하는 대로 수치가 여기에 나타납니다.</translation>
     </message>
     <message>
         <source>%1 · %2 × %3 · %4 of %5 poses</source>
@@ -3029,16 +3128,16 @@ view</source>
     </message>
     <message>
         <source>%1 pixels missed, %2 nearer than the truth</source>
-        <translation>화소 %1개 놓침, %2개는 참값보다 가까움</translation>
+        <translation>픽셀 %1개 놓침, %2개는 참값보다 가까움</translation>
     </message>
     <message>
         <source>%1 pixels differ from view %2</source>
-        <translation>뷰 %2과(와) 다른 화소 %1개</translation>
+        <translation>뷰 %2과(와) 다른 픽셀 %1개</translation>
     </message>
     <message numerus="yes">
         <source>loss %1 of %2: %n pixel(s)</source>
         <translation>
-            <numerusform>손실 %1 / %2: 화소 %n개</numerusform>
+            <numerusform>손실 %1 / %2: 픽셀 %n개</numerusform>
         </translation>
     </message>
 </context>
@@ -3347,11 +3446,11 @@ view</source>
     </message>
     <message>
         <source>&amp;Missed pixels</source>
-        <translation>놓친 화소(&amp;M)</translation>
+        <translation>놓친 픽셀(&amp;M)</translation>
     </message>
     <message>
         <source>Mark the pixels that the strategy missed or added</source>
-        <translation>전략이 놓치거나 더한 화소를 표시합니다</translation>
+        <translation>전략이 놓치거나 더한 픽셀을 표시합니다</translation>
     </message>
     <message>
         <source>&amp;Next loss</source>
@@ -3359,7 +3458,7 @@ view</source>
     </message>
     <message>
         <source>Go to the next lost pixels, largest hole first</source>
-        <translation>가장 큰 구멍부터 다음 손실 화소로 갑니다</translation>
+        <translation>가장 큰 구멍부터 다음 손실 픽셀로 갑니다</translation>
     </message>
     <message>
         <source>&amp;Loupe</source>
@@ -3416,6 +3515,18 @@ view</source>
     <message>
         <source>Stop recording and playing</source>
         <translation>기록과 재생을 멈춥니다</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>축(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the axes in a corner of each view; a click on an end looks from there</source>
+        <translation>각 뷰의 구석에 축을 표시합니다. 축 끝을 클릭하면 그 방향에서 봅니다</translation>
+    </message>
+    <message>
+        <source>What the views, panels and figures mean</source>
+        <translation>뷰, 패널, 수치의 뜻</translation>
     </message>
 </context>
 </TS>

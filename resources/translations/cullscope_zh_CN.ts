@@ -423,7 +423,7 @@
     </message>
     <message>
         <source>The camera path has no poses.</source>
-        <translation>相机路径中没有位姿。</translation>
+        <translation>相机路径中没有姿态。</translation>
     </message>
     <message>
         <source>The scene has no triangles: there is nothing to measure.</source>
@@ -739,11 +739,11 @@
     </message>
     <message>
         <source>The path %1 needs a number of poses between 1 and 1000000 after the colon.</source>
-        <translation>路径 %1 的冒号后需要 1 到 1000000 之间的位姿数。</translation>
+        <translation>路径 %1 的冒号后需要 1 到 1000000 之间的姿态数。</translation>
     </message>
     <message>
         <source>%1: pose %2: "%3" must be three numbers.</source>
-        <translation>%1：位姿 %2：“%3”必须是三个数。</translation>
+        <translation>%1：姿态 %2：“%3”必须是三个数。</translation>
     </message>
     <message>
         <source>%1: "%2" must be a number.</source>
@@ -763,23 +763,23 @@
     </message>
     <message>
         <source>%1: a camera path needs a list "poses" with at least one pose.</source>
-        <translation>%1：相机路径需要至少含一个位姿的列表“poses”。</translation>
+        <translation>%1：相机路径需要至少含一个姿态的列表“poses”。</translation>
     </message>
     <message>
         <source>%1: pose %2: %3</source>
-        <translation>%1：位姿 %2：%3</translation>
+        <translation>%1：姿态 %2：%3</translation>
     </message>
     <message>
         <source>N poses on a circle at three times the scene's radius, 15 degrees above it</source>
-        <translation>位于场景半径三倍处、高出 15 度的圆上的 N 个位姿</translation>
+        <translation>位于场景半径三倍处、高出 15 度的圆上的 N 个姿态</translation>
     </message>
     <message>
         <source>N poses spread evenly around the scene at three times its radius</source>
-        <translation>在场景半径三倍处均匀分布的 N 个位姿</translation>
+        <translation>在场景半径三倍处均匀分布的 N 个姿态</translation>
     </message>
     <message>
         <source>N poses on a walk into the scene, looking ahead</source>
-        <translation>向前看着走入场景的 N 个位姿</translation>
+        <translation>向前看着走入场景的 N 个姿态</translation>
     </message>
     <message>
         <source>a close view with a pole of the spherical map in it</source>
@@ -1347,15 +1347,15 @@
     </message>
     <message>
         <source>OpenGL lost its context (the graphics driver was reset), which ended the experiment. What was measured before is kept; start it again for the rest.</source>
-        <translation>OpenGL 上下文丢失(显卡驱动被重置),实验因此结束。此前的测量结果已保留;如需其余部分,请重新开始。</translation>
+        <translation>OpenGL 上下文丢失（显卡驱动被重置），实验因此结束。此前的测量结果已保留；如需其余部分，请重新开始。</translation>
     </message>
     <message>
         <source>OpenGL lost its context (the graphics driver was reset). The scene is being uploaded again; nothing is lost.</source>
-        <translation>OpenGL 上下文丢失(显卡驱动被重置)。正在重新上传场景;没有任何丢失。</translation>
+        <translation>OpenGL 上下文丢失（显卡驱动被重置）。正在重新上传场景；没有任何丢失。</translation>
     </message>
     <message>
         <source>OpenGL lost its context, and no new one can be made. What is shown stays: save the session and start Cullscope again.</source>
-        <translation>OpenGL 上下文丢失,且无法创建新的。已显示的内容保持不变:请保存会话并重新启动 Cullscope。</translation>
+        <translation>OpenGL 上下文丢失，且无法创建新的。已显示的内容保持不变:请保存会话并重新启动 Cullscope。</translation>
     </message>
     <message>
         <source>OpenGL lost its context while this picture was drawn. Take the picture again.</source>
@@ -1363,7 +1363,7 @@
     </message>
     <message>
         <source>The field of view changed while the path was recorded: all of it has that of its first pose.</source>
-        <translation>录制路径时视场角发生了变化:整条路径都采用第一个位姿的视场角。</translation>
+        <translation>录制路径时视场角发生了变化：整条路径都采用第一个姿态的视场角。</translation>
     </message>
 </context>
 <context>
@@ -1407,7 +1407,7 @@ OpenGL %2
     <message>
         <source>%1: %2 triangles, %3 %</source>
         <extracomment>A state of triangles, how many, and their share of all.</extracomment>
-        <translation>%1:%2 个三角形,%3 %</translation>
+        <translation>%1：%2 个三角形，%3 %</translation>
     </message>
     <message>
         <source>Not known yet.</source>
@@ -1665,6 +1665,13 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::HelpWindow</name>
+    <message>
+        <source>Help</source>
+        <translation>帮助</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::InsideModel</name>
     <message>
         <source>Node %1</source>
@@ -1854,14 +1861,6 @@ OpenGL %2
         <translation>显示整个场景</translation>
     </message>
     <message>
-        <source>Ctrl + 1, Ctrl + 2</source>
-        <translation>Ctrl + 1、Ctrl + 2</translation>
-    </message>
-    <message>
-        <source>one view, two views</source>
-        <translation>一个视图、两个视图</translation>
-    </message>
-    <message>
         <source>Tab</source>
         <translation>Tab</translation>
     </message>
@@ -1870,20 +1869,120 @@ OpenGL %2
         <translation>下一个视图或面板</translation>
     </message>
     <message>
-        <source>Ctrl + O</source>
-        <translation>Ctrl + O</translation>
+        <source>Mouse</source>
+        <translation>鼠标</translation>
     </message>
     <message>
-        <source>open a file</source>
-        <translation>打开文件</translation>
+        <source>Click</source>
+        <translation>单击</translation>
     </message>
     <message>
-        <source>H</source>
-        <translation>H</translation>
+        <source>select triangle and object; on an axis' end: look from there</source>
+        <translation>选中三角形和物体；点在坐标轴端点上则从该方向观察</translation>
     </message>
     <message>
-        <source>this page</source>
-        <translation>本页</translation>
+        <source>Cameras</source>
+        <translation>相机</translation>
+    </message>
+    <message>
+        <source>Alt + 1 … 4</source>
+        <translation>Alt + 1 … 4</translation>
+    </message>
+    <message>
+        <source>go to a kept camera; with Shift: keep this one</source>
+        <translation>转到保存的相机；加 Shift：保存当前相机</translation>
+    </message>
+    <message>
+        <source>Ctrl + K</source>
+        <translation>Ctrl + K</translation>
+    </message>
+    <message>
+        <source>add this pose to the path</source>
+        <translation>把此姿态加入路径</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>空格</translation>
+    </message>
+    <message>
+        <source>play the path, or pause</source>
+        <translation>播放路径或暂停</translation>
+    </message>
+    <message>
+        <source>Pictures</source>
+        <translation>图片</translation>
+    </message>
+    <message>
+        <source>freeze culling and fly on</source>
+        <translation>冻结剔除并继续飞行</translation>
+    </message>
+    <message>
+        <source>colours by verdict</source>
+        <translation>按判定着色</translation>
+    </message>
+    <message>
+        <source>wipe between truth and strategy</source>
+        <translation>真值与策略对比</translation>
+    </message>
+    <message>
+        <source>missed and added pixels</source>
+        <translation>丢失与多出的像素</translation>
+    </message>
+    <message>
+        <source>next loss</source>
+        <translation>下一处丢失</translation>
+    </message>
+    <message>
+        <source>loupe</source>
+        <translation>放大镜</translation>
+    </message>
+    <message>
+        <source>axes</source>
+        <translation>坐标轴</translation>
+    </message>
+    <message>
+        <source>Window and files</source>
+        <translation>窗口与文件</translation>
+    </message>
+    <message>
+        <source>Ctrl + 1, 2, 4, 8</source>
+        <translation>Ctrl + 1, 2, 4, 8</translation>
+    </message>
+    <message>
+        <source>number of views</source>
+        <translation>视图数量</translation>
+    </message>
+    <message>
+        <source>lecture; Page Up and Page Down step, B blanks, Esc leaves</source>
+        <translation>讲课；Page Up 与 Page Down 翻页，B 黑屏，Esc 退出</translation>
+    </message>
+    <message>
+        <source>Ctrl + O, Ctrl + S</source>
+        <translation>Ctrl + O, Ctrl + S</translation>
+    </message>
+    <message>
+        <source>open; save the session</source>
+        <translation>打开；保存会话</translation>
+    </message>
+    <message>
+        <source>Ctrl + Z, Ctrl + Shift + Z</source>
+        <translation>Ctrl + Z, Ctrl + Shift + Z</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>撤销、重做</translation>
+    </message>
+    <message>
+        <source>screenshot; with Ctrl: without overlays; with Ctrl + Shift: ask</source>
+        <translation>截图；加 Ctrl：不含叠加内容；加 Ctrl + Shift：先询问</translation>
+    </message>
+    <message>
+        <source>F1, H</source>
+        <translation>F1、H</translation>
+    </message>
+    <message>
+        <source>help; this page</source>
+        <translation>帮助；本页</translation>
     </message>
 </context>
 <context>
@@ -1964,7 +2063,7 @@ OpenGL %2
     <message>
         <source>%1: %2 triangles in the active view</source>
         <comment>a state of triangles</comment>
-        <translation>%1:活动视图中 %2 个三角形</translation>
+        <translation>%1：活动视图中 %2 个三角形</translation>
     </message>
 </context>
 <context>
@@ -3416,6 +3515,18 @@ view</source>
     <message>
         <source>Stop recording and playing</source>
         <translation>停止录制和播放</translation>
+    </message>
+    <message>
+        <source>A&amp;xes</source>
+        <translation>坐标轴(&amp;X)</translation>
+    </message>
+    <message>
+        <source>Show the axes in a corner of each view; a click on an end looks from there</source>
+        <translation>在每个视图的角落显示坐标轴；单击端点则从该方向观察</translation>
+    </message>
+    <message>
+        <source>What the views, panels and figures mean</source>
+        <translation>视图、面板和数值的含义</translation>
     </message>
 </context>
 </TS>

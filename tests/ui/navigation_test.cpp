@@ -1,4 +1,5 @@
 #include "ui/session/navigation.h"
+#include "ui/views/orientation_gizmo.h"
 
 #include <gtest/gtest.h>
 
@@ -139,6 +140,30 @@ TEST(Navigation, clipPlanesHoldTheScene) {
     EXPECT_GT(set.farDistance, 12.0);
     EXPECT_DOUBLE_EQ(withClipPlanes(camera, scene, 9.0).nearDistance, 9.0);
     EXPECT_LT(withClipPlanes(camera, scene, 1e9).nearDistance, set.farDistance);
+}
+
+TEST(Axes, aClickOnAnEndLooksFromThere) {
+    const Camera start{{3.0, 2.0, 4.0}, {0.5, -0.5, 0.25}, {0.0, 1.0, 0.0}};
+    const QRectF picture(10.0, 20.0, 400.0, 300.0);
+    for (const UpAxis up : {UpAxis::Y, UpAxis::Z})
+        for (int axis = 0; axis < 3; ++axis)
+            for (const double sign : {1.0, -1.0}) {
+                Vec3 direction(0.0);
+                direction[axis] = sign;
+                const Camera camera = seenFrom(start, up, direction);
+                const double length = glm::length(start.eye - start.target);
+                EXPECT_NEAR(glm::length(camera.eye - camera.target), length, 1e-12);
+                // 89.5° is as near as a turntable goes to its pole.
+                EXPECT_GT(glm::dot(camera.eye - camera.target, direction) / length, 0.9999);
+                EXPECT_EQ(camera.target, start.target);
+                // Seen from there, that end lies in the middle of the gizmo and before all others.
+                const OrientationGizmo gizmo(View(camera, {400, 300}), picture);
+                const std::optional<Vec3> hit = gizmo.directionAt(picture.bottomLeft() + QPointF(48.84, -48.84));
+                ASSERT_TRUE(hit);
+                EXPECT_EQ(*hit, direction);
+            }
+    const OrientationGizmo gizmo(View(start, {400, 300}), picture);
+    EXPECT_FALSE(gizmo.directionAt(picture.center()));
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <array>
 
 #include "tests/ui/test_scene.h"
 
@@ -37,6 +38,38 @@ TEST(Program, withoutOpenGlItEndsWithASentence) {
         EXPECT_EQ(ended.status, 4) << platform;
         EXPECT_TRUE(ended.errors.startsWith(QStringLiteral("cullscope: "))) << ended.errors.toStdString();
         EXPECT_TRUE(ended.errors.contains(QStringLiteral("cullbench")));
+    }
+}
+
+TEST(Program, aDisplayWhoseOpenGlIsMissingOrTooOldIsSaidInOneSentence) {
+    struct Display {
+        const char* name;
+        const char* value;
+        const char* mentions;
+        std::unique_ptr<QProcess> process = std::make_unique<QProcess>();
+    };
+    std::array displays{Display{"LIBGL_DRIVERS_PATH", "/nonexistent", "offers no OpenGL 4.5"},
+                        Display{"QT_XCB_GL_INTEGRATION", "none", "offers no OpenGL 4.5"},
+                        Display{"MESA_GL_VERSION_OVERRIDE", "3.3", "this machine has 3.3"},
+                        Display{"MESA_GL_VERSION_OVERRIDE", "4.4COMPAT", "this machine has 4.4"}};
+    const QTemporaryDir home;
+    // At once: each shows its sentence for a while to who sees no terminal.
+    for (Display& display : displays) {
+        QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+        environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home.path());
+        environment.insert(QString::fromLatin1(display.name), QString::fromLatin1(display.value));
+        display.process->setProcessEnvironment(environment);
+        display.process->start(QStringLiteral(CULLSCOPE_PROGRAM), {QStringLiteral("sphere:triangles=80")});
+    }
+    for (Display& display : displays) {
+        SCOPED_TRACE(display.value);
+        ASSERT_TRUE(display.process->waitForFinished(kPatience));
+        EXPECT_EQ(display.process->exitStatus(), QProcess::NormalExit);
+        EXPECT_EQ(display.process->exitCode(), 4);
+        // Mesa and Qt have lines of their own.
+        const QString errors = QString::fromUtf8(display.process->readAllStandardError());
+        EXPECT_EQ(errors.count(QStringLiteral("cullscope: ")), 1) << errors.toStdString();
+        EXPECT_TRUE(errors.contains(QString::fromLatin1(display.mentions))) << errors.toStdString();
     }
 }
 

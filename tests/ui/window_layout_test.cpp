@@ -5,6 +5,7 @@
 #include <QTemporaryDir>
 
 #include "tests/ui/test_scene.h"
+#include "ui/dialogs/help_window.h"
 #include "ui/window/main_window.h"
 
 namespace cullscope::ui {
@@ -101,6 +102,25 @@ TEST_F(WindowLayout, aLectureThatWasSavedIsHeldAgain) {
     EXPECT_TRUE(waitUntil([&] { return program.window.lecture() != nullptr; }));
     QTest::keyClick(program.window.lecture(), Qt::Key_Escape);
     EXPECT_TRUE(waitUntil([&] { return program.window.lecture() == nullptr; }));
+}
+
+TEST_F(WindowLayout, helpIsInTheLanguageOfTheWindow) {
+    Program program({1000, 700});
+    program.window.actions().help->trigger();
+    auto* help = program.window.findChild<HelpWindow*>();
+    ASSERT_TRUE(help);
+    QStringList pages;
+    for (const Language::Known& language : Language::known()) {
+        program.language.use(language.id);
+        const QString text = help->page().toPlainText();
+        EXPECT_GT(text.size(), 1500) << language.id.toStdString();
+        EXPECT_FALSE(pages.contains(text)) << language.id.toStdString();
+        EXPECT_TRUE(text.contains(QStringLiteral("cullbench")));
+        pages << text;
+    }
+    program.window.actions().help->trigger();
+    EXPECT_EQ(program.window.findChildren<HelpWindow*>().size(), 1);
+    program.language.use(QStringLiteral("en"));
 }
 
 }  // namespace

@@ -7,43 +7,91 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+struct Line {
+    QString keys, effect;
+};
+
+struct Section {
+    QString title;
+    std::vector<Line> lines;
+};
+
+QLabel* bold(const QString& text) {
+    auto* label = new QLabel(text);
+    QFont font = label->font();
+    font.setBold(true);
+    label->setFont(font);
+    return label;
+}
+
+void addSection(QGridLayout& grid, const Section& section) {
+    int row = grid.rowCount();
+    QLabel* title = bold(section.title);
+    title->setForegroundRole(QPalette::Link);
+    title->setContentsMargins(0, row > 1 ? 10 : 0, 0, 2);
+    grid.addWidget(title, row++, 0, 1, 2);
+    for (const Line& line : section.lines) {
+        grid.addWidget(bold(line.keys), row, 0);
+        grid.addWidget(new QLabel(line.effect), row++, 1);
+    }
+}
+
+}  // namespace
+
 KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
     setWindowTitle(tr("Mouse and keys"));
-    const std::vector<std::pair<QString, QString>> lines{
-        {tr("Left drag"), tr("turn about the centre of rotation")},
-        {tr("Wheel"), tr("zoom to the pointer")},
-        {tr("Middle drag, or Shift + left drag"), tr("pan")},
-        {tr("Double click"), tr("set the centre of rotation")},
-        {tr("Right drag"), tr("look around")},
-        {tr("W A S D, Q E"), tr("fly forward, left, back, right, down, up (Shift: faster)")},
-        {tr("Ctrl + wheel"), tr("near plane")},
-        {tr("Shift + wheel"), tr("field of view")},
-        {tr("Right click, or the menu key"), tr("menu of the view")},
-        {tr("Arrow keys"), tr("turn; with Shift: pan")},
-        {tr("+ and −"), tr("zoom")},
-        {tr("Home"), tr("back to the first view")},
-        {tr(". (full stop)"), tr("show the whole scene")},
-        {tr("Ctrl + 1, Ctrl + 2"), tr("one view, two views")},
-        {tr("Tab"), tr("next view or panel")},
-        {tr("Ctrl + O"), tr("open a file")},
-        {tr("H"), tr("this page")},
-    };
-    auto* grid = new QGridLayout;
-    grid->setHorizontalSpacing(24);
-    int row = 0;
-    for (const auto& [keys, effect] : lines) {
-        auto* left = new QLabel(keys, this);
-        QFont bold = left->font();
-        bold.setBold(true);
-        left->setFont(bold);
-        grid->addWidget(left, row, 0);
-        grid->addWidget(new QLabel(effect, this), row, 1);
-        ++row;
+    const Section mouse{tr("Mouse"),
+                        {{tr("Left drag"), tr("turn about the centre of rotation")},
+                         {tr("Wheel"), tr("zoom to the pointer")},
+                         {tr("Middle drag, or Shift + left drag"), tr("pan")},
+                         {tr("Click"), tr("select triangle and object; on an axis' end: look from there")},
+                         {tr("Double click"), tr("set the centre of rotation")},
+                         {tr("Right drag"), tr("look around")},
+                         {tr("Right click, or the menu key"), tr("menu of the view")},
+                         {tr("Ctrl + wheel"), tr("near plane")},
+                         {tr("Shift + wheel"), tr("field of view")}}};
+    const Section cameras{tr("Cameras"),
+                          {{tr("W A S D, Q E"), tr("fly forward, left, back, right, down, up (Shift: faster)")},
+                           {tr("Arrow keys"), tr("turn; with Shift: pan")},
+                           {tr("+ and −"), tr("zoom")},
+                           {tr("Home"), tr("back to the first view")},
+                           {tr(". (full stop)"), tr("show the whole scene")},
+                           {tr("Alt + 1 … 4"), tr("go to a kept camera; with Shift: keep this one")},
+                           {tr("Ctrl + K"), tr("add this pose to the path")},
+                           {tr("Space"), tr("play the path, or pause")}}};
+    const Section pictures{tr("Pictures"),
+                           {{QStringLiteral("F"), tr("freeze culling and fly on")},
+                            {QStringLiteral("V"), tr("colours by verdict")},
+                            {QStringLiteral("T"), tr("wipe between truth and strategy")},
+                            {QStringLiteral("M"), tr("missed and added pixels")},
+                            {QStringLiteral("N"), tr("next loss")},
+                            {QStringLiteral("L"), tr("loupe")},
+                            {QStringLiteral("X"), tr("axes")}}};
+    const Section window{tr("Window and files"),
+                         {{tr("Ctrl + 1, 2, 4, 8"), tr("number of views")},
+                          {tr("Tab"), tr("next view or panel")},
+                          {QStringLiteral("F5"), tr("lecture; Page Up and Page Down step, B blanks, Esc leaves")},
+                          {tr("Ctrl + O, Ctrl + S"), tr("open; save the session")},
+                          {tr("Ctrl + Z, Ctrl + Shift + Z"), tr("undo, redo")},
+                          {QStringLiteral("F12"), tr("screenshot; with Ctrl: without overlays; with Ctrl + Shift: ask")},
+                          {tr("F1, H"), tr("help; this page")}}};
+    auto* columns = new QHBoxLayout;
+    columns->setSpacing(40);
+    for (const auto& [upper, lower] : {std::pair(&mouse, &pictures), std::pair(&cameras, &window)}) {
+        auto* grid = new QGridLayout;
+        grid->setHorizontalSpacing(24);
+        grid->setVerticalSpacing(6);
+        addSection(*grid, *upper);
+        addSection(*grid, *lower);
+        grid->setRowStretch(grid->rowCount(), 1);
+        columns->addLayout(grid);
     }
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto* layout = new QVBoxLayout(this);
-    layout->addLayout(grid);
+    layout->addLayout(columns);
     layout->addSpacing(8);
     layout->addWidget(buttons);
 }

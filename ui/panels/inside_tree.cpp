@@ -30,7 +30,6 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_empty, 1);
-    setFocusProxy(m_view);
     connect(&reader, &InsideReader::changed, this, &InsideTree::refresh);
     connect(&session, &Session::pickChanged, this, &InsideTree::followPick);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &InsideTree::pickSelected);
@@ -53,6 +52,8 @@ void InsideTree::refresh() {
     // A flat list needs no place for arrows.
     m_view->setRootIsDecorated(m_model->nested());
     m_view->setVisible(!m_model->empty());
+    // The Tab key does not get past a panel whose proxy is hidden.
+    setFocusProxy(m_model->empty() ? nullptr : m_view);
     m_empty->setVisible(m_model->empty());
     followPick();
 }

@@ -53,7 +53,6 @@ LossPanel::LossPanel(Session& session, QWidget* parent)
     layout->addWidget(m_measure, 0, Qt::AlignLeft);
     layout->addWidget(m_view, 1);
     layout->addStretch(0);
-    setFocusProxy(m_view);
     connect(m_view, &QTreeView::clicked, this, &LossPanel::goTo);
     connect(m_view, &QTreeView::activated, this, &LossPanel::goTo);
     connect(m_measure, &QPushButton::clicked, &session, &Session::requestFigures);
@@ -96,6 +95,8 @@ void LossPanel::refresh() {
         m_model->setObjects(nullptr, {}, 0);
     m_view->setEnabled(ready);
     m_view->setVisible(m_model->rowCount() > 0);
+    // The Tab key does not get past a panel whose proxy is hidden or cannot be used.
+    setFocusProxy(ready && m_model->rowCount() > 0 ? m_view : nullptr);
     m_view->resizeColumnToContents(LossModel::Pixels);
     m_view->resizeColumnToContents(LossModel::Share);
 }

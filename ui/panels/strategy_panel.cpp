@@ -59,21 +59,23 @@ StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
     layout->addWidget(m_choice);
     layout->addWidget(m_description);
     layout->addWidget(m_form);
+    layout->addStretch(1);
     connect(m_choice, &QComboBox::activated, this, [this](int row) {
-        m_session.slot(m_session.activeView()).choose(m_model->index(row).data(StrategyModel::IdRole).toString().toStdString());
+        m_session.slot(culling()).choose(m_model->index(row).data(StrategyModel::IdRole).toString().toStdString());
     });
     connect(m_form, &ParameterForm::edited, this,
-            [this](const ParameterSet& parameters) { m_session.slot(m_session.activeView()).setParameters(parameters); });
+            [this](const ParameterSet& parameters) { m_session.slot(culling()).setParameters(parameters); });
     connect(&session, &Session::activeViewChanged, this, &StrategyPanel::refresh);
     connect(&session, &Session::viewCountChanged, this, &StrategyPanel::refresh);
     connect(&session, &Session::strategyChosen, this, &StrategyPanel::refresh);
+    connect(&session, &Session::setupChanged, this, &StrategyPanel::refresh);
     refresh();
 }
 
 void StrategyPanel::refresh() {
-    const StrategySlot& slot = m_session.slot(m_session.activeView());
+    const StrategySlot& slot = m_session.slot(culling());
     const StrategyInfo& info = findStrategy(slot.id()).info;
-    setTitle(m_session.viewCount() > 1 ? tr("Strategy of view %1").arg(viewLetter(m_session.activeView())) : tr("Strategy"));
+    setTitle(m_session.viewCount() > 1 ? tr("Strategy of view %1").arg(viewLetter(culling())) : tr("Strategy"));
     m_choice->setCurrentIndex(m_model->rowOf(slot.id()));
     m_choice->setAccessibleName(tr("Strategy"));
     m_choice->setToolTip(translated(info.description));

@@ -10,7 +10,8 @@
 
 namespace cullscope::ui {
 
-/// The active view's strategy: which one, and the form made from its declared parameters.
+/// The active view's strategy: which one, and the form made from its declared parameters. Of a view that observes another it is
+/// the other's: its own draws nothing.
 class StrategyPanel : public QGroupBox {
     Q_OBJECT
 
@@ -25,6 +26,7 @@ protected:
 
 private:
     void refresh();
+    [[nodiscard]] int culling() const { return m_session.culledBy(m_session.activeView()); }
 
     Session& m_session;
     StrategyModel* m_model;

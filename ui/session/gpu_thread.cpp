@@ -11,6 +11,9 @@ namespace {
 constexpr int kMostLossesInARow = 4;
 constexpr qint64 kCalm = 30'000;  // ms without a loss, after which the next one is the first again
 
+constexpr int kTries = 5;
+constexpr unsigned long kPauseBetweenTries = 200;  // ms
+
 }  // namespace
 
 Message lossMessage(bool replaced) {
@@ -155,20 +158,19 @@ void GpuThread::replaceContext() {
         m_lostContexts[m_number] = {std::move(m_context), m_buffers};
     else
         m_context.reset();
-    try {
-        if (!losesTooOften()) beginIn(newContext());
-    } catch (const Error&) {
-        // Said by the signal.
-    }
+    if (!losesTooOften()) replaceWithin(kTries);
     emit contextLost(m_context != nullptr);
 }
 
-void GpuThread::requireContext() {
-    if (m_context) return;
-    try {
-        beginIn(newContext());
-    } catch (const Error&) {
-        throw Error(ErrorKind::OpenGl, lossMessage(false));
+void GpuThread::replaceWithin(int tries) {
+    for (int attempt = 0; attempt < tries && !m_context; ++attempt) {
+        // A driver may take a while to come back.
+        if (attempt > 0) QThread::msleep(kPauseBetweenTries);
+        try {
+            beginIn(newContext());
+        } catch (const Error&) {
+            // Said by the signal, if it is the last.
+        }
     }
 }
 
@@ -185,7 +187,7 @@ void GpuThread::requireHeld(const SceneBuffersPointer& buffers) {
 // ---- Scenes
 
 SceneBuffersPointer GpuThread::upload(const ScenePointer& scene, Upload upload) {
-    requireContext();
+    if (!m_context) throw Error(ErrorKind::OpenGl, lossMessage(false));
     return ownedByThread(std::make_unique<SceneBuffers>(scene, upload));
 }
 

@@ -54,7 +54,7 @@ public:
 
     /// Uploads a scene (on the thread: call from posted work only). The buffers are freed on the thread, whoever lets go of them;
     /// those that outlive this object went with its context. Throws what SceneBuffers throws, and Error(OpenGl) where the context
-    /// was lost and still no new one can be made.
+    /// was lost and no new one can be made.
     [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene, Upload upload = Upload::Vbo);
     /// The same for a scene of the very meshes that `uploaded` holds: nothing is uploaded again.
     [[nodiscard]] SceneBuffersPointer share(const ScenePointer& scene, const SceneBuffers& uploaded);
@@ -102,7 +102,7 @@ private:
     void runNext();
     void perform(const std::function<void()>& work);
     void replaceContext();
-    void requireContext();
+    void replaceWithin(int tries);
     [[nodiscard]] bool losesTooOften();
     [[nodiscard]] SceneBuffersPointer ownedByThread(std::unique_ptr<SceneBuffers> buffers);
     void free(const SceneBuffers* buffers, uint64_t context);

@@ -52,6 +52,17 @@ Camera turned(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
     return result;
 }
 
+Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction) {
+    const double height = glm::dot(glm::normalize(direction), axisVector(up));
+    // Above and below there is no azimuth of its own: the present one stays.
+    if (std::abs(height) > std::sin(Angle::fromDegrees(kMaximumElevation).radians()))
+        return turned(camera, up, {}, Angle::fromDegrees(height > 0.0 ? 180.0 : -180.0));
+    Camera result = camera;
+    result.up = axisVector(up);
+    result.eye = camera.target + glm::length(camera.eye - camera.target) * glm::normalize(direction);
+    return result;
+}
+
 Camera looked(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
     Camera result = camera;
     result.up = axisVector(up);

@@ -17,6 +17,8 @@ enum class UpAxis { Y, Z };
 
 /// Turns about the target like a turntable: `azimuth` about the up axis, `elevation` towards it, stopping short of the poles.
 [[nodiscard]] Camera turned(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation);
+/// Looks at the same target from a direction (target to eye, any length); along the up axis as near to the pole as turned() goes.
+[[nodiscard]] Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction);
 /// Turns the direction of sight about the eye, stopping short of the poles.
 [[nodiscard]] Camera looked(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation);
 /// Slides sideways so that the world point under pixel `from` at forward distance `distance` comes under pixel `to`.

@@ -69,10 +69,12 @@ void SceneUpload::post(Upload upload, const SceneBuffersPointer& before) {
 
 void SceneUpload::take(Upload upload, const SceneBuffersPointer& buffers, const Message& failure) {
     const SceneBuffersPointer before = std::exchange(m_ways[size_t(upload)].buffers, buffers);
+    const bool news = !failure.empty() && failure.english() != m_failure.english();
     if (!failure.empty()) m_failure = failure;
     if (before && buffers) emit renewed(before, buffers);
     emit changed();
-    if (!failure.empty()) emit failed(failure);
+    // Both ways of uploading may fail for one reason.
+    if (news) emit failed(failure);
 }
 
 void SceneUpload::contextLost(bool replaced) {

@@ -146,6 +146,17 @@ void SceneView::setLoupe(bool on) {
     update();
 }
 
+void SceneView::setAxes(bool on) {
+    m_axes = on;
+    update();
+}
+
+std::optional<OrientationGizmo> SceneView::axes() const {
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    if (!m_axes || !shown) return std::nullopt;
+    return OrientationGizmo(View(shown->request.viewing, shown->request.size), pictureLayout().rect());
+}
+
 void SceneView::goToNextLoss() {
     // Losses are known where the culling camera looks; elsewhere they have no place in the picture.
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
@@ -165,6 +176,7 @@ void SceneView::paintGL() {
     else
         painter.fillRect(layout.rect(), QColor::fromRgbF(m_session.drawStyle().background.x, m_session.drawStyle().background.y,
                                                          m_session.drawStyle().background.z));
+    if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
 }
 
 void SceneView::tellSize() {

@@ -6,6 +6,7 @@
 
 #include "ui/session/cullbench_command.h"
 #include "ui/session/session.h"
+#include "ui/views/orientation_gizmo.h"
 #include "ui/views/picture_layout.h"
 #include "ui/views/picture_painter.h"
 
@@ -51,6 +52,10 @@ public:
     void setLoupe(bool on);
     /// Marks the next lost pixels, largest hole first, under the loupe; nothing lost: unmarks.
     void goToNextLoss();
+    /// Shows the scene's axes in a corner, with ends to click on.
+    void setAxes(bool on);
+    /// The axes' ends; none: they are not shown.
+    [[nodiscard]] std::optional<OrientationGizmo> axes() const;
     /// Which loss is marked, from 0.
     [[nodiscard]] std::optional<size_t> markedLoss() const { return m_loss; }
 
@@ -82,6 +87,7 @@ private:
     int m_view;
     std::unique_ptr<ViewInput> m_input;
     bool m_loupe = false;
+    bool m_axes = true;
     QPointF m_pointer;  ///< in the widget
     std::optional<size_t> m_loss;
 };

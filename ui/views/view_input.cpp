@@ -139,19 +139,29 @@ void ViewInput::move(const QMouseEvent& event) {
 
 bool ViewInput::release(const QMouseEvent& event) {
     const bool menu = event.button() == Qt::RightButton && m_drag == Drag::Look && !m_moved && m_keys.isEmpty();
-    if (event.button() == Qt::LeftButton && m_drag == Drag::Turn && !m_moved) pick(event.position());
+    if (event.button() == Qt::LeftButton && m_drag == Drag::Turn && !m_moved) click(event.position());
     m_drag = Drag::None;
     return menu;
 }
 
-void ViewInput::pick(const QPointF& position) {
+std::optional<Vec3> ViewInput::axisAt(const QPointF& position) const {
+    const std::optional<OrientationGizmo> axes = m_view.axes();
+    return axes ? axes->directionAt(position) : std::nullopt;
+}
+
+void ViewInput::click(const QPointF& position) {
+    if (const std::optional<Vec3> direction = axisAt(position)) {
+        const Camera& camera = m_session.viewingCamera(m_view.view());
+        m_session.setViewingCamera(m_view.view(), seenFrom(camera, m_session.upAxis(), *direction));
+        return;
+    }
     const Vec2 pixel = m_view.pixelAt(position);
     m_session.pickAt(m_view.view(), int(std::floor(pixel.x)), int(std::floor(pixel.y)));
 }
 
 void ViewInput::doubleClick(const QMouseEvent& event) {
     m_drag = Drag::None;
-    if (event.button() != Qt::LeftButton || !m_session.opened()) return;
+    if (event.button() != Qt::LeftButton || !m_session.opened() || axisAt(event.position())) return;
     // Beside the scene there is nothing to turn about.
     if (const std::optional<Vec3> point = m_view.surfaceAt(event.position()))
         m_session.setViewingCamera(m_view.view(), centredOn(m_view.camera(), *point));

@@ -45,7 +45,9 @@ private:
 
     void beginDrag();
     void fly();
-    void pick(const QPointF& position);
+    /// Picks, or looks from the axis whose end was hit.
+    void click(const QPointF& position);
+    [[nodiscard]] std::optional<Vec3> axisAt(const QPointF& position) const;
     [[nodiscard]] bool overWipeLine(const QPointF& position) const;
     void moveWipe(const QPointF& position);
 

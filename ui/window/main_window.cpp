@@ -12,6 +12,7 @@
 
 #include "ui/dialogs/about_dialog.h"
 #include "ui/dialogs/generate_dialog.h"
+#include "ui/dialogs/help_window.h"
 #include "ui/dialogs/keys_dialog.h"
 #include "ui/views/tinted_icon.h"
 
@@ -247,6 +248,7 @@ void MainWindow::wireCommands() {
         m_appearance.setMode(Appearance::fromId(action->data().toString()));
         m_settings.setValue(QLatin1String(kAppearanceSetting), action->data());
     });
+    connect(m_actions->help, &QAction::triggered, this, &MainWindow::showHelp);
     connect(m_actions->keys, &QAction::triggered, this, [this] { KeysDialog(this).exec(); });
     connect(m_actions->about, &QAction::triggered, this,
             [this] { AboutDialog(m_session.gpu() ? m_session.gpu()->info() : GlInfo{}, this).exec(); });
@@ -313,6 +315,14 @@ void MainWindow::generate(int generator) {
     }
     GenerateDialog dialog(info, this);
     if (dialog.exec() == QDialog::Accepted) m_document->opener().open(dialog.specification());
+}
+
+void MainWindow::showHelp() {
+    auto* open = findChild<HelpWindow*>();
+    if (!open) open = new HelpWindow(m_language, this);
+    open->show();
+    open->raise();
+    open->activateWindow();
 }
 
 void MainWindow::beginLecture() {

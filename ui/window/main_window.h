@@ -87,6 +87,7 @@ private:
     void retranslate();
     void generate(int generator);
     void beginLecture();
+    void showHelp();
 
     Session& m_session;
     Language& m_language;

@@ -8,6 +8,12 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+constexpr const char* kAxesSetting = "axes";
+
+}  // namespace
+
 ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& actions, ScreenshotTaker& screenshots,
                            QWidget* window)
     : QObject(window), m_session(session), m_views(views), m_actions(actions), m_window(window), m_screenshots(screenshots) {
@@ -44,6 +50,15 @@ void ViewCommands::wire() {
             [this](bool on) { edit([on](ViewSetup& setup) { setup.wipe.mode = on ? Wipe::Mode::Loss : Wipe::Mode::None; }); });
     connect(m_actions.nextLoss, &QAction::triggered, this,
             [this] { m_views.pane(m_session.activeView()).picture().goToNextLoss(); });
+    const auto showAxes = [this](bool on) {
+        for (int view = 0; view < Session::kMostViews; ++view) m_views.pane(view).picture().setAxes(on);
+    };
+    m_actions.axes->setChecked(m_settings.value(QLatin1String(kAxesSetting), true).toBool());
+    showAxes(m_actions.axes->isChecked());
+    connect(m_actions.axes, &QAction::triggered, this, [this, showAxes](bool on) {
+        showAxes(on);
+        m_settings.setValue(QLatin1String(kAxesSetting), on);
+    });
     connect(m_actions.loupe, &QAction::triggered, this, [this](bool on) {
         for (int view = 0; view < Session::kMostViews; ++view) m_views.pane(view).picture().setLoupe(on);
     });

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QSettings>
 
 #include "ui/dialogs/screenshot_taker.h"
 #include "ui/views/view_grid.h"
@@ -33,6 +34,7 @@ private:
     WindowActions& m_actions;
     QWidget* m_window;
     ScreenshotTaker& m_screenshots;
+    QSettings m_settings;
 };
 
 }  // namespace cullscope::ui

@@ -40,6 +40,7 @@ WindowActions::WindowActions(QWidget* window) : QObject(window), m_window(window
     makeView();
     makePicture();
     keys = command(Qt::Key_H, QStringLiteral("keys"));
+    help = command(QKeySequence::HelpContents, QStringLiteral("help"));
     about = command({});
     about->setMenuRole(QAction::AboutRole);
     makeLanguages();
@@ -83,6 +84,7 @@ void WindowActions::makePicture() {
     loss = toggle(Qt::Key_M);
     nextLoss = command(Qt::Key_N);
     loupe = toggle(Qt::Key_L);
+    axes = toggle(Qt::Key_X);
     record = toggle({});
     addPose = command(QKeySequence(Qt::CTRL | Qt::Key_K));
     savePath = command({});
@@ -144,14 +146,14 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes});
+    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, axes});
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
     m_pathMenu->addActions({record, addPose, savePath});
     m_pathMenu->addSeparator();
     m_pathMenu->addActions({openPath, play, stop});
     m_languageMenu->addActions(languages->actions());
-    m_helpMenu->addActions({keys, about});
+    m_helpMenu->addActions({help, keys, about});
     for (QMenu* menu : {m_fileMenu, m_editMenu, m_viewMenu, m_pictureMenu, m_pathMenu, m_languageMenu, m_helpMenu})
         bar.addMenu(menu);
 }
@@ -202,6 +204,7 @@ void WindowActions::retranslate() {
     retranslateView();
     retranslatePicture();
     say(keys, tr("Mouse and &keys"), tr("Show all mouse moves and keys"));
+    say(help, tr("&Help"), tr("What the views, panels and figures mean"));
     say(about, tr("&About Cullscope"), tr("Version and licences"));
     fillGenerate();
 }
@@ -248,6 +251,7 @@ void WindowActions::retranslatePicture() {
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));
     say(loss, tr("&Missed pixels"), tr("Mark the pixels that the strategy missed or added"));
     say(nextLoss, tr("&Next loss"), tr("Go to the next lost pixels, largest hole first"));
+    say(axes, tr("A&xes"), tr("Show the axes in a corner of each view; a click on an end looks from there"));
     say(loupe, tr("&Loupe"), tr("Enlarge what is under the pointer"));
     say(record, tr("&Record"), tr("Record the camera's moves as a path"));
     say(addPose, tr("&Add this pose"), tr("Add the present camera to the path"));

@@ -37,11 +37,11 @@ public:
     /// The docks' own actions go here.
     QMenu* panels;
     // Picture: of the active view
-    QAction *freeze, *verdicts, *frustum, *boxes, *truth, *loss, *nextLoss, *loupe;
+    QAction *freeze, *verdicts, *frustum, *boxes, *truth, *loss, *nextLoss, *loupe, *axes;
     // Path
     QAction *record, *addPose, *savePath, *openPath, *play, *stop;
     // Help
-    QAction *keys, *about;
+    QAction *help, *keys, *about;
     QActionGroup *views, *upAxis, *languages, *appearance;
 
 signals:

@@ -12,7 +12,7 @@ const QStringList kLanguages{QStringLiteral("en"), QStringLiteral("ko"), QString
 
 std::string joined(const QStringList& lines) { return lines.join(QLatin1Char('\n')).toStdString(); }
 
-/// Pixels of a verdict's colour, which is shaded by a tenth either way.
+/// Pixels of a verdict's colour, which is shaded a little.
 int pixelsOf(const QImage& picture, const QColor& colour) {
     int count = 0;
     for (int y = 0; y < picture.height(); ++y)
@@ -20,7 +20,7 @@ int pixelsOf(const QImage& picture, const QColor& colour) {
             const QColor pixel = picture.pixelColor(x, y);
             const double shade =
                 double(pixel.red() + pixel.green() + pixel.blue()) / (colour.red() + colour.green() + colour.blue());
-            if (shade < 0.85 || shade > 1.15) continue;
+            if (shade < 0.75 || shade > 1.1) continue;
             const auto near = [shade](int a, int b) { return std::abs(a - b * shade) < 16; };
             count += near(pixel.red(), colour.red()) && near(pixel.green(), colour.green()) && near(pixel.blue(), colour.blue());
         }
@@ -28,10 +28,10 @@ int pixelsOf(const QImage& picture, const QColor& colour) {
 }
 
 /// Names that are the same in every language.
-QStringList names(const Desktop& desktop) {
-    QStringList names{QStringLiteral("Software OpenGL"), QStringLiteral("Cullscope")};
-    Session& session = const_cast<Desktop&>(desktop).session;
-    names << QString::fromStdString(session.gpu()->info().renderer) << QString::fromStdString(session.gpu()->info().version);
+QStringList names(Desktop& desktop) {
+    QStringList names{QStringLiteral("Software OpenGL"), QStringLiteral("mesh:FILE,triangles=N")};
+    names << QString::fromStdString(desktop.session.gpu()->info().renderer)
+          << QString::fromStdString(desktop.session.gpu()->info().version);
     for (const std::string& format : readableMeshExtensions()) names << QString::fromStdString(format);
     for (const RegisteredStrategy& strategy : strategies()) names << QString::fromStdString(strategy.info.id);
     return names;
@@ -65,7 +65,7 @@ TEST(FirstWindow, showsASceneALegendVisibleCullingAndOneNextAction) {
     const QImage observed = desktop.scene(1);
     const QPalette palette = QApplication::palette();
     for (const TriangleState state : {TriangleState::Visible, TriangleState::BackFacing})
-        EXPECT_GT(pixelsOf(observed, verdictColour(state, palette)), 2000) << int(state);
+        EXPECT_GT(pixelsOf(observed, verdictColour(state, palette)), 1000) << int(state);
     int next = 0;
     for (const auto* label : desktop.window.findChildren<QLabel*>())
         next += label->isVisible() && label->text().startsWith(QStringLiteral("Next: "));
@@ -140,13 +140,17 @@ void expectTheSameInEveryLanguage(Desktop& desktop, const std::string& when) {
     for (const char* language : {"ko", "zh_CN", "en"}) {
         desktop.language.use(QString::fromLatin1(language));
         desktop.settle();
-        EXPECT_TRUE(State(desktop) == before) << when << ", " << language;
+        const State now(desktop);
+        EXPECT_EQ(now.pictures, before.pictures) << when << ", " << language;
+        EXPECT_TRUE(now == before) << when << ", " << language;
     }
 }
 
 TEST(FirstWindow, anotherLanguageWhileSteppingKeepsTheState) {
     Desktop desktop;
     Session& session = desktop.session;
+    // Higher letters leave less room to a picture that fits the window.
+    for (int view = 0; view < 2; ++view) desktop.edit(view, [](ViewSetup& setup) { setup.size = Viewport{400, 500}; });
     WindowActions& actions = desktop.window.actions();
     session.slot(0).choose("frustum");
     ParameterSet parameters = session.slot(0).parameters();
@@ -179,6 +183,8 @@ TEST(FirstWindow, anotherLanguageWhileSteppingKeepsTheState) {
     EXPECT_NE(shown, first);
     expectTheSameInEveryLanguage(desktop, "in a lecture");
     EXPECT_EQ(desktop.window.lecture()->shownView(), shown);
+    QTest::keyClick(desktop.window.lecture(), Qt::Key_Escape);
+    EXPECT_TRUE(waitUntil([&] { return !desktop.window.lecture(); }));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <QDir>
 #include <QImageWriter>
 #include <QPainter>
+#include <algorithm>
 #include <cstdlib>
 
 namespace cullscope::ui {
@@ -12,6 +13,7 @@ namespace {
 constexpr int kTolerance = 24;            // of 255, in any channel
 constexpr double kToleratedShare = 1e-3;  // of the pixels
 constexpr qint64 kLargestFile = 150'000;  // bytes
+constexpr QRgb kKeptBits = 0xfff8f8f8;    // of a colour, so that the files stay small
 const QString kRendererKey = QStringLiteral("Renderer");
 
 QString keptFile(const QString& name) { return QStringLiteral(CULLSCOPE_SOURCE_DIR "/tests/ui/looks/pictures/%1.png").arg(name); }
@@ -19,6 +21,16 @@ QString keptFile(const QString& name) { return QStringLiteral(CULLSCOPE_SOURCE_D
 bool differ(QRgb a, QRgb b, int tolerance) {
     return std::abs(qRed(a) - qRed(b)) > tolerance || std::abs(qGreen(a) - qGreen(b)) > tolerance ||
            std::abs(qBlue(a) - qBlue(b)) > tolerance;
+}
+
+/// As files keep it.
+QImage coarse(const QImage& picture) {
+    QImage kept = picture.convertToFormat(QImage::Format_RGB32);
+    for (int y = 0; y < kept.height(); ++y) {
+        auto* line = reinterpret_cast<QRgb*>(kept.scanLine(y));
+        std::transform(line, line + kept.width(), line, [](QRgb pixel) { return pixel & kKeptBits; });
+    }
+    return kept;
 }
 
 /// How many pixels of a rectangle differ; they are marked.
@@ -55,7 +67,7 @@ bool write(QImage picture, const QString& file, const QString& renderer) {
 
 ::testing::AssertionResult renew(const Look& look, const QString& name) {
     const QString file = keptFile(name);
-    if (!write(look.picture, file, look.renderer))
+    if (!write(coarse(look.picture), file, look.renderer))
         return ::testing::AssertionFailure() << file.toStdString() << " cannot be written.";
     const qint64 bytes = QFileInfo(file).size();
     if (bytes > kLargestFile) return ::testing::AssertionFailure() << file.toStdString() << " is large: " << bytes << " bytes.";
@@ -80,7 +92,7 @@ QImage withoutMasked(const QImage& picture, const std::vector<QRect>& masked) {
     if (kept.size() != look.picture.size())
         return different(look, name, {}) << "It is of " << look.picture.width() << " x " << look.picture.height()
                                          << " pixels and not of " << kept.width() << " x " << kept.height() << ".";
-    const QImage now = withoutMasked(look.picture, look.masked), before = withoutMasked(kept, look.masked);
+    const QImage now = withoutMasked(coarse(look.picture), look.masked), before = withoutMasked(kept, look.masked);
     QImage marks = now.convertToFormat(QImage::Format_Grayscale8).convertToFormat(QImage::Format_RGB32);
     int inScenes = 0;
     if (kept.text(kRendererKey) == look.renderer)

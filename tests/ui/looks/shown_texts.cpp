@@ -124,7 +124,8 @@ bool cutOff(const QWidget& widget) {
 
 bool fits(const QLabel& label) {
     if (label.wordWrap()) return label.heightForWidth(label.width()) <= label.height();
-    return label.sizeHint().width() <= label.width() && label.sizeHint().height() <= label.height() + 1;
+    // Above and below it may have less of a margin than it wants.
+    return label.sizeHint().width() <= label.width() && label.sizeHint().height() - 2 * label.margin() <= label.height();
 }
 
 bool fits(const QAbstractButton& button) {
@@ -151,13 +152,19 @@ bool fits(const QTabBar& tabs) {
     return true;
 }
 
+/// Pixels of the longest of its lines.
+int widthOf(const QString& text, const QFontMetrics& metrics) {
+    int width = 0;
+    for (const QString& line : text.split(QLatin1Char('\n'))) width = std::max(width, metrics.horizontalAdvance(line));
+    return width;
+}
+
 /// Cells and titles of the rows and columns.
 bool fits(const QTableView& table) {
     const QFontMetrics metrics(table.font());
     const QAbstractItemModel& model = *table.model();
     for (int column = 0; column < model.columnCount(); ++column) {
-        if (metrics.horizontalAdvance(model.headerData(column, Qt::Horizontal).toString()) > table.columnWidth(column))
-            return false;
+        if (widthOf(model.headerData(column, Qt::Horizontal).toString(), metrics) > table.columnWidth(column)) return false;
         for (int row = 0; row < model.rowCount(); ++row)
             if (metrics.horizontalAdvance(model.index(row, column).data().toString()) > table.columnWidth(column)) return false;
     }

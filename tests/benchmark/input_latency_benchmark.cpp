@@ -1,0 +1,159 @@
+// How long a drag in one of eight views waits for its answer: mouse moves are posted every 8 ms from another thread while all
+// eight pictures follow them and the figures are measured after each rest. Prints, per strategy of the dragged view, the time
+// from a move's posting until the window has taken it, and until the dragged view shows a picture of it or of a later one. Exit
+// status 1 where a move waits longer than 100 ms to be taken.
+//
+//   input_latency_benchmark [scene] [seconds]        needs a display
+#include <QApplication>
+#include <QDir>
+#include <QMouseEvent>
+#include <QTest>
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <thread>
+
+#include "ui/startup/display.h"
+#include "ui/window/main_window.h"
+
+namespace {
+
+using namespace cullscope;
+using namespace cullscope::ui;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kLongestWait = 100.0;  // ms
+constexpr int kPatience = 120'000;      // ms
+constexpr auto kBetweenMoves = std::chrono::milliseconds(8);
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// A mouse move that knows when it was posted.
+struct TimedMove : QMouseEvent {
+    TimedMove(const QPointF& position, const QPointF& global)
+        : QMouseEvent(QEvent::MouseMove, position, global, Qt::NoButton, Qt::LeftButton, {}) {}
+    Clock::time_point posted = Clock::now();
+};
+
+/// Notes when each move has been taken, and when the view's picture has caught up with it.
+class Watch : public QObject {
+public:
+    Watch(Session& session, int view) : m_session(session), m_view(view) {
+        connect(&session, &Session::pictureChanged, this, [this](int changed) {
+            if (changed == m_view) shown();
+        });
+    }
+
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        auto* move = dynamic_cast<TimedMove*>(event);
+        if (!move) return false;
+        watched->event(event);
+        taken.push_back(millisecondsSince(move->posted));
+        m_cameras.push_back({m_session.viewingCamera(m_view), move->posted});
+        return true;
+    }
+
+    std::vector<double> taken, answered;
+
+private:
+    void shown() {
+        const Camera& camera = m_session.picture(m_view)->request.viewing;
+        const auto answers =
+            std::find_if(m_cameras.rbegin(), m_cameras.rend(), [&](const auto& one) { return one.first == camera; });
+        if (answers == m_cameras.rend()) return;
+        // The oldest move that this picture is the first answer to waited longest.
+        answered.push_back(millisecondsSince(m_cameras.front().second));
+        m_cameras.erase(m_cameras.begin(), answers.base());
+    }
+
+    Session& m_session;
+    int m_view;
+    std::vector<std::pair<Camera, Clock::time_point>> m_cameras;
+};
+
+double percentile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    return values[std::min(values.size() - 1, size_t(share * double(values.size())))];
+}
+
+/// Drags in a view for some seconds, with rests in which figures are measured; the longest wait for a move to be taken.
+double drag(Session& session, MainWindow& window, int view, double seconds) {
+    session.setActiveView(view);
+    SceneView& picture = window.views().pane(view).picture();
+    Watch watch(session, view);
+    picture.installEventFilter(&watch);
+    const QPointF middle = QRectF(picture.rect()).center();
+    const QPointF global = picture.mapToGlobal(middle);
+    QMouseEvent press(QEvent::MouseButtonPress, middle, global, Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&picture, &press);
+    std::atomic<bool> done = false;
+    std::thread hand([&] {
+        const auto start = Clock::now();
+        for (int step = 0; millisecondsSince(start) < 1000.0 * seconds; ++step) {
+            const QPointF offset(60.0 * std::sin(step / 40.0), 20.0 * std::cos(step / 25.0));
+            QCoreApplication::postEvent(&picture, new TimedMove(middle + offset, global + offset));
+            // Every second the hand rests for 400 ms: measuring begins, and the next move interrupts it.
+            std::this_thread::sleep_for(step % 75 == 74 ? std::chrono::milliseconds(400) : kBetweenMoves);
+        }
+        done = true;
+    });
+    while (!done) QApplication::processEvents(QEventLoop::AllEvents, 5);
+    hand.join();
+    QApplication::processEvents();
+    QMouseEvent release(QEvent::MouseButtonRelease, middle, global, Qt::LeftButton, Qt::NoButton, {});
+    QApplication::sendEvent(&picture, &release);
+    picture.removeEventFilter(&watch);
+    const double longest = percentile(watch.taken, 1.0);
+    std::printf(
+        "%-10s %5zu moves: taken after %.1f ms (median), %.1f (99 %%), %.1f (longest); %4zu pictures: shown after %.0f, %.0f, "
+        "%.0f ms\n",
+        session.slot(view).id().c_str(), watch.taken.size(), percentile(watch.taken, 0.5), percentile(watch.taken, 0.99), longest,
+        watch.answered.size(), percentile(watch.answered, 0.5), percentile(watch.answered, 0.99),
+        percentile(watch.answered, 1.0));
+    std::fflush(stdout);
+    return longest;
+}
+
+int run(const QString& scene, double seconds) {
+    Session session({});
+    Language language;
+    Appearance appearance;
+    MainWindow window(session, language, appearance);
+    window.resize(1366, 768);
+    window.show();
+    session.setViewCount(Session::kMostViews);
+    session.open(scene);
+    const auto settled = [&] {
+        return session.opened() && session.buffers() && session.figuresSettled() && !session.pictures()->busy();
+    };
+    if (!QTest::qWaitFor(settled, kPatience)) {
+        std::fprintf(stderr, "%s does not open\n", qPrintable(scene));
+        return 2;
+    }
+    std::printf("%s: %llu triangles, 8 views of %dx%d\n", qPrintable(scene),
+                static_cast<unsigned long long>(session.scene()->triangleCount()), session.renderSize(0).width,
+                session.renderSize(0).height);
+    double longest = 0.0;
+    for (const int view : {0, 1, 2}) {
+        longest = std::max(longest, drag(session, window, view, seconds));
+        if (!QTest::qWaitFor(settled, kPatience)) return 2;
+    }
+    std::printf("longest wait of a move: %.1f ms, of at most %.0f: %s\n", longest, kLongestWait,
+                longest <= kLongestWait ? "kept" : "MISSED");
+    return longest <= kLongestWait ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    setDefaultSurfaceFormat();
+    int qtArgc = 1;
+    const std::unique_ptr<QApplication> application = makeApplication(qtArgc, argv);
+    QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QDir::tempPath());
+    return run(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("sphere:triangles=144046"),
+               argc > 2 ? QString::fromLocal8Bit(argv[2]).toDouble() : 8.0);
+}
