@@ -1523,10 +1523,6 @@ OpenGL %2
         <translation>자세의 수</translation>
     </message>
     <message>
-        <source> poses</source>
-        <translation> 자세</translation>
-    </message>
-    <message>
         <source>Size of the picture</source>
         <translation>그림의 크기</translation>
     </message>
@@ -1539,16 +1535,16 @@ OpenGL %2
         <translation>안정될 때까지 반복</translation>
     </message>
     <message>
-        <source>repeat </source>
-        <translation>반복 </translation>
-    </message>
-    <message>
-        <source> times</source>
-        <translation>회</translation>
-    </message>
-    <message>
         <source>Progress of the experiment</source>
         <translation>실험 진행</translation>
+    </message>
+    <message>
+        <source>poses: </source>
+        <translation>자세: </translation>
+    </message>
+    <message>
+        <source>repetitions: </source>
+        <translation>반복: </translation>
     </message>
 </context>
 <context>
@@ -2117,11 +2113,6 @@ OpenGL %2
         <translation>이 뷰에서 덮인 픽셀 %1개 중 0개를 잃었습니다. 뷰 하나로는 약 %1개 중 3개(%2 %)보다 드문 손실을 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>%1 of %2 covered pixels lost in this view (%3 %), in %4 holes; the largest has %5.</source>
-        <comment>numbers of pixels</comment>
-        <translation>이 뷰에서 덮인 픽셀 %2개 중 %1개(%3 %)를 잃었습니다. 구멍 %4개, 가장 큰 것은 %5픽셀.</translation>
-    </message>
-    <message>
         <source>Beyond what the raster's snapping of edges explains: %1.</source>
         <translation>래스터의 가장자리 맞춤으로 설명되지 않는 픽셀: %1.</translation>
     </message>
@@ -2144,6 +2135,11 @@ OpenGL %2
     <message>
         <source>Count now</source>
         <translation>지금 세기</translation>
+    </message>
+    <message>
+        <source>%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.</source>
+        <comment>numbers of pixels</comment>
+        <translation>이 뷰에서 덮인 픽셀 %2개 중 %1개를 잃음(%3 %). 구멍: %4, 가장 큰 것의 픽셀: %5.</translation>
     </message>
 </context>
 <context>
@@ -2414,11 +2410,9 @@ OpenGL %2
         <source>Missed: not measured</source>
         <translation>놓침: 측정하지 않음</translation>
     </message>
-    <message numerus="yes">
-        <source>%1: %n poses. The arrow keys go through them, Enter flies there.</source>
-        <translation>
-            <numerusform>%1: 자세 %n개. 화살표 키로 옮기고 Enter로 그곳으로 갑니다.</numerusform>
-        </translation>
+    <message>
+        <source>%1, poses: %2. The arrow keys go through them, Enter flies there.</source>
+        <translation>%1, 자세: %2. 화살표 키로 하나씩 보고 Enter로 그곳에 갑니다.</translation>
     </message>
 </context>
 <context>
@@ -3120,12 +3114,6 @@ view</source>
         <source>vertex arrays</source>
         <translation>정점 배열</translation>
     </message>
-    <message numerus="yes">
-        <source>%n object(s) hidden</source>
-        <translation>
-            <numerusform>물체 %n개 숨김</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 pixels missed, %2 nearer than the truth</source>
         <translation>픽셀 %1개 놓침, %2개는 참값보다 가까움</translation>
@@ -3134,11 +3122,13 @@ view</source>
         <source>%1 pixels differ from view %2</source>
         <translation>뷰 %2과(와) 다른 픽셀 %1개</translation>
     </message>
-    <message numerus="yes">
-        <source>loss %1 of %2: %n pixel(s)</source>
-        <translation>
-            <numerusform>손실 %1 / %2: 픽셀 %n개</numerusform>
-        </translation>
+    <message>
+        <source>hidden objects: %1</source>
+        <translation>숨긴 물체: %1</translation>
+    </message>
+    <message>
+        <source>loss %1 of %2, pixels: %3</source>
+        <translation>손실 %1/%2, 픽셀: %3</translation>
     </message>
 </context>
 <context>

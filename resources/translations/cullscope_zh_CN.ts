@@ -1355,7 +1355,7 @@
     </message>
     <message>
         <source>OpenGL lost its context, and no new one can be made. What is shown stays: save the session and start Cullscope again.</source>
-        <translation>OpenGL 上下文丢失，且无法创建新的。已显示的内容保持不变:请保存会话并重新启动 Cullscope。</translation>
+        <translation>OpenGL 上下文丢失，且无法创建新的。已显示的内容保持不变：请保存会话并重新启动 Cullscope。</translation>
     </message>
     <message>
         <source>OpenGL lost its context while this picture was drawn. Take the picture again.</source>
@@ -1415,7 +1415,7 @@ OpenGL %2
     </message>
     <message>
         <source>The view changed since: being counted anew.</source>
-        <translation>视图已变化:正在重新统计。</translation>
+        <translation>视图已变化：正在重新统计。</translation>
     </message>
 </context>
 <context>
@@ -1523,10 +1523,6 @@ OpenGL %2
         <translation>姿态数</translation>
     </message>
     <message>
-        <source> poses</source>
-        <translation> 个姿态</translation>
-    </message>
-    <message>
         <source>Size of the picture</source>
         <translation>图像大小</translation>
     </message>
@@ -1539,16 +1535,16 @@ OpenGL %2
         <translation>重复至稳定</translation>
     </message>
     <message>
-        <source>repeat </source>
-        <translation>重复 </translation>
-    </message>
-    <message>
-        <source> times</source>
-        <translation> 次</translation>
-    </message>
-    <message>
         <source>Progress of the experiment</source>
         <translation>实验进度</translation>
+    </message>
+    <message>
+        <source>poses: </source>
+        <translation>姿态：</translation>
+    </message>
+    <message>
+        <source>repetitions: </source>
+        <translation>重复：</translation>
     </message>
 </context>
 <context>
@@ -2050,11 +2046,11 @@ OpenGL %2
     </message>
     <message>
         <source>Next: drag in view %1 and watch in view %2 what is left out.</source>
-        <translation>下一步:在视图 %1 中拖动,在视图 %2 中观察哪些被剔除。</translation>
+        <translation>下一步：在视图 %1 中拖动，在视图 %2 中观察哪些被剔除。</translation>
     </message>
     <message>
         <source>Next: click on something in a picture to see why it was drawn or left out.</source>
-        <translation>下一步:点击画面中的任意处,查看它为何被绘制或被剔除。</translation>
+        <translation>下一步：点击画面中的任意处，查看它为何被绘制或被剔除。</translation>
     </message>
     <message>
         <source>What the colours mean</source>
@@ -2110,20 +2106,15 @@ OpenGL %2
     <name>cullscope::ui::LossPanel</name>
     <message>
         <source>Nothing of the scene is in this view: there is nothing to lose.</source>
-        <translation>此视图中没有场景内容:无可丢失。</translation>
+        <translation>此视图中没有场景内容：无可丢失。</translation>
     </message>
     <message>
         <source>0 of %1 covered pixels lost in this view. One view cannot show a loss rarer than about 3 in %1 (&lt; %2 %).</source>
         <translation>此视图 %1 个覆盖像素中丢失 0 个。仅凭一个视图无法发现低于约 %1 分之 3(&lt; %2 %)的丢失。</translation>
     </message>
     <message>
-        <source>%1 of %2 covered pixels lost in this view (%3 %), in %4 holes; the largest has %5.</source>
-        <comment>numbers of pixels</comment>
-        <translation>此视图 %2 个覆盖像素中丢失 %1 个(%3 %),共 %4 个空洞,最大的有 %5 个像素。</translation>
-    </message>
-    <message>
         <source>Beyond what the raster's snapping of edges explains: %1.</source>
-        <translation>其中无法用光栅边缘对齐解释的:%1。</translation>
+        <translation>其中无法用光栅边缘对齐解释的：%1。</translation>
     </message>
     <message>
         <source>There is no scene.</source>
@@ -2131,11 +2122,11 @@ OpenGL %2
     </message>
     <message>
         <source>The view changed: what it lost is being counted…</source>
-        <translation>视图已变化:正在统计丢失像素…</translation>
+        <translation>视图已变化：正在统计丢失像素…</translation>
     </message>
     <message>
         <source>The scene is large: what the view lost is counted when you ask for it.</source>
-        <translation>场景很大:仅在您要求时统计丢失像素。</translation>
+        <translation>场景很大：仅在您要求时统计丢失像素。</translation>
     </message>
     <message>
         <source>Objects that lost pixels</source>
@@ -2144,6 +2135,11 @@ OpenGL %2
     <message>
         <source>Count now</source>
         <translation>立即统计</translation>
+    </message>
+    <message>
+        <source>%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.</source>
+        <comment>numbers of pixels</comment>
+        <translation>此视图中覆盖的 %2 个像素丢失了 %1 个（%3 %）。空洞：%4，最大空洞的像素：%5。</translation>
     </message>
 </context>
 <context>
@@ -2414,11 +2410,9 @@ OpenGL %2
         <source>Missed: not measured</source>
         <translation>遗漏：未测量</translation>
     </message>
-    <message numerus="yes">
-        <source>%1: %n poses. The arrow keys go through them, Enter flies there.</source>
-        <translation>
-            <numerusform>%1：%n 个姿态。方向键逐个浏览，Enter 飞到该处。</numerusform>
-        </translation>
+    <message>
+        <source>%1, poses: %2. The arrow keys go through them, Enter flies there.</source>
+        <translation>%1，姿态：%2。用方向键逐个查看，按 Enter 飞到该处。</translation>
     </message>
 </context>
 <context>
@@ -2618,7 +2612,7 @@ view</source>
     </message>
     <message>
         <source>Splits the object, so that there are objects to leave out</source>
-        <translation>分割物体,使策略有物体可剔除</translation>
+        <translation>分割物体，使策略有物体可剔除</translation>
     </message>
 </context>
 <context>
@@ -2825,11 +2819,11 @@ view</source>
     </message>
     <message>
         <source>Components: what hangs together becomes an object</source>
-        <translation>连通分量:相连的部分成为一个物体</translation>
+        <translation>连通分量：相连的部分成为一个物体</translation>
     </message>
     <message>
         <source>Clusters: compact pieces with at most this many triangles:</source>
-        <translation>簇:紧凑的小块,三角形数不超过:</translation>
+        <translation>簇：紧凑的小块，三角形数不超过：</translation>
     </message>
     <message>
         <source>Triangles a cluster</source>
@@ -3120,12 +3114,6 @@ view</source>
         <source>vertex arrays</source>
         <translation>顶点数组</translation>
     </message>
-    <message numerus="yes">
-        <source>%n object(s) hidden</source>
-        <translation>
-            <numerusform>隐藏了 %n 个物体</numerusform>
-        </translation>
-    </message>
     <message>
         <source>%1 pixels missed, %2 nearer than the truth</source>
         <translation>丢失 %1 个像素，%2 个比真值更近</translation>
@@ -3134,18 +3122,20 @@ view</source>
         <source>%1 pixels differ from view %2</source>
         <translation>有 %1 个像素与视图 %2 不同</translation>
     </message>
-    <message numerus="yes">
-        <source>loss %1 of %2: %n pixel(s)</source>
-        <translation>
-            <numerusform>损失 %1 / %2：%n 个像素</numerusform>
-        </translation>
+    <message>
+        <source>hidden objects: %1</source>
+        <translation>隐藏的物体：%1</translation>
+    </message>
+    <message>
+        <source>loss %1 of %2, pixels: %3</source>
+        <translation>丢失 %1/%2，像素：%3</translation>
     </message>
 </context>
 <context>
     <name>cullscope::ui::WhyPanel</name>
     <message>
         <source>Click on something in a picture to see why it was drawn or left out.</source>
-        <translation>点击画面中的任意处,查看它为何被绘制或被剔除。</translation>
+        <translation>点击画面中的任意处，查看它为何被绘制或被剔除。</translation>
     </message>
     <message>
         <source>The picked object is hidden by you. Show it again to see why the strategy draws it or leaves it out.</source>

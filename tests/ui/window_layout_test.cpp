@@ -104,6 +104,26 @@ TEST_F(WindowLayout, aLectureThatWasSavedIsHeldAgain) {
     EXPECT_TRUE(waitUntil([&] { return program.window.lecture() == nullptr; }));
 }
 
+TEST_F(WindowLayout, endingTheProgramDuringALectureCrashed) {
+    Program program({1000, 700});
+    openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+    program.window.actions().lecture->trigger();
+    ASSERT_TRUE(program.window.lecture());
+}
+
+TEST_F(WindowLayout, lettersOfAnotherLanguageResizedTheViews) {
+    Program program({1366, 768});
+    openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+    ASSERT_TRUE(waitUntil([&] { return program.session.viewport(0).width > 1; }));
+    QApplication::processEvents();
+    const Viewport size = program.session.viewport(0);
+    for (const char* language : {"ko", "zh_CN", "en"}) {
+        program.language.use(QString::fromLatin1(language));
+        QApplication::processEvents();
+        EXPECT_EQ(program.session.viewport(0), size) << language;
+    }
+}
+
 TEST_F(WindowLayout, helpIsInTheLanguageOfTheWindow) {
     Program program({1000, 700});
     program.window.actions().help->trigger();

@@ -60,30 +60,38 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
     layout->addWidget(makePromises());
     layout->addWidget(m_figures);
     layout->addWidget(m_next);
+    layout->addStretch();
     wire();
     refresh();
 }
 
 QWidget* LegendPanel::makeStates() {
     auto* states = new QWidget(this);
-    auto* grid = new QGridLayout(states);
-    grid->setContentsMargins(0, 0, 0, 0);
-    grid->setHorizontalSpacing(6);
-    grid->setVerticalSpacing(2);
-    for (int state = 0; state < int(kTriangleStateCount); ++state) {
-        const int row = state % kStateRows;
-        const int column = 4 * (state / kStateRows);
-        auto*& word = m_words[size_t(state)] = new QLabel(states);
-        auto*& count = m_counts[size_t(state)] = new QLabel(states);
-        count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        grid->addWidget(new VerdictSwatch(TriangleState(state), states), row, column);
-        grid->addWidget(word, row, column + 1);
-        grid->addWidget(count, row, column + 2);
+    m_grid = new QGridLayout(states);
+    m_grid->setContentsMargins(0, 0, 0, 0);
+    m_grid->setHorizontalSpacing(6);
+    m_grid->setVerticalSpacing(2);
+    for (size_t state = 0; state < kTriangleStateCount; ++state) {
+        m_swatches[state] = new VerdictSwatch(TriangleState(state), states);
+        m_words[state] = new QLabel(states);
+        m_counts[state] = new QLabel(states);
+        m_counts[state]->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     }
-    grid->setColumnMinimumWidth(3, 6);
-    grid->setColumnStretch(1, 1);
-    grid->setColumnStretch(5, 1);
+    placeStates(kStateRows);
+    m_grid->setColumnMinimumWidth(3, 6);
+    m_grid->setColumnStretch(1, 1);
+    m_grid->setColumnStretch(5, 1);
     return states;
+}
+
+void LegendPanel::placeStates(int rows) {
+    for (int state = 0; state < int(kTriangleStateCount); ++state) {
+        const int row = state % rows;
+        const int column = 4 * (state / rows);
+        m_grid->addWidget(m_swatches[size_t(state)], row, column);
+        m_grid->addWidget(m_words[size_t(state)], row, column + 1);
+        m_grid->addWidget(m_counts[size_t(state)], row, column + 2);
+    }
 }
 
 QWidget* LegendPanel::makePromises() {
@@ -157,6 +165,14 @@ QString LegendPanel::nextAction() const {
             return tr("Next: press H to see all keys, or open a model of your own.");
     }
     return {};
+}
+
+void LegendPanel::showToAudience() {
+    m_figures->hide();
+    m_next->hide();
+    placeStates(int(kTriangleStateCount));
+    m_grid->setColumnMinimumWidth(3, 0);
+    m_grid->setColumnStretch(5, 0);
 }
 
 void LegendPanel::refresh() {

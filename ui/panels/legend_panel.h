@@ -18,6 +18,8 @@ class LegendPanel : public QWidget {
 public:
     explicit LegendPanel(Session& session, QWidget* parent = nullptr);
 
+    /// The legend alone, in one column with room for large letters.
+    void showToAudience();
     /// The next thing to do; changes as the user gets on.
     [[nodiscard]] QString nextAction() const;
 
@@ -28,6 +30,7 @@ private:
     enum class Progress { Turn, Look, Pick, Choose, Done };
 
     QWidget* makeStates();
+    void placeStates(int rows);
     QWidget* makePromises();
     void wire();
     void refresh();
@@ -41,6 +44,8 @@ private:
     int m_cameraMoves = 0;
     QLabel* m_figures;
     QWidget* m_states;
+    QGridLayout* m_grid = nullptr;
+    std::array<QWidget*, kTriangleStateCount> m_swatches{};
     std::array<QLabel*, kTriangleStateCount> m_words{};
     std::array<QLabel*, kTriangleStateCount> m_counts{};
     QList<QLabel*> m_promises;

@@ -24,10 +24,11 @@ QString nothingLost(const Accuracy& accuracy) {
 
 QString lossOf(const Figures& figures) {
     const Accuracy& accuracy = figures.accuracy;
-    QStringList sentences{
-        LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %), in %4 holes; the largest has %5.", "numbers of pixels")
-            .arg(countText(accuracy.missedPixels), countText(accuracy.coveredPixels), percentText(accuracy.missedPixelRate()),
-                 countText(figures.holes.size()), countText(accuracy.largestHolePixels))};
+    QStringList sentences{LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.",
+                                        "numbers of pixels")
+                              .arg(countText(accuracy.missedPixels), countText(accuracy.coveredPixels),
+                                   percentText(accuracy.missedPixelRate()), countText(figures.holes.size()),
+                                   countText(accuracy.largestHolePixels))};
     if (figures.missedBeyondSnapping)
         sentences << LossPanel::tr("Beyond what the raster's snapping of edges explains: %1.")
                          .arg(countText(*figures.missedBeyondSnapping));

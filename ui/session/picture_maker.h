@@ -23,7 +23,7 @@ public:
     PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent = nullptr);
     ~PictureMaker() override;
 
-    /// Wishes may have changed; `first` is drawn in every other turn while it has a wish.
+    /// Wishes may have changed; `first` has two turns of three while it has a wish.
     void update(int first);
     /// Null: nothing drawn yet.
     [[nodiscard]] const ViewPicturePointer& picture(int view) const { return m_views[size_t(view)].picture; }
@@ -69,8 +69,8 @@ private:
     std::vector<ViewState> m_views;
     JobNumbers m_jobs;
     int m_first = 0;
-    int m_last = -1;   ///< the view that was drawn last
-    int m_cursor = 0;  ///< where the turns of the others go on
+    int m_turnsOfFirst = 0;  ///< since another view had one
+    int m_cursor = 0;        ///< where the turns of the others go on
     bool m_scheduled = false;
     bool m_drawing = false;
 };

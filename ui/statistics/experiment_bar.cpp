@@ -185,14 +185,13 @@ void ExperimentBar::refresh() {
 void ExperimentBar::retranslate() {
     m_path->setAccessibleName(tr("Camera path"));
     m_poses->setAccessibleName(tr("Number of poses"));
-    m_poses->setSuffix(tr(" poses"));
+    m_poses->setPrefix(tr("poses: "));
     m_size->setAccessibleName(tr("Size of the picture"));
     m_size->setToolTip(m_size->accessibleName());
     m_repetitions->setAccessibleName(tr("Repetitions of each frame"));
     m_repetitions->setToolTip(m_repetitions->accessibleName());
     m_repetitions->setSpecialValueText(tr("repeat until steady"));
-    m_repetitions->setPrefix(tr("repeat "));
-    m_repetitions->setSuffix(tr(" times"));
+    m_repetitions->setPrefix(tr("repetitions: "));
     m_progress->setAccessibleName(tr("Progress of the experiment"));
     setUpSizes();
     fillPaths();

@@ -31,10 +31,9 @@ QString PosePlot::poseText(const PoseFigures& pose) const {
 }
 
 QString PosePlot::description() const {
-    return m_current >= 0
-               ? poseText(m_run.poses[size_t(m_current)])
-               : tr("%1: %n poses. The arrow keys go through them, Enter flies there.", nullptr, int(m_run.poses.size()))
-                     .arg(m_run.label);
+    return m_current >= 0 ? poseText(m_run.poses[size_t(m_current)])
+                          : tr("%1, poses: %2. The arrow keys go through them, Enter flies there.")
+                                .arg(m_run.label, countText(m_run.poses.size()));
 }
 
 void PosePlot::setCurrent(int index) {

@@ -68,7 +68,7 @@ QString ViewPane::chipText() const {
                      .arg(QLocale().toString(100.0 * scale, 'f', 0));
     if (setup.upload == Upload::VertexArray) parts << tr("vertex arrays");
     const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
-    if (hidden > 0) parts << tr("%n object(s) hidden", nullptr, int(hidden));
+    if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (shown && setup.wipe.mode == Wipe::Mode::Loss)
         parts << tr("%1 pixels missed, %2 nearer than the truth").arg(countText(shown->missed), countText(shown->added));
@@ -76,7 +76,7 @@ QString ViewPane::chipText() const {
         parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(setup.wipe.other));
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
     if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size())
-        parts << tr("loss %1 of %2: %n pixel(s)", nullptr, int(holes[*loss].pixels)).arg(*loss + 1).arg(holes.size());
+        parts << tr("loss %1 of %2, pixels: %3").arg(*loss + 1).arg(holes.size()).arg(countText(holes[*loss].pixels));
     return parts.join(QStringLiteral(" · "));
 }
 

@@ -46,6 +46,13 @@ void DocumentCommands::wire() {
     connect(m_screenshots, &ScreenshotTaker::done, this, [this](const QString& path) {
         m_session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
     });
+    const auto enable = [this] {
+        for (QAction* action : {m_actions.saveSession, m_actions.saveSessionAs, m_actions.screenshot, m_actions.screenshotNow,
+                                m_actions.screenshotBare})
+            action->setEnabled(m_session.opened() != nullptr);
+    };
+    connect(&m_session, &Session::sceneChanged, this, enable);
+    enable();
     connect(m_actions.undo, &QAction::triggered, m_undo, &UndoRecorder::undo);
     connect(m_actions.redo, &QAction::triggered, m_undo, &UndoRecorder::redo);
     connect(m_undo, &UndoRecorder::changed, this, &DocumentCommands::showUndo);

@@ -139,9 +139,9 @@ void LectureWindow::arrange() {
     }
     m_title->setGeometry(scaled(kMargin), 0, width() - 2 * scaled(kMargin), title);
     if (m_pane) m_pane->setGeometry(0, title, picture, middle);
-    m_structure->setGeometry(picture, title, width() - picture, scaled(kStructureHeight));
-    m_explanation->setGeometry(picture + scaled(kMargin), title + scaled(kStructureHeight + kMargin),
-                               width() - picture - 2 * scaled(kMargin), middle - scaled(kStructureHeight + kMargin));
+    const int margin = scaled(kMargin), side = picture + margin, room = width() - side - margin;
+    m_structure->setGeometry(side, title + margin, room, scaled(kStructureHeight) - margin);
+    m_explanation->setGeometry(side, title + scaled(kStructureHeight) + margin, room, middle - scaled(kStructureHeight) - margin);
     m_foot->setGeometry(0, height() - foot, width(), foot);
 }
 

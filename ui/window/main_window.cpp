@@ -24,6 +24,8 @@ constexpr int kDockWidth = 400;
 constexpr int kWideDockWidth = 480;
 constexpr int kNarrowestDock = 320;
 constexpr int kWideWindow = 1600;  // from which on there is room for the side panel beside the views
+constexpr int kMenuMargins = 6;
+constexpr int kToolBarMargins = 18;
 constexpr int kStrategyPage = 0;
 constexpr int kScenePage = 1;
 constexpr const char* kExploreArrangement = "explore";
@@ -56,6 +58,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     if (auto* button = qobject_cast<QToolButton*>(m_toolBar->widgetForAction(m_actions->generate->menuAction())))
         button->setPopupMode(QToolButton::InstantPopup);
     addToolBar(m_toolBar);
+    fixBarHeights();
     setAcceptDrops(true);
     m_reader = new InsideReader(m_session, this);
     makeCentre();
@@ -73,6 +76,9 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     showState();
     arrange();
 }
+
+// The lecture gives the view that it shows back to the grid: it goes while that is there.
+MainWindow::~MainWindow() { delete m_lecture; }
 
 void MainWindow::makeCentre() {
     auto* centre = new QWidget(this);
@@ -192,6 +198,7 @@ bool MainWindow::restoreLayout(bool viewCount) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (m_keepsLayout) m_memory->save({arrangement(), m_session.viewCount()});
+    if (m_lecture) m_lecture->close();
     QMainWindow::closeEvent(event);
 }
 
@@ -288,6 +295,13 @@ void MainWindow::showState() {
     setWindowTitle(scene.isEmpty() ? QStringLiteral("Cullscope") : tr("%1 – Cullscope").arg(scene));
 }
 
+/// The same in every language, so that another one leaves the views their size.
+void MainWindow::fixBarHeights() {
+    const int letters = QFontMetrics(font()).size(Qt::TextSingleLine, QStringLiteral("한中Åg")).height();
+    menuBar()->setFixedHeight(letters + kMenuMargins);
+    m_toolBar->setFixedHeight(letters + kToolBarMargins);
+}
+
 void MainWindow::retranslate() {
     m_actions->retranslate();
     m_document->retranslate();
@@ -327,7 +341,9 @@ void MainWindow::showHelp() {
 
 void MainWindow::beginLecture() {
     if (m_lecture || !m_session.opened()) return;
-    m_lecture = new LectureWindow(m_session, *m_views, m_panels->make("legend"), this);
+    auto* legend = new LegendPanel(m_session);
+    legend->showToAudience();
+    m_lecture = new LectureWindow(m_session, *m_views, legend, this);
     connect(m_lecture, &LectureWindow::left, this, [this] {
         m_lecture->deleteLater();
         m_lecture = nullptr;

@@ -41,6 +41,7 @@ class MainWindow : public QMainWindow {
 
 public:
     MainWindow(Session& session, Language& language, Appearance& appearance, QWidget* parent = nullptr);
+    ~MainWindow() override;
 
     [[nodiscard]] ViewGrid& views() { return *m_views; }
     [[nodiscard]] SidePanel& side() { return *m_side; }
@@ -74,6 +75,7 @@ private:
     void makeCentre();
     void makeSide();
     void makeDocks();
+    void fixBarHeights();
     void addRailButton(QAction* action);
     void makeStatusBar();
     void wireCommands();
