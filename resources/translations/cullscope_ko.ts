@@ -1365,6 +1365,18 @@
         <source>The field of view changed while the path was recorded: all of it has that of its first pose.</source>
         <translation>경로를 기록하는 동안 시야각이 바뀌었습니다. 경로 전체에 첫 자세의 시야각이 쓰입니다.</translation>
     </message>
+    <message>
+        <source>centroid map</source>
+        <translation>무게중심 맵</translation>
+    </message>
+    <message>
+        <source>triangle index map</source>
+        <translation>삼각형 색인 맵</translation>
+    </message>
+    <message>
+        <source>The triangle index map of %1 would have more than %2 entries: choose a lower resolution.</source>
+        <translation>%1의 삼각형 색인 맵은 항목이 %2개를 넘게 됩니다. 더 낮은 해상도를 고르세요.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

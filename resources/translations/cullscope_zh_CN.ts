@@ -1365,6 +1365,18 @@
         <source>The field of view changed while the path was recorded: all of it has that of its first pose.</source>
         <translation>录制路径时视场角发生了变化：整条路径都采用第一个姿态的视场角。</translation>
     </message>
+    <message>
+        <source>centroid map</source>
+        <translation>质心图</translation>
+    </message>
+    <message>
+        <source>triangle index map</source>
+        <translation>三角形索引图</translation>
+    </message>
+    <message>
+        <source>The triangle index map of %1 would have more than %2 entries: choose a lower resolution.</source>
+        <translation>%1 的三角形索引图将超过 %2 个条目：请选择较低的分辨率。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

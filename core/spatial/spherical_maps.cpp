@@ -1,0 +1,171 @@
+#include "core/spatial/spherical_maps.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/spatial/spherical_triangle.h"
+
+namespace cullscope {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using Range = tbb::blocked_range<uint32_t>;
+
+// Fixed, so that entries are met in the same order on every machine.
+constexpr uint32_t kTrianglesPerPart = 8192;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+/// The least distance from the origin to the triangle's points; its corners may coincide.
+double nearestRadius(const std::array<Vec3, 3>& corners) {
+    const auto& [a, b, c] = corners;
+    const Vec3 ab = b - a, ac = c - a;
+    const Vec3 normal = glm::cross(ab, ac);
+    const double area = glm::dot(normal, normal);
+    if (area > 0.0) {
+        // The foot of the perpendicular, where it lies inside.
+        const Vec3 foot = glm::dot(a, normal) / area * normal;
+        const bool inside = glm::dot(glm::cross(b - a, foot - a), normal) >= 0.0 &&
+                            glm::dot(glm::cross(c - b, foot - b), normal) >= 0.0 &&
+                            glm::dot(glm::cross(a - c, foot - c), normal) >= 0.0;
+        if (inside) return glm::length(foot);
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec3& from = corners[i];
+        const Vec3 way = corners[(i + 1) % 3] - from;
+        const double length = glm::dot(way, way);
+        const double share = length > 0.0 ? std::clamp(-glm::dot(from, way) / length, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, glm::length(from + share * way));
+    }
+    return nearest;
+}
+
+double farthestRadius(const std::array<Vec3, 3>& corners) {
+    return std::max({glm::length(corners[0]), glm::length(corners[1]), glm::length(corners[2])});
+}
+
+float below(double value) { return std::nextafter(float(value), 0.0f); }
+float above(double value) { return std::nextafter(float(value), std::numeric_limits<float>::infinity()); }
+
+}  // namespace
+
+SphericalMaps::SphericalMaps(MeshPointer mesh, SphericalGrid grid, const Progress& progress, uint64_t mostEntries)
+    : m_mesh(std::move(mesh)), m_grid(std::move(grid)), m_sphere(m_mesh->localSphere()) {
+    auto start = Clock::now();
+    buildCentroidMap(progress.part(0.0, 0.3));
+    m_times.centroidMap = millisecondsSince(start);
+    start = Clock::now();
+    buildIndexMap(progress.part(0.3, 0.9), mostEntries);
+    m_times.indexMap = millisecondsSince(start);
+    start = Clock::now();
+    buildAccessMap();
+    m_times.accessMap = millisecondsSince(start);
+}
+
+std::array<Vec3, 3> SphericalMaps::corners(uint32_t triangle) const {
+    std::array<Vec3, 3> result;
+    for (size_t i = 0; i < 3; ++i)
+        result[i] = Vec3(m_mesh->positions()[m_mesh->indices()[3 * size_t(triangle) + i]]) - m_sphere.centre;
+    return result;
+}
+
+void SphericalMaps::buildCentroidMap(const Progress& progress) {
+    progress.tell(0.0, CULLSCOPE_TR("centroid map"));
+    const auto count = uint32_t(m_mesh->triangleCount());
+    m_centroidRadii.resize(count);
+    std::vector<std::vector<CellLists::Entry>> entries(1);
+    entries[0].resize(count);
+    tbb::parallel_for(Range(0, count, kTrianglesPerPart), [&](const Range& part) {
+        if (progress.stopRequested()) return;
+        for (uint32_t triangle = part.begin(); triangle < part.end(); ++triangle) {
+            const std::array<Vec3, 3> points = corners(triangle);
+            const Vec3 centroid = (points[0] + points[1] + points[2]) / 3.0;
+            m_centroidRadii[triangle] = float(glm::length(centroid));
+            entries[0][triangle] = {m_grid.number(m_grid.cellOf(centroid)), triangle};
+        }
+    });
+    progress.check();
+    m_centroids = CellLists(m_grid.cellCount(), entries);
+    sortByRadius(m_centroids);
+    progress.check();
+}
+
+void SphericalMaps::buildIndexMap(const Progress& progress, uint64_t mostEntries) {
+    progress.tell(0.0, CULLSCOPE_TR("triangle index map"));
+    const auto count = uint32_t(m_mesh->triangleCount());
+    std::vector<std::vector<CellLists::Entry>> parts((count + kTrianglesPerPart - 1) / kTrianglesPerPart);
+    std::atomic<uint64_t> total = 0;
+    tbb::parallel_for(Range(0, uint32_t(parts.size()), 1), [&](const Range& range) {
+        for (uint32_t part = range.begin(); part < range.end(); ++part) {
+            const uint32_t end = std::min(count, (part + 1) * kTrianglesPerPart);
+            for (uint32_t triangle = part * kTrianglesPerPart; triangle < end; ++triangle) {
+                if (progress.stopRequested() || total > mostEntries) return;
+                const std::array<Vec3, 3> points = corners(triangle);
+                const size_t before = parts[part].size();
+                SphericalTriangle(points[0], points[1], points[2]).forEachCell(m_grid, [&](const SphericalGrid::Cell& cell) {
+                    parts[part].emplace_back(m_grid.number(cell), triangle);
+                });
+                total += parts[part].size() - before;
+            }
+        }
+    });
+    progress.check();
+    if (total > mostEntries)
+        throwUsage(CULLSCOPE_TR("The triangle index map of %1 would have more than %2 entries: choose a lower resolution."),
+                   {m_mesh->name(), std::to_string(mostEntries)});
+    m_index = CellLists(m_grid.cellCount(), parts);
+    parts = {};
+    progress.tell(0.8, CULLSCOPE_TR("triangle index map"));
+    sortByRadius(m_index);
+    m_extents.resize(m_grid.cellCount());
+    tbb::parallel_for(Range(0, m_grid.cellCount()), [&](const Range& cells) {
+        for (uint32_t cell = cells.begin(); cell < cells.end(); ++cell) {
+            Extent& extent = m_extents[cell];
+            extent = {std::numeric_limits<float>::infinity(), 0.0f};
+            for (const uint32_t triangle : m_index.of(cell)) {
+                const std::array<Vec3, 3> points = corners(triangle);
+                extent.nearest = std::min(extent.nearest, below(nearestRadius(points)));
+                extent.farthest = std::max(extent.farthest, above(farthestRadius(points)));
+            }
+        }
+    });
+    progress.check();
+}
+
+void SphericalMaps::buildAccessMap() {
+    const std::span<const uint32_t> order = m_centroids.values();
+    m_indices.resize(3 * order.size());
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, order.size(), kTrianglesPerPart), [&](const auto& places) {
+        for (size_t place = places.begin(); place < places.end(); ++place)
+            for (size_t i = 0; i < 3; ++i) m_indices[3 * place + i] = m_mesh->indices()[3 * size_t(order[place]) + i];
+    });
+}
+
+void SphericalMaps::sortByRadius(CellLists& lists) const {
+    tbb::parallel_for(Range(0, lists.cellCount()), [&](const Range& cells) {
+        for (uint32_t cell = cells.begin(); cell < cells.end(); ++cell) {
+            const std::span<uint32_t> triangles = lists.of(cell);
+            std::sort(triangles.begin(), triangles.end(), [this](uint32_t a, uint32_t b) {
+                return m_centroidRadii[a] != m_centroidRadii[b] ? m_centroidRadii[a] < m_centroidRadii[b] : a < b;
+            });
+        }
+    });
+}
+
+SphericalMaps::Bytes SphericalMaps::bytes() const {
+    return {m_centroids.bytes() + m_centroidRadii.size() * sizeof(float), m_index.bytes() + m_extents.size() * sizeof(Extent),
+            m_indices.size() * sizeof(uint32_t)};
+}
+
+}  // namespace cullscope

@@ -1,0 +1,181 @@
+// Each triangle stands in one cell of the centroid map and in every cell of the index map that it touches.
+#include "core/spatial/spherical_maps.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/error.h"
+#include "core/mesh/parametric.h"
+#include "core/spatial/spherical_triangle.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/spatial/spherical_meshes.h"
+
+namespace cullscope::test {
+namespace {
+
+/// Visits points of a triangle: its corners, along its edges, and inside; where an arc turns (its least and greatest θ) more
+/// densely.
+template <typename Visit>
+void forPoints(const std::array<Vec3, 3>& corners, Random& random, int count, const Visit& visit) {
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
+        visit(a);
+        for (int step = 1; step < count; ++step) visit(a + double(step) / count * (b - a));
+        // The arc is highest where its plane's normal, the axis and the point are coplanar.
+        const Vec3 normal = glm::cross(a, b);
+        const Vec3 top = glm::cross(normal, glm::cross(normal, Vec3(0.0, 0.0, 1.0)));
+        // On the edge: a + s (b − a) parallel to top.
+        const Vec3 side = glm::cross(normal, top);
+        const double from = glm::dot(side, a), way = glm::dot(side, b - a);
+        if (way == 0.0) continue;
+        for (const double shift : {-1e-6, -1e-9, 0.0, 1e-9, 1e-6})
+            if (const double s = -from / way + shift; s >= 0.0 && s <= 1.0) visit(a + s * (b - a));
+    }
+    for (int i = 0; i < count; ++i) {
+        double u = random.unit(), v = random.unit();
+        if (u + v > 1.0) {
+            u = 1.0 - u;
+            v = 1.0 - v;
+        }
+        visit(corners[0] + u * (corners[1] - corners[0]) + v * (corners[2] - corners[0]));
+    }
+}
+
+TEST(SphericalTriangle, touchesEveryCellThatAPointOfItLiesIn) {
+    Random random(21);
+    for (const MeshPointer& mesh : {awkwardTriangles(), randomTriangles(31, longMode() ? 20'000 : 2'000)})
+        for (const SphericalGrid& grid : {SphericalGrid(), SphericalGrid(24, 12), SphericalGrid(5, 3)})
+            for (size_t triangle = 0; triangle < mesh->triangleCount(); ++triangle) {
+                std::array<Vec3, 3> corners;
+                for (size_t i = 0; i < 3; ++i) corners[i] = Vec3(mesh->positions()[mesh->indices()[3 * triangle + i]]);
+                std::set<uint32_t> touched;
+                SphericalTriangle(corners[0], corners[1], corners[2]).forEachCell(grid, [&](const SphericalGrid::Cell& cell) {
+                    EXPECT_TRUE(touched.insert(grid.number(cell)).second) << "twice, triangle " << triangle;
+                });
+                forPoints(corners, random, 40, [&](const Vec3& point) {
+                    const SphericalGrid::Cell cell = grid.cellOf(point);
+                    ASSERT_TRUE(point == Vec3(0.0) || touched.count(grid.number(cell)) > 0)
+                        << "triangle " << triangle << " of " << mesh->triangleCount() << ", row " << cell.row << ", column "
+                        << cell.column << " of " << grid.columns() << " × " << grid.rows();
+                });
+            }
+}
+
+TEST(SphericalTriangle, touchesHardlyMoreThanItsOwnCells) {
+    const SphericalGrid grid(72, 36);
+    Random random(22);
+    uint64_t touched = 0, confirmed = 0;
+    const MeshPointer mesh = randomTriangles(41, 300);
+    for (size_t triangle = 0; triangle < mesh->triangleCount(); ++triangle) {
+        std::array<Vec3, 3> corners;
+        for (size_t i = 0; i < 3; ++i) corners[i] = Vec3(mesh->positions()[mesh->indices()[3 * triangle + i]]);
+        std::set<uint32_t> found;
+        forPoints(corners, random, 4'000, [&](const Vec3& point) { found.insert(grid.number(grid.cellOf(point))); });
+        SphericalTriangle(corners[0], corners[1], corners[2]).forEachCell(grid, [&](const SphericalGrid::Cell&) { ++touched; });
+        confirmed += found.size();
+    }
+    EXPECT_GE(touched, confirmed);
+    // Beside corners three half-spaces and a cap tell a little too much; samples tell a little too few.
+    EXPECT_LT(double(touched), 1.25 * double(confirmed));
+}
+
+TEST(SphericalMaps, everyTriangleIsInItsCentroidsCellOnce) {
+    for (const MeshPointer& mesh : mapTestMeshes()) {
+        const SphericalMaps maps(mesh, SphericalGrid());
+        std::vector<int> times(mesh->triangleCount(), 0);
+        for (uint32_t cell = 0; cell < maps.grid().cellCount(); ++cell) {
+            float before = 0.0f;
+            for (const uint32_t triangle : maps.centroids(cell)) {
+                const std::array<Vec3, 3> corners = maps.corners(triangle);
+                const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
+                EXPECT_EQ(maps.grid().number(maps.grid().cellOf(centroid)), cell);
+                EXPECT_FLOAT_EQ(maps.centroidRadius(triangle), float(glm::length(centroid)));
+                EXPECT_GE(maps.centroidRadius(triangle), before);
+                before = maps.centroidRadius(triangle);
+                ++times[triangle];
+            }
+        }
+        EXPECT_TRUE(std::all_of(times.begin(), times.end(), [](int count) { return count == 1; })) << mesh->name();
+    }
+}
+
+TEST(SphericalMaps, everyTriangleIsInEveryCellThatItTouches) {
+    Random random(23);
+    for (const MeshPointer& mesh : mapTestMeshes()) {
+        const SphericalMaps maps(mesh, SphericalGrid());
+        const size_t stride = longMode() ? 1 : std::max<size_t>(1, mesh->triangleCount() / 3'000);
+        for (uint32_t triangle = 0; triangle < mesh->triangleCount(); triangle += uint32_t(stride))
+            forPoints(maps.corners(triangle), random, 12, [&](const Vec3& point) {
+                if (point == Vec3(0.0)) return;
+                const uint32_t cell = maps.grid().number(maps.grid().cellOf(point));
+                const auto found = maps.triangles(cell);
+                ASSERT_NE(std::find(found.begin(), found.end(), triangle), found.end())
+                    << mesh->name() << ", triangle " << triangle << ", cell " << cell;
+                const auto radius = float(glm::length(point));
+                EXPECT_LE(maps.extent(cell).nearest, radius * (1.0f + 1e-6f) + 1e-12f);
+                EXPECT_GE(maps.extent(cell).farthest, radius * (1.0f - 1e-6f));
+            });
+    }
+}
+
+TEST(SphericalMaps, aRunOfCellsIsOneRangeOfTheIndexBuffer) {
+    const MeshPointer mesh = starMesh(3, 20'000);
+    const SphericalMaps maps(mesh, SphericalGrid());
+    ASSERT_EQ(maps.indices().size(), mesh->indices().size());
+    const auto [first, count] = maps.run(0, maps.grid().cellCount());
+    EXPECT_EQ(first, 0u);
+    EXPECT_EQ(count, mesh->triangleCount());
+    uint64_t place = 0;
+    for (uint32_t cell = 0; cell < maps.grid().cellCount(); ++cell) {
+        EXPECT_EQ(maps.run(cell, cell + 1), (std::pair<uint64_t, uint64_t>(place, maps.centroids(cell).size())));
+        for (const uint32_t triangle : maps.centroids(cell)) {
+            EXPECT_EQ(maps.triangleAt(place), triangle);
+            for (size_t i = 0; i < 3; ++i) ASSERT_EQ(maps.indices()[3 * place + i], mesh->indices()[3 * size_t(triangle) + i]);
+            ++place;
+        }
+    }
+}
+
+TEST(SphericalMaps, theNumberOfThreadsChangesNothing) {
+    const MeshPointer mesh = knotMesh(60'000);
+    const auto made = [&](size_t threads) {
+        const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+        return std::make_unique<SphericalMaps>(mesh, SphericalGrid());
+    };
+    const auto one = made(1), four = made(4);
+    ASSERT_EQ(one->indexEntries(), four->indexEntries());
+    for (uint32_t cell = 0; cell < one->grid().cellCount(); ++cell) {
+        const auto a = one->triangles(cell), b = four->triangles(cell);
+        ASSERT_TRUE(std::equal(a.begin(), a.end(), b.begin(), b.end())) << cell;
+    }
+    EXPECT_TRUE(std::equal(one->indices().begin(), one->indices().end(), four->indices().begin(), four->indices().end()));
+}
+
+TEST(SphericalMaps, areNoLargerThanThePapersTable1) {
+    const SphericalMaps maps(starMesh(7, 144'046), SphericalGrid());
+    const SphericalMaps::Bytes bytes = maps.bytes();
+    RecordProperty("bytes", std::to_string(bytes.all()));
+    EXPECT_LE(bytes.all(), 8'000'000u) << bytes.centroidMap << " " << bytes.indexMap << " " << bytes.accessMap;
+}
+
+TEST(SphericalMaps, anIndexMapThatWouldNotFitIsRefused) {
+    const MeshPointer mesh = starMesh(7, 5'000);
+    const uint64_t entries = SphericalMaps(mesh, SphericalGrid()).indexEntries();
+    EXPECT_NO_THROW(SphericalMaps(mesh, SphericalGrid(), {}, entries));
+    EXPECT_THROW(SphericalMaps(mesh, SphericalGrid(), {}, entries - 1), Error);
+}
+
+TEST(SphericalMaps, stopIsHeard) {
+    std::stop_source source;
+    source.request_stop();
+    Progress progress;
+    progress.stop = source.get_token();
+    EXPECT_THROW(SphericalMaps(starMesh(7, 5'000), SphericalGrid(), progress), Error);
+}
+
+}  // namespace
+}  // namespace cullscope::test
