@@ -1,5 +1,6 @@
 #include "core/base/atomic_file.h"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -29,6 +30,15 @@ bool isStream(const std::filesystem::path& path) {
     return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
 }
 
+/// Some disks notice only here that there was no room.
+void storeOnDisk(const std::filesystem::path& path) {
+    const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool stored = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: nothing to wait for there
+    const int reason = errno;
+    if (descriptor >= 0) close(descriptor);
+    if (!stored) throw std::filesystem::filesystem_error("write", path, std::error_code(reason, std::generic_category()));
+}
+
 void writeStream(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write) {
     errno = 0;
     std::ofstream out(path, std::ios::binary);
@@ -50,6 +60,7 @@ void writeFileAtomicallyByName(const std::filesystem::path& link,
     const std::filesystem::path temporary = temporaryBeside(path);
     try {
         write(temporary);
+        storeOnDisk(temporary);
         std::filesystem::rename(temporary, path);
     } catch (const std::filesystem::filesystem_error& failure) {
         std::error_code ignored;

@@ -1,16 +1,13 @@
 #include "core/measure/picture_file.h"
 
 #include <OpenImageIO/imageio.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include <cassert>
-#include <cerrno>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/measure/picture_file_memory.h"
 #include "core/measure/picture_pixels.h"
 
 namespace cullscope {
@@ -20,22 +17,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kDepthChannel = "depth.Z";
 constexpr const char* kTriangleChannel = "triangle.ID";
-
-/// A file in memory: picture libraries want a name to write to, and some end the program where a disk is full.
-class MemoryFile {
-public:
-    MemoryFile() : m_descriptor(memfd_create("picture", MFD_CLOEXEC)) {
-        if (m_descriptor < 0) throwUsage(CULLSCOPE_TR("The picture cannot be made: %1."), {systemReason(errno)});
-    }
-    ~MemoryFile() { close(m_descriptor); }
-    MemoryFile(const MemoryFile&) = delete;
-    MemoryFile& operator=(const MemoryFile&) = delete;
-
-    [[nodiscard]] std::string name() const { return "/proc/self/fd/" + std::to_string(m_descriptor); }
-
-private:
-    int m_descriptor;
-};
 
 enum class Format { Png, Jpeg, Tiff, Exr };
 
@@ -125,7 +106,7 @@ std::vector<std::byte> exrPixels(const Picture& picture, OIIO::ImageSpec& spec) 
 }
 
 /// The picture as a file of the format that a name ends in.
-void encode(const MemoryFile& file, const std::filesystem::path& path, const Picture& picture, const Vec3f& background) {
+std::vector<unsigned char> encoded(const std::filesystem::path& path, const Picture& picture, const Vec3f& background) {
     constexpr std::array kNames{"picture.png", "picture.jpg", "picture.tif", "picture.exr"};
     const Format format = formatOf(path);
     OIIO::ImageSpec spec = specificationOf(path, picture, format);
@@ -136,13 +117,12 @@ void encode(const MemoryFile& file, const std::filesystem::path& path, const Pic
     else
         bytes = format == Format::Jpeg ? flattened(picture.rgba, background) : picture.rgba;
     const auto output = OIIO::ImageOutput::create(kNames[static_cast<size_t>(format)]);
-    if (!output) throwUsage(CULLSCOPE_TR("%1 cannot be written: %2"), {path.string(), OIIO::geterror()});
+    if (!output) throwUsage(CULLSCOPE_TR("%1 cannot be written: %2"), {path.string(), firstLine(OIIO::geterror())});
     const auto write = [&] {
         return format == Format::Exr ? output->write_image(OIIO::TypeDesc::UNKNOWN, upsideDown(exr, picture.size.height).data())
                                      : output->write_image(OIIO::TypeDesc::UINT8, upsideDown(bytes, picture.size.height).data());
     };
-    if (!(output->open(file.name(), spec) && write() && output->close()))
-        throwUsage(CULLSCOPE_TR("%1 cannot be written: %2"), {path.string(), output->geterror()});
+    return encodedInMemory(*output, spec, write, path);
 }
 
 }  // namespace
@@ -154,16 +134,16 @@ void writePicture(const std::filesystem::path& path, const Picture& picture, con
     assert(picture.rgba.size() == 4 * pixels);
     assert(picture.depth.empty() || picture.depth.size() == pixels);
     assert(picture.triangle.empty() || picture.triangle.size() == pixels);
-    const MemoryFile file;
-    encode(file, path, picture, background);
-    std::ifstream encoded(file.name(), std::ios::binary);
-    writeFileAtomically(path, [&](std::ostream& out) { out << encoded.rdbuf(); });
+    const std::vector<unsigned char> bytes = encoded(path, picture, background);
+    writeFileAtomically(path, [&](std::ostream& out) {
+        out.write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+    });
 }
 
 namespace {
 
 [[noreturn]] void refuseToRead(const std::filesystem::path& path, const std::string& reason) {
-    throwInput(CULLSCOPE_TR("%1 is no picture that can be read: %2"), {path.string(), reason});
+    throwInput(CULLSCOPE_TR("%1 is no picture that can be read: %2"), {path.string(), firstLine(reason)});
 }
 
 std::vector<int> colourChannels(const OIIO::ImageSpec& spec) {

@@ -2,6 +2,7 @@
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
+#include <cassert>
 
 #include "core/base/message.h"
 #include "core/scene/eye_triangle.h"
@@ -95,6 +96,18 @@ TriangleStates triangleStates(const Scene& scene, const View& view, const DrawLi
     }
     for (const TriangleState state : result.states) ++result.counts[static_cast<size_t>(state)];
     return result;
+}
+
+VisibleSetDifference compareVisibleSets(const TriangleStates& first, const TriangleStates& second) {
+    assert(first.states.size() == second.states.size());
+    VisibleSetDifference difference;
+    for (size_t i = 0; i < first.states.size(); ++i) {
+        const bool a = first.states[i] == TriangleState::Visible, b = second.states[i] == TriangleState::Visible;
+        difference.both += a && b ? 1 : 0;
+        difference.onlyFirst += a && !b ? 1 : 0;
+        difference.onlySecond += b && !a ? 1 : 0;
+    }
+    return difference;
 }
 
 }  // namespace cullscope

@@ -35,4 +35,11 @@ struct TriangleStates {
 [[nodiscard]] TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
                                             const Reference* reference);
 
+/// How two strategies' visible sets differ: triangles that are truly visible and drawn.
+struct VisibleSetDifference {
+    uint64_t both = 0, onlyFirst = 0, onlySecond = 0;
+};
+/// Of the same scene and view, both against the truth.
+[[nodiscard]] VisibleSetDifference compareVisibleSets(const TriangleStates& first, const TriangleStates& second);
+
 }  // namespace cullscope

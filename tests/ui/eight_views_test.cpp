@@ -12,6 +12,7 @@
 
 #include "core/scene/camera_path.h"
 #include "tests/ui/cullbench_picture.h"
+#include "ui/session/object_pick.h"
 #include "ui/window/main_window.h"
 
 namespace cullscope::ui {
@@ -172,6 +173,87 @@ TEST_F(EightViews, freezingKeepsFiguresAndNeighboursWhileTheViewFlies) {
     window.actions().freeze->trigger();
     settle();
     EXPECT_EQ(session.setup(1).role, Role::Linked);
+}
+
+TEST_F(EightViews, anotherLayoutChangedWhatAFrozenViewCulls) {
+    open(kObjects);
+    session.slot(0).choose("frustum");
+    session.setActiveView(0);
+    session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
+    settle();
+    session.setFrozen(0, true);
+    settle();
+    const Figures before = session.figures(0);
+    ASSERT_LT(before.consideredTriangles, before.sceneTriangles);
+    for (const int count : {1, 8, 2}) {
+        session.setViewCount(count);
+        window.resize(1366, count == 8 ? 700 : 768);
+        settle();
+        EXPECT_EQ(session.figures(0).consideredTriangles, before.consideredTriangles) << count;
+        EXPECT_EQ(session.figures(0).accuracy.coveredPixels, before.accuracy.coveredPixels) << count;
+        EXPECT_EQ(session.figures(0).frameMilliseconds, before.frameMilliseconds) << "measured anew";
+        EXPECT_EQ(session.viewRequest(0)->cullingSize, before.size) << count;
+    }
+}
+
+TEST_F(EightViews, aWatchedViewThatIsNotShownTookItsWatchersShape) {
+    open(kObjects);
+    session.slot(0).choose("frustum");
+    session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
+    session.observe(1, 0);
+    settle();
+    const uint64_t before = session.figures(1).consideredTriangles;
+    session.setActiveView(1);
+    session.setViewCount(1);
+    settle();
+    EXPECT_EQ(session.figures(1).consideredTriangles, before);
+}
+
+TEST_F(EightViews, aPickWasNotMarkedInAnyPicture) {
+    open(kObjects);
+    session.setLinked(1);
+    settle();
+    const QImage before[2] = {picture(0).grabFramebuffer(), picture(1).grabFramebuffer()};
+    QTest::mouseClick(&picture(0), Qt::LeftButton, {}, QPoint(picture(0).width() / 2, picture(0).height() / 2));
+    ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
+    EXPECT_EQ(window.inside().tabs().currentWidget(), &window.inside().why());
+    for (const int view : {0, 1}) EXPECT_NE(picture(view).grabFramebuffer(), before[view]) << view;
+    // What the tree or a list picks is marked too, and leaves the tab as it is.
+    window.inside().tabs().setCurrentIndex(0);
+    const QImage marked = picture(1).grabFramebuffer();
+    pickObject(session, session.pick()->object == 0 ? 1 : 0);
+    EXPECT_NE(picture(1).grabFramebuffer(), marked);
+    EXPECT_EQ(window.inside().tabs().currentIndex(), 0) << "walking through the tree jumped to Why at every row";
+}
+
+TEST_F(EightViews, flyingWithTheRightButtonOpenedTheMenu) {
+    open(kScene);
+    QSignalSpy menus(&picture(0), &SceneView::menuRequested);
+    const QPoint middle(picture(0).width() / 2, picture(0).height() / 2);
+    picture(0).setFocus();
+    const Camera before = session.camera();
+    QTest::mousePress(&picture(0), Qt::RightButton, {}, middle);
+    QTest::keyPress(&picture(0), Qt::Key_W);
+    ASSERT_TRUE(waitUntil([&] { return !(session.camera() == before); }));
+    QTest::keyRelease(&picture(0), Qt::Key_W);
+    QTest::mouseRelease(&picture(0), Qt::RightButton, {}, middle);
+    EXPECT_EQ(menus.count(), 0);
+}
+
+TEST_F(EightViews, whatWasRepairedInAFileIsSaidWithCounts) {
+    const QTemporaryDir folder;
+    const QString path = folder.filePath(QStringLiteral("part.obj"));
+    QFile file(path);
+    ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+    file.write("v 0 0 0\nv 1 0 0\nv 0 1 0\nv nan 0 0\nf 1 2 3\nf 1 1 2\nf 1 2 3\nf 1 2 4\n");
+    file.close();
+    QSignalSpy messages(&session, &Session::messageRaised);
+    openAndWait(session, path);
+    ASSERT_EQ(messages.count(), 1);
+    EXPECT_EQ(messages[0][0].value<Severity>(), Severity::Warning);
+    const std::string said = messages[0][1].value<Message>().english();
+    EXPECT_NE(said.find("degenerate 1, duplicate 1"), std::string::npos) << said;
+    EXPECT_TRUE(window.message().isVisible());
 }
 
 TEST_F(EightViews, whatAFrozenFrustumLeftOutIsAHole) {

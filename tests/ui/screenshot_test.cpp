@@ -9,6 +9,7 @@
 #include <QSettings>
 #include <QTemporaryDir>
 #include <numeric>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/measure/picture_file.h"
@@ -156,9 +157,10 @@ TEST_F(ScreenshotTest, fourThousandPixelsHaveTypeAndLinesThreeTimesAsLarge) {
     EXPECT_GT(height, 10);
     EXPECT_NEAR(inkHeight(large, largePlan.captionPlace), 3 * height, 4);
     // Every state's colour lies in its swatch, and words beside it.
-    ASSERT_EQ(largePlan.legend.size(), kTriangleStateCount);
+    ASSERT_EQ(largePlan.legend.size(), 1 + kTriangleStateCount);
+    EXPECT_FALSE(largePlan.legend.front().state) << "the heading";
     const auto palette = verdictPalette(largePlan.style.background);
-    for (const LegendEntry& entry : largePlan.legend) {
+    for (const LegendEntry& entry : std::span(largePlan.legend).subspan(1)) {
         const Vec3f colour = palette[size_t(*entry.state)].colour;
         const QImage part = large.copy(entry.place);
         EXPECT_GT(pixelsOf(part, QColor::fromRgbF(colour.x, colour.y, colour.z).rgb()), 50) << entry.words.toStdString();
@@ -171,6 +173,24 @@ TEST_F(ScreenshotTest, fourThousandPixelsHaveTypeAndLinesThreeTimesAsLarge) {
     EXPECT_GT(smallLines, 300);
     EXPECT_GT(largeLines, 6 * smallLines);
     EXPECT_LT(largeLines, 12 * smallLines);
+}
+
+std::string headingOf(const Viewport& size) {
+    return "Triangles at " + std::to_string(size.width) + " × " + std::to_string(size.height) + " pixels:";
+}
+
+TEST_F(ScreenshotTest, legendsCountsAreOfAnUnnamedSize) {
+    observe();
+    ScreenshotOptions options;
+    // As on the screen, where the figures of that size are the counts.
+    ScreenshotPlan plan = planScreenshot(session, options, noExtras, false);
+    EXPECT_EQ(plan.legend.front().words.toStdString(), headingOf(session.figures(1).size));
+    EXPECT_GT(inkHeight(image(taken(options)), plan.legend.front().place), 5) << "it is written";
+    // Not coloured by verdict: nothing is counted, and there is no heading.
+    session.setActiveView(0);
+    settle();
+    for (const LegendEntry& entry : planScreenshot(session, options, noExtras, false).legend)
+        EXPECT_FALSE(entry.words.startsWith(QStringLiteral("Triangles at"))) << entry.words.toStdString();
 }
 
 TEST_F(ScreenshotTest, theLegendCountsTheTrianglesOfTheSavedSize) {
@@ -191,6 +211,10 @@ TEST_F(ScreenshotTest, theLegendCountsTheTrianglesOfTheSavedSize) {
     EXPECT_TRUE(result.states->againstTruth);
     EXPECT_EQ(std::accumulate(result.states->counts.begin(), result.states->counts.end(), uint64_t{0}),
               session.scene()->triangleCount());
+    // The caption's figures are of another size: the legend's heading states its own.
+    EXPECT_EQ(plan.legend.front().words.toStdString(), headingOf(plan.parts.front().request.cullingSize));
+    EXPECT_NE(plan.parts.front().request.cullingSize, session.figures(1).size);
+    EXPECT_TRUE(plan.caption.contains(QStringLiteral("figures at 480 × 360 pixels"))) << plan.caption.toStdString();
     // More pixels show more triangles than the window's picture does.
     EXPECT_GT(result.states->counts[size_t(TriangleState::Visible)],
               session.figures(1).states->counts[size_t(TriangleState::Visible)]);

@@ -46,6 +46,7 @@ ViewSetup anySetup(Random& random) {
     setup.viewing = anyCamera(random);
     setup.culling = anyCamera(random);
     if (random.unit() < 0.5) setup.size = Viewport{1 + int(below(random, 16384)), 1 + int(below(random, 16384))};
+    if (random.unit() < 0.5) setup.cullingSize = Viewport{1 + int(below(random, 16384)), 1 + int(below(random, 16384))};
     setup.upload = oneOf(random, {Upload::Vbo, Upload::VertexArray});
     setup.look = {oneOf(random, {Colouring::Shaded, Colouring::Verdicts}), random.unit() < 0.5, random.unit() < 0.5,
                   random.unit() < 0.5};

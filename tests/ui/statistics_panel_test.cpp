@@ -173,12 +173,40 @@ TEST_F(Panel, reportNeedsNoOtherFileAndEscapesEverything) {
     EXPECT_TRUE(html.contains("&lt;renderer &amp; co&gt;"));
     EXPECT_FALSE(html.contains("<?xml"));
     EXPECT_FALSE(html.contains("src=")) << "another file";
-    EXPECT_EQ(html.count("<svg"), 5);
+    EXPECT_EQ(html.count("<svg"), 3 + 2 * 3);
     EXPECT_TRUE(html.contains("cullbench measure"));
     EXPECT_TRUE(html.contains("it'\\''s a field.obj")) << "quoted for a shell";
     EXPECT_TRUE(html.contains("-s all,backface,frustum:box=length "));
     EXPECT_TRUE(html.contains("--repeat 3"));
     EXPECT_TRUE(html.contains(named->sha256().c_str()));
+}
+
+TEST_F(Panel, posesInAReportOrAFileAreNobodys) {
+    showResult();
+    const QString html = QString::fromUtf8(exported(StatisticsPanel::File::Html, QStringLiteral("r.html")));
+    for (const char* plot : {"Time and loss by pose", "Loss by direction of view"})
+        for (const char* strategy : {"all", "backface", "frustum box=length"}) {
+            const QString title = QStringLiteral("%1 · %2").arg(QLatin1String(plot), QLatin1String(strategy));
+            EXPECT_EQ(html.count(QStringLiteral("<h2>%1</h2>").arg(title)), 1) << title.toStdString();
+            // In the picture as well as in its title.
+            EXPECT_EQ(html.count(QStringLiteral(">%1</text>").arg(title)), 1) << title.toStdString();
+        }
+    for (const auto& [tab, title] : {std::pair(StatisticsPanel::Poses, "Time and loss by pose · frustum box=length"),
+                                     {StatisticsPanel::Sphere, "Loss by direction of view · frustum box=length"}}) {
+        panel.showTab(tab);
+        const QString svg = textOf(exported(StatisticsPanel::File::Svg, QStringLiteral("p.svg")));
+        EXPECT_EQ(svg.count(QString::fromUtf8(title)), 2) << svg.toStdString();
+    }
+}
+
+TEST_F(Panel, paretoPointsAreToldApartByTheLegendAlone) {
+    showResult();
+    panel.showTab(StatisticsPanel::Pareto);
+    const QString svg = textOf(exported(StatisticsPanel::File::Svg, QStringLiteral("p.svg")));
+    const QStringList words = svg.split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    // In the legend and at the point.
+    EXPECT_EQ(words.count(QStringLiteral("all")), 2) << svg.toStdString();
+    EXPECT_EQ(words.count(QStringLiteral("frustum")), 2) << svg.toStdString();
 }
 
 TEST_F(Panel, placeThatCannotBeWrittenIsOneSentence) {

@@ -4,9 +4,11 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTest>
+#include <map>
 
 #include "tests/ui/made_up_result.h"
 #include "ui/statistics/pareto_plot.h"
+#include "ui/statistics/point_labels.h"
 #include "ui/statistics/pose_strip.h"
 #include "ui/statistics/result_table_model.h"
 #include "ui/statistics/sphere_map.h"
@@ -106,6 +108,61 @@ TEST(ParetoPlot, lossThatWasNotMeasuredIsLeftOut) {
     plot.setRuns(runs);
     EXPECT_TRUE(plot.empty());
     EXPECT_TRUE(plot.accessibleDescription().contains(QStringLiteral("not measured")));
+}
+
+/// The colours of a picture's pixels that are no shade between others: each at least `least` times.
+std::map<QRgb, int> coloursOf(const QImage& picture, int least) {
+    std::map<QRgb, int> counts;
+    for (int y = 0; y < picture.height(); ++y)
+        for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
+    std::erase_if(counts, [least](const auto& entry) { return entry.second < least; });
+    return counts;
+}
+
+TEST(ParetoPlot, baselinesAndShapesAreTheSameGreySquare) {
+    const PlotColours colours{QPalette()};
+    const auto squares = [&](const std::string& id) {
+        std::vector<RunFigures> runs = runFigures(madeUpResult());
+        std::erase_if(runs, [&](const RunFigures& one) { return one.id.toStdString() != id; });
+        ParetoPlot plot;
+        plot.resize(500, 260);
+        plot.setRuns(runs);
+        return coloursOf(plot.grab().toImage(), 60);
+    };
+    // The point and its mark in the legend are filled with it: two squares of 10 pixels a side.
+    EXPECT_GT(squares("all")[colours.baselineCull.rgb()], 100);
+    EXPECT_EQ(squares("backface").count(colours.baselineCull.rgb()), 0u);
+    EXPECT_GT(squares("frustum")[colours.series(0).rgb()], 100);
+    EXPECT_EQ(squares("backface").count(colours.faintText.rgb()), 0u) << "a filled key of a shape";
+}
+
+TEST(PointLabels, crowdedLabelsLieOverEachOtherOrOutside) {
+    const QFontMetricsF metrics{QFont()};
+    const QRectF bounds(0, 0, 300, 300);
+    std::vector<PointLabel> labels;
+    for (int i = 0; i < 6; ++i) labels.push_back({{40.0 + 3.0 * i, 150.0}, QStringLiteral("strategy%1").arg(i)});
+    labels.push_back({{298.0, 2.0}, QStringLiteral("corner")});
+    const std::vector<QRectF> places = placeLabels(labels, metrics, bounds, 11.0);
+    for (size_t i = 0; i < places.size(); ++i) {
+        EXPECT_TRUE(bounds.contains(places[i])) << i;
+        for (size_t j = 0; j < i; ++j) EXPECT_FALSE(places[i].intersects(places[j])) << i << " over " << j;
+        for (const PointLabel& label : labels) EXPECT_FALSE(places[i].contains(label.point)) << i;
+    }
+}
+
+TEST(ResultTable, lossBeyondSnappingIsHidden) {
+    MeasureResult result = madeUpResult();
+    RunMeasurement& backface = result.runs[1];
+    backface.facing = Facing::Front;
+    backface.referenceFacing = Facing::TwoSided;
+    backface.frames[1].accuracy->missedPixels = 9;
+    backface.frames[1].missedBeyondSnapping = 3;
+    ResultTableModel model;
+    model.setRows(resultRows(result));
+    EXPECT_EQ(cell(model, 1, ResultTableModel::Missed), QStringLiteral("9"));
+    EXPECT_EQ(cell(model, 1, ResultTableModel::Beyond), QStringLiteral("3"));
+    EXPECT_EQ(cell(model, 2, ResultTableModel::Beyond), QStringLiteral("–"))
+        << "all of its loss is its own: nothing to tell apart";
 }
 
 /// The middle of the pose's column.

@@ -52,11 +52,95 @@ TEST_F(WindowLayout, comesBackAsItWasLeft) {
     EXPECT_EQ(second.window.size(), QSize(1180, 720));
     EXPECT_TRUE(second.dock("inside").isVisible()) << "opened by hand beside four views";
     EXPECT_TRUE(second.dock("statistics").isVisible());
+    for (const char* name : {"inside", "statistics"}) EXPECT_TRUE(second.dock(name).isFloating()) << name;
     second.window.actions().resetLayout->trigger();
     EXPECT_FALSE(second.dock("inside").isVisible()) << "four views are compared without it";
     EXPECT_FALSE(second.dock("statistics").isVisible());
     second.session.setViewCount(2);
     EXPECT_TRUE(second.dock("inside").isVisible());
+    EXPECT_FALSE(second.dock("inside").isFloating());
+}
+
+TEST_F(WindowLayout, openingADockBesideEightViewsShrankThem) {
+    Program program({1366, 768});
+    openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+    program.dock("statistics").show();
+    program.session.setViewCount(8);
+    QApplication::processEvents();
+    for (const char* name : {"inside", "statistics"}) EXPECT_FALSE(program.dock(name).isVisible()) << name;
+    const auto settle = [&] { return waitUntil([&] { return program.session.figuresSettled(); }); };
+    ASSERT_TRUE(settle());
+    const auto expectViewsUnchanged = [&] {
+        QApplication::processEvents();
+        for (int view = 0; view < 8; ++view) {
+            EXPECT_EQ(program.session.viewport(view), (Viewport{320, 240})) << "view " << view;
+            EXPECT_EQ(program.session.figures(view).state, Figures::State::Ready) << "view " << view;
+        }
+    };
+    expectViewsUnchanged();
+    const QWidget& middle = *program.window.views().parentWidget();
+    const QRect views(middle.mapToGlobal(QPoint()), middle.size());
+    for (const char* name : {"inside", "statistics"}) {
+        QDockWidget& dock = program.dock(name);
+        dock.toggleViewAction()->trigger();
+        EXPECT_TRUE(dock.isVisible()) << name;
+        EXPECT_TRUE(dock.isFloating()) << name;
+        expectViewsUnchanged();
+        dock.toggleViewAction()->trigger();
+        EXPECT_FALSE(dock.isVisible()) << name;
+        expectViewsUnchanged();
+        for (QWidget* receiver : {static_cast<QWidget*>(&dock), static_cast<QWidget*>(&program.window)}) {
+            dock.toggleViewAction()->trigger();
+            QTest::keyClick(receiver, Qt::Key_Escape);
+            EXPECT_FALSE(dock.isVisible()) << name;
+        }
+    }
+    program.dock("inside").toggleViewAction()->trigger();
+    QApplication::processEvents();
+    EXPECT_EQ(program.dock("inside").frameGeometry(), QRect(views.right() - 399, views.top(), 400, views.height()));
+    program.session.setViewCount(2);
+    QApplication::processEvents();
+    for (const char* name : {"inside", "statistics"}) {
+        EXPECT_TRUE(program.dock(name).isVisible()) << name << " was open before";
+        EXPECT_FALSE(program.dock(name).isFloating()) << name;
+    }
+    QTest::keyClick(&program.window, Qt::Key_Escape);
+    EXPECT_TRUE(program.dock("inside").isVisible()) << "Esc closes only what floats";
+}
+
+TEST_F(WindowLayout, theStatisticsFloatOverTheLowerHalfOfTheViews) {
+    Program program({1366, 768});
+    openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+    program.session.setViewCount(4);
+    program.dock("statistics").toggleViewAction()->trigger();
+    QApplication::processEvents();
+    const QWidget& middle = *program.window.views().parentWidget();
+    const QRect views(middle.mapToGlobal(QPoint()), middle.size());
+    const QRect place = program.dock("statistics").frameGeometry();
+    EXPECT_EQ(place.width(), views.width());
+    EXPECT_EQ(place.topLeft(), QPoint(views.left(), views.top() + views.height() / 2));
+    EXPECT_TRUE(views.contains(place)) << "it wants more height than half of the views have";
+}
+
+TEST_F(WindowLayout, docksLeftFloatingCameBackFloatingBesideTwoViews) {
+    {
+        Program first({1200, 740});
+        first.session.setViewCount(4);
+        first.dock("inside").show();
+        QApplication::processEvents();
+        first.window.close();
+    }
+    Session session{sessionOptions(true)};
+    Language language;
+    Appearance appearance;
+    MainWindow window(session, language, appearance);
+    EXPECT_TRUE(window.restoreLayout(false));
+    window.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+    EXPECT_EQ(session.viewCount(), 2);
+    auto* inside = window.findChild<QDockWidget*>(QStringLiteral("inside"));
+    EXPECT_FALSE(inside->isFloating());
+    EXPECT_TRUE(inside->isVisible());
 }
 
 TEST_F(WindowLayout, anyPanelStandsInAViewsPlaceAndComesBackWithTheSession) {

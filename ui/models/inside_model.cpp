@@ -25,6 +25,7 @@ TriangleState stateOf(const InsideNode& node) { return node.culled ? stateOfCaus
 
 void InsideModel::setInside(const ScenePointer& scene, const std::shared_ptr<const Inside>& inside) {
     if (scene == m_scene && inside == m_inside) return;
+    if (scene != m_scene) m_states = nullptr;
     if (inside && m_inside && scene == m_scene && sameBoxes(*inside, *m_inside)) {
         m_inside = inside;
         tellOfData();
@@ -35,6 +36,19 @@ void InsideModel::setInside(const ScenePointer& scene, const std::shared_ptr<con
     m_inside = inside;
     layOut();
     endResetModel();
+}
+
+void InsideModel::setStates(const std::shared_ptr<const TriangleStates>& states) {
+    if (states == m_states) return;
+    m_states = states;
+    m_verdicts.set(m_scene, states, nullptr);
+    tellOfData();
+}
+
+std::optional<TriangleState> InsideModel::stateAgainstTruth(const InsideNode& node, size_t number) const {
+    if (!m_states || node.culled || childCount(place(int64_t(number))) > 0) return std::nullopt;
+    const std::optional<ObjectVerdicts::Verdict> verdict = m_verdicts.of(node.instance);
+    return verdict ? std::optional(verdict->state) : std::nullopt;
 }
 
 void InsideModel::layOut() {
@@ -94,6 +108,7 @@ QString InsideModel::text(const InsideNode& node, size_t number, int column) con
             return countText(node.triangles);
         case Verdict:
             if (node.culled) return translated(causeName(node.cause));
+            if (const auto state = stateAgainstTruth(node, number)) return translated(triangleStateName(*state));
             return childCount(place(int64_t(number))) > 0 ? tr("kept", "a box that holds others") : tr("submitted");
         case Plane:
             return node.rejectedBy ? translated(planeName(*node.rejectedBy)) : QString();
@@ -106,7 +121,8 @@ QVariant InsideModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const InsideNode& node = m_inside->nodes[nodeOf(index)];
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(node, nodeOf(index), index.column());
-    if (role == Qt::DecorationRole && index.column() == Verdict) return verdictIcon(stateOf(node));
+    if (role == Qt::DecorationRole && index.column() == Verdict)
+        return verdictIcon(stateAgainstTruth(node, nodeOf(index)).value_or(stateOf(node)));
     if (role == Qt::TextAlignmentRole && index.column() == Triangles) return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};
 }

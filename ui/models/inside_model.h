@@ -6,6 +6,7 @@
 
 #include "core/scene/scene.h"
 #include "core/visibility/inside.h"
+#include "ui/session/object_verdicts.h"
 
 namespace cullscope::ui {
 
@@ -22,6 +23,8 @@ public:
     /// `inside` numbers the instances of `scene`. A parent may come after its children; none may be its own ancestor.
     /// Null: no rows.
     void setInside(const ScenePointer& scene, const std::shared_ptr<const Inside>& inside);
+    /// What became of the objects, against the truth; null: only what the strategy decided is known.
+    void setStates(const std::shared_ptr<const TriangleStates>& states);
     [[nodiscard]] bool empty() const { return !m_inside || m_inside->nodes.empty(); }
 
     /// Whether any box holds others.
@@ -46,12 +49,16 @@ public:
 private:
     [[nodiscard]] size_t childCount(size_t place) const { return m_firstChild[place + 1] - m_firstChild[place]; }
     [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
+    /// Of a box of one object that was kept; none: not known.
+    [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const InsideNode& node, size_t number) const;
     [[nodiscard]] QString text(const InsideNode& node, size_t number, int column) const;
     void layOut();
     void tellOfData();
 
     ScenePointer m_scene;
     std::shared_ptr<const Inside> m_inside;
+    std::shared_ptr<const TriangleStates> m_states;
+    ObjectVerdicts m_verdicts;
     // Children lists, one after the other: those of no parent first, then those of node 0, 1, …
     std::vector<uint32_t> m_firstChild;
     std::vector<uint32_t> m_children;

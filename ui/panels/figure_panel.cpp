@@ -2,6 +2,7 @@
 
 #include <QEvent>
 #include <QHeaderView>
+#include <QScrollBar>
 #include <QVBoxLayout>
 
 namespace cullscope::ui {
@@ -35,7 +36,10 @@ FigurePanel::FigurePanel(Session& session, QWidget* parent)
         if (m_session.viewCount() == 1) refresh();
     });
     connect(&session, &Session::setupChanged, this, &FigurePanel::refresh);
-    connect(&session, &Session::figuresChanged, this, [this](int view) { m_model->setFigures(view, m_session.figures(view)); });
+    connect(&session, &Session::figuresChanged, this, [this](int view) {
+        m_model->setFigures(view, m_session.figures(view));
+        fitColumns();
+    });
     refresh();
 }
 
@@ -45,8 +49,9 @@ void FigurePanel::setUpTable() {
     m_table->setShowGrid(false);
     m_table->setSelectionMode(QAbstractItemView::NoSelection);
     m_table->setTabKeyNavigation(false);
-    m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->setTextElideMode(Qt::ElideNone);
+    m_table->viewport()->installEventFilter(this);
     m_table->horizontalHeader()->setSectionsClickable(false);
     QHeaderView& rows = *m_table->verticalHeader();
     rows.setSectionsClickable(false);
@@ -66,9 +71,31 @@ void FigurePanel::refresh() {
     std::vector<FigureModel::Column> columns;
     for (const int view : m_session.measuredViews()) columns.push_back({view, m_session.figures(view)});
     m_model->setColumns(std::move(columns));
-    // The dock scrolls as a whole: a table that scrolled inside it would be hard to reach.
     m_table->ensurePolished();
-    m_table->setMinimumHeight(m_table->horizontalHeader()->sizeHint().height() + m_table->verticalHeader()->length() + 4);
+    fitColumns();
+}
+
+void FigurePanel::fitColumns() {
+    QHeaderView& header = *m_table->horizontalHeader();
+    const QAbstractItemView& cells = *m_table;
+    int widest = 0, all = 0;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        const int width = std::max(cells.sizeHintForColumn(column), header.sectionSizeHint(column));
+        widest = std::max(widest, width);
+        all += width;
+    }
+    const int room = m_table->viewport()->width();
+    const QHeaderView::ResizeMode mode =
+        widest * m_model->columnCount() <= room ? QHeaderView::Stretch : QHeaderView::ResizeToContents;
+    if (header.count() > 0 && header.sectionResizeMode(0) != mode) header.setSectionResizeMode(mode);
+    // The dock scrolls as a whole: a table that scrolled its rows inside it would be hard to reach.
+    const int bar = all > room ? m_table->horizontalScrollBar()->sizeHint().height() : 0;
+    m_table->setMinimumHeight(header.sizeHint().height() + m_table->verticalHeader()->length() + 4 + bar);
+}
+
+bool FigurePanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize) fitColumns();
+    return QWidget::eventFilter(watched, event);
 }
 
 void FigurePanel::changeEvent(QEvent* event) {

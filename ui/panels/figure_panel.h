@@ -19,10 +19,13 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void setUpTable();
     void refresh();
+    /// Columns of one width where all contents fit so, else each as wide as its contents, to be scrolled.
+    void fitColumns();
 
     Session& m_session;
     FigureModel* m_model;

@@ -31,6 +31,7 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
     layout->addWidget(m_view, 1);
     layout->addWidget(m_empty, 1);
     connect(&reader, &InsideReader::changed, this, &InsideTree::refresh);
+    connect(&session, &Session::figuresChanged, this, &InsideTree::refresh);
     connect(&session, &Session::pickChanged, this, &InsideTree::followPick);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &InsideTree::pickSelected);
     retranslate();
@@ -49,6 +50,7 @@ void InsideTree::setUpView() {
 void InsideTree::refresh() {
     const InsideReadingPointer& reading = m_reader.reading();
     m_model->setInside(reading ? reading->strategy->scene : nullptr, reading ? reading->inside : nullptr);
+    m_model->setStates(statesOfTruth());
     // A flat list needs no place for arrows.
     m_view->setRootIsDecorated(m_model->nested());
     m_view->setVisible(!m_model->empty());
@@ -56,6 +58,13 @@ void InsideTree::refresh() {
     setFocusProxy(m_model->empty() ? nullptr : m_view);
     m_empty->setVisible(m_model->empty());
     followPick();
+}
+
+std::shared_ptr<const TriangleStates> InsideTree::statesOfTruth() const {
+    const Figures& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == Figures::State::Ready && figures.states && figures.subject.buffers &&
+                       figures.subject.buffers->scenePointer() == m_session.scene();
+    return known && m_reader.fresh() ? figures.states : nullptr;
 }
 
 void InsideTree::followPick() {

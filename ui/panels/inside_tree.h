@@ -24,6 +24,7 @@ protected:
 private:
     void setUpView();
     void refresh();
+    [[nodiscard]] std::shared_ptr<const TriangleStates> statesOfTruth() const;
     void followPick();
     void pickSelected();
     void retranslate();

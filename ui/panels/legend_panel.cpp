@@ -137,12 +137,6 @@ void LegendPanel::advance(Progress to) {
     refresh();
 }
 
-bool LegendPanel::anyVerdicts() const {
-    for (const int view : m_session.shownViews())
-        if (m_session.setup(view).look.colouring == Colouring::Verdicts) return true;
-    return false;
-}
-
 QString LegendPanel::turnAction() const {
     for (const int view : m_session.shownViews())
         if (const int observed = m_session.culledBy(view); observed != view && m_session.shown(observed))
@@ -160,7 +154,7 @@ QString LegendPanel::nextAction() const {
         case Progress::Pick:
             return tr("Next: click on something in a picture to see why it was drawn or left out.");
         case Progress::Choose:
-            return tr("Next: choose another strategy above and compare the figures over the pictures.");
+            return tr("Next: choose another strategy in the view's menu and compare the figures over the pictures.");
         case Progress::Done:
             return tr("Next: press H to see all keys, or open a model of your own.");
     }
@@ -182,7 +176,8 @@ void LegendPanel::refresh() {
         m_promises[i]->setText(promiseWord(promise));
         m_promises[i]->setToolTip(tr("%1: %2", "promise, its meaning").arg(promiseWord(promise), promiseSentence(promise)));
     }
-    m_states->setVisible(anyVerdicts());
+    // The bars under the pictures have these colours, whatever the pictures have.
+    m_states->setVisible(m_session.opened() != nullptr);
     m_states->setAccessibleName(tr("What the colours mean"));
     m_next->setText(nextAction());
     showCounts();

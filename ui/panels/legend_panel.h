@@ -36,7 +36,6 @@ private:
     void refresh();
     void showCounts();
     void advance(Progress to);
-    [[nodiscard]] bool anyVerdicts() const;
     [[nodiscard]] QString turnAction() const;
 
     Session& m_session;

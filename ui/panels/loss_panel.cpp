@@ -54,7 +54,9 @@ LossPanel::LossPanel(Session& session, QWidget* parent)
     layout->addWidget(m_measure, 0, Qt::AlignLeft);
     layout->addWidget(m_view, 1);
     layout->addStretch(0);
-    connect(m_view, &QTreeView::clicked, this, &LossPanel::goTo);
+    connect(m_view, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+        if (const auto object = objectAt(index)) pickLoss(m_session, *object);
+    });
     connect(m_view, &QTreeView::activated, this, &LossPanel::goTo);
     connect(m_measure, &QPushButton::clicked, &session, &Session::requestFigures);
     connect(&session, &Session::figuresChanged, this, &LossPanel::refresh);
@@ -102,11 +104,16 @@ void LossPanel::refresh() {
     m_view->resizeColumnToContents(LossModel::Share);
 }
 
+std::optional<uint32_t> LossPanel::objectAt(const QModelIndex& index) const {
+    if (!index.isValid() || m_model->scene() != m_session.scene()) return std::nullopt;
+    return m_session.objectOf(m_model->instanceAt(index.row()));
+}
+
 void LossPanel::goTo(const QModelIndex& index) {
-    if (!index.isValid() || m_model->scene() != m_session.scene()) return;
-    const uint32_t object = m_session.objectOf(m_model->instanceAt(index.row()));
-    pickObject(m_session, object);
-    frameObject(m_session, object);
+    const std::optional<uint32_t> object = objectAt(index);
+    if (!object) return;
+    pickLoss(m_session, *object);
+    frameObject(m_session, *object);
 }
 
 void LossPanel::changeEvent(QEvent* event) {

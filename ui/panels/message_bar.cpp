@@ -1,5 +1,6 @@
 #include "ui/panels/message_bar.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QStyle>
@@ -12,16 +13,27 @@ namespace {
 
 constexpr int kInset = 8;
 
+/// Whether an event shows that the user goes on: a click or a key.
+bool goesOn(QEvent::Type type) {
+    return type == QEvent::MouseButtonPress || type == QEvent::KeyPress || type == QEvent::ShortcutOverride;
+}
+
 }  // namespace
 
-MessageBar::MessageBar(QWidget* parent)
-    : QFrame(parent), m_icon(new QLabel(this)), m_text(new QLabel(this)), m_close(new QToolButton(this)) {
+MessageBar::MessageBar(QWidget& below)
+    : QFrame(below.parentWidget()),
+      m_below(below),
+      m_icon(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_close(new QToolButton(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 4, 4);
     layout->addWidget(m_icon);
     layout->addWidget(m_text, 1);
     layout->addWidget(m_close);
     setFrameShape(QFrame::StyledPanel);
+    // A click on it is not one on what lies below.
+    setAttribute(Qt::WA_NoMousePropagation);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
     m_text->setForegroundRole(QPalette::ToolTipText);
@@ -30,7 +42,10 @@ MessageBar::MessageBar(QWidget* parent)
     m_close->setAutoRaise(true);
     m_close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
-    parent->installEventFilter(this);
+    m_end.setSingleShot(true);
+    m_end.setInterval(kInformationTime);
+    connect(&m_end, &QTimer::timeout, this, &QWidget::hide);
+    below.installEventFilter(this);
     hide();
 }
 
@@ -40,6 +55,11 @@ void MessageBar::show(Severity severity, const Message& message) {
     refresh();
     setVisible(!message.empty());
     raise();
+    m_end.stop();
+    qApp->removeEventFilter(this);
+    if (severity != Severity::Information || message.empty()) return;
+    m_end.start();
+    qApp->installEventFilter(this);
 }
 
 void MessageBar::refresh() {
@@ -55,14 +75,28 @@ void MessageBar::refresh() {
 }
 
 void MessageBar::place() {
-    const QSize room = parentWidget()->size() - QSize(2 * kInset, 2 * kInset);
+    const QRect room = m_below.geometry().adjusted(kInset, kInset, -kInset, -kInset);
     const int height = layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(room.width()) : sizeHint().height();
-    setGeometry(kInset, parentWidget()->height() - kInset - height, room.width(), height);
+    setGeometry(room.left(), room.bottom() + 1 - height, room.width(), height);
 }
 
 bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::Resize) place();
+    if (watched == &m_below && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) place();
+    if (m_end.isActive() && goesOn(event->type())) {
+        const auto* widget = qobject_cast<const QWidget*>(watched);
+        // A click on the sentence itself is to select or to close it.
+        if (widget && widget->window() == window() && widget != this && !isAncestorOf(widget)) hide();
+    }
     return QFrame::eventFilter(watched, event);
+}
+
+void MessageBar::hideEvent(QHideEvent* event) {
+    // Hidden with its window it comes back with that; closed it has no more to wait for.
+    if (!event->spontaneous()) {
+        m_end.stop();
+        qApp->removeEventFilter(this);
+    }
+    QFrame::hideEvent(event);
 }
 
 void MessageBar::changeEvent(QEvent* event) {

@@ -2,6 +2,7 @@
 
 #include <QFrame>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 
 #include "core/base/message.h"
@@ -9,30 +10,36 @@
 
 namespace cullscope::ui {
 
-/// One sentence that lies over the lower edge of its parent until it is closed or another takes its place; stops nobody and
-/// moves nothing: what it lies over keeps its size.
+/// One sentence over the lower edge of a widget until it is closed or another takes its place; what only informs also goes
+/// after a while, or when the user goes on. Stops nobody and moves nothing: what it lies over keeps its size.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
-    explicit MessageBar(QWidget* parent);
+    static constexpr int kInformationTime = 6000;  // ms
+
+    /// Lies over `below`, as its sibling.
+    explicit MessageBar(QWidget& below);
 
     void show(Severity severity, const Message& message);
     [[nodiscard]] QString text() const { return m_text->text(); }
 
 protected:
     void changeEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void refresh();
     void place();
 
+    QWidget& m_below;
     QLabel* m_icon;
     QLabel* m_text;
     QToolButton* m_close;
     Severity m_severity = Severity::Information;
     Message m_message;
+    QTimer m_end;
 };
 
 }  // namespace cullscope::ui

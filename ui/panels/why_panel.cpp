@@ -42,7 +42,7 @@ WhyPanel::WhyPanel(Session& session, InsideReader& reader, QWidget* parent)
     connect(&reader, &InsideReader::changed, this, &WhyPanel::refresh);
     connect(&session, &Session::pickChanged, this, &WhyPanel::refresh);
     connect(&session, &Session::hiddenChanged, this, &WhyPanel::refresh);
-    connect(&session, &Session::figuresChanged, this, &WhyPanel::showState);
+    connect(&session, &Session::figuresChanged, this, &WhyPanel::refresh);
     connect(&session, &Session::activeViewChanged, this, &WhyPanel::showState);
     refresh();
 }
@@ -112,12 +112,22 @@ QString WhyPanel::heading() const {
     return tr("%1, triangle %2", "name of an object").arg(object, countText(pick->triangle));
 }
 
+QString WhyPanel::outcome() const {
+    const std::optional<TriangleState> state = m_reader.pickedState();
+    if (state == TriangleState::Visible) return tr("It shows in the picture.");
+    if (state == TriangleState::InVain)
+        return tr("It was drawn in vain: other triangles lie before all of it, or it covers no pixel's middle.");
+    if (state == TriangleState::WronglyCulled) return tr("It was wrongly left out: the truth shows it.");
+    return {};
+}
+
 QStringList WhyPanel::sentences() const {
     const InsideReadingPointer& reading = m_reader.reading();
     const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
     QStringList sentences;
     if (!reading || !triangle || reading->triangle != triangle) return sentences;
     for (const WhyStep& step : reading->why) sentences << translated(step.sentence);
+    if (const QString outcome = this->outcome(); !outcome.isEmpty()) sentences << outcome;
     return sentences;
 }
 

@@ -18,6 +18,8 @@ public:
 
     /// What is read from top to bottom, for tests and screen readers; empty: nothing is picked.
     [[nodiscard]] QStringList sentences() const;
+    /// What the truth says to it; empty: not known, or nothing to say.
+    [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString heading() const;
     [[nodiscard]] PlaneTable& planes() { return *m_planes; }
 

@@ -6,11 +6,15 @@
 
 namespace cullscope::ui {
 
-/// The pick of an object by its first triangle, at that triangle's centroid; none: it has no triangle.
-[[nodiscard]] std::optional<Pick> pickOfObject(const Scene& opened, uint32_t object);
+/// The pick of an object by the triangle that stands for what became of it in the active view, at its centroid: a wrongly culled
+/// one where there is any, else a visible one, else one drawn in vain; where that is not known, the first one. None: it has no
+/// triangle.
+[[nodiscard]] std::optional<Pick> pickOfObject(const Session& session, uint32_t object);
 
 /// Picks an object unless it is what is picked already, whichever of its triangles that is.
 void pickObject(Session& session, uint32_t object);
+/// The same by a wrongly culled triangle of it, whatever is picked.
+void pickLoss(Session& session, uint32_t object);
 
 /// Brings all of an object into the active view.
 void frameObject(Session& session, uint32_t object);

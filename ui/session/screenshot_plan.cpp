@@ -22,6 +22,8 @@ namespace {
 
 using Background = ScreenshotOptions::Background;
 
+constexpr Viewport kWidestSize{16384, 16384};
+
 DrawStyle styleOf(const Session& session, Background background) {
     DrawStyle style = session.drawStyle();
     if (background == Background::Transparent) style.backgroundAlpha = 0.0f;
@@ -100,6 +102,11 @@ ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) 
     return part;
 }
 
+/// Whether truth is asked for on the screen or, the scene being small, may be here.
+bool mayMeasure(const ViewRequest& shown) {
+    return shown.states || shown.buffers->scene().triangleCount() <= kOptionalAnalysisLimit;
+}
+
 /// From a part as shown, with its place known, to one of that size.
 void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Session& session, const ExtrasOf& extras) {
     const ViewRequest shown = part.request;
@@ -110,10 +117,8 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
     part.request.style = plan.style;
     part.request.style.unit = float(unit);
     part.wanted.reach = int(std::lround(2.0 * unit));
-    // Where truth is not asked for on the screen because the scene is large, it is not here.
-    const bool mayMeasure = shown.states || shown.buffers->scene().triangleCount() <= kOptionalAnalysisLimit;
     if (!(part.request.cullingSize == shown.cullingSize)) part.request.states = nullptr;
-    part.wanted.truth = shown.look.colouring == Colouring::Verdicts && mayMeasure && !part.request.states;
+    part.wanted.truth = shown.look.colouring == Colouring::Verdicts && mayMeasure(shown) && !part.request.states;
     part.extras = scaled(extras(part.view), shown.size, size, unit);
     part.subject = subjectOf(session, part.view, part.request);
     part.words = QStringLiteral("%1  %2 · %3")
@@ -175,9 +180,13 @@ ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options
     if (options.caption) plan.caption = options.captionText.isEmpty() ? madeCaption(session, options.grid) : options.captionText;
     for (const int view : viewsOf(session, options.grid)) plan.parts.push_back(shownPart(session, view, options.overlays));
     if (options.legend) plan.legend = legendOf(plan.parts, plan.style);
+    plan.legendPart = legendPartOf(session, plan.parts);
+    const bool counted = !plan.legend.empty() && plan.legendPart >= 0 && mayMeasure(plan.parts[size_t(plan.legendPart)].request);
+    // As wide as it may become: the size is known only when the legend has its place.
+    if (counted) plan.legend.insert(plan.legend.begin(), {std::nullopt, Qt::transparent, legendHeading(kWidestSize), QRect()});
     layOut(plan, options, session.scene()->triangleCount());
     for (ScreenshotPlan::Part& part : plan.parts) enlarge(part, plan, session, extras);
-    plan.legendPart = legendPartOf(session, plan.parts);
+    if (counted) plan.legend.front().words = legendHeading(plan.parts[size_t(plan.legendPart)].request.cullingSize);
     if (keepsDepth && !options.grid) plan.parts.front().wanted.items = true;
     plan.metadata = metadataOf(session, options, plan.size);
     return plan;

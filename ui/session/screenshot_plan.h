@@ -16,7 +16,7 @@ namespace cullscope::ui {
 /// A colour of the pictures and what it means.
 struct LegendEntry {
     std::optional<TriangleState> state;  ///< none: a mark of `colour`
-    QColor colour;
+    QColor colour;                       ///< transparent: words without a mark, the heading of the counts
     QString words;
     QRect place;  ///< in the screenshot, swatch and words together
 };

@@ -35,4 +35,10 @@ QString madeCaption(Session& session, bool grid) {
     return parts.join(QStringLiteral(" · "));
 }
 
+QString legendHeading(const Viewport& size) {
+    return QCoreApplication::translate("Screenshot", "Triangles at %1 × %2 pixels:", "heading of the legend's counts")
+        .arg(size.width)
+        .arg(size.height);
+}
+
 }  // namespace cullscope::ui

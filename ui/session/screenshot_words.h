@@ -12,4 +12,7 @@ namespace cullscope::ui {
 /// The line below a screenshot of the active view, or of all: scene, strategy and figures, and at which size those were measured.
 [[nodiscard]] QString madeCaption(Session& session, bool grid);
 
+/// What stands before the legend's counts: of which size's picture they are.
+[[nodiscard]] QString legendHeading(const Viewport& size);
+
 }  // namespace cullscope::ui

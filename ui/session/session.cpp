@@ -118,6 +118,22 @@ void Session::makeView(int view) {
 
 // ---- Scene
 
+/// What was lost of a file is said at once; the scene panel has all sentences.
+void Session::tellRepairs() {
+    if (!m_opened->report) return;
+    const LoadReport& report = *m_opened->report;
+    if (report.degenerateFaces + report.duplicateFaces + report.outOfRangeFaces + report.nonFiniteVertices == 0 &&
+        report.remarks.empty())
+        return;
+    const auto count = [](size_t number) { return std::to_string(number); };
+    raise(Severity::Warning,
+          {QT_TRANSLATE_NOOP("core",
+                             "%1 was repaired. Dropped faces: degenerate %2, duplicate %3, out of range %4; vertices that are no "
+                             "numbers: %5; other remarks: %6. The Scene panel tells all."),
+           {m_opened->scene->name(), count(report.degenerateFaces), count(report.duplicateFaces), count(report.outOfRangeFaces),
+            count(report.nonFiniteVertices), count(report.remarks.size())}});
+}
+
 void Session::show(const OpenedScenePointer& opened) {
     m_opened = opened;
     m_hidden.assign(opened->scene->instances().size(), false);
@@ -134,6 +150,7 @@ void Session::show(const OpenedScenePointer& opened) {
     emit buffersChanged();
     emit pickChanged();
     for (int view = 0; view < kMostViews; ++view) emit setupChanged(view);
+    tellRepairs();
 }
 
 void Session::showScene(const ScenePointer& scene) {
@@ -278,15 +295,17 @@ void Session::pickAt(int view, int x, int y) {
     const std::optional<ViewRequest> request = viewRequest(view);
     if (!request) return;
     const uint64_t job = m_picks.begin();
-    m_pictures->pick(*request, x, y, [this, job, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
-        // A scene that changed meanwhile numbers its triangles in another way.
-        if (!m_picks.isCurrent(job) || m_scene != request.buffers->scenePointer()) return;
-        if (!picked) return setPick(std::nullopt);
-        const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
-        const uint32_t object = objectOf(instance);
-        const uint64_t within = picked->triangle - m_scene->firstTriangle(instance);
-        setPick(Pick{object, m_opened->scene->firstTriangle(object) + within, picked->point});
-    });
+    m_pictures->pick(*request, x, y,
+                     [this, job, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
+                         // A scene that changed meanwhile numbers its triangles in another way.
+                         if (!m_picks.isCurrent(job) || m_scene != request.buffers->scenePointer()) return;
+                         if (!picked) return setPick(std::nullopt);
+                         const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
+                         const uint32_t object = objectOf(instance);
+                         const uint64_t within = picked->triangle - m_scene->firstTriangle(instance);
+                         setPick(Pick{object, m_opened->scene->firstTriangle(object) + within, picked->point});
+                         emit pickedInPicture(view);
+                     });
 }
 
 }  // namespace cullscope::ui

@@ -169,6 +169,8 @@ signals:
     /// A view's own figures; those of its observers are the same.
     void figuresChanged(int view);
     void pickChanged();
+    /// After pickChanged, where it was a click into this view's picture that picked.
+    void pickedInPicture(int view);
     void messageRaised(cullscope::ui::Severity severity, const cullscope::Message& message);
 
 private:
@@ -185,6 +187,7 @@ private:
     void makeViews();
     void makeView(int view);
     void show(const OpenedScenePointer& opened);
+    void tellRepairs();
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);
     /// The view whose shape decides where the linked views' home is.

@@ -113,6 +113,9 @@ void Session::setFrozen(int view, bool frozen) {
     ViewSetup changed = setup(view);
     changed.culling = cullingCamera(view);
     changed.viewing = viewingCamera(view);
+    changed.cullingSize.reset();
+    // Its frustum has the shape of the picture: another place in the window must not change what is culled.
+    if (frozen && renderSize(view).width > 0) changed.cullingSize = renderSize(view);
     changed.role = frozen ? Role::Frozen : Role::Linked;
     changeSetup(view, changed);
 }

@@ -17,9 +17,9 @@ std::vector<int> Session::measuredViews() const {
 std::optional<FigureSubject> Session::subject(int view) const {
     const SceneBuffersPointer& uploaded = buffers(setup(view).upload);
     const BuiltStrategyPointer& built = slot(view).built();
-    Viewport size = renderSize(view);
-    // A view that is not shown has the size of the one that watches it.
-    for (int other = 0; other < kMostViews && !shown(view); ++other)
+    Viewport size = setup(view).role == Role::Frozen ? setup(view).cullingSize.value_or(renderSize(view)) : renderSize(view);
+    // A view that was never shown has the size of the one that watches it.
+    for (int other = 0; other < kMostViews && size.width < 1; ++other)
         if (shown(other) && culledBy(other) == view) size = renderSize(other);
     if (!uploaded || !built || built->scene != uploaded->scenePointer() || size.width < 1 || size.height < 1) return std::nullopt;
     return FigureSubject{uploaded, built, cullingCamera(view), size};

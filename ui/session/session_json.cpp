@@ -69,6 +69,8 @@ Wipe readWipe(const JsonField& field) {
     return wipe;
 }
 
+Json jsonOf(const Viewport& size) { return {{"width", size.width}, {"height", size.height}}; }
+
 Viewport readSize(const JsonField& field) {
     return {field.at("width").wholeNumber(1, kMostPixels), field.at("height").wholeNumber(1, kMostPixels)};
 }
@@ -109,7 +111,8 @@ Json jsonOf(const ViewSetup& setup) {
               {"observed", setup.observed},
               {"viewing", jsonOf(setup.viewing)},
               {"culling", jsonOf(setup.culling)}};
-    if (setup.size) json["size"] = {{"width", setup.size->width}, {"height", setup.size->height}};
+    if (setup.cullingSize) json["culling_size"] = jsonOf(*setup.cullingSize);
+    if (setup.size) json["size"] = jsonOf(*setup.size);
     json["upload"] = wordOf(kUploads, setup.upload);
     if (!setup.panel.empty()) json["panel"] = setup.panel;
     json["look"] = jsonOf(setup.look);
@@ -123,6 +126,7 @@ ViewSetup readSetup(const JsonField& field) {
     readViewNumber(field, "observed", setup.observed);
     if (const auto viewing = field.find("viewing")) setup.viewing = readCamera(*viewing);
     if (const auto culling = field.find("culling")) setup.culling = readCamera(*culling);
+    if (const auto size = field.find("culling_size")) setup.cullingSize = readSize(*size);
     if (const auto size = field.find("size")) setup.size = readSize(*size);
     read(field, "upload", kUploads, setup.upload);
     if (const auto panel = field.find("panel")) setup.panel = panel->text();

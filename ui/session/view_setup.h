@@ -35,10 +35,11 @@ struct Wipe {
 /// How one view shows what; plain values, as sessions and pictures keep them. Its strategy is in its StrategySlot.
 struct ViewSetup {
     Role role = Role::Linked;
-    int observed = 0;              ///< Observer: the view that it watches
-    Camera viewing;                ///< Observer and Frozen: the camera that looks
-    Camera culling;                ///< Frozen: the camera that culls
-    std::optional<Viewport> size;  ///< of the picture, in pixels; none: fits the window
+    int observed = 0;                     ///< Observer: the view that it watches
+    Camera viewing;                       ///< Observer and Frozen: the camera that looks
+    Camera culling;                       ///< Frozen: the camera that culls
+    std::optional<Viewport> cullingSize;  ///< Frozen: the size of the picture that it culls for
+    std::optional<Viewport> size;         ///< of the picture, in pixels; none: fits the window
     Upload upload = Upload::Vbo;
     ViewLook look;
     Wipe wipe;

@@ -78,12 +78,15 @@ QValueAxis* poseAxis(size_t count, double width) {
     return axis;
 }
 
-void paintChart(QPainter& painter, const QRectF& place, std::unique_ptr<QChart> chart) {
+void paintChart(QPainter& painter, const QRectF& place, std::unique_ptr<QChart> chart,
+                const std::function<void(const PlaceOf& placeOf)>& over) {
     QGraphicsScene scene;
     chart->resize(place.size());
     chart->layout()->activate();
-    scene.addItem(chart.release());
+    QChart* shown = chart.release();
+    scene.addItem(shown);
     scene.render(&painter, place, QRectF(QPointF(0.0, 0.0), place.size()), Qt::IgnoreAspectRatio);
+    if (over) over([&](const QPointF& value) { return shown->mapToPosition(value) + place.topLeft(); });
 }
 
 std::vector<PlotLegend::Entry> runStyles(const std::vector<RunFigures>& runs, const PlotColours& colours) {

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QValueAxis>
 #include <QXYSeries>
+#include <functional>
 #include <memory>
 
 #include "ui/statistics/plot_colours.h"
@@ -31,8 +32,12 @@ void addSeries(QChart& chart, QXYSeries* series);
 /// An axis over `count` numbered poses, ticks at round numbers that stand apart in a width in pixels.
 [[nodiscard]] QValueAxis* poseAxis(size_t count, double width);
 
-/// Paints a chart in a place, as vectors.
-void paintChart(QPainter& painter, const QRectF& place, std::unique_ptr<QChart> chart);
+/// Where a chart's values stand on what it is painted on.
+using PlaceOf = std::function<QPointF(const QPointF& value)>;
+
+/// Paints a chart in a place, as vectors; then calls `over`, if any, for what belongs over it.
+void paintChart(QPainter& painter, const QRectF& place, std::unique_ptr<QChart> chart,
+                const std::function<void(const PlaceOf& placeOf)>& over = {});
 
 /// How each run is drawn: its colour and line; the baselines grey.
 [[nodiscard]] std::vector<PlotLegend::Entry> runStyles(const std::vector<RunFigures>& runs, const PlotColours& colours);

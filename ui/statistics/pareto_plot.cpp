@@ -3,12 +3,12 @@
 #include <QAreaSeries>
 #include <QLineSeries>
 #include <QLocale>
-#include <QScatterSeries>
 #include <algorithm>
 #include <cmath>
 #include <map>
 
 #include "ui/statistics/chart_parts.h"
+#include "ui/statistics/point_labels.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -19,16 +19,16 @@ constexpr double kMargin = 4.0;
 constexpr int kLeastChart = 130;
 constexpr double kMarkerSize = 11.0;
 
-QScatterSeries::MarkerShape shapeOf(Promise promise) {
-    switch (promise) {
-        case Promise::Exact:
-            return QScatterSeries::MarkerShapeCircle;
-        case Promise::Conservative:
-            return QScatterSeries::MarkerShapeRectangle;
-        case Promise::Approximate:
-            return QScatterSeries::MarkerShapeTriangle;
-    }
-    return QScatterSeries::MarkerShapeCircle;
+/// How a run's point looks; the baselines, both grey, are a dark and a light one.
+PlotMarker markerOf(const RunFigures& run, const QColor& colour, const PlotColours& colours) {
+    const QColor grey = run.id == QLatin1String("all") ? colours.baselineCull : colours.ground;
+    return {run.promise, run.baseline() ? grey : colour, QPen(colours.text, 1.2)};
+}
+
+/// The ids where they tell the runs apart, as they are shorter; else with parameters.
+QString shortLabel(const std::vector<RunFigures>& runs, const RunFigures& run) {
+    const auto same = std::count_if(runs.begin(), runs.end(), [&](const RunFigures& other) { return other.id == run.id; });
+    return same > 1 ? run.label : run.id;
 }
 
 /// The axis of speeds: every run's interval and 1 in it.
@@ -130,15 +130,28 @@ QString ParetoPlot::zeroLabel() const {
 
 PlotLegend ParetoPlot::legend(const PlotColours& colours, const QFont& font) const {
     std::vector<PlotLegend::Entry> entries = runStyles(m_runs, colours);
-    for (size_t i = 0; i < m_runs.size(); ++i) entries[i].marker = m_runs[i].promise;
+    for (size_t i = 0; i < m_runs.size(); ++i) entries[i].marker = markerOf(m_runs[i], entries[i].colour, colours);
     for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
         if (std::any_of(m_runs.begin(), m_runs.end(), [&](const RunFigures& run) { return run.promise == promise; }))
-            entries.push_back({tr("shape: %1").arg(promiseWord(promise)), colours.faintText, Qt::SolidLine, promise});
+            entries.push_back({tr("shape: %1").arg(promiseWord(promise)), colours.faintText, Qt::SolidLine,
+                               PlotMarker{promise, Qt::NoBrush, QPen(colours.faintText, 1.2, Qt::DotLine)}});
     return {std::move(entries), QFontMetricsF(font)};
 }
 
 int ParetoPlot::neededHeight(int width) const {
     return kLeastChart + int(legend(PlotColours(palette()), font()).heightBelow(width) + 2 * kMargin);
+}
+
+void ParetoPlot::paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours, const PlaceOf& placeOf) const {
+    const std::vector<PlotLegend::Entry> styles = runStyles(m_runs, colours);
+    std::vector<PointLabel> labels;
+    for (size_t i = 0; i < m_runs.size(); ++i) {
+        const QPointF centre = placeOf({m_runs[i].speedup, height(*m_runs[i].missedPpm)});
+        const QRectF place(centre - QPointF(kMarkerSize, kMarkerSize) / 2, QSizeF(kMarkerSize, kMarkerSize));
+        drawPlotMarker(painter, place, markerOf(m_runs[i], styles[i].colour, colours));
+        labels.push_back({centre, shortLabel(m_runs, m_runs[i])});
+    }
+    paintLabels(painter, labels, bounds, kMarkerSize, colours.text);
 }
 
 void ParetoPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
@@ -164,19 +177,14 @@ void ParetoPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalett
         sweep->append(m_runs[i].speedup, height(*m_runs[i].missedPpm));
     }
     for (size_t i = 0; i < m_runs.size(); ++i) {
-        const RunFigures& run = m_runs[i];
-        const double y = height(*run.missedPpm);
-        addRule(*chart, {run.speedupCi95[0], y}, {run.speedupCi95[1], y}, QPen(styles[i].colour, 1.5));
-        auto* point = new QScatterSeries;
-        point->setMarkerShape(shapeOf(run.promise));
-        point->setMarkerSize(kMarkerSize);
-        point->setColor(styles[i].colour);
-        point->setBorderColor(colours.ground);
-        point->append(run.speedup, y);
-        addSeries(*chart, point);
+        const double y = height(*m_runs[i].missedPpm);
+        const auto [least, most] = m_runs[i].speedupCi95;
+        addRule(*chart, {least, y}, {most, y}, QPen(styles[i].colour, 1.5));
     }
     const QString caption = tr("Upwards: missed per million; to the right: speed against backface");
-    paintChart(painter, takeCaption(painter, inner, caption, colours), std::move(chart));
+    const QRectF chartPlace = takeCaption(painter, inner, caption, colours);
+    paintChart(painter, chartPlace, std::move(chart),
+               [&](const PlaceOf& placeOf) { paintPoints(painter, chartPlace, colours, placeOf); });
     words.paint(painter, colours);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "ui/statistics/plot_widget.h"
 #include "ui/statistics/run_figures.h"
 
@@ -8,7 +10,8 @@ namespace cullscope::ui {
 class PlotLegend;
 
 /// What speed costs in accuracy: speed against `backface` to the right, missed parts per million upwards on a logarithmic scale,
-/// nothing missed on a band of its own. The marker's shape is the promise; runs of one strategy are joined by a line.
+/// nothing missed on a band of its own. Each point has its strategy's name beside it; its shape is the promise; runs of one
+/// strategy are joined by a line.
 class ParetoPlot : public PlotWidget {
     Q_OBJECT
 
@@ -36,6 +39,9 @@ protected:
 
 private:
     [[nodiscard]] int highestDecade() const;
+    /// The points and beside each of them whose it is, inside `bounds` over the chart.
+    void paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours,
+                     const std::function<QPointF(const QPointF&)>& placeOf) const;
     [[nodiscard]] PlotLegend legend(const PlotColours& colours, const QFont& font) const;
 
     std::vector<RunFigures> m_runs;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 
-#include "ui/views/promise_marker.h"
-
 namespace cullscope::ui {
 
 namespace {
 
 constexpr double kSymbol = 22.0;
-constexpr double kMarker = 9.0;
+constexpr double kMarker = 10.0;
 constexpr double kGap = 14.0;
 constexpr double kLeading = 3.0;
 constexpr double kBesideFrom = 560.0;  // width of the whole plot
@@ -61,7 +59,7 @@ void PlotLegend::paint(QPainter& painter, const PlotColours& colours) const {
         const double middle = at.y() + height / 2;
         if (entry.marker) {
             const QRectF marker(at.x() + (kSymbol - kMarker) / 2, middle - kMarker / 2, kMarker, kMarker);
-            drawPromiseMarker(painter, marker, *entry.marker, entry.colour);
+            drawPlotMarker(painter, marker, *entry.marker);
         } else {
             painter.setPen(QPen(entry.colour, 2.0, entry.line));
             painter.drawLine(QPointF(at.x(), middle), QPointF(at.x() + kSymbol, middle));

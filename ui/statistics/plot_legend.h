@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/visibility/strategy.h"
 #include "ui/statistics/plot_colours.h"
+#include "ui/statistics/plot_marker.h"
 
 namespace cullscope::ui {
 
@@ -17,7 +17,7 @@ public:
         QString label;
         QColor colour;
         Qt::PenStyle line = Qt::SolidLine;
-        std::optional<Promise> marker;  ///< its shape in place of a line
+        std::optional<PlotMarker> marker;  ///< in place of a line
     };
 
     PlotLegend(std::vector<Entry> entries, const QFontMetricsF& metrics) : m_entries(std::move(entries)), m_metrics(metrics) {}

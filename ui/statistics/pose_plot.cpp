@@ -11,6 +11,13 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+constexpr double kTitleGap = 4.0;
+constexpr double kTitleMargin = 8.0;
+
+}  // namespace
+
 PosePlot::PosePlot(QWidget* parent) : PlotWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -21,6 +28,21 @@ void PosePlot::setRun(RunFigures run, size_t poseCount) {
     m_poseCount = std::max(poseCount, m_run.poses.empty() ? 0 : m_run.poses.back().pose + 1);
     m_current = std::min(m_current, int(m_run.poses.size()) - 1);
     contentsChanged();
+}
+
+QString PosePlot::title() const { return empty() ? subject() : QStringLiteral("%1 · %2").arg(subject(), m_run.label); }
+
+QRectF PosePlot::belowTitle(const QFontMetricsF& metrics, const QRectF& place) {
+    return place.adjusted(0.0, kTitleGap + metrics.height(), 0.0, 0.0);
+}
+
+void PosePlot::paintTitle(QPainter& painter, const QRectF& place, const PlotColours& colours) const {
+    const QFontMetricsF metrics(painter.font());
+    const QRectF line(place.left() + kTitleMargin, place.top() + kTitleGap, place.width() - 2 * kTitleMargin, metrics.height());
+    painter.setPen(colours.text);
+    // Long parameters: their beginnings tell more than the plot's name.
+    const QString words = metrics.horizontalAdvance(title()) <= line.width() ? title() : m_run.label;
+    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(words, Qt::ElideRight, line.width()));
 }
 
 QString PosePlot::poseText(const PoseFigures& pose) const {

@@ -15,6 +15,8 @@ class PosePlot : public PlotWidget {
 public:
     explicit PosePlot(QWidget* parent = nullptr);
 
+    /// What it shows and of which strategy.
+    [[nodiscard]] QString title() const final;
     /// `poseCount`: of the whole path, of which `run` may have measured a part only.
     void setRun(RunFigures run, size_t poseCount);
     [[nodiscard]] bool empty() const override { return m_run.poses.empty(); }
@@ -32,6 +34,12 @@ protected:
     void focusInEvent(QFocusEvent* event) override;
     [[nodiscard]] QString description() const override;
 
+    /// What it shows of any strategy, in the user's language.
+    [[nodiscard]] virtual QString subject() const = 0;
+    /// Writes the title at the top of a place.
+    void paintTitle(QPainter& painter, const QRectF& place, const PlotColours& colours) const;
+    /// What the title leaves of a place.
+    [[nodiscard]] static QRectF belowTitle(const QFontMetricsF& metrics, const QRectF& place);
     /// The index into the measured poses at a place of the widget; −1 where none is.
     [[nodiscard]] virtual int poseAt(const QPointF& place) const = 0;
     [[nodiscard]] const RunFigures& run() const { return m_run; }

@@ -17,10 +17,10 @@ constexpr double kSharpFrom = 4.0;
 
 }  // namespace
 
-QString PoseStrip::title() const { return tr("Time and loss by pose"); }
+QString PoseStrip::subject() const { return tr("Time and loss by pose"); }
 
 int PoseStrip::neededHeight(int /*width*/) const {
-    return int(kLeastTimes + kLossHeight + 2.0 * QFontMetricsF(font()).height() + 2.0 * kMargin);
+    return int(kLeastTimes + kLossHeight + 3.0 * QFontMetricsF(font()).height() + 2.0 * kMargin);
 }
 
 double PoseStrip::longestFrame() const {
@@ -55,7 +55,7 @@ QRectF PoseStrip::column(const QRectF& area, size_t pose) const {
 }
 
 int PoseStrip::poseAt(const QPointF& place) const {
-    const Areas parts = areas(QFontMetricsF(font()), rect());
+    const Areas parts = areas(QFontMetricsF(font()), belowTitle(QFontMetricsF(font()), rect()));
     const QRectF both = parts.times.united(parts.losses);
     if (!both.contains(place)) return -1;
     const auto pose = size_t((place.x() - both.left()) / both.width() * double(poseCount()));
@@ -105,7 +105,9 @@ void PoseStrip::paintLoss(QPainter& painter, const QRectF& column, const PoseFig
 
 void PoseStrip::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
     const PlotColours colours(palette);
-    const Areas parts = areas(QFontMetricsF(painter.font()), place);
+    const QFontMetricsF metrics(painter.font());
+    paintTitle(painter, place, colours);
+    const Areas parts = areas(metrics, belowTitle(metrics, place));
     paintLabels(painter, parts, colours);
     paintNumbers(painter, parts, colours);
     const double longest = longestFrame();

@@ -129,6 +129,8 @@ QString ResultTableModel::title(int column) {
             return tr("Submitted\ntriangles");
         case Missed:
             return tr("Missed\npixels");
+        case Beyond:
+            return tr("Beyond\nsnapping");
         case MissedPpm:
             return tr("Missed per\nmillion");
         case Worst:
@@ -156,6 +158,10 @@ QString ResultTableModel::explanation(int column) {
             return tr("Share of the scene's triangles given to OpenGL, mean over the views");
         case Missed:
             return tr("Pixels of all views in which the truth has a surface and the strategy a farther one or none");
+        case Beyond:
+            return tr(
+                "Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the "
+                "strategy draws front faces only and the truth both sides");
         case MissedPpm:
             return tr("Missed pixels in a million pixels in which the truth has a surface");
         case Worst:
@@ -194,6 +200,8 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
             return percent(row.submittedShare);
         case Missed:
             return row.missedPixels ? countText(*row.missedPixels) : QString();
+        case Beyond:
+            return row.missedBeyondSnapping ? countText(*row.missedBeyondSnapping) : QString();
         case MissedPpm:
             return row.missedPpm ? ppmText(*row.missedPpm) : QString();
         case Worst:

@@ -40,7 +40,7 @@ class ResultTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Speedup, SpeedupAll, Fps, FpsRange, CullShare, Submitted, Missed, MissedPpm, Worst, ColumnCount };
+    enum Column { Name, Speedup, SpeedupAll, Fps, FpsRange, CullShare, Submitted, Missed, Beyond, MissedPpm, Worst, ColumnCount };
     /// The number of the worst view's pose as an int, where there is one.
     static constexpr int kPoseRole = Qt::UserRole;
 

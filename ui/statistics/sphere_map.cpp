@@ -15,9 +15,9 @@ constexpr double kReach = 12.0;  // how far from a dot a click still counts
 
 }  // namespace
 
-QString SphereMap::title() const { return tr("Loss by direction of view"); }
+QString SphereMap::subject() const { return tr("Loss by direction of view"); }
 
-int SphereMap::neededHeight(int /*width*/) const { return int(kLeastHeight + 2.0 * QFontMetricsF(font()).height()); }
+int SphereMap::neededHeight(int /*width*/) const { return int(kLeastHeight + 3.0 * QFontMetricsF(font()).height()); }
 
 QRectF SphereMap::map(const QFontMetricsF& metrics, const QRectF& place) const {
     const double left = metrics.horizontalAdvance(QStringLiteral("−90°")) + 6.0;
@@ -34,7 +34,7 @@ QPointF SphereMap::dot(const QRectF& map, const PoseFigures& pose) {
 }
 
 int SphereMap::poseAt(const QPointF& place) const {
-    const QRectF area = map(QFontMetricsF(font()), rect());
+    const QRectF area = map(QFontMetricsF(font()), belowTitle(QFontMetricsF(font()), rect()));
     int nearest = -1;
     double least = kReach;
     for (size_t i = 0; i < run().poses.size(); ++i) {
@@ -95,7 +95,9 @@ void SphereMap::paintLegend(QPainter& painter, const QRectF& place, const PlotCo
 
 void SphereMap::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
     const PlotColours colours(palette);
-    const QRectF area = map(QFontMetricsF(painter.font()), place);
+    const QFontMetricsF metrics(painter.font());
+    paintTitle(painter, place, colours);
+    const QRectF area = map(metrics, belowTitle(metrics, place));
     paintAxes(painter, area, colours);
     const QRectF legend(area.right() + 30.0, area.top(), place.right() - area.right() - 30.0, area.height());
     if (legend.width() > 150.0) paintLegend(painter, legend, colours);

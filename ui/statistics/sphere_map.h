@@ -12,11 +12,11 @@ class SphereMap : public PosePlot {
 public:
     using PosePlot::PosePlot;
 
-    [[nodiscard]] QString title() const override;
     void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
     [[nodiscard]] int neededHeight(int width) const override;
 
 protected:
+    [[nodiscard]] QString subject() const override;
     [[nodiscard]] int poseAt(const QPointF& place) const override;
 
 private:

@@ -23,6 +23,7 @@ class PlotWidget;
 class PosePlot;
 class PoseStrip;
 class ResultExporter;
+struct ReportPlot;
 class SphereMap;
 class TimeBar;
 
@@ -90,7 +91,8 @@ private:
 
     [[nodiscard]] bool showsExperiment() const;
     [[nodiscard]] PlotWidget* currentPlot() const;
-    [[nodiscard]] std::vector<PlotWidget*> plotsWithContents() const;
+    /// The plots of the report; one a strategy where a plot shows a single one.
+    [[nodiscard]] std::vector<ReportPlot> reportPlots() const;
     void askWhereTo(File file);
 
     ExperimentBar* m_bar;

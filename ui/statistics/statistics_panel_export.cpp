@@ -8,6 +8,7 @@
 #include "ui/statistics/plot_file.h"
 #include "ui/statistics/pose_strip.h"
 #include "ui/statistics/result_exporter.h"
+#include "ui/statistics/run_figures.h"
 #include "ui/statistics/sphere_map.h"
 #include "ui/statistics/statistics_panel.h"
 #include "ui/statistics/time_bar.h"
@@ -35,10 +36,25 @@ void StatisticsPanel::setUpMenu() {
     }
 }
 
-std::vector<PlotWidget*> StatisticsPanel::plotsWithContents() const {
-    std::vector<PlotWidget*> plots;
-    for (PlotWidget* plot : std::initializer_list<PlotWidget*>{m_times, m_strip, m_path, m_pareto, m_sphere})
-        if (!plot->empty()) plots.push_back(plot);
+std::vector<ReportPlot> StatisticsPanel::reportPlots() const {
+    std::vector<ReportPlot> plots;
+    const auto add = [&](const PlotWidget& plot, bool rows) {
+        if (!plot.empty()) plots.push_back({plot.title(), plotSvg(plot, reportSizeOf(plot, rows))});
+    };
+    const std::vector<RunFigures> runs = runFigures(*m_result);
+    // The window shows one strategy's poses at a time; the report has everyone's.
+    const auto addEachRun = [&](PosePlot&& plot) {
+        plot.setFont(font());
+        for (const RunFigures& run : runs) {
+            plot.setRun(run, m_result->request.path.poses.size());
+            add(plot, false);
+        }
+    };
+    add(*m_times, true);
+    addEachRun(PoseStrip());
+    add(*m_path, false);
+    add(*m_pareto, false);
+    addEachRun(SphereMap());
     return plots;
 }
 
@@ -63,11 +79,8 @@ void StatisticsPanel::exportTo(File file, const std::filesystem::path& path) {
     if (!m_result) return;
     if (file == File::Html) {
         // Plots are drawn on the window's thread.
-        std::vector<ReportPlot> plots;
-        for (const PlotWidget* plot : plotsWithContents())
-            plots.push_back({plot->title(), plotSvg(*plot, reportSizeOf(*plot, plot == m_times))});
         return m_exporter->write(path, [result = *m_result, command = measureCommand(m_result->request, m_origin),
-                                        plots = std::move(plots)] { return htmlReport(result, command, plots); });
+                                        plots = reportPlots()] { return htmlReport(result, command, plots); });
     }
     m_exporter->write(path, [result = *m_result, file] {
         return QByteArray::fromStdString(file == File::Csv ? resultCsv(result) : resultJson(result));

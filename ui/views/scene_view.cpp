@@ -7,6 +7,7 @@
 #include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "ui/views/pick_painter.h"
 #include "ui/views/view_input.h"
 
 namespace cullscope::ui {
@@ -39,8 +40,11 @@ SceneView::SceneView(Session& session, int view, QWidget* parent)
     connect(&session, &Session::pictureChanged, this, [this](int changed) {
         if (changed == m_view) update();
     });
+    connect(&session, &Session::pickChanged, this, qOverload<>(&SceneView::update));
     connect(&session, &Session::setupChanged, this, [this](int changed) {
-        if (changed == m_view) update();
+        if (changed != m_view) return;
+        m_lossesShown = m_lossesShown && m_session.setup(m_view).wipe.mode == Wipe::Mode::Loss;
+        update();
     });
     connect(&session, &Session::figuresChanged, this, [this](int changed) {
         if (changed != m_session.culledBy(m_view) || m_session.figures(m_view).state == Figures::State::Ready) return;
@@ -134,16 +138,36 @@ PictureExtras SceneView::extras() const {
         extras.markedLoss = QRectF(middle - QPointF(width, width) / 2.0, QSizeF(width, width));
         extras.loupe = middle;
     } else if (m_loupe) {
-        const Vec2 pixel = pixelAt(m_pointer);
-        extras.loupe = QPointF(pixel.x, height - pixel.y);
+        extras.loupe = m_loupePlace;
     }
     return extras;
 }
 
 void SceneView::setLoupe(bool on) {
     m_loupe = on;
-    m_pointer = mapFromGlobal(QCursor::pos());
+    if (!on)
+        setLoupePlace(std::nullopt);
+    else if (underMouse())
+        moveLoupe(mapFromGlobal(QCursor::pos()));
+}
+
+void SceneView::setLoupePlace(const std::optional<QPointF>& place) {
+    m_loupePlace = place;
     update();
+}
+
+void SceneView::moveLoupe(const QPointF& position) {
+    const Viewport size = renderSize();
+    const Vec2 pixel = pixelAt(position);
+    const QPointF place(pixel.x, size.height - pixel.y);
+    if (!QRectF(0.0, 0.0, size.width, size.height).contains(place)) return endLoupe();
+    setLoupePlace(place);
+    emit loupeMoved(m_view, m_loupePlace);
+}
+
+void SceneView::endLoupe() {
+    setLoupePlace(std::nullopt);
+    emit loupeMoved(m_view, std::nullopt);
 }
 
 void SceneView::setAxes(bool on) {
@@ -162,8 +186,26 @@ void SceneView::goToNextLoss() {
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
     const bool placed = m_session.setup(m_view).role == Role::Linked && !holes.empty();
     m_loss = !placed ? std::nullopt : std::optional(m_loss ? (*m_loss + 1) % holes.size() : 0);
+    if (ViewSetup setup = m_session.setup(m_view); placed && setup.wipe.mode == Wipe::Mode::None) {
+        m_lossesShown = true;
+        setup.wipe.mode = Wipe::Mode::Loss;
+        m_session.setSetup(m_view, setup);
+    }
     emit lossMarked();
     update();
+}
+
+bool SceneView::leaveLosses() {
+    if (!m_loss && !m_lossesShown) return false;
+    m_loss.reset();
+    if (std::exchange(m_lossesShown, false)) {
+        ViewSetup setup = m_session.setup(m_view);
+        setup.wipe.mode = Wipe::Mode::None;
+        m_session.setSetup(m_view, setup);
+    }
+    emit lossMarked();
+    update();
+    return true;
 }
 
 void SceneView::paintGL() {
@@ -176,6 +218,8 @@ void SceneView::paintGL() {
     else
         painter.fillRect(layout.rect(), QColor::fromRgbF(m_session.drawStyle().background.x, m_session.drawStyle().background.y,
                                                          m_session.drawStyle().background.z));
+    if (const OpenedScenePointer& opened = m_session.opened(); shown && opened && m_session.pick())
+        paintPick(painter, *opened->scene, *m_session.pick(), View(shown->request.viewing, shown->request.size), layout);
     if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
 }
 
@@ -205,8 +249,7 @@ bool SceneView::event(QEvent* event) {
 void SceneView::mousePressEvent(QMouseEvent* event) { m_input->press(*event); }
 
 void SceneView::mouseMoveEvent(QMouseEvent* event) {
-    m_pointer = event->position();
-    if (m_loupe) update();
+    if (m_loupe) moveLoupe(event->position());
     m_input->move(*event);
 }
 
@@ -216,10 +259,17 @@ void SceneView::mouseReleaseEvent(QMouseEvent* event) {
 void SceneView::mouseDoubleClickEvent(QMouseEvent* event) { m_input->doubleClick(*event); }
 void SceneView::wheelEvent(QWheelEvent* event) { m_input->wheel(*event); }
 
+void SceneView::leaveEvent(QEvent* event) {
+    if (m_loupe) endLoupe();
+    QOpenGLWidget::leaveEvent(event);
+}
+
 void SceneView::keyPressEvent(QKeyEvent* event) {
     const bool menu = event->key() == Qt::Key_Menu || (event->key() == Qt::Key_F10 && event->modifiers() == Qt::ShiftModifier);
     if (menu)
         emit menuRequested(m_view, mapToGlobal(rect().center()));
+    else if (event->key() == Qt::Key_Escape && leaveLosses())
+        event->accept();
     else if (!m_input->keyPress(*event))
         QOpenGLWidget::keyPressEvent(event);
 }

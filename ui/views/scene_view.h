@@ -50,8 +50,13 @@ public:
     /// Whether the loupe follows the pointer.
     [[nodiscard]] bool loupe() const { return m_loupe; }
     void setLoupe(bool on);
-    /// Marks the next lost pixels, largest hole first, under the loupe; nothing lost: unmarks.
+    /// What the loupe enlarges, in pixels of the picture from the top left; none: it is not shown.
+    void setLoupePlace(const std::optional<QPointF>& place);
+    /// Marks the next lost pixels, largest hole first, under the loupe, and shows the losses where nothing else is shown beside
+    /// the picture; nothing lost: unmarks.
     void goToNextLoss();
+    /// Unmarks the loss, and shows no losses where going to one had begun that. False: there was nothing to put away.
+    bool leaveLosses();
     /// Shows the scene's axes in a corner, with ends to click on.
     void setAxes(bool on);
     /// The axes' ends; none: they are not shown.
@@ -63,6 +68,8 @@ signals:
     /// The user asks for this view's menu.
     void menuRequested(int view, const QPoint& globalPosition);
     void lossMarked();
+    /// The pointer is at this place of the picture now (none: no longer in it), and the loupe is on.
+    void loupeMoved(int view, const std::optional<QPointF>& place);
 
 protected:
     void paintGL() override;
@@ -74,6 +81,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void leaveEvent(QEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void keyReleaseEvent(QKeyEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
@@ -81,6 +89,8 @@ protected:
 
 private:
     void tellSize();
+    void moveLoupe(const QPointF& position);
+    void endLoupe();
     [[nodiscard]] double depthAt(const ViewPicture& picture, const QPointF& position) const;
 
     Session& m_session;
@@ -88,8 +98,9 @@ private:
     std::unique_ptr<ViewInput> m_input;
     bool m_loupe = false;
     bool m_axes = true;
-    QPointF m_pointer;  ///< in the widget
+    std::optional<QPointF> m_loupePlace;
     std::optional<size_t> m_loss;
+    bool m_lossesShown = false;  ///< by going to the next one
 };
 
 /// The colours of pictures in a window of this palette, in 8 bits a channel so that `cullbench render` repeats them.

@@ -15,6 +15,7 @@ ViewGrid::ViewGrid(Session& session, QWidget* parent) : QWidget(parent), m_sessi
         auto* pane = new ViewPane(session, view, this);
         connect(&pane->picture(), &SceneView::menuRequested, this, &ViewGrid::menuRequested);
         connect(&pane->header(), &ViewHeader::menuRequested, this, &ViewGrid::menuRequested);
+        connect(&pane->picture(), &SceneView::loupeMoved, this, &ViewGrid::moveLoupes);
         m_panes.push_back(pane);
     }
     connect(&session, &Session::viewCountChanged, this, &ViewGrid::arrange);
@@ -40,6 +41,15 @@ QRect ViewGrid::cell(int place, int columns, int rows) const {
     const int across = (width() - kGap * (columns - 1)) / columns;
     const int down = (height() - kGap * (rows - 1)) / rows;
     return {place % columns * (across + kGap), place / columns * (down + kGap), across, down};
+}
+
+void ViewGrid::moveLoupes(int view, const std::optional<QPointF>& place) {
+    for (ViewPane* pane : m_panes) {
+        if (pane->view() == view) continue;
+        const bool same = m_session.setup(view).role == Role::Linked && m_session.setup(pane->view()).role == Role::Linked &&
+                          m_session.renderSize(pane->view()) == m_session.renderSize(view);
+        pane->picture().setLoupePlace(same ? place : std::nullopt);
+    }
 }
 
 void ViewGrid::arrange() {

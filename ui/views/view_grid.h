@@ -29,6 +29,8 @@ protected:
 
 private:
     void arrange();
+    /// The same pixel in the linked views of the same picture size; none in the others.
+    void moveLoupes(int view, const std::optional<QPointF>& place);
     [[nodiscard]] QRect cell(int place, int columns, int rows) const;
 
     Session& m_session;

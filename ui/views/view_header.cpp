@@ -13,8 +13,11 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kMargin = 8;
+constexpr int kShortMargin = 4;
 constexpr int kMarkerSize = 11;
 constexpr int kFontPixels = 14;
+
+constexpr const char* kJoint = " · ";  // between the role and the name
 
 /// Grey that keeps a contrast of at least 4.5 to the background of either palette.
 QColor subdued(const QPalette& palette) {
@@ -62,7 +65,8 @@ std::optional<Promise> ViewHeader::promise() const {
 }
 
 QString ViewHeader::firstLine() const {
-    const QString name = roleWord() + translated(info().name);
+    const QString role = roleWord();
+    const QString name = role.isEmpty() ? translated(info().name) : role + QString::fromUtf8(kJoint) + translated(info().name);
     return promise() ? tr("%1: %2", "strategy: promise").arg(name, promiseWord(*promise())) : name;
 }
 
@@ -73,9 +77,9 @@ QString ViewHeader::roleWord() const {
         case Role::Linked:
             return {};
         case Role::Observer:
-            return tr("watches %1 · ", "letter of a view").arg(viewLetter(m_session.setup(m_view).observed));
+            return tr("watches %1", "letter of a view").arg(viewLetter(m_session.setup(m_view).observed));
         case Role::Frozen:
-            return tr("frozen · ");
+            return tr("frozen");
     }
     return {};
 }
@@ -90,7 +94,8 @@ void ViewHeader::refresh() {
     placeButton();
     m_menu->setToolTip(tr("What view %1 shows, and how").arg(viewLetter(m_view)));
     m_menu->setAccessibleName(m_menu->toolTip());
-    QStringList lines{translated(info().description)};
+    QStringList lines{firstLine() + QString::fromUtf8(kJoint) + QString::fromStdString(info().id),
+                      translated(info().description)};
     if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
     const QString details = figureDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
     if (!details.isEmpty()) lines << details;
@@ -103,7 +108,73 @@ void ViewHeader::refresh() {
 void ViewHeader::placeButton() {
     m_measure->resize(m_measure->sizeHint().width(), kLineHeight);
     m_measure->move(width() - m_measure->width() - kMargin, kLineHeight);
-    m_menu->setGeometry(width() - kLineHeight - 2, 0, kLineHeight, kLineHeight);
+    m_menu->setGeometry(menuLeft(), 0, kLineHeight, kLineHeight);
+}
+
+QFont ViewHeader::face(bool bold) const {
+    QFont result = font();
+    result.setBold(bold);
+    return result;
+}
+
+std::vector<ViewHeader::Part> ViewHeader::parts(bool withName) const {
+    std::vector<Part> parts;
+    if (m_session.viewCount() > 1) parts.push_back({.text = viewLetter(m_view), .bold = true, .subdued = true});
+    if (const QString role = roleWord(); !role.isEmpty())
+        parts.push_back({.text = withName ? role + QString::fromUtf8(kJoint) : role, .joined = withName});
+    if (withName) parts.push_back({.text = translated(info().name), .bold = true});
+    if (promise()) parts.push_back({.text = promiseWord(*promise()), .marker = promise()});
+    parts.push_back({.text = QString::fromStdString(info().id), .subdued = true});
+    return parts;
+}
+
+int ViewHeader::widthOf(const FirstLine& line) const {
+    int width = line.margin;
+    for (const Part& part : line.parts) {
+        if (part.marker) width += kMarkerSize + kMargin / 2;
+        width += QFontMetrics(face(part.bold)).horizontalAdvance(part.text) + (part.joined ? 0 : line.margin);
+    }
+    return width;
+}
+
+ViewHeader::FirstLine ViewHeader::fittingLine() const {
+    FirstLine line;
+    for (const bool withName : {true, false}) {
+        for (const int margin : {kMargin, kShortMargin}) {
+            line = {parts(withName), margin};
+            if (widthOf(line) <= menuLeft()) return line;
+        }
+    }
+    return line;
+}
+
+QString ViewHeader::shownFirstLine() const {
+    QString shown;
+    for (const Part& part : fittingLine().parts) shown += part.text + (part.joined ? QString() : QStringLiteral(" "));
+    return shown.trimmed();
+}
+
+void ViewHeader::write(QPainter& painter, const QRect& place, const QString& text) {
+    const QString fitting = painter.fontMetrics().elidedText(text, Qt::ElideRight, place.width());
+    m_elided = m_elided || fitting != text;
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter, fitting);
+}
+
+void ViewHeader::paintFirstLine(QPainter& painter) {
+    const QColor text = palette().color(QPalette::WindowText);
+    const FirstLine line = fittingLine();
+    int x = line.margin;
+    for (const Part& part : line.parts) {
+        if (part.marker) {
+            drawPromiseMarker(painter, QRectF(x, (kLineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize), *part.marker,
+                              text);
+            x += kMarkerSize + kMargin / 2;
+        }
+        painter.setFont(face(part.bold));
+        painter.setPen(part.subdued ? subdued(palette()) : text);
+        write(painter, QRect(x, 0, menuLeft() - x, kLineHeight), part.text);
+        x += painter.fontMetrics().horizontalAdvance(part.text) + (part.joined ? 0 : line.margin);
+    }
 }
 
 void ViewHeader::paintEvent(QPaintEvent*) {
@@ -112,42 +183,13 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     painter.fillRect(rect(), colours.color(QPalette::Window));
     const bool active = m_session.activeView() == m_view;
     if (active && m_session.viewCount() > 1) painter.fillRect(0, 0, 4, height(), colours.color(QPalette::Highlight));
-
-    QFont bold = font();
-    bold.setBold(true);
-    int x = kMargin;
     m_elided = false;
-    const auto write = [&](int line, const QString& text, const QFont& face, const QColor& colour) {
-        const int room = width() - kMargin - x - (line == 0 ? m_menu->width() : 0);
-        const QFontMetrics metrics(face);
-        const QString fitting = metrics.elidedText(text, Qt::ElideRight, room);
-        m_elided = m_elided || fitting != text;
-        painter.setFont(face);
-        painter.setPen(colour);
-        painter.drawText(QRect(x, line * kLineHeight, room, kLineHeight), Qt::AlignLeft | Qt::AlignVCenter, fitting);
-        x += metrics.horizontalAdvance(text) + kMargin;
-    };
-    const QColor text = colours.color(QPalette::WindowText);
-    if (m_session.viewCount() > 1) write(0, viewLetter(m_view), bold, subdued(colours));
-    if (const QString role = roleWord(); !role.isEmpty()) {
-        write(0, role, font(), text);
-        x -= kMargin;
-    }
-    write(0, translated(info().name), bold, text);
-    if (promise()) {
-        const QRectF place(x, (kLineHeight - kMarkerSize) / 2.0, kMarkerSize, kMarkerSize);
-        drawPromiseMarker(painter, place, *promise(), text);
-        x += kMarkerSize + kMargin / 2;
-        write(0, promiseWord(*promise()), font(), text);
-    }
-    const QString id = QString::fromStdString(info().id);
-    if (x + QFontMetrics(font()).horizontalAdvance(id) + kMargin + m_menu->width() <= width())
-        write(0, id, font(), subdued(colours));
-
-    x = kMargin;
+    paintFirstLine(painter);
     const Figures& figures = m_session.figures(m_view);
-    const bool lost = figures.state == Figures::State::Ready && figures.lostPixels() > 0;
-    write(1, secondLine(), lost ? bold : font(), figures.state == Figures::State::Ready ? text : subdued(colours));
+    const bool ready = figures.state == Figures::State::Ready;
+    painter.setFont(face(ready && figures.lostPixels() > 0));
+    painter.setPen(ready ? colours.color(QPalette::WindowText) : subdued(colours));
+    write(painter, QRect(kMargin, kLineHeight, width() - 2 * kMargin, kLineHeight), secondLine());
 }
 
 void ViewHeader::resizeEvent(QResizeEvent*) { placeButton(); }

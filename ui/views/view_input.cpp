@@ -61,7 +61,7 @@ bool ViewInput::wantsKey(const QKeyEvent& event) {
 void ViewInput::press(const QMouseEvent& event) {
     m_session.setActiveView(m_view.view());
     m_pressed = m_last = event.position();
-    m_moved = false;
+    m_moved = m_flown = false;
     if (event.button() == Qt::LeftButton && overWipeLine(event.position())) {
         m_drag = Drag::Wipe;
         return;
@@ -138,7 +138,7 @@ void ViewInput::move(const QMouseEvent& event) {
 }
 
 bool ViewInput::release(const QMouseEvent& event) {
-    const bool menu = event.button() == Qt::RightButton && m_drag == Drag::Look && !m_moved && m_keys.isEmpty();
+    const bool menu = event.button() == Qt::RightButton && m_drag == Drag::Look && !m_moved && !m_flown;
     if (event.button() == Qt::LeftButton && m_drag == Drag::Turn && !m_moved) click(event.position());
     m_drag = Drag::None;
     return menu;
@@ -257,6 +257,7 @@ void ViewInput::fly() {
     const double length = hurry * kFlightSpeed * seconds * m_session.opened()->scene->boundingSphere().radius;
     const auto held = [this](int key) { return m_keys.contains(key) ? 1.0 : 0.0; };
     const Vec3 step(held(Qt::Key_D) - held(Qt::Key_A), held(Qt::Key_E) - held(Qt::Key_Q), held(Qt::Key_W) - held(Qt::Key_S));
+    m_flown = m_flown || step != Vec3(0.0);
     if (step != Vec3(0.0)) m_session.setViewingCamera(m_view.view(), flown(m_view.camera(), length * step));
 }
 

@@ -55,6 +55,7 @@ private:
     SceneView& m_view;
     Drag m_drag = Drag::None;
     bool m_moved = false;
+    bool m_flown = false;  ///< since the button was pressed
     QPointF m_pressed;
     QPointF m_last;
     double m_grabbedDistance = 1.0;

@@ -55,6 +55,19 @@ QStringList ViewPane::lensParts() const {
     return parts;
 }
 
+QString ViewPane::visibleSets() const {
+    const Wipe& wipe = m_session.setup(m_view).wipe;
+    if (wipe.mode != Wipe::Mode::Difference) return {};
+    const Figures &mine = m_session.figures(m_view), &others = m_session.figures(wipe.other);
+    const auto known = [](const Figures& figures) { return figures.state == Figures::State::Ready && figures.states; };
+    if (!known(mine) || !known(others) || mine.subject.buffers->scenePointer() != others.subject.buffers->scenePointer() ||
+        !(mine.subject.culling == others.subject.culling) || !(mine.subject.size == others.subject.size))
+        return {};
+    const VisibleSetDifference sets = compareVisibleSets(*mine.states, *others.states);
+    return tr("visible triangles in both: %1, only here: %2, only in view %3: %4")
+        .arg(countText(sets.both), countText(sets.onlyFirst), viewLetter(wipe.other), countText(sets.onlySecond));
+}
+
 QString ViewPane::chipText() const {
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
@@ -71,9 +84,10 @@ QString ViewPane::chipText() const {
     if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);
     const ViewPicturePointer shown = m_session.picture(m_view);
     if (shown && setup.wipe.mode == Wipe::Mode::Loss)
-        parts << tr("%1 pixels missed, %2 nearer than the truth").arg(countText(shown->missed), countText(shown->added));
+        parts << tr("missed pixels: %1, nearer than the truth: %2").arg(countText(shown->missed), countText(shown->added));
     if (shown && setup.wipe.mode == Wipe::Mode::Difference)
         parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(setup.wipe.other));
+    if (const QString sets = visibleSets(); !sets.isEmpty()) parts << sets;
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
     if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size())
         parts << tr("loss %1 of %2, pixels: %3").arg(*loss + 1).arg(holes.size()).arg(countText(holes[*loss].pixels));
@@ -87,7 +101,6 @@ void ViewPane::refresh() {
 
 void ViewPane::refreshChip() {
     const QString text = chipText();
-    if (text == m_chip->text() && m_chip->isVisibleTo(m_picture) == !text.isEmpty()) return;
     m_chip->setText(text);
     m_chip->setVisible(!text.isEmpty());
     const int room = m_picture->width() - 2 * kChipInset;

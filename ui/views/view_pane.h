@@ -42,6 +42,8 @@ private:
     void refreshChip();
     void retranslate();
     [[nodiscard]] QStringList lensParts() const;
+    /// How the visible set differs from that of the view compared with; empty: nothing is compared, or not known.
+    [[nodiscard]] QString visibleSets() const;
 
     Session& m_session;
     int m_view;

@@ -70,6 +70,12 @@ void LectureWindow::makeFoot() {
         number = new QLabel(m_foot);
         row->addWidget(number, 1);
     }
+    m_software = new QLabel(m_foot);
+    m_software->setMargin(6);
+    m_software->setAutoFillBackground(true);
+    m_software->setBackgroundRole(QPalette::ToolTipBase);
+    m_software->setForegroundRole(QPalette::ToolTipText);
+    row->addWidget(m_software);
     for (QPushButton* button : {m_back, m_next}) {
         button->setFocusPolicy(Qt::TabFocus);
         row->addWidget(button);
@@ -132,6 +138,7 @@ void LectureWindow::arrange() {
     setLetters(*m_title, scaled(kTitleLetters), true);
     setLetters(*m_explanation, scaled(kSmallestLetters));
     setLetters(*m_structure, scaled(kSmallestLetters));
+    setLetters(*m_software, scaled(kSmallestLetters));
     for (QLabel* number : m_numbers) setLetters(*number, scaled(kNumberLetters), true);
     for (QPushButton* button : {m_back, m_next}) {
         setLetters(*button, scaled(kSmallestLetters));
@@ -150,7 +157,7 @@ void LectureWindow::refresh() {
     const int view = m_pane->view();
     const StrategyInfo& info = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
     const QString scene = m_session.opened() ? QString::fromStdString(m_session.opened()->scene->name()) : QString();
-    m_title->setText(tr("%1 – %2", "strategy, scene").arg(translated(info.name), scene));
+    m_title->setText(tr("%1 – %2", "strategy, scene").arg(m_pane->header().firstLine(), scene));
     m_explanation->setText(translated(info.description));
     const Figures& figures = m_session.figures(view);
     const bool ready = figures.state == Figures::State::Ready;
@@ -164,6 +171,8 @@ void LectureWindow::refresh() {
     const bool several = m_session.shownViews().size() > 1;
     m_back->setEnabled(several);
     m_next->setEnabled(several);
+    m_software->setText(tr("Software OpenGL"));
+    m_software->setVisible(m_session.gpu() && m_session.gpu()->info().software && !m_blank);
     setWindowTitle(tr("Lecture – Cullscope"));
 }
 

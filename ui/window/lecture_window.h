@@ -54,6 +54,7 @@ private:
     QWidget* m_structure;
     QWidget* m_foot;
     std::array<QLabel*, 3> m_numbers{};
+    QLabel* m_software = nullptr;  ///< beside the speed, which is not a graphics card's
     QPushButton *m_back, *m_next;
     bool m_blank = false;
 };

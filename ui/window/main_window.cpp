@@ -99,7 +99,7 @@ void MainWindow::makeCentre() {
     row->addWidget(m_side);
     row->addWidget(m_stack, 1);
     row->addWidget(m_rightRail);
-    m_message = new MessageBar(centre);
+    m_message = new MessageBar(*m_stack);
     setCentralWidget(centre);
 }
 
@@ -151,7 +151,10 @@ void MainWindow::makeDocks() {
     m_dock->toggleViewAction()->setIcon(tintedIcon(QStringLiteral("inside")));
     m_actions->panels->addActions({m_dock->toggleViewAction(), m_statistics->toggleViewAction()});
     addRailButton(m_dock->toggleViewAction());
-    connect(m_dock, &QDockWidget::visibilityChanged, this, [this] { m_rightRail->setVisible(!m_dock->isVisibleTo(this)); });
+    m_floatingDocks = new FloatingDocks(*this, *m_stack);
+    m_floatingDocks->add(*m_dock, [](const QRect& views) { return views.adjusted(views.width() - kDockWidth, 0, 0, 0); });
+    m_floatingDocks->add(*m_statistics, [](const QRect& views) { return views.adjusted(0, views.height() / 2, 0, 0); });
+    connect(m_dock, &QDockWidget::visibilityChanged, this, &MainWindow::showRightRail);
 }
 
 void MainWindow::addRailButton(QAction* action) {
@@ -164,6 +167,8 @@ void MainWindow::addRailButton(QAction* action) {
     rail->insertWidget(rail->count() - 1, button);
 }
 
+void MainWindow::showRightRail() { m_rightRail->setVisible(m_floatingDocks->floating() || !m_dock->isVisibleTo(this)); }
+
 void MainWindow::arrange() {
     const bool compare = m_session.viewCount() > 2;
     const bool wide = width() >= kWideWindow;
@@ -173,8 +178,8 @@ void MainWindow::arrange() {
     if (!otherWidth && !otherArrangement) return;
     m_side->setOpenPage(wide && !compare ? kStrategyPage : -1);
     if (otherArrangement) {
-        m_dock->setVisible(!compare);
-        m_rightRail->setVisible(compare);
+        m_floatingDocks->setFloating(compare);
+        showRightRail();
     }
     resizeDocks({m_dock}, {wide ? kWideDockWidth : kDockWidth}, Qt::Horizontal);
 }
@@ -188,11 +193,11 @@ bool MainWindow::restoreLayout(bool viewCount) {
     const std::optional<WindowMemory::Layout> kept = m_memory->restore();
     if (!kept) return false;
     // The panels stand as they were left: what follows from the number of views was decided then.
-    if (viewCount) {
-        m_arrangedCompare = kept->viewCount > 2;
-        m_session.setViewCount(kept->viewCount);
-    }
-    m_rightRail->setVisible(!m_dock->isVisibleTo(this));
+    m_arrangedCompare = kept->viewCount > 2;
+    m_floatingDocks->adopt(*m_arrangedCompare);
+    if (viewCount) m_session.setViewCount(kept->viewCount);
+    arrange();
+    showRightRail();
     return true;
 }
 
@@ -203,6 +208,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 }
 
 void MainWindow::resetLayout() {
+    m_floatingDocks->setFloating(false);
     m_memory->reset();
     m_arrangedCompare.reset();
     m_arrangedWide.reset();
@@ -259,7 +265,6 @@ void MainWindow::wireCommands() {
     connect(m_actions->keys, &QAction::triggered, this, [this] { KeysDialog(this).exec(); });
     connect(m_actions->about, &QAction::triggered, this,
             [this] { AboutDialog(m_session.gpu() ? m_session.gpu()->info() : GlInfo{}, this).exec(); });
-    connect(m_dock->toggleViewAction(), &QAction::triggered, this, [this](bool shown) { m_rightRail->setVisible(!shown); });
 }
 
 void MainWindow::wireSession() {
@@ -272,9 +277,7 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::viewCountChanged, this, &MainWindow::arrange);
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
-    connect(&m_session, &Session::pickChanged, this, [this] {
-        if (m_session.pick()) m_inside->showWhy();
-    });
+    connect(&m_session, &Session::pickedInPicture, m_inside, &InsidePanel::showWhy);
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }

@@ -20,6 +20,7 @@
 #include "ui/text/language.h"
 #include "ui/views/view_grid.h"
 #include "ui/window/document_commands.h"
+#include "ui/window/floating_docks.h"
 #include "ui/window/lecture_window.h"
 #include "ui/window/path_commands.h"
 #include "ui/window/placed_panels.h"
@@ -80,8 +81,10 @@ private:
     void makeStatusBar();
     void wireCommands();
     void wireSession();
-    /// Two views at most are explored beside all panels; more are compared, with the panels folded to rails.
+    /// Two views at most are explored beside all panels; more are compared, with the panels folded to rails, from which they
+    /// open over the views.
     void arrange();
+    void showRightRail();
     void resetLayout();
     /// The window's id for its arrangement, as sessions and settings keep it.
     [[nodiscard]] QString arrangement() const;
@@ -112,6 +115,7 @@ private:
     InsidePanel* m_inside;
     Experiments* m_experiments;
     StatisticsDock* m_statistics;
+    FloatingDocks* m_floatingDocks;
     PlacedPanels* m_panels;
     DocumentCommands* m_document;
     PathCommands* m_paths;

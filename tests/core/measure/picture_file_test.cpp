@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "core/base/error.h"
 
@@ -51,6 +54,40 @@ std::string longText(size_t bytes) {
         json["views"].push_back(
             {{"이름", "절두체 컬링 " + std::to_string(i)}, {"path", "C:\\모델\\\"bunny\".obj"}, {"eye", {1.5, -2, 3e-7}}});
     return json.dump(1);
+}
+
+/// While it lives no file grows beyond some bytes: a disk that has room for a part of what is written.
+class NearlyFullDisk {
+public:
+    explicit NearlyFullDisk(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit full = m_before;
+        full.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &full);
+    }
+    ~NearlyFullDisk() {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    NearlyFullDisk(const NearlyFullDisk&) = delete;
+    NearlyFullDisk& operator=(const NearlyFullDisk&) = delete;
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int);
+};
+
+/// Noise, which no format makes small.
+Picture noisyPicture() {
+    Picture picture{{256, 256}, std::vector<uint8_t>(256 * 256 * 4), {}};
+    std::mt19937 random(7);
+    for (uint8_t& byte : picture.rgba) byte = static_cast<uint8_t>(random());
+    return picture;
+}
+
+std::string textOf(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
 }
 
 std::string refusal(const std::function<void()>& work, ErrorKind kind) {
@@ -111,6 +148,48 @@ TEST_P(PictureFile, unwritablePlaceLeavesAFile) {
                 HasSubstr("no folder"));
     EXPECT_THAT(refusal([&] { writePicture(file("none") / ("a." + ending), picture); }, ErrorKind::Usage), HasSubstr("no such"));
     EXPECT_EQ(filesWritten(), 2u);
+}
+
+TEST_P(PictureFile, diskWithRoomForAPartKeepsThatPart) {
+    const std::filesystem::path path = file(std::string("a.") + GetParam());
+    const Picture picture = noisyPicture();
+    writePicture(path, picture);
+    const auto whole = static_cast<rlim_t>(std::filesystem::file_size(path));
+    ASSERT_GT(whole, 70'000u);
+    std::ofstream(path, std::ios::trunc) << "old";
+    // In the first of many blocks, in the middle, and one byte before the end.
+    for (const rlim_t room : {rlim_t{1}, rlim_t{65'536}, whole / 2, whole - 1}) {
+        SCOPED_TRACE(room);
+        const NearlyFullDisk disk(room);
+        const std::string sentence = refusal([&] { writePicture(path, picture); }, ErrorKind::Usage);
+        EXPECT_THAT(sentence, testing::StartsWith(path.string() + " cannot be written: "));
+        EXPECT_THAT(sentence, testing::EndsWith("Choose another place or free some space."));
+        EXPECT_EQ(textOf(path), "old");
+        EXPECT_EQ(filesWritten(), 1u);
+    }
+    // What is kept in memory on the way is no file of a limited size.
+    const NearlyFullDisk disk(whole);
+    writePicture(path, picture);
+    EXPECT_EQ(readPicture(path).size, picture.size);
+}
+
+TEST_P(PictureFile, damagedFileIsSaidInSeveralLines) {
+    const std::filesystem::path path = file(std::string("a.") + GetParam());
+    writePicture(path, noisyPicture());
+    const std::string whole = textOf(path);
+    for (const size_t kept : {size_t{0}, size_t{5}, size_t{40}, whole.size() / 3, whole.size() * 9 / 10}) {
+        SCOPED_TRACE(kept);
+        std::ofstream(path, std::ios::trunc | std::ios::binary) << whole.substr(0, kept);
+        try {
+            // A JPEG that ends early is shown as far as it goes.
+            (void)readPicture(path);
+        } catch (const Error& error) {
+            const std::string sentence = error.what();
+            EXPECT_THAT(sentence, testing::StartsWith(path.string() + " is no picture that can be read: "));
+            EXPECT_GT(sentence.size(), (path.string() + " is no picture that can be read: ").size());
+            EXPECT_EQ(sentence.find_first_of("\r\n"), std::string::npos) << sentence;
+        }
+    }
 }
 
 TEST_P(PictureFile, damagedFileIsRead) {

@@ -11,6 +11,17 @@
 namespace cullscope::test {
 namespace {
 
+TEST(VisibleSets, whatOnlyOneOfTwoShowsIsCounted) {
+    using enum TriangleState;
+    TriangleStates first, second;
+    first.states = {Visible, Visible, InVain, WronglyCulled, Visible, BackFacing};
+    second.states = {Visible, WronglyCulled, Visible, Visible, Visible, BackFacing};
+    const VisibleSetDifference sets = compareVisibleSets(first, second);
+    EXPECT_EQ(sets.both, 2u);
+    EXPECT_EQ(sets.onlyFirst, 1u);
+    EXPECT_EQ(sets.onlySecond, 2u);
+}
+
 uint64_t count(const TriangleStates& states, TriangleState state) { return states.counts[static_cast<size_t>(state)]; }
 
 /// The counts are those of the states, and every triangle has one.

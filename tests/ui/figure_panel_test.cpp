@@ -1,0 +1,76 @@
+// The figures of many views stand whole beside each other.
+#include "ui/panels/figure_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include "tests/ui/test_scene.h"
+
+namespace cullscope::ui {
+namespace {
+
+struct FiguresOfViews : ::testing::Test {
+    void SetUp() override {
+        panel.resize(380, 320);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
+    }
+
+    /// Large numbers in all of the columns.
+    void fill() {
+        Figures figures;
+        figures.state = Figures::State::Ready;
+        figures.consideredTriangles = 12'345'678;
+        figures.frameMilliseconds = 1234.567;
+        figures.cullMilliseconds = 0.00712;
+        figures.accuracy.coveredPixels = 9'876'543;
+        auto* model = panel.findChild<FigureModel*>();
+        ASSERT_TRUE(model);
+        std::vector<FigureModel::Column> columns;
+        for (int view = 0; view < session.viewCount(); ++view) columns.push_back({view, figures});
+        model->setColumns(columns);
+        for (int view = 0; view < session.viewCount(); ++view) emit session.figuresChanged(view);
+        model->setColumns(columns);
+        panel.resize(panel.width() + 1, panel.height());
+        QApplication::processEvents();
+    }
+
+    Session session{sessionOptions(false)};
+    FigurePanel panel{session};
+};
+
+TEST_F(FiguresOfViews, valuesOfFourAndEightColumnsWereCut) {
+    for (const int count : {1, 2, 4, 8}) {
+        session.setViewCount(count);
+        fill();
+        QTableView& table = panel.table();
+        ASSERT_GT(table.model()->columnCount(), 0);
+        const QFontMetrics metrics(table.font());
+        for (int column = 0; column < table.model()->columnCount(); ++column)
+            for (int row = 0; row < table.model()->rowCount(); ++row) {
+                const QString value = table.model()->index(row, column).data().toString();
+                EXPECT_LE(metrics.horizontalAdvance(value) + 4, table.columnWidth(column))
+                    << value.toStdString() << " in column " << column << " of " << count;
+            }
+    }
+    QTableView& table = panel.table();
+    EXPECT_GT(table.horizontalScrollBar()->maximum(), 0) << "eight columns of large numbers have no room";
+    const int titles = table.verticalHeader()->width();
+    table.horizontalScrollBar()->setValue(table.horizontalScrollBar()->maximum());
+    EXPECT_TRUE(table.verticalHeader()->isVisible());
+    EXPECT_EQ(table.verticalHeader()->width(), titles);
+    const int last = table.model()->columnCount() - 1;
+    EXPECT_LE(table.columnViewportPosition(last) + table.columnWidth(last), table.viewport()->width());
+    EXPECT_EQ(table.verticalScrollBar()->maximum(), 0) << "the rows are all seen at once";
+}
+
+TEST_F(FiguresOfViews, fewColumnsShareTheRoom) {
+    session.setViewCount(1);
+    fill();
+    EXPECT_TRUE(waitUntil([&] { return panel.table().columnWidth(0) == panel.table().viewport()->width(); }));
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,74 @@
+// A header of a view 320 pixels wide says in every language what the view shows and promises.
+#include "ui/views/view_header.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/ui/test_scene.h"
+#include "ui/text/language.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+namespace {
+
+constexpr int kLeastWidth = 320;
+
+struct HeaderOfView : ::testing::Test {
+    void SetUp() override {
+        session.setViewCount(8);
+        header.resize(kLeastWidth, 2 * ViewHeader::kLineHeight);
+        openAndWait(session, QStringLiteral("torus:triangles=200"));
+    }
+    void TearDown() override { language.use(QStringLiteral("en")); }
+
+    void watch(Role role, const std::string& strategy) {
+        session.setLinked(1);
+        if (role == Role::Observer) session.observe(1, 0);
+        if (role == Role::Frozen) session.setFrozen(1, true);
+        StrategySlot& slot = session.slot(session.culledBy(1));
+        slot.choose(strategy);
+        ASSERT_TRUE(waitUntil([&] { return slot.built() && !slot.building(); }));
+    }
+
+    Language language;
+    Session session{sessionOptions(false)};
+    ViewHeader header{session, 1};
+};
+
+TEST_F(HeaderOfView, promiseAndIdWereCutInANarrowView) {
+    for (const char* spoken : {"en", "ko", "zh_CN"}) {
+        language.use(QString::fromLatin1(spoken));
+        for (const Role role : {Role::Linked, Role::Observer, Role::Frozen}) {
+            for (const char* id : {"all", "backface", "frustum"}) {
+                watch(role, id);
+                header.grab();
+                const QString shown = header.shownFirstLine();
+                const std::string context = std::string(spoken) + ": " + shown.toStdString();
+                EXPECT_FALSE(header.elided()) << context;
+                const Promise promise = session.slot(session.culledBy(1)).built()->strategy->promise();
+                EXPECT_TRUE(shown.endsWith(promiseWord(promise) + QLatin1Char(' ') + QString::fromLatin1(id))) << context;
+                EXPECT_TRUE(shown.startsWith(QStringLiteral("B "))) << context;
+                EXPECT_TRUE(header.toolTip().contains(header.firstLine().toHtmlEscaped())) << context;
+            }
+        }
+    }
+}
+
+TEST_F(HeaderOfView, theNameStandsWhereItHasRoomAndTheIdAloneElsewhere) {
+    watch(Role::Observer, "backface");
+    EXPECT_EQ(header.shownFirstLine(), QStringLiteral("B watches A lossless backface"));
+    header.resize(2 * kLeastWidth, header.height());
+    EXPECT_EQ(header.shownFirstLine(), QStringLiteral("B watches A · Back-face culling lossless backface"));
+    watch(Role::Linked, "all");
+    header.resize(kLeastWidth, header.height());
+    EXPECT_EQ(header.shownFirstLine(), QStringLiteral("B All triangles lossless all"));
+}
+
+TEST_F(HeaderOfView, whatHasNoRoomAtAllIsKnownToBeCut) {
+    watch(Role::Observer, "backface");
+    header.resize(80, header.height());
+    header.grab();
+    EXPECT_TRUE(header.elided());
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,61 @@
+#include "ui/statistics/point_labels.h"
+
+#include <QFontMetricsF>
+#include <algorithm>
+#include <cmath>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kGap = 2.0;
+constexpr int kMostRows = 8;  // that words may be away from their point
+
+/// Words centred so many rows above the point, below where negative, and moved sideways into the bounds.
+QRectF placeAt(const QPointF& point, const QSizeF& size, int row, const QRectF& bounds, double marker) {
+    const double away = marker / 2 + kGap + (std::abs(row) - 1) * size.height();
+    const double top = row > 0 ? point.y() - away - size.height() : point.y() + away;
+    const double left = std::max(bounds.left(), std::min(point.x() - size.width() / 2, bounds.right() - size.width()));
+    return {QPointF(left, top), size};
+}
+
+}  // namespace
+
+std::vector<QRectF> placeLabels(const std::vector<PointLabel>& labels, const QFontMetricsF& metrics, const QRectF& bounds,
+                                double marker) {
+    std::vector<QRectF> taken;
+    for (const PointLabel& label : labels) taken.emplace_back(label.point - QPointF(marker, marker) / 2, QSizeF(marker, marker));
+    std::vector<QRectF> places;
+    for (const PointLabel& label : labels) {
+        const QSizeF size(metrics.horizontalAdvance(label.words) + kGap, metrics.height());
+        const auto isFree = [&](const QRectF& place) {
+            return place.top() >= bounds.top() && place.bottom() <= bounds.bottom() &&
+                   std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); });
+        };
+        QRectF place = placeAt(label.point, size, 1, bounds, marker);
+        for (int distance = 1; distance <= kMostRows && !isFree(place); ++distance)
+            for (const int row : {distance, -distance})
+                if (!isFree(place)) place = placeAt(label.point, size, row, bounds, marker);
+        taken.push_back(place);
+        places.push_back(place);
+    }
+    return places;
+}
+
+void paintLabels(QPainter& painter, const std::vector<PointLabel>& labels, const QRectF& bounds, double marker,
+                 const QColor& colour) {
+    const std::vector<QRectF> places = placeLabels(labels, QFontMetricsF(painter.font()), bounds, marker);
+    for (size_t i = 0; i < labels.size(); ++i) {
+        const QPointF& point = labels[i].point;
+        const QPointF nearest(std::clamp(point.x(), places[i].left(), places[i].right()),
+                              point.y() > places[i].center().y() ? places[i].bottom() : places[i].top());
+        if (std::abs(nearest.y() - point.y()) > marker) {
+            painter.setPen(QPen(colour, 0.6));
+            painter.drawLine(point, nearest);
+        }
+        painter.setPen(colour);
+        painter.drawText(places[i], Qt::AlignCenter, labels[i].words);
+    }
+}
+
+}  // namespace cullscope::ui
