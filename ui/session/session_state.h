@@ -36,12 +36,14 @@ struct SessionState {
     bool operator==(const SessionState&) const = default;
 };
 
-/// Everything but arrangement and bookmarks, which the session does not know, and the style, which the window's appearance gives. `scene` is empty where nothing is opened.
+/// Everything but arrangement and bookmarks, which the session does not know, and the style, which the window's appearance gives.
+/// `scene` is empty where nothing is opened.
 [[nodiscard]] SessionState captureState(const Session& session);
 
 /// Gives the opened scene the state's cameras, hidden objects and views; neither opens `scene` nor looks at arrangement,
-/// bookmarks and style. Hidden objects of a scene with another number of objects are shown, which is raised as a warning. What is the
-/// same already is not touched. Throws Error(Usage) for a strategy or parameter that there is none of, before anything changes.
+/// bookmarks and style. Hidden objects of a scene with another number of objects are shown, which is raised as a warning. What is
+/// the same already is not touched. Throws Error(Usage) for a strategy or parameter that there is none of, before anything
+/// changes.
 void applyState(Session& session, const SessionState& state);
 
 /// A specification with its files by absolute paths; words such as `bunny`, and an empty one, stay.
