@@ -135,6 +135,11 @@
         <source>software OpenGL</source>
         <translation>소프트웨어 OpenGL</translation>
     </message>
+    <message>
+        <source>Triangles at %1 × %2 pixels:</source>
+        <comment>heading of the legend's counts</comment>
+        <translation>%1 × %2 픽셀에서의 삼각형 수:</translation>
+    </message>
 </context>
 <context>
     <name>ViewMenu</name>
@@ -312,7 +317,7 @@
     </message>
     <message>
         <source>Truth: item buffer of %1 × %2 pixels, %3</source>
-        <translation>정답: %1 × %2 픽셀 아이템 버퍼, %3</translation>
+        <translation>참값: %1 × %2 픽셀 아이템 버퍼, %3</translation>
     </message>
     <message>
         <source>Software OpenGL: %1</source>
@@ -1377,6 +1382,10 @@
         <source>The triangle index map of %1 would have more than %2 entries: choose a lower resolution.</source>
         <translation>%1의 삼각형 색인 맵은 항목이 %2개를 넘게 됩니다. 더 낮은 해상도를 고르세요.</translation>
     </message>
+    <message>
+        <source>%1 was repaired. Dropped faces: degenerate %2, duplicate %3, out of range %4; vertices that are no numbers: %5; other remarks: %6. The Scene panel tells all.</source>
+        <translation>%1을(를) 고쳐 읽었습니다. 버린 면: 퇴화 %2, 중복 %3, 범위 밖 %4. 숫자가 아닌 꼭짓점: %5. 그 밖의 참고: %6. 자세한 것은 장면 패널에 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1627,7 +1636,7 @@ OpenGL %2
     </message>
     <message>
         <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
-        <translation>정답에는 면이 있으나 이 그림에는 더 먼 면이 있거나 아무것도 없는 픽셀</translation>
+        <translation>참값에는 면이 있으나 이 그림에는 더 먼 면이 있거나 아무것도 없는 픽셀</translation>
     </message>
     <message>
         <source>Pixels of the largest connected group of missed pixels</source>
@@ -1635,7 +1644,7 @@ OpenGL %2
     </message>
     <message>
         <source>Pixels in which the truth has a surface</source>
-        <translation>정답에 면이 있는 픽셀</translation>
+        <translation>참값에 면이 있는 픽셀</translation>
     </message>
     <message>
         <source>– beyond snapping</source>
@@ -1643,7 +1652,7 @@ OpenGL %2
     </message>
     <message>
         <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 정답은 양면을 그릴 때 셉니다</translation>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
     </message>
     <message>
         <source>Submitted in vain</source>
@@ -2024,6 +2033,10 @@ OpenGL %2
         <source>Lecture – Cullscope</source>
         <translation>강의 – Cullscope</translation>
     </message>
+    <message>
+        <source>Software OpenGL</source>
+        <translation>소프트웨어 OpenGL</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LegendPanel</name>
@@ -2038,10 +2051,6 @@ OpenGL %2
     <message>
         <source>Next: turn the wheel over the scene to zoom in until part of it lies outside the picture.</source>
         <translation>다음: 장면 위에서 휠을 돌려, 일부가 그림 밖으로 나갈 때까지 확대해 보세요.</translation>
-    </message>
-    <message>
-        <source>Next: choose another strategy above and compare the figures over the pictures.</source>
-        <translation>다음: 위에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
     </message>
     <message>
         <source>Next: press H to see all keys, or open a model of your own.</source>
@@ -2072,6 +2081,10 @@ OpenGL %2
         <source>%1: %2 triangles in the active view</source>
         <comment>a state of triangles</comment>
         <translation>%1: 활성 뷰에서 삼각형 %2개</translation>
+    </message>
+    <message>
+        <source>Next: choose another strategy in the view's menu and compare the figures over the pictures.</source>
+        <translation>다음: 뷰의 메뉴에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
     </message>
 </context>
 <context>
@@ -2547,6 +2560,16 @@ view</source>
     <message>
         <source>%1 of them beyond the raster's snapping to 1/256 pixel</source>
         <translation>그중 %1개는 래스터가 1/256픽셀로 맞추는 것을 넘음</translation>
+    </message>
+    <message>
+        <source>Beyond
+snapping</source>
+        <translation>맞춤을
+넘는 것</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
     </message>
 </context>
 <context>
@@ -3066,7 +3089,7 @@ view</source>
     </message>
     <message>
         <source>Compare this large scene with the truth now; this may take a while</source>
-        <translation>이 큰 장면을 지금 정답과 비교합니다. 시간이 걸릴 수 있습니다</translation>
+        <translation>이 큰 장면을 지금 참값과 비교합니다. 시간이 걸릴 수 있습니다</translation>
     </message>
     <message>
         <source>Promise: %1, %2</source>
@@ -3079,17 +3102,17 @@ view</source>
         <translation>뷰 %1: %2, %3</translation>
     </message>
     <message>
-        <source>watches %1 · </source>
-        <comment>letter of a view</comment>
-        <translation>%1 관찰 · </translation>
-    </message>
-    <message>
-        <source>frozen · </source>
-        <translation>고정 · </translation>
-    </message>
-    <message>
         <source>What view %1 shows, and how</source>
         <translation>뷰 %1이(가) 보이는 것과 방식</translation>
+    </message>
+    <message>
+        <source>watches %1</source>
+        <comment>letter of a view</comment>
+        <translation>%1 관찰</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>고정</translation>
     </message>
 </context>
 <context>
@@ -3127,10 +3150,6 @@ view</source>
         <translation>정점 배열</translation>
     </message>
     <message>
-        <source>%1 pixels missed, %2 nearer than the truth</source>
-        <translation>픽셀 %1개 놓침, %2개는 참값보다 가까움</translation>
-    </message>
-    <message>
         <source>%1 pixels differ from view %2</source>
         <translation>뷰 %2과(와) 다른 픽셀 %1개</translation>
     </message>
@@ -3141,6 +3160,14 @@ view</source>
     <message>
         <source>loss %1 of %2, pixels: %3</source>
         <translation>손실 %1/%2, 픽셀: %3</translation>
+    </message>
+    <message>
+        <source>visible triangles in both: %1, only here: %2, only in view %3: %4</source>
+        <translation>둘 다에 보이는 삼각형: %1, 여기만: %2, 뷰 %3만: %4</translation>
+    </message>
+    <message>
+        <source>missed pixels: %1, nearer than the truth: %2</source>
+        <translation>놓친 픽셀: %1, 참값보다 가까운 픽셀: %2</translation>
     </message>
 </context>
 <context>
@@ -3174,6 +3201,18 @@ view</source>
         <source>%1, triangle %2</source>
         <comment>name of an object</comment>
         <translation>%1, 삼각형 %2</translation>
+    </message>
+    <message>
+        <source>It shows in the picture.</source>
+        <translation>그림에 보입니다.</translation>
+    </message>
+    <message>
+        <source>It was drawn in vain: other triangles lie before all of it, or it covers no pixel's middle.</source>
+        <translation>헛되이 그려졌습니다. 다른 삼각형이 모두 가리거나, 어느 픽셀의 중심도 덮지 않습니다.</translation>
+    </message>
+    <message>
+        <source>It was wrongly left out: the truth shows it.</source>
+        <translation>잘못 제외되었습니다. 참값에는 보입니다.</translation>
     </message>
 </context>
 <context>

@@ -85,7 +85,7 @@
     </message>
     <message>
         <source>Missed pixels</source>
-        <translation>遗漏像素</translation>
+        <translation>丢失像素</translation>
     </message>
     <message>
         <source>Covered pixels</source>
@@ -134,6 +134,11 @@
     <message>
         <source>software OpenGL</source>
         <translation>软件 OpenGL</translation>
+    </message>
+    <message>
+        <source>Triangles at %1 × %2 pixels:</source>
+        <comment>heading of the legend's counts</comment>
+        <translation>%1 × %2 像素下的三角形数：</translation>
     </message>
 </context>
 <context>
@@ -1377,6 +1382,10 @@
         <source>The triangle index map of %1 would have more than %2 entries: choose a lower resolution.</source>
         <translation>%1 的三角形索引图将超过 %2 个条目：请选择较低的分辨率。</translation>
     </message>
+    <message>
+        <source>%1 was repaired. Dropped faces: degenerate %2, duplicate %3, out of range %4; vertices that are no numbers: %5; other remarks: %6. The Scene panel tells all.</source>
+        <translation>%1 已修复。丢弃的面：退化 %2，重复 %3，超出范围 %4；不是数字的顶点：%5；其他说明：%6。详情见场景面板。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1643,7 +1652,7 @@ OpenGL %2
     </message>
     <message>
         <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真实结果画双面时统计</translation>
+        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
     </message>
     <message>
         <source>Submitted in vain</source>
@@ -2024,6 +2033,10 @@ OpenGL %2
         <source>Lecture – Cullscope</source>
         <translation>讲课 – Cullscope</translation>
     </message>
+    <message>
+        <source>Software OpenGL</source>
+        <translation>软件 OpenGL</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LegendPanel</name>
@@ -2038,10 +2051,6 @@ OpenGL %2
     <message>
         <source>Next: turn the wheel over the scene to zoom in until part of it lies outside the picture.</source>
         <translation>下一步：在场景上滚动滚轮放大，直到一部分超出图像。</translation>
-    </message>
-    <message>
-        <source>Next: choose another strategy above and compare the figures over the pictures.</source>
-        <translation>下一步：在上方选择另一种策略，比较图像上方的数据。</translation>
     </message>
     <message>
         <source>Next: press H to see all keys, or open a model of your own.</source>
@@ -2072,6 +2081,10 @@ OpenGL %2
         <source>%1: %2 triangles in the active view</source>
         <comment>a state of triangles</comment>
         <translation>%1：活动视图中 %2 个三角形</translation>
+    </message>
+    <message>
+        <source>Next: choose another strategy in the view's menu and compare the figures over the pictures.</source>
+        <translation>下一步：在视图的菜单中选择另一种策略，比较图像上方的数据。</translation>
     </message>
 </context>
 <context>
@@ -2289,11 +2302,11 @@ OpenGL %2
     </message>
     <message>
         <source>The missed pixels were not measured, so there is no loss to show.</source>
-        <translation>未测量遗漏像素，因此没有可显示的损失。</translation>
+        <translation>未测量丢失像素，因此没有可显示的损失。</translation>
     </message>
     <message>
         <source>%1, %2: ×%3 against backface, %4 per million missed</source>
-        <translation>%1，%2：相对 backface ×%3，每百万遗漏 %4</translation>
+        <translation>%1，%2：相对 backface ×%3，每百万丢失 %4</translation>
     </message>
     <message>
         <source>0 (&lt; 3/%1)</source>
@@ -2306,7 +2319,7 @@ OpenGL %2
     </message>
     <message>
         <source>Upwards: missed per million; to the right: speed against backface</source>
-        <translation>向上：每百万遗漏；向右：相对 backface 的速度</translation>
+        <translation>向上：每百万丢失；向右：相对 backface 的速度</translation>
     </message>
 </context>
 <context>
@@ -2340,7 +2353,7 @@ OpenGL %2
     </message>
     <message>
         <source>Missed pixels, by pose</source>
-        <translation>各姿态的遗漏像素</translation>
+        <translation>各姿态的丢失像素</translation>
     </message>
 </context>
 <context>
@@ -2416,11 +2429,11 @@ OpenGL %2
     </message>
     <message>
         <source>Missed: %1 pixels, %2 per million</source>
-        <translation>遗漏：%1 像素，每百万 %2</translation>
+        <translation>丢失：%1 像素，每百万 %2</translation>
     </message>
     <message>
         <source>Missed: not measured</source>
-        <translation>遗漏：未测量</translation>
+        <translation>丢失：未测量</translation>
     </message>
     <message>
         <source>%1, poses: %2. The arrow keys go through them, Enter flies there.</source>
@@ -2439,7 +2452,7 @@ OpenGL %2
     </message>
     <message>
         <source>missed</source>
-        <translation>遗漏</translation>
+        <translation>丢失</translation>
     </message>
 </context>
 <context>
@@ -2485,14 +2498,14 @@ triangles</source>
     <message>
         <source>Missed
 pixels</source>
-        <translation>遗漏
+        <translation>丢失
 像素</translation>
     </message>
     <message>
         <source>Missed per
 million</source>
         <translation>每百万
-遗漏</translation>
+丢失</translation>
     </message>
     <message>
         <source>Worst
@@ -2534,11 +2547,11 @@ view</source>
     </message>
     <message>
         <source>Missed pixels in a million pixels in which the truth has a surface</source>
-        <translation>真值有表面的每百万像素中的遗漏像素</translation>
+        <translation>真值有表面的每百万像素中的丢失像素</translation>
     </message>
     <message>
         <source>The pose with the most missed pixels; double-click to fly there</source>
-        <translation>遗漏像素最多的姿态；双击飞到该处</translation>
+        <translation>丢失像素最多的姿态；双击飞到该处</translation>
     </message>
     <message>
         <source>It lost pixels: the promise is broken.</source>
@@ -2547,6 +2560,16 @@ view</source>
     <message>
         <source>%1 of them beyond the raster's snapping to 1/256 pixel</source>
         <translation>其中 %1 个超出光栅对 1/256 像素的对齐</translation>
+    </message>
+    <message>
+        <source>Beyond
+snapping</source>
+        <translation>超出
+对齐误差</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
     </message>
 </context>
 <context>
@@ -2808,7 +2831,7 @@ view</source>
     </message>
     <message>
         <source>nothing missed</source>
-        <translation>无遗漏</translation>
+        <translation>无丢失</translation>
     </message>
     <message>
         <source>%1 per million</source>
@@ -3079,17 +3102,17 @@ view</source>
         <translation>视图 %1：%2，%3</translation>
     </message>
     <message>
-        <source>watches %1 · </source>
-        <comment>letter of a view</comment>
-        <translation>观察 %1 · </translation>
-    </message>
-    <message>
-        <source>frozen · </source>
-        <translation>已冻结 · </translation>
-    </message>
-    <message>
         <source>What view %1 shows, and how</source>
         <translation>视图 %1 显示的内容和方式</translation>
+    </message>
+    <message>
+        <source>watches %1</source>
+        <comment>letter of a view</comment>
+        <translation>观察 %1</translation>
+    </message>
+    <message>
+        <source>frozen</source>
+        <translation>已冻结</translation>
     </message>
 </context>
 <context>
@@ -3127,10 +3150,6 @@ view</source>
         <translation>顶点数组</translation>
     </message>
     <message>
-        <source>%1 pixels missed, %2 nearer than the truth</source>
-        <translation>丢失 %1 个像素，%2 个比真值更近</translation>
-    </message>
-    <message>
         <source>%1 pixels differ from view %2</source>
         <translation>有 %1 个像素与视图 %2 不同</translation>
     </message>
@@ -3141,6 +3160,14 @@ view</source>
     <message>
         <source>loss %1 of %2, pixels: %3</source>
         <translation>丢失 %1/%2，像素：%3</translation>
+    </message>
+    <message>
+        <source>visible triangles in both: %1, only here: %2, only in view %3: %4</source>
+        <translation>两者都可见的三角形：%1，仅此处：%2，仅视图 %3：%4</translation>
+    </message>
+    <message>
+        <source>missed pixels: %1, nearer than the truth: %2</source>
+        <translation>丢失的像素：%1，比真值更近的像素：%2</translation>
     </message>
 </context>
 <context>
@@ -3174,6 +3201,18 @@ view</source>
         <source>%1, triangle %2</source>
         <comment>name of an object</comment>
         <translation>%1,三角形 %2</translation>
+    </message>
+    <message>
+        <source>It shows in the picture.</source>
+        <translation>它在图像中可见。</translation>
+    </message>
+    <message>
+        <source>It was drawn in vain: other triangles lie before all of it, or it covers no pixel's middle.</source>
+        <translation>它被徒劳绘制：其他三角形完全遮住了它，或它没有覆盖任何像素的中心。</translation>
+    </message>
+    <message>
+        <source>It was wrongly left out: the truth shows it.</source>
+        <translation>它被误剔除：真值中可以看到它。</translation>
     </message>
 </context>
 <context>

@@ -7,6 +7,7 @@
 #include <QScrollBar>
 
 #include "tests/ui/test_scene.h"
+#include "ui/startup/appearance.h"
 
 namespace cullscope::ui {
 namespace {
@@ -69,10 +70,23 @@ TEST_F(FiguresOfViews, valuesOfFourAndEightColumnsWereCut) {
 TEST_F(FiguresOfViews, fewColumnsShareTheRoom) {
     session.setViewCount(1);
     fill();
-    QApplication::processEvents();
-    QHeaderView& header = *panel.table().horizontalHeader();
-    fprintf(stderr, "DBG %d %d %d mode %d table %d vh %d vp %d\n", header.width(), header.viewport()->width(), header.length(), int(header.sectionResizeMode(0)), panel.table().width(), panel.table().verticalHeader()->width(), panel.table().viewport()->width());
-    EXPECT_TRUE(waitUntil([&] { return true; }));
+    EXPECT_TRUE(waitUntil([&] { return panel.table().columnWidth(0) == panel.table().viewport()->width(); }));
+}
+
+TEST_F(FiguresOfViews, theTableKeptTheColoursOfTheWindowsFirstAppearance) {
+    Appearance appearance;
+    for (const Appearance::Mode mode : {Appearance::Mode::Dark, Appearance::Mode::Light, Appearance::Mode::Dark}) {
+        appearance.setMode(mode);
+        QApplication::processEvents();
+        const QImage shown = panel.table().grab().toImage();
+        const QColor expected = Appearance::palette(mode == Appearance::Mode::Dark).color(QPalette::Base);
+        // Body, row titles, column titles and the corner.
+        const QSize size = shown.size();
+        for (const QPoint& place : {QPoint(size.width() - 4, size.height() - 4), QPoint(3, size.height() - 4),
+                                    QPoint(size.width() - 4, 3), QPoint(3, 3)})
+            EXPECT_EQ(shown.pixelColor(place), expected) << place.x() << ", " << place.y();
+    }
+    appearance.setMode(Appearance::Mode::Light);
 }
 
 }  // namespace

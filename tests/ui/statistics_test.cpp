@@ -4,7 +4,6 @@
 #include <QAbstractItemModelTester>
 #include <QSignalSpy>
 #include <QTest>
-#include <map>
 
 #include "tests/ui/made_up_result.h"
 #include "ui/statistics/pareto_plot.h"
@@ -110,30 +109,37 @@ TEST(ParetoPlot, lossThatWasNotMeasuredIsLeftOut) {
     EXPECT_TRUE(plot.accessibleDescription().contains(QStringLiteral("not measured")));
 }
 
-/// The colours of a picture's pixels that are no shade between others: each at least `least` times.
-std::map<QRgb, int> coloursOf(const QImage& picture, int least) {
-    std::map<QRgb, int> counts;
-    for (int y = 0; y < picture.height(); ++y)
-        for (int x = 0; x < picture.width(); ++x) ++counts[picture.pixel(x, y)];
-    std::erase_if(counts, [least](const auto& entry) { return entry.second < least; });
-    return counts;
+/// How many pixels are the top left of a square of one colour, which no line of a plot is wide enough for.
+int squaresOf(const QImage& picture, const QColor& colour) {
+    constexpr int kSide = 5;
+    const auto filled = [&](int left, int top) {
+        for (int y = top; y < top + kSide; ++y)
+            for (int x = left; x < left + kSide; ++x)
+                if (picture.pixel(x, y) != colour.rgb()) return false;
+        return true;
+    };
+    int count = 0;
+    for (int y = 0; y + kSide <= picture.height(); ++y)
+        for (int x = 0; x + kSide <= picture.width(); ++x) count += filled(x, y) ? 1 : 0;
+    return count;
 }
 
 TEST(ParetoPlot, baselinesAndShapesAreTheSameGreySquare) {
-    const PlotColours colours{QPalette()};
-    const auto squares = [&](const std::string& id) {
+    const auto plotOf = [](const std::string& id) {
         std::vector<RunFigures> runs = runFigures(madeUpResult());
         std::erase_if(runs, [&](const RunFigures& one) { return one.id.toStdString() != id; });
         ParetoPlot plot;
         plot.resize(500, 260);
         plot.setRuns(runs);
-        return coloursOf(plot.grab().toImage(), 60);
+        return std::pair(plot.grab().toImage(), PlotColours(plot.palette()));
     };
-    // The point and its mark in the legend are filled with it: two squares of 10 pixels a side.
-    EXPECT_GT(squares("all")[colours.baselineCull.rgb()], 100);
-    EXPECT_EQ(squares("backface").count(colours.baselineCull.rgb()), 0u);
-    EXPECT_GT(squares("frustum")[colours.series(0).rgb()], 100);
-    EXPECT_EQ(squares("backface").count(colours.faintText.rgb()), 0u) << "a filled key of a shape";
+    const auto [all, colours] = plotOf("all");
+    const QImage backface = plotOf("backface").first;
+    EXPECT_GT(squaresOf(all, colours.baselineCull), 0);
+    EXPECT_EQ(squaresOf(backface, colours.baselineCull), 0);
+    EXPECT_GT(squaresOf(plotOf("frustum").first, colours.series(0)), 0);
+    EXPECT_EQ(squaresOf(all, colours.faintText), 0) << "a filled key of a shape";
+    EXPECT_EQ(squaresOf(backface, colours.faintText), 0);
 }
 
 TEST(PointLabels, crowdedLabelsLieOverEachOtherOrOutside) {

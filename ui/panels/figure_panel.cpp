@@ -59,9 +59,16 @@ void FigurePanel::setUpTable() {
     rows.setMinimumSectionSize(kRowHeight);
     rows.setDefaultSectionSize(kRowHeight);
     rows.setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    setColours();
+}
+
+/// A style sheet keeps the palette that it was made under: its colours are named, and named anew with another palette.
+void FigurePanel::setColours() {
+    // Padding around all of the columns' titles would move them from their columns.
     m_table->setStyleSheet(
-        QStringLiteral("QHeaderView, QHeaderView::section, QTableCornerButton::section { border: 0; background: palette(base); "
-                       "padding: 1px 4px; }"));
+        QStringLiteral("QTableView, QHeaderView, QHeaderView::section, QTableCornerButton::section { border: 0; background: %1; "
+                       "color: %2; } QHeaderView::section, QTableCornerButton::section { padding: 1px 4px; }")
+            .arg(palette().color(QPalette::Base).name(), palette().color(QPalette::Text).name()));
 }
 
 void FigurePanel::refresh() {
@@ -99,6 +106,7 @@ bool FigurePanel::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void FigurePanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) setColours();
     if (event->type() == QEvent::LanguageChange) {
         m_model->retranslate();
         refresh();

@@ -23,6 +23,7 @@ protected:
 
 private:
     void setUpTable();
+    void setColours();
     void refresh();
     /// Columns of one width where all contents fit so, else each as wide as its contents, to be scrolled.
     void fitColumns();

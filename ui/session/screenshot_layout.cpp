@@ -13,6 +13,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kFontPixels = 14.0;
+constexpr double kMarkRoom = 18.0;   // a mark and the gap to its words
 constexpr double kLeastUnit = 0.75;  // smaller type is not read
 constexpr int kFewestPicturePixels = 16;
 constexpr int kMostPixels = 16384;
@@ -47,6 +48,8 @@ int layOutLegend(ScreenshotPlan& plan, const Units& units, int width, uint64_t l
             y += row;
         }
         entry.place = QRect(x, y, std::min(length, width - 2 * margin), row);
+        // A heading begins where the marks of the others do.
+        if (!entry.state && entry.colour.alpha() == 0) entry.place.setLeft(x - units(kMarkRoom));
         x += length + units(14.0);
     }
     return y + row;
