@@ -208,6 +208,27 @@ TEST_F(WindowLayout, lettersOfAnotherLanguageResizedTheViews) {
     }
 }
 
+TEST_F(WindowLayout, aPathOfAFewPosesPlayedInABlink) {
+    Program program({1000, 700});
+    openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
+    for (int pose = 0; pose < 3; ++pose) {
+        program.window.actions().addPose->trigger();
+        program.session.setCamera(turned(program.session.camera(), UpAxis::Y, Angle::fromDegrees(20.0), {}));
+    }
+    program.window.actions().play->trigger();
+    ASSERT_TRUE(program.window.paths().player().playing());
+    EXPECT_LT(program.window.paths().player().speed(), 0.1);
+    ASSERT_TRUE(waitUntil([&] { return !program.window.paths().player().playing(); }));
+    // A motion of many poses goes on at its own pace.
+    for (int pose = 0; pose < 40; ++pose) {
+        program.session.setCamera(turned(program.session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {}));
+        program.window.actions().addPose->trigger();
+    }
+    program.window.actions().play->trigger();
+    EXPECT_EQ(program.window.paths().player().speed(), 1.0);
+    program.window.actions().stop->trigger();
+}
+
 TEST_F(WindowLayout, helpIsInTheLanguageOfTheWindow) {
     Program program({1000, 700});
     program.window.actions().help->trigger();

@@ -66,6 +66,7 @@ LectureWindow::~LectureWindow() { giveBack(); }
 
 void LectureWindow::makeFoot() {
     auto* row = new QHBoxLayout(m_foot);
+    row->setSpacing(kMargin);
     for (QLabel*& number : m_numbers) {
         number = new QLabel(m_foot);
         row->addWidget(number, 1);

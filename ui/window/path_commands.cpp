@@ -7,6 +7,14 @@
 
 namespace cullscope::ui {
 
+namespace {
+
+// Poses that were put down by hand are looked at one by one, half a second each; recorded ones are a motion.
+constexpr size_t kFewPoses = 30;
+constexpr double kSpeedOfFewPoses = 1.0 / 15.0;
+
+}  // namespace
+
 PathCommands::PathCommands(Session& session, WindowActions& actions, Experiments& experiments, QWidget* window)
     : QObject(window),
       m_session(session),
@@ -51,6 +59,9 @@ void PathCommands::refresh() {
 /// What was recorded is there for experiments as soon as the recording ends.
 void PathCommands::offerRecorded() {
     if (m_recorder->recording()) return;
+    // The newest path is what Play plays from now on.
+    m_opened = {};
+    if (!m_player->playing()) m_player->stop();
     CameraPath path = m_recorder->path();
     m_experiments.setRecordedPath(path.poses.empty() ? std::nullopt : std::optional(std::move(path)));
     if (m_recorder->lensDiffers())
@@ -98,7 +109,12 @@ void PathCommands::open() {
         return;
     }
     refresh();
-    m_player->play(m_opened);
+    playFromStart(m_opened);
+}
+
+void PathCommands::playFromStart(const CameraPath& path) {
+    m_player->setSpeed(path.poses.size() < kFewPoses ? kSpeedOfFewPoses : 1.0);
+    m_player->play(path);
 }
 
 void PathCommands::play(bool on) {
@@ -107,7 +123,7 @@ void PathCommands::play(bool on) {
     else if (m_player->active())
         m_player->resume();
     else
-        m_player->play(m_opened.poses.empty() ? m_recorder->path() : m_opened);
+        playFromStart(m_opened.poses.empty() ? m_recorder->path() : m_opened);
 }
 
 }  // namespace cullscope::ui

@@ -25,6 +25,7 @@ private:
     void save();
     void open();
     void play(bool on);
+    void playFromStart(const CameraPath& path);
     void refresh();
     void offerRecorded();
     /// Empty: none chosen. Dialogs begin in the folder of the newest file.
