@@ -14,7 +14,7 @@ constexpr double kEdgeTolerance = 1e-12;
 /// Where the zenith angle along a ray turns; none: nowhere.
 std::optional<double> turningPoint(const Ray& ray) {
     const double along = glm::dot(ray.origin, ray.direction);
-    const double slope = ray.direction.z * along - ray.origin.z;
+    const double slope = ray.direction.z * along - ray.origin.z * glm::dot(ray.direction, ray.direction);
     if (slope == 0.0) return std::nullopt;
     return (ray.origin.z * along - ray.direction.z * glm::dot(ray.origin, ray.origin)) / slope;
 }
@@ -53,7 +53,7 @@ private:
     void addCone(double cosine) {
         const Vec3 &o = m_ray.origin, &d = m_ray.direction;
         const double squared = cosine * cosine;
-        const double a = d.z * d.z - squared;
+        const double a = d.z * d.z - squared * glm::dot(d, d);
         const double b = o.z * d.z - squared * glm::dot(o, d);
         const double c = o.z * o.z - squared * glm::dot(o, o);
         // b² − a c, with the cosine taken out: near the equator nothing would be left of the difference.
@@ -96,13 +96,14 @@ private:
 }  // namespace
 
 std::optional<Span> throughSphere(const Ray& ray, double radius) {
-    const double along = glm::dot(ray.origin, ray.direction);
-    const Vec3 nearest = ray.origin - along * ray.direction;
+    const double length = glm::length(ray.direction);
+    const double along = -glm::dot(ray.origin, ray.direction) / (length * length);
+    const Vec3 nearest = ray.at(along);
     const double aside = glm::dot(nearest, nearest);
     if (aside > radius * radius) return std::nullopt;
-    const double half = std::sqrt(radius * radius - aside);
-    if (-along + half < 0.0) return std::nullopt;
-    return Span{std::max(0.0, -along - half), -along + half};
+    const double half = std::sqrt(radius * radius - aside) / length;
+    if (along + half < 0.0) return std::nullopt;
+    return Span{std::max(0.0, along - half), along + half};
 }
 
 std::vector<WalkedCell> walkedCells(const SphericalGrid& grid, const Ray& ray, const Span& span) {
@@ -141,6 +142,7 @@ std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& 
     // A little more than the sphere: its radius is rounded.
     const std::optional<Span> inside = throughSphere(ray, maps.sphere().radius * (1.0 + 1e-6));
     if (!inside) return std::nullopt;
+    const double foot = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
     std::optional<TriangleHit> nearest;
     for (const WalkedCell& step : walkedCells(maps.grid(), ray, *inside)) {
         // A triangle of an earlier cell may be met only later on.
@@ -148,7 +150,7 @@ std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& 
         if (walked) walked->push_back(step);
         const uint32_t cell = maps.grid().number(step.cell);
         const SphericalMaps::Extent& extent = maps.extent(cell);
-        const double closest = std::clamp(-glm::dot(ray.origin, ray.direction), step.span.from, step.span.to);
+        const double closest = std::clamp(foot, step.span.from, step.span.to);
         const double least = glm::length(ray.at(closest));
         const double most = std::max(glm::length(ray.at(step.span.from)), glm::length(ray.at(step.span.to)));
         if (extent.empty() || least > extent.farthest || most < extent.nearest) continue;

@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// origin + t · direction; the direction has length 1. Both in whatever coordinates the maps are in, from their centre.
+/// origin + t · direction, which is of any length but 0. Both in whatever coordinates the maps are in, from their centre.
 struct Ray {
     Vec3 origin{0.0};
     Vec3 direction{0.0, 0.0, 1.0};

@@ -33,7 +33,8 @@ TEST(SphericalPoint, aTinyNegativeAngleIsNoWholeTurn) {
 TEST(SphericalPoint, comesBackFromItsCoordinates) {
     Random random(3);
     for (int i = 0; i < 10'000; ++i) {
-        const Vec3 p = std::pow(10.0, random.between(-8.0, 8.0)) * random.direction();
+        const double scale = std::pow(10.0, random.between(-8.0, 8.0));
+        const Vec3 p = scale * random.direction();
         const SphericalPoint s = sphericalPoint(p);
         const Vec3 back =
             s.radius * Vec3(std::sin(s.theta) * std::cos(s.phi), std::sin(s.theta) * std::sin(s.phi), std::cos(s.theta));
@@ -66,9 +67,11 @@ TEST(SphericalGrid, everyDirectionLiesInTheCellThatItIsIn) {
 TEST(SphericalGrid, theLargestDotIsThatOfTheCellsDirections) {
     Random random(5);
     for (int i = 0; i < 2'000; ++i) {
-        const SphericalGrid grid(4 + uint32_t(random.between(0.0, 60.0)), 2 + uint32_t(random.between(0.0, 30.0)));
+        const uint32_t columns = 4 + uint32_t(random.between(0.0, 60.0));
+        const SphericalGrid grid(columns, 2 + uint32_t(random.between(0.0, 30.0)));
         const SphericalGrid::Cell cell = grid.cellOf(random.direction());
-        const Vec3 normal = std::pow(10.0, random.between(-3.0, 3.0)) * random.direction();
+        const double scale = std::pow(10.0, random.between(-3.0, 3.0));
+        const Vec3 normal = scale * random.direction();
         const double largest = grid.largestDot(normal, cell);
         double found = -1e300;
         constexpr int kSteps = 40;

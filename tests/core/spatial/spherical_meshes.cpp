@@ -76,10 +76,15 @@ MeshPointer randomTriangles(uint64_t seed, size_t count) {
     Random random(seed);
     std::vector<std::array<Vec3f, 3>> triangles;
     for (size_t i = 0; i < count; ++i) {
-        const Vec3 place = random.unit() * random.direction();
+        // One draw a statement: the order of those in one expression is the compiler's.
+        const double away = random.unit();
+        const Vec3 place = away * random.direction();
         const double size = std::pow(10.0, random.between(-4.0, 0.3));
         std::array<Vec3f, 3> triangle;
-        for (Vec3f& corner : triangle) corner = Vec3f(place + size * random.unit() * random.direction());
+        for (Vec3f& corner : triangle) {
+            const double reach = size * random.unit();
+            corner = Vec3f(place + reach * random.direction());
+        }
         triangles.push_back(triangle);
     }
     return looseTriangles(triangles);

@@ -1,6 +1,8 @@
 // States that must look right: dark, other sizes and scales, statistics, a lecture, and a window before a scene is opened.
+#include <QHeaderView>
 #include <QProcess>
 #include <QSpinBox>
+#include <QTableView>
 #include <QTemporaryDir>
 
 #include "tests/ui/looks/desktop.h"
@@ -10,6 +12,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kSmallestLectureLetters = 20;  // pixels
+constexpr int kColumnWidth = 90;             // of the statistics' table, in its kept picture
 
 QStringList cut(Desktop& desktop) { return cutTexts(desktop.window); }
 
@@ -60,6 +63,11 @@ TEST(States, aFinishedExperiment) {
     ASSERT_TRUE(waitUntil([&] { return start->text() == begin; }));
     desktop.settle();
     EXPECT_GE(panel.model().rowCount(), 2);
+    // Columns are as wide as their numbers, and those of times have more or fewer digits from run to run.
+    for (QTableView* table : panel.findChildren<QTableView*>()) {
+        table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+        for (int column = 1; column < table->model()->columnCount(); ++column) table->setColumnWidth(column, kColumnWidth);
+    }
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("statistics")));
 }
 
