@@ -130,7 +130,7 @@ std::vector<unsigned char> encoded(const std::filesystem::path& path, const Pict
 void requirePictureFormat(const std::filesystem::path& path) { (void)formatOf(path); }
 
 void writePicture(const std::filesystem::path& path, const Picture& picture, const Vec3f& background) {
-    const size_t pixels = static_cast<size_t>(picture.size.width) * static_cast<size_t>(picture.size.height);
+    [[maybe_unused]] const size_t pixels = static_cast<size_t>(picture.size.width) * static_cast<size_t>(picture.size.height);
     assert(picture.rgba.size() == 4 * pixels);
     assert(picture.depth.empty() || picture.depth.size() == pixels);
     assert(picture.triangle.empty() || picture.triangle.size() == pixels);
