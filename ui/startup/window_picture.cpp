@@ -24,7 +24,9 @@ WindowPicture::WindowPicture(MainWindow& window, Session& session, QString file,
 bool WindowPicture::settled() const {
     if (m_session.loader().loading()) return false;
     const bool uploaded = m_session.buffers() || !m_session.uploadFailure().empty();
-    return m_failed || (m_session.opened() && uploaded && m_session.figuresSettled());
+    // The figures of a large scene wait until they are asked for; its pictures come all the same.
+    const bool drawn = !m_session.pictures() || !m_session.pictures()->busy();
+    return m_failed || (m_session.opened() && uploaded && drawn && m_session.figuresSettled());
 }
 
 void WindowPicture::look() {

@@ -5,10 +5,14 @@
 namespace cullscope::ui {
 
 void drawPromiseMarker(QPainter& painter, const QRectF& place, Promise promise, const QColor& colour) {
+    drawPromiseMarker(painter, place, promise, QPen(Qt::NoPen), QBrush(colour));
+}
+
+void drawPromiseMarker(QPainter& painter, const QRectF& place, Promise promise, const QPen& outline, const QBrush& fill) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(colour);
+    painter.setPen(outline);
+    painter.setBrush(fill);
     switch (promise) {
         case Promise::Exact:
             painter.drawEllipse(place);
