@@ -334,6 +334,23 @@ TEST_F(Window, theStatusBarDecidedTheLeastHeight) {
     EXPECT_LE(window.minimumSizeHint().height(), 400);
 }
 
+TEST_F(Window, thePictureOfALargeSceneWasTakenBeforeItWasDrawn) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png"));
+    int status = -1;
+    // Figures of so many triangles are made on request alone.
+    session.open(QStringLiteral("sphere:triangles=5.1e6"));
+    WindowPicture shot(window, session, file);
+    QObject::connect(&shot, &WindowPicture::done, [&](int result) { status = result; });
+    ASSERT_TRUE(waitUntil([&] { return status >= 0; }));
+    ASSERT_EQ(status, 0);
+    ASSERT_EQ(session.figures(0).state, Figures::State::OnRequest);
+    const QPoint middle = picture(0).mapTo(&window, picture(0).rect().center());
+    const QPoint corner = picture(0).mapTo(&window, picture(0).rect().topRight() + QPoint(-4, 4));
+    const QImage saved(file);
+    EXPECT_NE(saved.pixelColor(middle * window.devicePixelRatioF()), saved.pixelColor(corner * window.devicePixelRatioF()));
+}
+
 TEST_F(Window, pictureOfTheWindowIsSaved) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
