@@ -55,7 +55,8 @@ void clearTo(const DrawStyle& style) {
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
 }
 
-VertexInput::VertexInput(const SceneBuffers& buffers, unsigned vertexArray) : m_buffers(buffers), m_vertexArray(vertexArray) {
+VertexInput::VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order)
+    : m_buffers(buffers), m_vertexArray(vertexArray), m_order(std::move(order)) {
     glBindVertexArray(client() ? 0 : vertexArray);
     if (!client()) return;
     glBindBuffer(GL_ARRAY_BUFFER, 0);
@@ -77,14 +78,24 @@ void VertexInput::bindMesh(uint32_t meshIndex) {
     if (client()) {
         glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), mesh.positions().data());
         glVertexAttribPointer(kNormal, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), mesh.normals().data());
-        m_indices = reinterpret_cast<const char*>(mesh.indices().data());
+        bindIndices(meshIndex);
         return;
     }
     const SceneBuffers::MeshBuffers& gpu = m_buffers.mesh(meshIndex);
     glVertexArrayVertexBuffer(m_vertexArray, kPosition, gpu.vertices, 0, sizeof(Vec3f));
     glVertexArrayVertexBuffer(m_vertexArray, kNormal, gpu.vertices, static_cast<GLintptr>(gpu.normalsOffset), sizeof(Vec3f));
-    glVertexArrayElementBuffer(m_vertexArray, gpu.indices);
+    bindIndices(meshIndex);
+}
+
+void VertexInput::bindIndices(uint32_t mesh) {
+    const std::span<const uint32_t> ordered = m_order ? m_order->meshes[mesh].indices : std::span<const uint32_t>();
     m_indices = nullptr;
+    if (client())
+        m_indices =
+            reinterpret_cast<const char*>((ordered.empty() ? m_buffers.scene().meshes()[mesh]->indices() : ordered).data());
+    else
+        glVertexArrayElementBuffer(m_vertexArray,
+                                   ordered.empty() ? m_buffers.mesh(mesh).indices : m_buffers.order(m_order, mesh).indices);
 }
 
 namespace {

@@ -20,7 +20,8 @@ enum Uniform : GLint {
     kFirstTriangle = 4,
     kWantedLook = 5,
     kHatch = 6,
-    kHatchPlace = 7
+    kHatchPlace = 7,
+    kFirstPlace = 8
 };
 
 inline constexpr GLuint kPosition = 0;
@@ -57,7 +58,8 @@ void clearTo(const DrawStyle& style);
 /// Binds one mesh after the other as vertex input and hands out index addresses.
 class VertexInput {
 public:
-    VertexInput(const SceneBuffers& buffers, unsigned vertexArray);
+    /// For ranges in `order`; null: in the meshes' own.
+    VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order);
     ~VertexInput();
     VertexInput(const VertexInput&) = delete;
     VertexInput& operator=(const VertexInput&) = delete;
@@ -72,8 +74,12 @@ private:
     [[nodiscard]] bool client() const { return m_buffers.upload() == Upload::VertexArray; }
     void bindMesh(uint32_t mesh);
 
+    /// The indices of a mesh in the order.
+    void bindIndices(uint32_t mesh);
+
     const SceneBuffers& m_buffers;
     unsigned m_vertexArray;
+    TriangleOrderPointer m_order;
     uint32_t m_bound = UINT32_MAX;
     const char* m_indices = nullptr;
 };

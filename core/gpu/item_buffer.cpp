@@ -5,6 +5,7 @@ namespace cullscope {
 namespace {
 
 constexpr GLuint kNothing = UINT32_MAX;
+constexpr GLuint kOrderBinding = 2;
 
 /// Depth and triangle numbers as textures, empty until something is drawn.
 class ItemTarget {
@@ -32,6 +33,27 @@ void requireNumbers(const Scene& scene) {
                    {std::to_string(scene.triangleCount())});
 }
 
+/// One draw a range with the triangles' numbers, as the item shader takes them.
+void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
+    const Scene& scene = buffers.scene();
+    submit(buffers, view, list, vertexArray,
+           [&](std::span<const DrawRange> ranges, const std::vector<GLsizei>& counts, const std::vector<const void*>& addresses) {
+               const uint32_t mesh = scene.instances()[ranges.front().instance].mesh;
+               const bool ordered = !list.orderOf(mesh).triangles.empty();
+               if (ordered)
+                   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, buffers.numberedOrder(list.order, mesh).triangles);
+               for (size_t i = 0; i < ranges.size(); ++i) {
+                   const GLuint place = ranges[i].firstIndex / 3;
+                   const auto first = static_cast<GLuint>(scene.firstTriangle(ranges[i].instance));
+                   glUniform1ui(kFirstTriangle, ordered ? first : first + place);
+                   glUniform1i(kFirstPlace, ordered ? static_cast<GLint>(place) : -1);
+                   glDrawElements(GL_TRIANGLES, counts[i], GL_UNSIGNED_INT, addresses[i]);
+               }
+           });
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, 0);
+    glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
+}
+
 /// A depth pass, then the lowest number at each depth, within the current drawing state.
 void drawItems(unsigned depthProgram, unsigned itemProgram, unsigned vertexArray, const SceneBuffers& buffers, const View& view,
                const DrawList& list, const ItemTarget& target) {
@@ -44,7 +66,7 @@ void drawItems(unsigned depthProgram, unsigned itemProgram, unsigned vertexArray
     glDepthMask(GL_FALSE);
     glUseProgram(itemProgram);
     glBindImageTexture(0, target.items(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_R32UI);
-    submitNumbered(buffers, view, list, vertexArray);
+    submitItems(buffers, view, list, vertexArray);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glBindImageTexture(0, 0, 0, GL_FALSE, 0, GL_READ_ONLY, GL_R32UI);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);

@@ -26,6 +26,26 @@ SceneBuffers::MeshBuffers uploaded(const TriangleMesh& mesh) {
     return buffers;
 }
 
+unsigned uploaded(std::span<const uint32_t> numbers) {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    unsigned buffer = 0;
+    glCreateBuffers(1, &buffer);
+    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(numbers.size_bytes()), numbers.data(), 0);
+    if (glGetError() != GL_OUT_OF_MEMORY) return buffer;
+    glDeleteBuffers(1, &buffer);
+    throwOpenGl(CULLSCOPE_TR("The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client "
+                             "vertex arrays or a smaller scene."),
+                {std::to_string(numbers.size_bytes())});
+}
+
+void deleteBuffers(const std::vector<SceneBuffers::OrderBuffers>& meshes) {
+    for (const SceneBuffers::OrderBuffers& mesh : meshes) {
+        glDeleteBuffers(1, &mesh.indices);
+        glDeleteBuffers(1, &mesh.triangles);
+    }
+}
+
 }  // namespace
 
 SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload)
@@ -54,11 +74,43 @@ SceneBuffers::SceneBuffers(ScenePointer scene, const SceneBuffers& sameMeshes)
     assert(m_scene->meshes() == sameMeshes.m_scene->meshes());
 }
 
+SceneBuffers::OrderBuffers& SceneBuffers::Uploaded::ofOrder(const TriangleOrderPointer& order, uint32_t mesh) {
+    for (UploadedOrder& known : orders)
+        if (known.order.lock() == order) return known.meshes[mesh];
+    std::erase_if(orders, [](const UploadedOrder& old) {
+        if (old.order.expired()) deleteBuffers(old.meshes);
+        return old.order.expired();
+    });
+    return orders.emplace_back(order, std::vector<OrderBuffers>(order->meshes.size())).meshes[mesh];
+}
+
+SceneBuffers::OrderBuffers SceneBuffers::order(const TriangleOrderPointer& order, uint32_t mesh) const {
+    OrderBuffers& buffers = m_uploaded->ofOrder(order, mesh);
+    const std::span<const uint32_t> indices = order->meshes[mesh].indices;
+    if (buffers.indices == 0 && m_upload == Upload::Vbo && !indices.empty()) buffers.indices = uploaded(indices);
+    return buffers;
+}
+
+SceneBuffers::OrderBuffers SceneBuffers::numberedOrder(const TriangleOrderPointer& order, uint32_t mesh) const {
+    static_cast<void>(this->order(order, mesh));
+    OrderBuffers& buffers = m_uploaded->ofOrder(order, mesh);
+    const std::span<const uint32_t> triangles = order->meshes[mesh].triangles;
+    GLint64 most = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
+    if (static_cast<GLint64>(triangles.size_bytes()) > most)
+        throwOpenGl(CULLSCOPE_TR("The numbers of the triangles in this strategy's order need %1 bytes in one buffer and this "
+                                 "OpenGL gives %2: choose a strategy that keeps the mesh's order, or a part of the scene."),
+                    {std::to_string(triangles.size_bytes()), std::to_string(most)});
+    if (buffers.triangles == 0 && !triangles.empty()) buffers.triangles = uploaded(triangles);
+    return buffers;
+}
+
 SceneBuffers::Uploaded::~Uploaded() {
     for (const MeshBuffers& mesh : meshes) {
         glDeleteBuffers(1, &mesh.vertices);
         glDeleteBuffers(1, &mesh.indices);
     }
+    for (const UploadedOrder& order : orders) deleteBuffers(order.meshes);
 }
 
 }  // namespace cullscope

@@ -3,6 +3,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/scene/draw_list.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {
@@ -35,11 +36,28 @@ public:
     [[nodiscard]] Upload upload() const { return m_upload; }
     [[nodiscard]] const MeshBuffers& mesh(size_t index) const { return m_uploaded->meshes[index]; }
 
+    /// A mesh's triangles in a strategy's order.
+    struct OrderBuffers {
+        unsigned indices = 0;    ///< 0 with Upload::VertexArray, and for a mesh in its own order
+        unsigned triangles = 0;  ///< the mesh's numbers; 0 until somebody asks for them
+    };
+    /// Uploaded when it is first asked for, and kept as long as somebody else holds the order. Throws Error(OpenGl) where memory
+    /// runs out.
+    [[nodiscard]] OrderBuffers order(const TriangleOrderPointer& order, uint32_t mesh) const;
+    /// The same with `triangles`.
+    [[nodiscard]] OrderBuffers numberedOrder(const TriangleOrderPointer& order, uint32_t mesh) const;
+
 private:
+    struct UploadedOrder {
+        std::weak_ptr<const TriangleOrder> order;
+        std::vector<OrderBuffers> meshes;
+    };
     struct Uploaded {
         std::vector<MeshBuffers> meshes;
+        std::vector<UploadedOrder> orders;
 
         ~Uploaded();
+        OrderBuffers& ofOrder(const TriangleOrderPointer& order, uint32_t mesh);
     };
 
     ScenePointer m_scene;

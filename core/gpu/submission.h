@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cassert>
+
 #include "core/gpu/drawing.h"
 
 namespace cullscope {
@@ -8,7 +10,7 @@ namespace cullscope {
 template <typename PerInstance>
 void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray,
             const PerInstance& perInstance) {
-    VertexInput input(buffers, vertexArray);
+    VertexInput input(buffers, vertexArray, list.order);
     std::vector<GLsizei> counts;
     std::vector<const void*> addresses;
     for (size_t begin = 0, end = 0; begin < list.ranges.size(); begin = end) {
@@ -37,7 +39,9 @@ inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawL
 }
 
 /// The same with one draw a range, after the uniform kFirstTriangle says where it starts: gl_PrimitiveID counts from 0 in each.
+/// Of a list in the meshes' own order.
 inline void submitNumbered(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
+    assert(list.order == nullptr);
     submit(buffers, view, list, vertexArray,
            [&](std::span<const DrawRange> ranges, const std::vector<GLsizei>& counts, const std::vector<const void*>& addresses) {
                for (size_t i = 0; i < ranges.size(); ++i) {

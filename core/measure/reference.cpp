@@ -12,8 +12,17 @@ Intervals submitted(const DrawList& list, const Scene& scene) {
     Intervals runs;
     runs.reserve(list.ranges.size());
     for (const DrawRange& range : list.ranges) {
-        const uint64_t first = scene.firstTriangle(range.instance) + range.firstIndex / 3;
-        if (range.indexCount > 0) runs.emplace_back(first, first + range.indexCount / 3);
+        const uint32_t mesh = scene.instances()[range.instance].mesh;
+        const uint64_t first = scene.firstTriangle(range.instance);
+        const uint64_t begin = range.firstIndex / 3, end = begin + range.indexCount / 3;
+        if (list.orderOf(mesh).triangles.empty()) {
+            if (begin < end) runs.emplace_back(first + begin, first + end);
+            continue;
+        }
+        for (uint64_t place = begin; place < end; ++place) {
+            const uint64_t triangle = first + list.triangleAt(mesh, place);
+            runs.emplace_back(triangle, triangle + 1);
+        }
     }
     std::sort(runs.begin(), runs.end());
     Intervals merged;

@@ -49,7 +49,7 @@ namespace {
 std::vector<TriangleState> causes(const Scene& scene, const Trace& trace) {
     std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
     for (const TraceEvent& event : trace.events)
-        if (event.kind == TraceEvent::Kind::Culled)
+        if (event.kind == TraceEvent::Kind::Culled || event.kind == TraceEvent::Kind::PartlyDrawn)
             std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(event.instance)),
                         scene.meshOf(event.instance).triangleCount(), stateOfCause(event.cause));
     return states;
@@ -86,9 +86,11 @@ TriangleStates triangleStates(const Scene& scene, const View& view, const DrawLi
     for (const DrawRange& range : list.ranges) {
         const InstanceFromEye instance(scene, range.instance, view.eye());
         const uint64_t first = scene.firstTriangle(range.instance);
+        const uint32_t mesh = scene.instances()[range.instance].mesh;
         const uint64_t begin = range.firstIndex / 3;
         tbb::parallel_for(tbb::blocked_range<uint64_t>(begin, begin + range.indexCount / 3, 4096), [&](const auto& block) {
-            for (uint64_t triangle = block.begin(); triangle < block.end(); ++triangle) {
+            for (uint64_t place = block.begin(); place < block.end(); ++place) {
+                const uint64_t triangle = list.triangleAt(mesh, place);
                 TriangleState& state = result.states[first + triangle];
                 state = submitted.state(state, instance, triangle);
             }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <vector>
 
 namespace cullscope {
@@ -8,7 +10,20 @@ namespace cullscope {
 /// Which faces OpenGL draws.
 enum class Facing { TwoSided, Front };
 
-/// A run of indices of one instance's mesh, in the mesh's own order.
+/// The triangles of a scene's meshes in an order of a strategy's own, in which what it picks lies in few ranges. Plain views of
+/// arrays that `owner` keeps alive; they never change.
+struct TriangleOrder {
+    struct OfMesh {
+        std::span<const uint32_t> indices;    ///< three a triangle; empty: this mesh stays in its own order
+        std::span<const uint32_t> triangles;  ///< the mesh's number of the triangle at each place
+    };
+    std::vector<OfMesh> meshes;  ///< by Scene::meshes()
+    std::shared_ptr<const void> owner;
+};
+
+using TriangleOrderPointer = std::shared_ptr<const TriangleOrder>;
+
+/// A run of indices of one instance's mesh, in the draw list's order.
 struct DrawRange {
     uint32_t instance = 0;
     uint32_t firstIndex = 0;  ///< a multiple of 3
@@ -21,11 +36,21 @@ struct DrawRange {
 struct DrawList {
     Facing facing = Facing::TwoSided;
     std::vector<DrawRange> ranges;
+    TriangleOrderPointer order{};  ///< of the ranges' triangles; null: every mesh's own
 
     [[nodiscard]] uint64_t triangleCount() const {
         uint64_t count = 0;
         for (const DrawRange& range : ranges) count += range.indexCount / 3;
         return count;
+    }
+    /// The order of a mesh's triangles; empty: its own.
+    [[nodiscard]] TriangleOrder::OfMesh orderOf(uint32_t mesh) const {
+        return order ? order->meshes[mesh] : TriangleOrder::OfMesh{};
+    }
+    /// The mesh's number of the triangle at a place of this list's order.
+    [[nodiscard]] uint64_t triangleAt(uint32_t mesh, uint64_t place) const {
+        const std::span<const uint32_t> triangles = orderOf(mesh).triangles;
+        return triangles.empty() ? place : triangles[place];
     }
 };
 

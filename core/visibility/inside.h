@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/visibility/spherical_decision.h"
 #include "core/visibility/trace.h"
 
 namespace cullscope {
@@ -23,6 +24,14 @@ struct InsideNode {
 /// What a strategy shows of its inside after a cull, as plain data.
 struct Inside {
     std::vector<InsideNode> nodes;  ///< empty: this strategy has no boxes
+    std::vector<InsideMap> maps;    ///< by instance; empty: this strategy has no maps of directions
+
+    /// Null: this strategy has no map of the object.
+    [[nodiscard]] const InsideMap* mapOf(uint32_t instance) const {
+        for (const InsideMap& map : maps)
+            if (map.decision.instance == instance) return &map;
+        return nullptr;
+    }
 };
 
 }  // namespace cullscope

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/geometry/frustum.h"
+#include "core/visibility/spherical_decision.h"
 
 namespace cullscope {
 
@@ -20,6 +21,7 @@ struct TraceEvent {
     enum class Kind {
         TestedPlane,  ///< `plane` and `distance` say how the subject lies
         Culled,       ///< `cause` says why; ends the subject
+        PartlyDrawn,  ///< `cause` says why the rest is not; ends the subject
         Accepted      ///< drawn; ends the subject
     };
     Kind kind = Kind::Accepted;
@@ -34,6 +36,7 @@ struct TraceEvent {
 /// The decisions of one `cull`, in the order they were made.
 struct Trace {
     std::vector<TraceEvent> events;
+    std::vector<SphericalDecision> spherical;  ///< of strategies with maps of directions: one an object
 };
 
 }  // namespace cullscope

@@ -55,10 +55,15 @@ std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_
     return std::nullopt;
 }
 
-bool submits(const DrawList& list, uint32_t instance, uint64_t triangle) {
+bool submits(const DrawList& list, const Scene& scene, uint32_t instance, uint64_t triangle) {
+    const uint32_t mesh = scene.instances()[instance].mesh;
     return std::any_of(list.ranges.begin(), list.ranges.end(), [&](const DrawRange& range) {
-        return range.instance == instance && range.firstIndex / 3 <= triangle &&
-               triangle < (uint64_t{range.firstIndex} + range.indexCount) / 3;
+        if (range.instance != instance) return false;
+        const uint64_t first = range.firstIndex / 3, last = first + range.indexCount / 3;
+        if (list.orderOf(mesh).triangles.empty()) return first <= triangle && triangle < last;
+        for (uint64_t place = first; place < last; ++place)
+            if (list.triangleAt(mesh, place) == triangle) return true;
+        return false;
     });
 }
 
@@ -79,7 +84,7 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
     if (auto box = boxStep(scene, strategy.inside(trace), instance)) steps.push_back(std::move(*box));
     for (const TraceEvent& event : trace.events)
         if (event.instance == instance) steps.push_back(step(event));
-    const bool given = submits(list, instance, own);
+    const bool given = submits(list, scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     steps.push_back(
         {{given ? CULLSCOPE_TR("The triangle is given to OpenGL.") : CULLSCOPE_TR("The triangle is not given to OpenGL."), {}},

@@ -3,6 +3,11 @@
 
 layout(early_fragment_tests) in;
 layout(location = 4) uniform uint firstTriangle;
+layout(location = 8) uniform int firstPlace;  // of the draw in a strategy's order; below 0: in the mesh's own
 layout(binding = 0, r32ui) uniform coherent uimage2D items;
+layout(std430, binding = 2) readonly buffer Order { uint triangleAt[]; };
 
-void main() { imageAtomicMin(items, ivec2(gl_FragCoord.xy), firstTriangle + uint(gl_PrimitiveID)); }
+void main() {
+    uint own = firstPlace < 0 ? uint(gl_PrimitiveID) : triangleAt[firstPlace + gl_PrimitiveID];
+    imageAtomicMin(items, ivec2(gl_FragCoord.xy), firstTriangle + own);
+}
