@@ -45,6 +45,7 @@ struct Verdict {
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; what OpenGL culls itself (back faces) is not known here
     uint64_t nodesVisited = 0;
     uint64_t bytesTouched = 0;  ///< of the strategy's structures
+    int caseNumber = 0;         ///< 1 to 3: of Han & Hong's cases, of the first object that the frustum cuts; 0: none
     std::vector<Stage> stages;
     double cullMilliseconds = 0.0;  ///< all of `cull`
 };
