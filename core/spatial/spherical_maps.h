@@ -58,8 +58,9 @@ public:
     [[nodiscard]] std::pair<uint64_t, uint64_t> run(uint32_t first, uint32_t last) const {
         return {m_centroids.start(first), m_centroids.start(last) - m_centroids.start(first)};
     }
-    /// The mesh's number of the triangle at a place of that order.
-    [[nodiscard]] uint32_t triangleAt(uint64_t place) const { return m_centroids.values()[place]; }
+    /// The mesh's number of the triangle at each place of that order.
+    [[nodiscard]] std::span<const uint32_t> triangleOrder() const { return m_centroids.values(); }
+    [[nodiscard]] uint32_t triangleAt(uint64_t place) const { return triangleOrder()[place]; }
 
     [[nodiscard]] Bytes bytes() const;
     [[nodiscard]] const BuildTimes& buildTimes() const { return m_times; }

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/visibility/baselines.h"
 #include "core/visibility/frustum_culling.h"
+#include "core/visibility/spherical_culling.h"
 
 namespace cullscope {
 
@@ -11,6 +12,8 @@ const std::vector<RegisteredStrategy>& strategies() {
         {allInfo(), makeAll},
         {backfaceInfo(), makeBackface},
         {frustumInfo(), makeFrustum},
+        {sphericalInfo(), makeSpherical},
+        {sphericalHorizonInfo(), makeSphericalHorizon},
     };
     return kStrategies;
 }

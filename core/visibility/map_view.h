@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+#include "core/visibility/spherical_decision.h"
+#include "core/visibility/trace.h"
+
+namespace cullscope {
+
+/// An instance as a view sees it, in the coordinates of its mesh's maps: sight lines stay sight lines under any affine transform,
+/// so that instances of one mesh share its maps.
+struct MapView {
+    /// One plane's test of the bounding sphere (in the world an ellipsoid), as in a trace: world units.
+    struct PlaneTest {
+        Containment containment = Containment::Straddles;
+        double distance = 0.0;  ///< of the sphere's point farthest inside
+        double bound = 0.0;
+    };
+
+    SphereRelation relation = SphereRelation::AroundEye;
+    std::array<PlaneTest, 6> planes{};
+    size_t planesTested = 0;  ///< tests end at the first plane with all of the sphere outside
+    Vec3 eye{0.0};
+    std::array<Vec3, 4> cornerDirections{};  ///< bottom-left, bottom-right, top-right, top-left; of any length
+    bool beyondNear = false;                 ///< the whole sphere lies behind the near plane, so that nothing of it is cut off
+    double pixelReach = 0.0;                 ///< how far in map units a point moves, at most, that moves by one pixel
+};
+
+/// Outside is never said of a sphere that reaches into the frustum (bound: geometry/frustum.h, conservativeSlack).
+[[nodiscard]] MapView mapView(const Scene& scene, uint32_t instance, const SphericalMaps& maps, const View& view);
+
+}  // namespace cullscope

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "core/visibility/map_view.h"
+#include "core/visibility/spherical_bands.h"
+
+namespace cullscope {
+
+/// What the horizon test needs of a mesh's maps besides BandCells.
+struct HorizonCells {
+    HorizonCells(const SphericalMaps& maps, const BandCells& cells);
+    [[nodiscard]] uint64_t bytes() const { return caps.size() * sizeof(Cap); }
+
+    /// (cos, sin) of the angle around a cell's middle that holds all triangles that the cell owns; cos ≤ 0: no cap that is
+    /// narrower than a hemisphere.
+    struct Cap {
+        float cosine = -1.0f, sine = 0.0f;
+    };
+    std::vector<Cap> caps;         ///< by BandCells::cells
+    std::vector<Vec2> cellRadius;  ///< by row: (cos, sin) of the angle from a cell's middle to its corners
+};
+
+/// The exact slope in place of S (methods.md, `spherical-horizon`). Along a sight line the angle β about the axis stays and α
+/// grows; a point of distance r at α has the slope s = r·sin α / (d − r·cos α), d from the eye to the centre, and what lies on
+/// the same sight line has the same slope. So on a star-shaped surface what has a lower slope than the surface at some smaller α
+/// is hidden. A band's sector has the least slope that its surface can have, by the index map's nearest radii; a cell the largest
+/// that the triangles it owns can have, over all bands and sectors that they reach into. Both are widened by the picture's
+/// snapping to 1/256 pixel (1/64 is taken). Gives the cells that are drawn; fills the bands. Conservative where the surface is
+/// star-shaped around the centre and wholly behind the near plane.
+[[nodiscard]] std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells,
+                                                const HorizonCells& horizonCells, const MapView& view, ContourBands& bands);
+
+/// Whether every direction from the centre of the mesh's bounding sphere meets its surface exactly once: closed, consistently
+/// oriented, every triangle on the same side of the centre, all solid angles together one sphere.
+[[nodiscard]] bool isStarShaped(const SphericalMaps& maps);
+
+}  // namespace cullscope
