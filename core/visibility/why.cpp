@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "core/scene/eye_triangle.h"
+#include "core/visibility/why_spherical.h"
 
 namespace cullscope {
 namespace {
@@ -39,6 +40,12 @@ WhyStep step(const TraceEvent& event) {
                 {},
                 {},
                 Containment::Outside};
+    if (event.kind == TraceEvent::Kind::PartlyDrawn)
+        return {{CULLSCOPE_TR("The strategy draws the object in part; the rest is left out: %1."), {causeName(event.cause)}},
+                {},
+                {},
+                {},
+                Containment::Straddles};
     return {{CULLSCOPE_TR("The strategy keeps the object."), {}}, {}, {}, {}, Containment::Straddles};
 }
 
@@ -81,9 +88,11 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
     const auto instance = static_cast<uint32_t>(scene.instanceOf(triangle));
     const uint64_t own = triangle - scene.firstTriangle(instance);
     std::vector<WhyStep> steps;
-    if (auto box = boxStep(scene, strategy.inside(trace), instance)) steps.push_back(std::move(*box));
+    const Inside inside = strategy.inside(trace);
+    if (auto box = boxStep(scene, inside, instance)) steps.push_back(std::move(*box));
     for (const TraceEvent& event : trace.events)
         if (event.instance == instance) steps.push_back(step(event));
+    if (const InsideMap* map = inside.mapOf(instance)) addMapSteps(*map, uint32_t(own), steps);
     const bool given = submits(list, scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     steps.push_back(

@@ -1,0 +1,79 @@
+#pragma once
+
+#include "core/geometry/random.h"
+#include "core/mesh/parametric.h"
+#include "core/visibility/registry.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+
+/// A strategy with parameters as text: {"rows", "90"}, …
+inline StrategyPointer strategyWith(const char* id, const std::vector<std::pair<const char*, const char*>>& parameters) {
+    ParameterSet set(findStrategy(id).info.parameters);
+    for (const auto& [key, value] : parameters) set.setFromText(key, value);
+    return makeStrategy(id, set);
+}
+
+/// A sphere mesh with every vertex moved along its direction by a seeded sum of bumps and spikes: star-shaped around the origin.
+inline MeshPointer bumpyMesh(uint64_t seed, size_t triangles, double height) {
+    const MeshPointer sphere = sphereMesh(triangles);
+    Random random(seed);
+    std::vector<Vec3> axes;
+    std::vector<double> sharpness;
+    for (int i = 0; i < 12; ++i) {
+        axes.push_back(random.direction());
+        sharpness.push_back(random.between(2.0, 40.0));
+    }
+    std::vector<Vec3f> positions;
+    for (const Vec3f& position : sphere->positions()) {
+        double radius = 1.0;
+        for (size_t i = 0; i < axes.size(); ++i)
+            radius += height * std::exp(sharpness[i] * (glm::dot(axes[i], glm::normalize(Vec3(position))) - 1.0));
+        positions.push_back(Vec3f(glm::normalize(Vec3(position)) * radius));
+    }
+    return meshOf(std::move(positions), {sphere->indices().begin(), sphere->indices().end()});
+}
+
+/// A hemispherical bowl with a thick wall, its opening towards +z.
+inline MeshPointer bowlMesh(size_t rings) {
+    const size_t sides = 4 * rings;
+    // The profile from the outer bottom over the rim to the inner bottom.
+    std::vector<Vec2> profile;
+    for (size_t i = 0; i <= rings; ++i) {
+        const double angle = 0.5 * std::numbers::pi * double(i) / double(rings);
+        profile.emplace_back(std::sin(angle), -std::cos(angle));
+    }
+    for (size_t i = 0; i <= rings; ++i) {
+        const double angle = 0.5 * std::numbers::pi * double(rings - i) / double(rings);
+        profile.emplace_back(0.8 * std::sin(angle), -0.8 * std::cos(angle));
+    }
+    std::vector<Vec3f> positions;
+    for (const Vec2& point : profile)
+        for (size_t side = 0; side < sides; ++side) {
+            const double turn = 2.0 * std::numbers::pi * double(side) / double(sides);
+            positions.emplace_back(float(point.x * std::cos(turn)), float(point.x * std::sin(turn)), float(point.y));
+        }
+    std::vector<uint32_t> indices;
+    for (size_t ring = 0; ring + 1 < profile.size(); ++ring)
+        for (size_t side = 0; side < sides; ++side) {
+            const auto a = uint32_t(ring * sides + side), b = uint32_t(ring * sides + (side + 1) % sides);
+            const auto c = uint32_t(a + sides), d = uint32_t(b + sides);
+            indices.insert(indices.end(), {a, b, d, a, d, c});
+        }
+    return meshOf(std::move(positions), std::move(indices));
+}
+
+/// A rotation about an axis of any length.
+inline Mat4 rotation(const Vec3& axis, double radians) {
+    const Vec3 n = glm::normalize(axis);
+    Mat4 matrix(1.0);
+    for (int i = 0; i < 3; ++i) {
+        Vec3 e(0.0);
+        e[i] = 1.0;
+        matrix[i] = Vec4(
+            e * std::cos(radians) + glm::cross(n, e) * std::sin(radians) + n * (glm::dot(n, e) * (1.0 - std::cos(radians))), 0.0);
+    }
+    return matrix;
+}
+
+}  // namespace cullscope::test
