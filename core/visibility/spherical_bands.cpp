@@ -29,15 +29,18 @@ private:
     const ContourBands& m_bands;
 };
 
-/// From near to far, sector by sector.
+/// From near to far, sector by sector: drawn up to the first band beyond 90° whose S does not exceed the largest nearer one. A band
+/// without triangles has no S and decides nothing.
 void compareWithNearer(ContourBands& bands) {
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         double largest = 0.0;
+        bool cut = false;
         for (uint32_t band = 0; band < bands.bands; ++band) {
             BandSector& entry = bands.table[size_t(band) * bands.sectors + sector];
             entry.horizon = largest;
             const bool near = (band + 1) * bands.width <= std::numbers::pi / 2 * (1.0 + 1e-12);
-            entry.drawn = near || entry.size > largest;
+            cut = cut || (!near && entry.size > 0.0 && entry.size <= largest);
+            entry.drawn = !cut;
             largest = std::max(largest, entry.size);
         }
     }

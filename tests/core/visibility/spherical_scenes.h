@@ -45,7 +45,7 @@ inline MeshPointer bowlMesh(size_t rings) {
     }
     for (size_t i = 0; i <= rings; ++i) {
         const double angle = 0.5 * std::numbers::pi * double(rings - i) / double(rings);
-        profile.emplace_back(0.8 * std::sin(angle), -0.8 * std::cos(angle));
+        profile.emplace_back(0.92 * std::sin(angle), -0.92 * std::cos(angle));
     }
     std::vector<Vec3f> positions;
     for (const Vec2& point : profile)
