@@ -29,8 +29,8 @@ private:
     const ContourBands& m_bands;
 };
 
-/// From near to far, sector by sector: drawn up to the first band beyond 90° whose S does not exceed the largest nearer one. A band
-/// without triangles has no S and decides nothing.
+/// From near to far, sector by sector: drawn up to the first band beyond 90° whose S does not exceed the largest nearer one. A
+/// band without triangles has no S and decides nothing.
 void compareWithNearer(ContourBands& bands) {
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         double largest = 0.0;

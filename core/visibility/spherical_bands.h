@@ -27,9 +27,9 @@ struct BandCells {
 
 /// Area_Sampling and Hidden_Surface_Test of Han & Hong 2008, Appendix 1. S of a cell is its farthest centroid's distance from the
 /// centre, projected on the perpendicular of the axis in the direction of the cell's middle; S of a band's sector is its cells'
-/// largest. Drawn is what lies within 90° of the axis, and beyond it each sector as long as its bands' S exceeds the largest S nearer;
-/// there it is cut, and nothing after it is drawn.
-/// Fills the bands and gives the drawn cells in runs (over empty cells too).
+/// largest. Drawn is what lies within 90° of the axis, and beyond it each sector as long as its bands' S exceeds the largest S
+/// nearer; there it is cut, and nothing after it is drawn. Fills the bands and gives the drawn cells in runs (over empty cells
+/// too).
 [[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands);
 
 /// Collects cells in ascending order into runs; between two of them may only lie cells that own nothing.

@@ -1,5 +1,7 @@
 #include "core/visibility/spherical_culling.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 
 #include "core/base/message.h"
@@ -82,19 +84,14 @@ protected:
     }
 
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        const StageTimer stage(verdict, CULLSCOPE_TR("maps and bands"));
+        const std::vector<Decided> decided = decideAll(view, trace != nullptr, verdict);
+        const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
         verdict.drawList.order = m_order;
-        for (uint32_t i = 0; i < scene().instances().size(); ++i) {
-            const MappedMesh& mesh = mappedMesh(i);
+        for (const Decided& object : decided) {
+            const MappedMesh& mesh = mappedMesh(object.decision.instance);
             if (!mesh.maps) continue;
-            const MapView seen = mapView(scene(), i, *mesh.maps, view);
-            SphericalDecision decision;
-            decision.instance = i;
-            decision.relation = seen.relation;
-            decision.eye = seen.eye;
-            decideByRelation(mesh, seen, decision, trace != nullptr);
-            submit(mesh, decision, verdict);
-            if (trace != nullptr) record(mesh, seen, std::move(decision), *trace);
+            submit(mesh, object.decision, verdict);
+            if (trace != nullptr) record(mesh, object, *trace);
         }
     }
 
@@ -150,6 +147,29 @@ private:
                           {"memory access map ms", times.accessMap}};
     }
 
+    /// An object by itself: nothing that one is decided by depends on another.
+    struct Decided {
+        MapView seen;
+        SphericalDecision decision;
+    };
+
+    [[nodiscard]] std::vector<Decided> decideAll(const View& view, bool traced, Verdict& verdict) const {
+        const StageTimer stage(verdict, CULLSCOPE_TR("maps and bands"));
+        std::vector<Decided> decided(scene().instances().size());
+        tbb::parallel_for(uint32_t{0}, uint32_t(decided.size()), [&](uint32_t i) {
+            const MappedMesh& mesh = mappedMesh(i);
+            SphericalDecision& decision = decided[i].decision;
+            decision.instance = i;
+            if (!mesh.maps) return;
+            const MapView seen = decided[i].seen = mapView(scene(), i, *mesh.maps, view);
+            decision.relation = seen.relation;
+            decision.eye = seen.eye;
+            decideByRelation(mesh, seen, decision, traced);
+            for (const CellRun& run : decision.drawn) decision.drawnTriangles += mesh.maps->run(run.first, run.last).second;
+        });
+        return decided;
+    }
+
     void decideByRelation(const MappedMesh& mesh, const MapView& seen, SphericalDecision& decision, bool traced) const {
         if (seen.relation == SphereRelation::AroundEye)
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
@@ -157,11 +177,10 @@ private:
             decideAbout(mesh, seen, decision, traced);
     }
 
-    void submit(const MappedMesh& mesh, SphericalDecision& decision, Verdict& verdict) const {
+    void submit(const MappedMesh& mesh, const SphericalDecision& decision, Verdict& verdict) const {
         for (const CellRun& run : decision.drawn) {
             const auto [first, count] = mesh.maps->run(run.first, run.last);
             if (count == 0) continue;
-            decision.drawnTriangles += count;
             verdict.drawList.ranges.push_back({decision.instance, uint32_t(3 * first), uint32_t(3 * count)});
         }
         const Cause cause = decision.relation == SphereRelation::Outside ? Cause::OutsideFrustum : causeOf(decision.relation);
@@ -174,7 +193,8 @@ private:
         if (decision.region && verdict.caseNumber == 0) verdict.caseNumber = decision.region->caseNumber;
     }
 
-    void record(const MappedMesh& mesh, const MapView& seen, SphericalDecision decision, Trace& trace) const {
+    void record(const MappedMesh& mesh, const Decided& object, Trace& trace) const {
+        const auto& [seen, decision] = object;
         for (size_t p = 0; p < seen.planesTested; ++p) {
             const MapView::PlaneTest& test = seen.planes[p];
             trace.events.push_back({TraceEvent::Kind::TestedPlane, decision.instance, static_cast<FrustumPlane>(p),
@@ -188,7 +208,7 @@ private:
         else
             end.cause = causeOf(decision.relation);
         trace.events.push_back(end);
-        trace.spherical.push_back(std::move(decision));
+        trace.spherical.push_back(decision);
     }
 
     [[nodiscard]] InsideNode nodeOf(const SphericalDecision& decision) const {
@@ -253,7 +273,7 @@ protected:
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
 
-    void decideAbout(const MappedMesh& mesh, const MapView& view, SphericalDecision& decision, bool /*traced*/) const override {
+    void decideAbout(const MappedMesh& mesh, const MapView& view, SphericalDecision& decision, bool traced) const override {
         // A surface that the near plane cuts open hides nothing.
         if (!view.beyondNear) {
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
@@ -261,6 +281,7 @@ protected:
         }
         decision.bands = makeBands(view.eye, bandWidth(), sectors());
         decision.drawn = drawnBySlope(*mesh.maps, *mesh.bandCells, *mesh.horizonCells, view, *decision.bands);
+        if (traced) markDrawnSectors(*mesh.bandCells, decision.drawn, *decision.bands);
     }
 
 private:

@@ -1,7 +1,6 @@
 #include "core/visibility/spherical_horizon.h"
 
 #include <tbb/blocked_range.h>
-#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -22,18 +21,22 @@ Vec2 difference(const Vec2& a, const Vec2& b) { return {a.x * b.x + a.y * b.y, a
 
 double slope(double radius, const Vec2& alpha, double eyeDistance) { return radius * alpha.y / (eyeDistance - radius * alpha.x); }
 
-/// Bands and sectors that a cap of directions reaches into.
-struct Reach {
-    uint32_t firstBand = 0, lastBand = 0;
-    uint32_t firstSector = 0, sectors = 0;  ///< counted on over β = 0
+/// Bands that a cap of directions reaches into.
+struct BandRange {
+    uint32_t first = 0, last = 0;
+};
+
+/// Sectors that it reaches into, counted on over β = 0.
+struct SectorRange {
+    uint32_t first = 0, count = 0;
 };
 
 /// A cap of directions around a cell's middle, against the bands' axis.
 class CapOnBands {
 public:
-    /// `radius`: (cos, sin) of the cap's; `wider`: radians that it is wider.
-    CapOnBands(const ContourBands& bands, const Vec3& middle, const Vec2& radius, double wider = 0.0)
-        : m_bands(bands), m_middle(middle), m_radius(radius), m_wider(wider) {
+    /// `wider`: radians that the cap is wider.
+    CapOnBands(const ContourBands& bands, const Vec3& middle, const HorizonCells::Cap& cap, double wider = 0.0)
+        : m_bands(bands), m_middle(middle), m_radius(cap.cosine, cap.sine), m_angle(cap.angle), m_wider(wider) {
         const double along = std::clamp(glm::dot(middle, bands.axis), -1.0, 1.0);
         m_alpha = {along, std::sqrt(1.0 - along * along)};
     }
@@ -43,27 +46,28 @@ public:
     /// Whether the axis or its opposite lies in the cap.
     [[nodiscard]] bool holdsAxis() const { return m_radius.y + m_wider >= m_alpha.y || m_radius.x <= 0.0; }
 
-    [[nodiscard]] Reach reach() const {
-        const double angle = quickAcos(m_alpha.x), radius = quickAcos(m_radius.x) + m_wider + 2.0 * kQuickAngleError;
-        Reach reach;
-        reach.firstBand = m_bands.bandOf(angle - radius);
-        reach.lastBand = m_bands.bandOf(angle + radius);
-        reach.sectors = m_bands.sectors;
-        if (holdsAxis()) return reach;
+    [[nodiscard]] BandRange bandRange() const {
+        const double angle = quickAcos(m_alpha.x), radius = m_angle + m_wider + kQuickAngleError;
+        return {m_bands.bandOf(angle - radius), m_bands.bandOf(angle + radius)};
+    }
+
+    [[nodiscard]] SectorRange sectorRange() const {
+        const SectorRange all{0, m_bands.sectors};
+        if (holdsAxis()) return all;
         const double beta = quickAzimuth(glm::dot(m_middle, m_bands.over), glm::dot(m_middle, m_bands.side));
         const double half = 0.5 * kPi - quickAcos((m_radius.y + m_wider) / m_alpha.y) + 2.0 * kQuickAngleError;
         const double perSector = m_bands.sectors / (2.0 * kPi);
         const auto first = int64_t(std::floor((beta - half) * perSector)), last = int64_t(std::floor((beta + half) * perSector));
-        if (last - first + 1 >= int64_t(m_bands.sectors)) return reach;
-        reach.firstSector = uint32_t((first + int64_t(m_bands.sectors)) % int64_t(m_bands.sectors));
-        reach.sectors = uint32_t(last - first + 1);
-        return reach;
+        const auto sectors = int64_t(m_bands.sectors);
+        if (last - first + 1 >= sectors) return all;
+        return {uint32_t((first + sectors) % sectors), uint32_t(last - first + 1)};
     }
 
 private:
     const ContourBands& m_bands;
     Vec3 m_middle;
     Vec2 m_radius;
+    double m_angle;
     double m_wider;
     Vec2 m_alpha{1.0, 0.0};
 };
@@ -85,30 +89,21 @@ double largestSlope(const CapOnBands& cap, double farthest, double eyeDistance) 
 }
 
 /// The least slopes by band and sector.
-std::vector<double> leastSlopes(const SphericalMaps& maps, const BandCells& cells, const HorizonCells& horizonCells,
-                                const ContourBands& bands, double eyeDistance) {
-    const SphericalGrid& grid = maps.grid();
-    tbb::enumerable_thread_specific<std::vector<double>> tables([&] { return std::vector(bands.table.size(), kInfinity); });
-    tbb::parallel_for(tbb::blocked_range<uint32_t>(0, grid.rows(), 8), [&](const auto& rows) {
-        std::vector<double>& table = tables.local();
-        for (uint32_t row = rows.begin(); row < rows.end(); ++row)
-            for (uint32_t column = 0; column < grid.columns(); ++column) {
-                const SphericalMaps::Extent& extent = maps.extent(grid.number({row, column}));
-                const CapOnBands cap(bands, cells.directions.middle({row, column}), horizonCells.cellRadius[row]);
-                const double least = extent.empty() ? 0.0 : leastSlope(cap, extent.nearest, eyeDistance);
-                const Reach reach = cap.reach();
-                for (uint32_t band = reach.firstBand; band <= reach.lastBand; ++band)
-                    for (uint32_t i = 0; i < reach.sectors; ++i) {
-                        double& entry = table[size_t(band) * bands.sectors + (reach.firstSector + i) % bands.sectors];
-                        entry = std::min(entry, least);
-                    }
-            }
-    });
-    std::vector<double> result(bands.table.size(), kInfinity);
-    for (const std::vector<double>& table : tables)
-        std::transform(result.begin(), result.end(), table.begin(), result.begin(),
-                       [](double a, double b) { return std::min(a, b); });
-    return result;
+std::vector<double> leastSlopes(const HorizonCells& cells, const ContourBands& bands, double eyeDistance) {
+    std::vector<double> least(bands.table.size(), kInfinity);
+    for (uint32_t row = 0; row < cells.surface.rows(); ++row)
+        for (uint32_t column = 0; column < cells.surface.columns(); ++column) {
+            const CapOnBands cap(bands, cells.surfaceDirections.middle({row, column}), cells.surfaceCaps[row]);
+            const double own = leastSlope(cap, cells.surfaceNearest[cells.surface.number({row, column})], eyeDistance);
+            const BandRange reached = cap.bandRange();
+            const SectorRange sectors = cap.sectorRange();
+            for (uint32_t band = reached.first; band <= reached.last; ++band)
+                for (uint32_t i = 0; i < sectors.count; ++i) {
+                    double& entry = least[size_t(band) * bands.sectors + (sectors.first + i) % bands.sectors];
+                    entry = std::min(entry, own);
+                }
+        }
+    return least;
 }
 
 void fillHorizon(ContourBands& bands, const std::vector<double>& least) {
@@ -126,7 +121,18 @@ void fillHorizon(ContourBands& bands, const std::vector<double>& least) {
 class HorizonTest {
 public:
     HorizonTest(const SphericalMaps& maps, const MapView& view, const ContourBands& bands)
-        : m_maps(maps), m_bands(bands), m_eyeDistance(glm::length(view.eye)), m_reach(view.pixelReach / 64.0) {}
+        : m_maps(maps),
+          m_bands(bands),
+          m_eyeDistance(glm::length(view.eye)),
+          m_reach(view.pixelReach / 64.0),
+          m_lowest(bands.bands, kInfinity),
+          m_highest(bands.bands, 0.0) {
+        for (uint32_t band = 0; band < bands.bands; ++band)
+            for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+                m_lowest[band] = std::min(m_lowest[band], bands.at(band, sector).horizon);
+                m_highest[band] = std::max(m_highest[band], bands.at(band, sector).horizon);
+            }
+    }
 
     [[nodiscard]] bool hidden(const CellDirections& directions, const BandCells::Cell& cell,
                               const HorizonCells::Cap& owned) const {
@@ -134,14 +140,17 @@ public:
         const SphericalMaps::Extent& extent = m_maps.extent(cell.number);
         // As seen from the centre; a cell that comes near it may be anywhere.
         if (extent.nearest <= 16.0 * m_reach) return false;
-        const CapOnBands cap(m_bands, directions.middle({cell.row, cell.column}), {owned.cosine, owned.sine},
-                             1.1 * m_reach / extent.nearest);
+        const CapOnBands cap(m_bands, directions.middle({cell.row, cell.column}), owned, 1.1 * m_reach / extent.nearest);
         if (cap.holdsAxis() && cap.alpha().x > 0.0) return false;
         const double most =
             widened(cap.holdsAxis() ? aroundFarPoint(cap, extent.farthest) : largestSlope(cap, extent.farthest, m_eyeDistance));
-        const Reach reach = cap.reach();
-        for (uint32_t i = 0; i < reach.sectors; ++i)
-            if (!(m_bands.at(reach.firstBand, (reach.firstSector + i) % m_bands.sectors).horizon > most)) return false;
+        const uint32_t band = cap.bandRange().first;
+        // Most cells lie below or above all sectors of their band.
+        if (m_highest[band] <= most) return false;
+        if (m_lowest[band] > most) return true;
+        const SectorRange sectors = cap.sectorRange();
+        for (uint32_t i = 0; i < sectors.count; ++i)
+            if (!(m_bands.at(band, (sectors.first + i) % m_bands.sectors).horizon > most)) return false;
         return true;
     }
 
@@ -160,7 +169,16 @@ private:
     const ContourBands& m_bands;
     double m_eyeDistance;
     double m_reach;
+    std::vector<double> m_lowest, m_highest;  ///< horizons by band
 };
+
+/// From the cosine of its radius, rounded outward.
+HorizonCells::Cap capOfCosine(double cosine) {
+    cosine -= 2.0 * kFloatError;
+    if (cosine <= 0.0) return {};
+    return {float(cosine), float(std::sqrt(1.0 - cosine * cosine) + kFloatError),
+            float(std::acos(cosine) * (1.0 + 2.0 * kFloatError))};
+}
 
 HorizonCells::Cap capOf(const SphericalMaps& maps, const Vec3& middle, uint32_t cell) {
     double least = 1.0;
@@ -169,9 +187,27 @@ HorizonCells::Cap capOf(const SphericalMaps& maps, const Vec3& middle, uint32_t 
             const double length = glm::length(corner);
             least = std::min(least, length > 0.0 ? glm::dot(corner, middle) / length : -1.0);
         }
-    const double cosine = least - 2.0 * kFloatError;
-    if (cosine <= 0.0) return {-1.0f, 0.0f};
-    return {float(cosine), float(std::sqrt(1.0 - cosine * cosine) + kFloatError)};
+    return capOfCosine(least);
+}
+
+/// Around the whole of each cell of a row.
+HorizonCells::Cap capOfRow(const SphericalGrid& grid, const CellDirections& directions, uint32_t row) {
+    const double halfColumn = kPi / grid.columns();
+    const Vec2& middle = directions.row(row);
+    double least = 1.0;
+    for (const uint32_t edge : {row, row + 1}) {
+        const Vec2& theta = grid.thetaArm(edge);
+        least = std::min(least, middle.x * theta.x + middle.y * theta.y * std::cos(halfColumn));
+    }
+    return capOfCosine(least);
+}
+
+/// Whole numbers of the maps' cells in each of its own.
+SphericalGrid surfaceGrid(const SphericalGrid& maps) {
+    constexpr uint32_t kRowsOfTwoDegrees = 90;
+    uint32_t fine = std::max(1u, maps.rows() / kRowsOfTwoDegrees);
+    while (maps.rows() % fine != 0 || maps.columns() % fine != 0) --fine;
+    return SphericalGrid(maps.columns() / fine, maps.rows() / fine);
 }
 
 /// The solid angle of a triangle from the origin, negative where it turns clockwise: van Oosterom & Strackee 1983.
@@ -184,45 +220,50 @@ double solidAngle(const std::array<Vec3, 3>& corners) {
 
 }  // namespace
 
-HorizonCells::HorizonCells(const SphericalMaps& maps, const BandCells& cells) : caps(cells.cells.size()) {
-    const SphericalGrid& grid = maps.grid();
+HorizonCells::HorizonCells(const SphericalMaps& maps, const BandCells& cells)
+    : caps(cells.cells.size()),
+      surface(surfaceGrid(maps.grid())),
+      surfaceDirections(surface),
+      surfaceNearest(surface.cellCount(), std::numeric_limits<float>::infinity()) {
     tbb::parallel_for(tbb::blocked_range<size_t>(0, caps.size(), 256), [&](const auto& block) {
         for (size_t i = block.begin(); i < block.end(); ++i) {
             const BandCells::Cell& cell = cells.cells[i];
             caps[i] = capOf(maps, cells.directions.middle({cell.row, cell.column}), cell.number);
         }
     });
-    const double halfColumn = kPi / grid.columns();
-    for (uint32_t row = 0; row < grid.rows(); ++row) {
-        double least = 1.0;
-        for (const uint32_t edge : {row, row + 1}) {
-            const Vec2 &middle = cells.directions.row(row), &theta = grid.thetaArm(edge);
-            least = std::min(least, middle.x * theta.x + middle.y * theta.y * std::cos(halfColumn));
-        }
-        least -= 1e-12;
-        cellRadius.emplace_back(least, std::sqrt(1.0 - least * least));
+    for (uint32_t row = 0; row < surface.rows(); ++row) surfaceCaps.push_back(capOfRow(surface, surfaceDirections, row));
+    const uint32_t fine = maps.grid().rows() / surface.rows();
+    for (uint32_t number = 0; number < maps.grid().cellCount(); ++number) {
+        const auto [row, column] = maps.grid().cell(number);
+        float& nearest = surfaceNearest[surface.number({row / fine, column / fine})];
+        nearest = maps.extent(number).empty() ? 0.0f : std::min(nearest, maps.extent(number).nearest);
     }
 }
 
 std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells, const HorizonCells& horizonCells,
                                   const MapView& view, ContourBands& bands) {
     bands.slopes = true;
-    fillHorizon(bands, leastSlopes(maps, cells, horizonCells, bands, glm::length(view.eye)));
+    fillHorizon(bands, leastSlopes(horizonCells, bands, glm::length(view.eye)));
     const HorizonTest test(maps, view, bands);
     std::vector<char> drawn(cells.cells.size());
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, drawn.size(), 1024), [&](const auto& block) {
+    tbb::parallel_for(tbb::blocked_range<size_t>(0, drawn.size(), 2048), [&](const auto& block) {
         for (size_t i = block.begin(); i < block.end(); ++i)
             drawn[i] = test.hidden(cells.directions, cells.cells[i], horizonCells.caps[i]) ? 0 : 1;
     });
     RunCollector runs;
-    for (size_t i = 0; i < drawn.size(); ++i) {
-        runs.add(cells.cells[i].number, drawn[i] != 0);
-        if (drawn[i] == 0) continue;
-        const Vec3 middle = cells.directions.middle({cells.cells[i].row, cells.cells[i].column});
-        const Reach reach = CapOnBands(bands, middle, {1.0, 0.0}).reach();
-        bands.table[size_t(reach.firstBand) * bands.sectors + reach.firstSector].drawn = true;
-    }
+    for (size_t i = 0; i < drawn.size(); ++i) runs.add(cells.cells[i].number, drawn[i] != 0);
     return runs.take();
+}
+
+void markDrawnSectors(const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands) {
+    for (BandSector& entry : bands.table) entry.drawn = false;
+    auto run = drawn.begin();
+    for (const BandCells::Cell& cell : cells.cells) {
+        while (run != drawn.end() && run->last <= cell.number) ++run;
+        if (run == drawn.end() || cell.number < run->first) continue;
+        const Vec2 angles = bands.anglesOf(cells.directions.middle({cell.row, cell.column}));
+        bands.table[size_t(bands.bandOf(angles.x)) * bands.sectors + bands.sectorOf(angles.y)].drawn = true;
+    }
 }
 
 bool isStarShaped(const SphericalMaps& maps) {

@@ -7,16 +7,22 @@ namespace cullscope {
 
 /// What the horizon test needs of a mesh's maps besides BandCells.
 struct HorizonCells {
-    HorizonCells(const SphericalMaps& maps, const BandCells& cells);
-    [[nodiscard]] uint64_t bytes() const { return caps.size() * sizeof(Cap); }
-
-    /// (cos, sin) of the angle around a cell's middle that holds all triangles that the cell owns; cos ≤ 0: no cap that is
-    /// narrower than a hemisphere.
+    /// A cap of directions around a cell's middle.
     struct Cap {
-        float cosine = -1.0f, sine = 0.0f;
+        float cosine = -1.0f, sine = 0.0f;  ///< of its radius; cosine ≤ 0: nothing narrower than a hemisphere
+        float angle = 4.0f;                 ///< its radius, radians, rounded up
     };
-    std::vector<Cap> caps;         ///< by BandCells::cells
-    std::vector<Vec2> cellRadius;  ///< by row: (cos, sin) of the angle from a cell's middle to its corners
+
+    HorizonCells(const SphericalMaps& maps, const BandCells& cells);
+    [[nodiscard]] uint64_t bytes() const { return caps.size() * sizeof(Cap) + surfaceNearest.size() * sizeof(float); }
+
+    std::vector<Cap> caps;  ///< by BandCells::cells: around all triangles that the cell owns
+
+    /// The surface in cells of about 2°, so that the horizon costs the same whatever the maps' resolution.
+    SphericalGrid surface;
+    CellDirections surfaceDirections;
+    std::vector<Cap> surfaceCaps;       ///< by row of it: around the whole cell
+    std::vector<float> surfaceNearest;  ///< by its cells: the surface is nowhere nearer; 0 where there may be none
 };
 
 /// The exact slope in place of S (methods.md, `spherical-horizon`). Along a sight line the angle β about the axis stays and α
@@ -28,6 +34,9 @@ struct HorizonCells {
 /// star-shaped around the centre and wholly behind the near plane.
 [[nodiscard]] std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells,
                                                 const HorizonCells& horizonCells, const MapView& view, ContourBands& bands);
+
+/// Says of each band's sector whether a cell with its middle there is drawn: for those who look inside.
+void markDrawnSectors(const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands);
 
 /// Whether every direction from the centre of the mesh's bounding sphere meets its surface exactly once: closed, consistently
 /// oriented, every triangle on the same side of the centre, all solid angles together one sphere.
