@@ -53,7 +53,9 @@ WhyStep step(const TraceEvent& event) {
 std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_t instance) {
     for (const InsideNode& node : inside.nodes)
         if (node.instance == instance)
-            return WhyStep{{CULLSCOPE_TR("The object \"%1\" is tested as one box with %2 triangles."),
+            return WhyStep{{inside.mapOf(instance) != nullptr
+                                ? CULLSCOPE_TR("The object \"%1\" is tested as one bounding sphere with %2 triangles.")
+                                : CULLSCOPE_TR("The object \"%1\" is tested as one box with %2 triangles."),
                             {scene.instances()[instance].name, std::to_string(node.triangles)}},
                            {},
                            {},

@@ -94,6 +94,23 @@ TEST(Why, planeDistanceDiffersFromAnIndependentOne) {
             EXPECT_GT((seen[{static_cast<FrustumPlane>(plane), c}]), 0) << plane << " " << int(c) << " never occurs";
 }
 
+/// By scene triangle number.
+std::vector<bool> givenTriangles(const Scene& scene, const DrawList& list) {
+    std::vector<bool> given(scene.triangleCount(), false);
+    for (const DrawRange& range : list.ranges)
+        for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
+            given[scene.firstTriangle(range.instance) + list.triangleAt(scene.instances()[range.instance].mesh, place)] = true;
+    return given;
+}
+
+/// With maps of few cells, so that many scenes cost little.
+StrategyPointer coarse(const RegisteredStrategy& registered) {
+    ParameterSet parameters(registered.info.parameters);
+    for (const ParameterDeclaration& declaration : registered.info.parameters)
+        if (declaration.key == "rows") parameters.set("rows", int64_t{12});
+    return makeStrategy(registered.info.id, parameters);
+}
+
 TEST(Why, chainContradictsTheDrawList) {
     const ScenePointer scene = field();
     for (const RegisteredStrategy& registered : strategies()) {
@@ -103,21 +120,24 @@ TEST(Why, chainContradictsTheDrawList) {
             const View view(camera, {200, 150});
             Trace trace;
             const Verdict verdict = strategy->cull(view, &trace);
-            std::vector<bool> drawn(scene->instances().size(), false);
-            for (const DrawRange& range : verdict.drawList.ranges) drawn[range.instance] = true;
-            for (uint32_t i = 0; i < drawn.size(); ++i) {
+            const std::vector<bool> given = givenTriangles(*scene, verdict.drawList);
+            for (uint32_t i = 0; i < scene->instances().size(); ++i) {
+                const bool drawn = given[scene->firstTriangle(i) + i];
                 const auto steps = why(*scene, view, *strategy, verdict.drawList, trace, scene->firstTriangle(i) + i);
                 std::string chain;
                 for (const WhyStep& step : steps) {
                     EXPECT_THAT(step.sentence.english(), testing::Not(testing::HasSubstr("%"))) << "a place without an argument";
                     chain += step.sentence.english() + "\n";
                 }
-                EXPECT_THAT(chain, testing::HasSubstr(drawn[i] ? "The triangle is given to OpenGL." : "is not given to OpenGL."));
-                EXPECT_EQ(chain.find("leaves the object out: outside the frustum") != std::string::npos, !drawn[i]) << chain;
-                EXPECT_EQ(chain.find("\nOpenGL d") != std::string::npos, drawn[i]) << chain;
+                EXPECT_THAT(chain, testing::HasSubstr(drawn ? "The triangle is given to OpenGL." : "is not given to OpenGL."));
+                const bool left = chain.find("leaves the object out: outside the frustum") != std::string::npos;
+                const bool inPart = chain.find("draws the object in part") != std::string::npos;
+                EXPECT_TRUE(left || inPart || drawn) << chain;
+                EXPECT_FALSE(left && drawn) << chain;
+                EXPECT_EQ(chain.find("\nOpenGL d") != std::string::npos, drawn) << chain;
                 EXPECT_EQ(chain.find("tested as one box with 80 triangles") != std::string::npos,
                           registered.info.id == "frustum");
-                EXPECT_TRUE(drawn[i] || steps.back().containment == Containment::Outside);
+                EXPECT_TRUE(drawn || steps.back().containment == Containment::Outside);
             }
         }
     }
@@ -192,7 +212,7 @@ TEST(Trace, triangleIsNotSubmittedWithoutACause) {
         for (int i = 0; i < 10; ++i) {
             const RandomView sample = randomView(*scene, random);
             for (const RegisteredStrategy& registered : strategies()) {
-                const StrategyPointer strategy = makeStrategy(registered.info.id);
+                const StrategyPointer strategy = coarse(registered);
                 strategy->build(*scene);
                 Trace trace;
                 const Verdict verdict = strategy->cull(View(sample.camera, sample.viewport), &trace);
@@ -201,7 +221,7 @@ TEST(Trace, triangleIsNotSubmittedWithoutACause) {
                 std::array<uint64_t, kCauseCount> named{};
                 std::vector<bool> culled(submitted.size(), false);
                 for (const TraceEvent& event : trace.events) {
-                    if (event.kind != TraceEvent::Kind::Culled) continue;
+                    if (event.kind != TraceEvent::Kind::Culled && event.kind != TraceEvent::Kind::PartlyDrawn) continue;
                     culled[event.instance] = true;
                     named[size_t(event.cause)] += scene->meshOf(event.instance).triangleCount() - submitted[event.instance];
                 }
