@@ -26,6 +26,7 @@ void addMeasureCommand(CLI::App& app, Context& context);
 void addExportCommand(CLI::App& app, Context& context);
 void addInspectCommand(CLI::App& app, Context& context);
 void addPathCommand(CLI::App& app, Context& context);
+void addReproduceCommand(CLI::App& app, Context& context);
 
 /// A progress bar on standard error where that is a terminal, nothing in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);
@@ -50,6 +51,9 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 /// Strategies from `-s A,B:key=value` and `-p [A.]key=value`. Throws Error(Usage).
 [[nodiscard]] std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
                                                               const std::vector<std::string>& parameters);
+
+/// Refuses a place that cannot be written before the work, not after it; empty paths and "-" pass. Throws Error(Usage).
+void checkOutputPlaces(const std::vector<std::string>& paths);
 
 /// Writes text to a file, whole or not at all; "-" is standard output.
 void writeText(const std::string& path, const std::string& text);

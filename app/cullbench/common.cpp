@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <charconv>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 
 #include "app/cullbench/commands.h"
@@ -130,6 +132,16 @@ std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& 
     for (const std::string& name : names) requests.push_back(strategyFromText(name));
     for (const std::string& parameter : parameters) apply(parameter, requests);
     return requests;
+}
+
+void checkOutputPlaces(const std::vector<std::string>& paths) {
+    for (const std::string& path : paths) {
+        if (path.empty() || path == "-") continue;
+        const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+        if (access(folder.c_str(), W_OK) != 0)
+            throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
+                       {path, systemReason(errno)});
+    }
 }
 
 void writeText(const std::string& path, const std::string& text) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cullbench/commands.h"
+#include "core/measure/paper_tables.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -69,6 +70,13 @@ Json scenesJson() {
     return list;
 }
 
+Json experimentsJson() {
+    Json list = Json::array();
+    for (const PaperExperiment& experiment : paperExperiments())
+        list.push_back({{"id", experiment.id}, {"title", experiment.title}, {"source", experiment.source}});
+    return list;
+}
+
 void printStrategies() {
     fmt::print("Strategies (-s ID, -p key=value)\n");
     for (const RegisteredStrategy& strategy : strategies()) {
@@ -98,20 +106,25 @@ void printScenes() {
     for (const BuiltInPath& path : builtInPaths()) fmt::print("  {:<12} {}\n", path.id, path.description);
 }
 
+void printExperiments() {
+    fmt::print("Experiments (cullbench reproduce ID)\n");
+    for (const PaperExperiment& experiment : paperExperiments())
+        fmt::print("  {:<12} {}. {}\n", experiment.id, experiment.title, experiment.source);
+}
+
 void run(const Options& options) {
     const bool everything = options.what.empty();
     if (options.json) {
         Json json;
         if (everything || options.what == "scenes") json["scenes"] = scenesJson();
         if (everything || options.what == "strategies") json["strategies"] = strategiesJson();
-        // The papers' experiments come with their strategies; the list says truly that there are none yet.
-        if (everything || options.what == "experiments") json["experiments"] = Json::array();
+        if (everything || options.what == "experiments") json["experiments"] = experimentsJson();
         fmt::print("{}\n", json.dump(1));
         return;
     }
     if (everything || options.what == "strategies") printStrategies();
     if (everything || options.what == "scenes") printScenes();
-    if (everything || options.what == "experiments") fmt::print("Experiments: none in this version\n");
+    if (everything || options.what == "experiments") printExperiments();
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <system_error>
 #include <thread>
 
 #include "app/cullbench/commands.h"
@@ -34,6 +35,10 @@ std::stop_source stopOnInterrupt() {
     return source;
 }
 
+[[noreturn]] void refuseOutput(int number) {
+    throwUsage(CULLSCOPE_TR("Standard output cannot be written: %1. Send it somewhere else."), {systemReason(number)});
+}
+
 int run(int argc, char** argv) {
     const std::stop_source interrupt = stopOnInterrupt();
     Context context;
@@ -51,13 +56,17 @@ int run(int argc, char** argv) {
     addExportCommand(app, context);
     addInspectCommand(app, context);
     addPathCommand(app, context);
+    addReproduceCommand(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& failure) {
         return app.exit(failure) == 0 ? 0 : static_cast<int>(ErrorKind::Usage);
+    } catch (const std::system_error& failure) {
+        // fmt's way of saying that a print failed.
+        if (std::ferror(stdout) == 0) throw;
+        refuseOutput(failure.code().value());
     }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-        throwUsage(CULLSCOPE_TR("Standard output cannot be written: %1. Send it somewhere else."), {systemReason(errno)});
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) refuseOutput(errno);
     return context.exitStatus;
 }
 

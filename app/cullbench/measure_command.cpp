@@ -1,8 +1,6 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <cerrno>
-#include <filesystem>
+#include <optional>
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
@@ -76,17 +74,10 @@ void report(const Options& options, const MeasureResult& result) {
     if (failure) throw *failure;
 }
 
-/// Refuses a place that cannot be written before the work, not after it.
 void checkOutputs(const Options& options) {
     if (options.json == "-" && options.csv == "-")
         throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
-    for (const std::string& path : {options.json, options.csv}) {
-        if (path.empty() || path == "-") continue;
-        const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
-        if (access(folder.c_str(), W_OK) != 0)
-            throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
-                       {path, systemReason(errno)});
-    }
+    checkOutputPlaces({options.json, options.csv});
 }
 
 int statusOf(const MeasureResult& result) {

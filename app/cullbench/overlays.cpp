@@ -11,18 +11,67 @@
 namespace cullscope::cullbench {
 namespace {
 
-constexpr const char* kEveryStrategyHas = "verdicts, boxes, frustum";
+constexpr const char* kOverlays = "verdicts, boxes, frustum, bands, index-map, spherical-model";
 /// Of strategies that have such a structure; none of today's has.
-constexpr std::array kOfOtherStrategies{"index-map", "bands", "tree", "spherical-model"};
+constexpr std::array kOfOtherStrategies{"tree"};
+constexpr const char* kStrategiesWithMaps = "spherical, spherical-horizon";
+
+/// Adds one overlay; false: there is none of that name.
+bool add(const std::string& name, OverlayChoice& choice) {
+    if (name == "verdicts")
+        choice.look.colouring = Colouring::Verdicts;
+    else if (name == "boxes")
+        choice.look.boxes = true;
+    else if (name == "frustum")
+        choice.look.frustum = true;
+    else if (name == "bands")
+        choice.look.bands = true;
+    else if (name == "spherical-model")
+        choice.look.sphericalModel = true;
+    else if (name == "index-map")
+        choice.map = MapColouring::Entries;
+    else
+        return false;
+    return true;
+}
+
+/// What stands in place of the scene stands alone.
+void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& names) {
+    if (!choice.replacesScene()) return;
+    const std::string alone = choice.map ? "index-map" : "spherical-model";
+    for (const std::string& name : names)
+        if (name != alone)
+            throwUsage(CULLSCOPE_TR("--overlay %1 stands in place of the scene's picture: give it without --overlay %2."),
+                       {alone, name});
+}
+
+void requireBands(const std::string& strategy, const Inside& inside, const Scene& scene) {
+    if (inside.maps.empty())
+        throwUsage(CULLSCOPE_TR("--overlay bands: the strategy \"%1\" has no contour bands. Strategies that have them: %2."),
+                   {strategy, kStrategiesWithMaps});
+    for (const InsideMap& map : inside.maps)
+        if (map.decision.bands) return;
+    const SphericalDecision& decision = shownMap(inside)->decision;
+    throwUsage(
+        CULLSCOPE_TR("--overlay bands: the object \"%1\" is %2, and only one inside the frustum has contour bands. Choose an "
+                     "eye farther away or a larger --fovy; for what the frustum cuts there are --overlay boxes and "
+                     "--overlay index-map."),
+        {scene.instances()[decision.instance].name, relationName(decision.relation)});
+}
 
 }  // namespace
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command
         .add_option("--overlay", options.names,
-                    "verdicts (colour by verdict, against the truth), boxes (that the strategy tests), frustum (of the culling "
-                    "camera); may be given more than once")
+                    "verdicts (colour by verdict, against the truth), boxes (that the strategy tests; bounding spheres, visible "
+                    "region and corner rays of spherical strategies), frustum (of the culling camera), bands (contour bands of "
+                    "spherical strategies, with S); in place of the scene: index-map (of spherical strategies, of the first "
+                    "object in the frustum), spherical-model (what was drawn of the first object, over azimuth and zenith "
+                    "angle); may be given more than once")
         ->allow_extra_args(false);
+    command.add_option("--map-colouring", options.mapColouring,
+                       "with --overlay index-map: entries (triangles by cell, the default), radius or state");
     command.add_option("--view-eye", options.eye, "eye of an observer, x,y,z (default: the culling camera's)");
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
@@ -37,26 +86,39 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command.add_flag("--drawn-only", options.drawnOnly, "with --overlay verdicts: leave out what was culled");
 }
 
-ViewLook lookOf(const OverlayOptions& options, const std::string& strategy) {
-    ViewLook look;
+OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy) {
+    OverlayChoice choice;
     for (const std::string& name : options.names) {
         if (std::find(kOfOtherStrategies.begin(), kOfOtherStrategies.end(), name) != kOfOtherStrategies.end())
             throwUsage(CULLSCOPE_TR("--overlay %1: the strategy \"%2\" has no such overlay. It has: %3."),
-                       {name, strategy, kEveryStrategyHas});
-        if (name == "verdicts")
-            look.colouring = Colouring::Verdicts;
-        else if (name == "boxes")
-            look.boxes = true;
-        else if (name == "frustum")
-            look.frustum = true;
-        else
+                       {name, strategy, kOverlays});
+        if (!add(name, choice))
             throwUsage(CULLSCOPE_TR("There is no overlay \"%1\". Known: %2."),
-                       {name, fmt::format("{}, {}", kEveryStrategyHas, fmt::join(kOfOtherStrategies, ", "))});
+                       {name, fmt::format("{}, {}", kOverlays, fmt::join(kOfOtherStrategies, ", "))});
     }
-    look.culledToo = !options.drawnOnly;
-    if (options.drawnOnly && look.colouring != Colouring::Verdicts)
+    requireAlone(choice, options.names);
+    choice.look.culledToo = !options.drawnOnly;
+    if (options.drawnOnly && choice.look.colouring != Colouring::Verdicts)
         throwUsage(CULLSCOPE_TR("--drawn-only says what --overlay verdicts shows: give both."));
-    return look;
+    if (options.mapColouring.empty()) return choice;
+    if (!choice.map) throwUsage(CULLSCOPE_TR("--map-colouring says what --overlay index-map shows: give both."));
+    choice.map = mapColouringFromId(options.mapColouring);
+    return choice;
+}
+
+void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const Inside& inside, const Scene& scene) {
+    if (choice.look.boxes && inside.nodes.empty() && inside.maps.empty())
+        throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
+    if (choice.look.bands) requireBands(strategy, inside, scene);
+    if (choice.map && inside.maps.empty())
+        throwUsage(CULLSCOPE_TR("--overlay index-map: the strategy \"%1\" has no index map. Strategies that have one: %2."),
+                   {strategy, kStrategiesWithMaps});
+}
+
+const InsideMap* shownMap(const Inside& inside) {
+    for (const InsideMap& map : inside.maps)
+        if (map.decision.relation != SphereRelation::Outside) return &map;
+    return inside.maps.empty() ? nullptr : &inside.maps.front();
 }
 
 Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene) {

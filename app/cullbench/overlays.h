@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/measure/map_picture.h"
 #include "core/measure/view_picture.h"
 
 namespace cullscope::cullbench {
@@ -11,6 +12,7 @@ namespace cullscope::cullbench {
 /// What `render` shows besides what was drawn, and from where, as given on the command line.
 struct OverlayOptions {
     std::vector<std::string> names;
+    std::string mapColouring;  ///< empty: by entries
     std::string eye, target, up;
     std::string cullingSize;
     double fovy = 0.0;                             ///< degrees; 0: the culling camera's
@@ -25,8 +27,25 @@ struct OverlayOptions {
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options);
 
-/// Throws Error(Usage) for a name that is no overlay, naming those that are, or that the strategy of this id does not have.
-[[nodiscard]] ViewLook lookOf(const OverlayOptions& options, const std::string& strategy);
+/// What a picture shows: the scene with a look, or an index map in its place.
+struct OverlayChoice {
+    ViewLook look;
+    std::optional<MapColouring> map;
+
+    [[nodiscard]] bool replacesScene() const { return map || look.sphericalModel; }
+    [[nodiscard]] bool needsTrace() const { return map || cullscope::needsTrace(look); }
+};
+
+/// Throws Error(Usage) for a name that is no overlay, naming those that are, that the strategy of this id does not have, or that
+/// cannot be shown together with the others.
+[[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy);
+
+/// Throws Error(Usage) where the strategy has nothing at this view of what was chosen, saying why and what to do.
+void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const Inside& inside, const Scene& scene);
+
+/// The index map that is shown: of the first object that is not outside the frustum, of the first one where all are. Null: the
+/// strategy has none.
+[[nodiscard]] const InsideMap* shownMap(const Inside& inside);
 
 /// The camera that looks: the culling camera with what was given in its place, its depth range fitted to the scene.
 [[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);

@@ -56,8 +56,8 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
 }
 
 /// What the picture shows, for its metadata.
-PictureSubject subjectOf(const Options& options, const StrategyRequest& strategy, const ViewLook& look, const View& culling,
-                         const View& viewing, const Verdict& verdict) {
+PictureSubject subjectOf(const Options& options, const StrategyRequest& strategy, const OverlayChoice& choice,
+                         const View& culling, const View& viewing, const Verdict& verdict) {
     PictureSubject subject;
     subject.scene = options.scene.specification;
     subject.hidden = options.scene.hide;
@@ -67,7 +67,8 @@ PictureSubject subjectOf(const Options& options, const StrategyRequest& strategy
     subject.viewing = viewing.camera();
     subject.cullingSize = culling.viewport();
     subject.size = viewing.viewport();
-    subject.look = look;
+    subject.look = choice.look;
+    subject.map = choice.map;
     subject.submittedTriangles = verdict.consideredTriangles;
     return subject;
 }
@@ -82,25 +83,37 @@ std::string described(const TriangleStates& states) {
     return text;
 }
 
-/// Draws the picture with its overlays; gives the verdict and the states, empty without `verdicts`.
-std::pair<Verdict, TriangleStates> drawPicture(Strategy& strategy, const ScenePointer& scene, const View& culling,
-                                               const View& viewing, const ViewLook& look, const DrawStyle& style,
-                                               Framebuffer& target) {
+/// What there is to say of a picture, and the picture.
+struct Drawn {
+    Verdict verdict;
+    TriangleStates states;  ///< empty without `verdicts`
+    std::vector<uint8_t> rgba;
+};
+
+/// Draws the picture with its overlays.
+Drawn drawPicture(Strategy& strategy, const std::string& id, const ScenePointer& scene, const View& culling, const View& viewing,
+                  const OverlayChoice& choice, const DrawStyle& style) {
+    Trace trace;
+    Drawn drawn;
+    drawn.verdict = strategy.cull(culling, choice.needsTrace() ? &trace : nullptr);
+    const Inside inside = choice.needsTrace() ? strategy.inside(trace) : Inside{};
+    requireOverlays(choice, id, inside, *scene);
+    if (choice.map) {
+        drawn.rgba = mapPicture(*shownMap(inside), *choice.map, viewing.viewport(), style);
+        return drawn;
+    }
     Renderer renderer;
     const SceneBuffers buffers(scene, Upload::Vbo);
-    Trace trace;
-    std::pair<Verdict, TriangleStates> result;
-    auto& [verdict, states] = result;
-    verdict = strategy.cull(culling, needsTrace(look) ? &trace : nullptr);
-    if (look.boxes && strategy.inside(trace).nodes.empty())
-        throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
-    if (look.colouring == Colouring::Verdicts) {
+    Framebuffer target(viewing.viewport());
+    const bool verdicts = choice.look.colouring == Colouring::Verdicts;
+    if (verdicts) {
         const Reference truth = itemBufferReference(renderer, buffers, culling, strategy.referenceFacing());
-        states = triangleStates(*scene, culling, verdict.drawList, trace, &truth);
+        drawn.states = triangleStates(*scene, culling, drawn.verdict.drawList, trace, &truth);
     }
-    const TriangleStates* known = look.colouring == Colouring::Verdicts ? &states : nullptr;
-    drawViewPicture(renderer, buffers, strategy, culling, viewing, verdict, trace, known, look, style, target);
-    return result;
+    drawViewPicture(renderer, buffers, strategy, culling, viewing, drawn.verdict, trace, verdicts ? &drawn.states : nullptr,
+                    choice.look, style, target);
+    drawn.rgba = target.readColour();
+    return drawn;
 }
 
 /// Depth and triangles of what the strategy drew, whatever lies over it.
@@ -114,7 +127,7 @@ void addDepth(Picture& picture, const ScenePointer& scene, const View& viewing, 
 void run(const Options& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
     const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
-    const ViewLook look = lookOf(options.overlays, request.id);
+    const OverlayChoice choice = overlaysOf(options.overlays, request.id);
     DrawStyle style;
     style.background = colourFromText("--background", options.background, style.background);
     style.surface = colourFromText("--surface", options.surface, style.surface);
@@ -124,16 +137,15 @@ void run(const Options& options, const Context& context) {
     const View view(camera, cullingSize(options.overlays, size));
     const View viewingView(viewing, size);
     const HeadlessContext gl;
-    Framebuffer target(size);
     const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
     strategy->build(*opened.scene, terminalProgress(context));
     clearProgress();
     terminalProgress(context).check();
-    const auto [verdict, states] = drawPicture(*strategy, opened.scene, view, viewingView, look, style, target);
-    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, look, view, viewingView, verdict));
+    auto [verdict, states, rgba] = drawPicture(*strategy, request.id, opened.scene, view, viewingView, choice, style);
+    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, view, viewingView, verdict));
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
-    Picture picture{size, target.readColour(), std::move(metadata)};
-    if (keepsDepth(options.output)) addDepth(picture, opened.scene, viewingView, verdict.drawList);
+    Picture picture{size, std::move(rgba), std::move(metadata)};
+    if (keepsDepth(options.output) && !choice.replacesScene()) addDepth(picture, opened.scene, viewingView, verdict.drawList);
     writePicture(options.output, picture);
     // Where the picture went to standard output, the words go beside it.
     std::FILE* words = options.output == "-" ? stderr : stdout;

@@ -33,7 +33,7 @@ struct Renderer::Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    Program lambert, depth, item, state, line;
+    Program lambert, depth, item, state, line, sphericalModel;
     unsigned vertexArray = 0;  ///< of scene triangles
     unsigned lineArray = 0;    ///< of LineOnGpu, one an instance
 };
@@ -70,10 +70,11 @@ public:
         return m_indices + size_t{firstIndex} * sizeof(uint32_t);
     }
 
-private:
-    [[nodiscard]] bool client() const { return m_buffers.upload() == Upload::VertexArray; }
+    /// Makes a mesh the vertex input and sets nothing else.
     void bindMesh(uint32_t mesh);
 
+private:
+    [[nodiscard]] bool client() const { return m_buffers.upload() == Upload::VertexArray; }
     /// The indices of a mesh in the order.
     void bindIndices(uint32_t mesh);
 

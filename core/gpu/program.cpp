@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <string>
+#include <vector>
 
 #include "core/base/error.h"
 
@@ -20,23 +21,22 @@ unsigned compiled(GLenum stage, std::string_view source) {
 
 }  // namespace
 
-Program::Program(std::string_view vertexSource, std::string_view fragmentSource) : m_program(glCreateProgram()) {
-    const unsigned vertex = compiled(GL_VERTEX_SHADER, vertexSource);
-    const unsigned fragment = compiled(GL_FRAGMENT_SHADER, fragmentSource);
-    glAttachShader(m_program, vertex);
-    glAttachShader(m_program, fragment);
+Program::Program(std::string_view vertexSource, std::string_view geometrySource, std::string_view fragmentSource)
+    : m_program(glCreateProgram()) {
+    std::vector<unsigned> shaders{compiled(GL_VERTEX_SHADER, vertexSource), compiled(GL_FRAGMENT_SHADER, fragmentSource)};
+    if (!geometrySource.empty()) shaders.push_back(compiled(GL_GEOMETRY_SHADER, geometrySource));
+    for (const unsigned shader : shaders) glAttachShader(m_program, shader);
     glLinkProgram(m_program);
     GLint linked = GL_FALSE;
     glGetProgramiv(m_program, GL_LINK_STATUS, &linked);
     std::string log(4096, '\0');
     GLsizei length = 0;
     if (linked == GL_FALSE)
-        for (const unsigned shader : {vertex, fragment}) {
+        for (const unsigned shader : shaders) {
             glGetShaderInfoLog(shader, static_cast<GLsizei>(log.size()), &length, log.data());
             if (length > 0) break;
         }
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
+    for (const unsigned shader : shaders) glDeleteShader(shader);
     if (linked == GL_TRUE) return;
     if (length == 0) glGetProgramInfoLog(m_program, static_cast<GLsizei>(log.size()), &length, log.data());
     log.resize(static_cast<size_t>(length));

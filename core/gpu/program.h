@@ -8,7 +8,9 @@ namespace cullscope {
 class Program {
 public:
     /// Compiles and links. Throws Error(OpenGl) with the driver's log where it refuses.
-    Program(std::string_view vertexSource, std::string_view fragmentSource);
+    Program(std::string_view vertexSource, std::string_view fragmentSource) : Program(vertexSource, {}, fragmentSource) {}
+    /// The same with a geometry shader; an empty source: without.
+    Program(std::string_view vertexSource, std::string_view geometrySource, std::string_view fragmentSource);
     ~Program();
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;

@@ -21,7 +21,8 @@ Renderer::Programs::Programs()
       depth(embedded::scene_vert, embedded::depth_frag),
       item(embedded::scene_vert, embedded::item_frag),
       state(embedded::scene_vert, embedded::state_frag),
-      line(embedded::line_vert, embedded::line_frag) {
+      line(embedded::line_vert, embedded::line_frag),
+      sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag) {
     glCreateVertexArrays(1, &vertexArray);
     for (const GLuint attribute : {kPosition, kNormal}) addAttribute(vertexArray, attribute, 0, attribute);
     glCreateVertexArrays(1, &lineArray);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 #include <span>
@@ -39,6 +40,21 @@ struct LineSegment {
     Vec3 from{0.0};
     Vec3 to{0.0};
     Vec3f colour{0.0f};
+};
+
+/// The map of directions in a picture: twice as wide as it is high, in the middle. Pixels, rows from the bottom.
+struct MapArea {
+    double left = 0.0, bottom = 0.0, width = 2.0, height = 1.0;
+};
+/// The largest with a margin (pixels; less in a small picture) around it.
+[[nodiscard]] MapArea mapArea(const Viewport& size, double margin);
+
+/// Where the spherical coordinates of a mesh have their origin, and how they are shown.
+struct SphericalModel {
+    uint32_t instance = 0;        ///< of the scene
+    Sphere sphere;                ///< relative to the mesh's origin: R is counted from its centre, up to its radius
+    std::array<Vec3f, 5> ramp{};  ///< colours by growing R, at equal distances
+    MapArea area;                 ///< in the whole picture
 };
 
 struct LineStyle {
@@ -90,6 +106,12 @@ public:
     /// Error(OpenGl) where this OpenGL cannot hold a byte a triangle in one buffer.
     void drawByState(const SceneBuffers& buffers, const View& view, Facing facing, std::span<const uint8_t> stateOfTriangle,
                      std::span<const PaletteEntry> palette, Framebuffer& target, const DrawStyle& style = {});
+
+    /// Clears `target` and draws what a list has of one instance in spherical coordinates (Han & Hong 2008, Figure 2): the
+    /// azimuth φ to the right (0 … 360°), the zenith angle θ downward (0 … 180°), and of what lies in one direction the largest
+    /// R. Both sides of every triangle, with a headlight along the radius. Of `view` only the viewport counts. Leaves no depth.
+    void drawSpherical(const SceneBuffers& buffers, const View& view, const DrawList& list, const SphericalModel& model,
+                       Framebuffer& target, const DrawStyle& style = {});
 
     /// Draws lines over a finished picture, without clearing and without writing depth; also beyond the view's depth range.
     void drawLines(const View& view, std::span<const LineSegment> lines, const LineStyle& style, Framebuffer& target);

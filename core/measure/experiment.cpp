@@ -135,6 +135,7 @@ private:
             const Verdict verdict = contestant.strategy->cull(view);
             frame.stages = verdict.stages;
             frame.consideredTriangles = verdict.consideredTriangles;
+            frame.caseNumber = verdict.caseNumber;
             if (m_request.accuracy && contestant.askedFor) {
                 std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];
                 if (!reference) reference = itemBufferReference(m_renderer, m_buffers, view, contestant.run.referenceFacing);

@@ -49,6 +49,7 @@ struct FrameMeasurement {
     std::vector<Stage> stages;       ///< of one cull
     int repetitions = 0;
     uint64_t consideredTriangles = 0;  ///< of one window
+    int caseNumber = 0;                ///< of Han & Hong's cases (Verdict::caseNumber); 0: none
     std::optional<Accuracy> accuracy;
     uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
 };

@@ -9,6 +9,7 @@ std::string text(double number) { return toText(ParameterValue(number)); }
 std::string text(const Vec3& v) { return text(v.x) + "," + text(v.y) + "," + text(v.z); }
 
 std::string overlays(const ViewLook& look) {
+    if (look.sphericalModel) return "spherical-model";
     std::string names;
     const auto add = [&](bool shown, const char* name) {
         if (shown) names += (names.empty() ? "" : ",") + std::string(name);
@@ -16,6 +17,7 @@ std::string overlays(const ViewLook& look) {
     add(look.colouring == Colouring::Verdicts, "verdicts");
     add(look.boxes, "boxes");
     add(look.frustum, "frustum");
+    add(look.bands, "bands");
     return names;
 }
 
@@ -45,7 +47,8 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (!(subject.viewing == subject.culling)) addCamera("view_", subject.viewing);
     add("size", sizeText(subject.size));
     if (!(subject.cullingSize == subject.size)) add("culling_size", sizeText(subject.cullingSize));
-    add("overlay", overlays(subject.look));
+    add("overlay", subject.map ? "index-map" : overlays(subject.look));
+    if (subject.map) add("map_colouring", mapColouringId(*subject.map));
     if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
     if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/measure/map_picture.h"
 #include "core/measure/view_picture.h"
 #include "core/visibility/parameters.h"
 
@@ -24,6 +25,7 @@ struct PictureSubject {
     Camera viewing;  ///< the same, or an observer's
     Viewport cullingSize, size;
     ViewLook look;
+    std::optional<MapColouring> map;  ///< the index map in place of the scene
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
     std::optional<double> speedup;        ///< against `backface`

@@ -39,7 +39,7 @@ Json frameJson(const FrameMeasurement& frame) {
     json["missed_beyond_snapping"] = frame.accuracy ? Json(frame.missedBeyondSnapping) : Json(nullptr);
     json["stages_ms"] = Json::object();
     for (const Stage& stage : frame.stages) json["stages_ms"][stage.name] = stage.milliseconds;
-    json["case"] = nullptr;
+    json["case"] = frame.caseNumber > 0 ? Json(frame.caseNumber) : Json(nullptr);
     return json;
 }
 

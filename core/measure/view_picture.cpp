@@ -1,8 +1,8 @@
 #include "core/measure/view_picture.h"
 
-#include <numbers>
-
 #include "core/gpu/colour.h"
+#include "core/measure/overlays.h"
+#include "core/measure/spherical_model.h"
 
 namespace cullscope {
 namespace {
@@ -10,13 +10,8 @@ namespace {
 using Look = PaletteEntry::Look;
 using VerdictPalette = std::array<PaletteEntry, kTriangleStateCount>;
 
-// Widths and radii are in units (DrawStyle::unit).
-constexpr float kFrustumWidth = 1.5f;
-constexpr float kBoxWidth = 1.0f;
-constexpr float kEyeWidth = 2.0f;
-constexpr float kCasing =
-    1.0f;  ///< of the background's colour on both sides of frustum and eye, so that they are seen on surfaces
-constexpr double kEyeRadius = 6.0;
+/// Units of the background's colour on both sides of a cased line.
+constexpr float kCasing = 1.0f;
 
 constexpr std::array<uint32_t, kTriangleStateCount> kOnLight{0x1FC3E3, 0xDBAC16, 0xC8CCD0, 0x3168F5,
                                                              0x441094, 0x5D3A05, 0xF02172};
@@ -42,75 +37,15 @@ std::span<const uint8_t> bytes(const std::vector<TriangleState>& states) {
     return {reinterpret_cast<const uint8_t*>(states.data()), states.size()};
 }
 
-/// The forward distance at which the frustum's lines end: the far plane or the scene's farthest corner, whichever is nearer; a
-/// tenth of the scene's size at least, where it lies behind.
-double cutDistance(const Frustum& frustum, const Vec3& eye, const Box3& bounds) {
-    double farthest = 0.1 * bounds.diagonal();
-    for (int corner = 0; corner < 8 && !bounds.empty(); ++corner) {
-        const Vec3 point((corner & 1) != 0 ? bounds.max.x : bounds.min.x, (corner & 2) != 0 ? bounds.max.y : bounds.min.y,
-                         (corner & 4) != 0 ? bounds.max.z : bounds.min.z);
-        farthest = std::max(farthest, glm::dot(point - eye, frustum.forward));
+void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& overlay, const DrawStyle& style,
+                 Framebuffer& target) {
+    const LineStyle line{overlay.style.width * style.unit, overlay.style.depthTest};
+    if (overlay.cased) {
+        std::vector<LineSegment> casing = overlay.lines;
+        for (LineSegment& each : casing) each.colour = style.background;
+        renderer.drawLines(viewing, casing, {line.width + 2.0f * kCasing * style.unit, line.depthTest}, target);
     }
-    return std::clamp(farthest, frustum.nearDistance, frustum.farDistance);
-}
-
-std::vector<LineSegment> frustumLines(const View& culling, const Scene& scene, const Vec3f& colour) {
-    Frustum frustum = culling.frustum();
-    frustum.farDistance = cutDistance(frustum, culling.eye(), scene.bounds());
-    const std::array<Vec3, 8> corners = frustum.corners();
-    std::vector<LineSegment> lines;
-    const auto add = [&](size_t a, size_t b) {
-        lines.push_back({culling.eye() + corners[a], culling.eye() + corners[b], colour});
-    };
-    for (size_t i = 0; i < 4; ++i) {
-        add(i, (i + 1) % 4);
-        add(i, i + 4);
-        add(i + 4, (i + 1) % 4 + 4);
-    }
-    return lines;
-}
-
-/// A ring of constant size in the picture around the culling camera's eye, with a dot in it; nothing where it lies behind.
-std::vector<LineSegment> eyeMark(const View& culling, const View& viewing, const Vec3f& colour, double unit) {
-    const Frustum& frustum = viewing.frustum();
-    const double distance = glm::dot(culling.eye() - viewing.eye(), frustum.forward);
-    if (!(distance > 0.0)) return {};
-    const double radius = kEyeRadius * unit * 2.0 * frustum.tanHalfHeight * distance / viewing.viewport().height;
-    constexpr int kSides = 12;
-    const auto onRing = [&](int i) {
-        const double angle = 2.0 * std::numbers::pi * i / kSides;
-        return culling.eye() + (frustum.right * std::cos(angle) + frustum.up * std::sin(angle)) * radius;
-    };
-    std::vector<LineSegment> lines{{culling.eye(), culling.eye(), colour}};
-    for (int i = 0; i < kSides; ++i) lines.push_back({onRing(i), onRing(i + 1), colour});
-    return lines;
-}
-
-std::vector<LineSegment> boxLines(const Inside& inside, const VerdictPalette& palette) {
-    std::vector<LineSegment> lines;
-    lines.reserve(inside.nodes.size() * 12);
-    for (const InsideNode& node : inside.nodes) {
-        const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
-        const Vec3f colour = palette[size_t(state)].colour;
-        const auto corner = [&](int c) {
-            return Vec3((c & 1) != 0 ? node.box.max.x : node.box.min.x, (c & 2) != 0 ? node.box.max.y : node.box.min.y,
-                        (c & 4) != 0 ? node.box.max.z : node.box.min.z);
-        };
-        for (int from = 0; from < 8; ++from)
-            for (const int axis : {1, 2, 4})
-                if ((from & axis) == 0) lines.push_back({corner(from), corner(from | axis), colour});
-    }
-    return lines;
-}
-
-/// Lines with a casing of the background's colour under them.
-void drawCased(Renderer& renderer, const View& viewing, std::vector<LineSegment> lines, LineStyle line, const DrawStyle& style,
-               Framebuffer& target) {
-    std::vector<LineSegment> casing = lines;
-    for (LineSegment& each : casing) each.colour = style.background;
-    line.width *= style.unit;
-    renderer.drawLines(viewing, casing, {line.width + 2.0f * kCasing * style.unit, line.depthTest}, target);
-    renderer.drawLines(viewing, lines, line, target);
+    renderer.drawLines(viewing, overlay.lines, line, target);
 }
 
 }  // namespace
@@ -127,11 +62,14 @@ VerdictPalette verdictPalette(const Vec3f& background) {
     return palette;
 }
 
-bool needsTrace(const ViewLook& look) { return look.colouring == Colouring::Verdicts || look.boxes; }
+bool needsTrace(const ViewLook& look) {
+    return !look.sphericalModel && (look.colouring == Colouring::Verdicts || look.boxes || look.bands);
+}
 
 void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Strategy& strategy, const View& culling,
                      const View& viewing, const Verdict& verdict, const Trace& trace, const TriangleStates* known,
                      const ViewLook& look, const DrawStyle& style, Framebuffer& target) {
+    if (look.sphericalModel) return drawSphericalModel(renderer, buffers, viewing, verdict.drawList, style, target);
     const VerdictPalette palette = verdictPalette(style.background);
     if (look.colouring == Colouring::Verdicts) {
         const TriangleStates own =
@@ -142,13 +80,18 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     } else {
         renderer.draw(buffers, viewing, verdict.drawList, target, style);
     }
-    if (look.boxes)
-        renderer.drawLines(viewing, boxLines(strategy.inside(trace), palette), {kBoxWidth * style.unit, true}, target);
+    const OverlayContext context{buffers.scene(), viewing, style, palette, contrastTo(style.background)};
+    const auto drawAll = [&](const std::vector<OverlayLines>& overlays) {
+        for (const OverlayLines& overlay : overlays) drawOverlay(renderer, viewing, overlay, style, target);
+    };
+    if (look.boxes || look.bands) {
+        const Inside inside = strategy.inside(trace);
+        // Strategies with maps test spheres, though their objects have boxes.
+        if (look.boxes) drawAll(inside.maps.empty() ? std::vector{boxOverlay(context, inside)} : sphereOverlay(context, inside));
+        if (look.bands) drawAll(bandOverlay(context, inside));
+    }
     // Seen from its own eye a frustum is the picture's border.
-    if (!look.frustum || culling.camera() == viewing.camera()) return;
-    const Vec3f contrast = contrastTo(style.background);
-    drawCased(renderer, viewing, frustumLines(culling, buffers.scene(), contrast), {kFrustumWidth, true}, style, target);
-    drawCased(renderer, viewing, eyeMark(culling, viewing, contrast, style.unit), {kEyeWidth, false}, style, target);
+    if (look.frustum && !(culling.camera() == viewing.camera())) drawAll(frustumOverlay(context, culling));
 }
 
 }  // namespace cullscope

@@ -12,7 +12,10 @@ struct ViewLook {
     Colouring colouring = Colouring::Shaded;
     bool culledToo = true;  ///< with Verdicts: culled triangles are shown too; false: only what was drawn, holes stay holes
     bool frustum = false;   ///< the culling camera's frustum as lines, its far plane cut to the scene, and its eye
-    bool boxes = false;     ///< the boxes that the strategy tests, coloured by verdict
+    bool boxes = false;     ///< the boxes that the strategy tests, coloured by verdict; of maps of directions: spheres and rays
+    bool bands = false;     ///< the contour bands on the bounding spheres that lie inside the frustum, with their sizes
+    /// In place of the scene and everything over it: what was drawn of one object, in spherical coordinates (spherical_model.h).
+    bool sphericalModel = false;
 
     bool operator==(const ViewLook&) const = default;
 };
@@ -26,7 +29,8 @@ struct ViewLook {
 /// Clears `target` and draws what `viewing` sees of the verdict that `strategy` gave for `culling`; the same in the desktop and
 /// in cullbench. `verdict` and `trace` come from one cull; `known` holds its states (null: worked out here, without truth). With
 /// a default look and one camera in both roles the picture is bit-identical to Renderer::draw of the verdict's list. Overlays are
-/// never culled: parts of them that lie beyond `viewing`'s depth range are drawn too.
+/// never culled: parts of them that lie beyond `viewing`'s depth range are drawn too. In
+/// spherical coordinates there are none, and no depth.
 void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Strategy& strategy, const View& culling,
                      const View& viewing, const Verdict& verdict, const Trace& trace, const TriangleStates* known,
                      const ViewLook& look, const DrawStyle& style, Framebuffer& target);

@@ -251,6 +251,14 @@
         <source>Picture</source>
         <translation>그림</translation>
     </message>
+    <message>
+        <source>Contour bands</source>
+        <translation>등고선 띠</translation>
+    </message>
+    <message>
+        <source>Model in spherical coordinates</source>
+        <translation>구좌표계로 나타낸 모델</translation>
+    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -785,18 +793,6 @@
     <message>
         <source>N poses on a walk into the scene, looking ahead</source>
         <translation>앞을 보며 장면 안으로 걸어 들어가는 N개 자세</translation>
-    </message>
-    <message>
-        <source>a close view with a pole of the spherical map in it</source>
-        <translation>구면 맵의 극이 들어 있는 가까운 시점</translation>
-    </message>
-    <message>
-        <source>a close view of one clump of the spherical map</source>
-        <translation>구면 맵의 한 덩어리를 보는 가까운 시점</translation>
-    </message>
-    <message>
-        <source>a close view of a clump that the map's seam splits</source>
-        <translation>맵의 이음매가 가르는 덩어리를 보는 가까운 시점</translation>
     </message>
     <message>
         <source>%1: %2=%3 is not a number between %4 and %5.</source>
@@ -1386,6 +1382,330 @@
         <source>%1 was repaired. Dropped faces: degenerate %2, duplicate %3, out of range %4; vertices that are no numbers: %5; other remarks: %6. The Scene panel tells all.</source>
         <translation>%1을(를) 고쳐 읽었습니다. 버린 면: 퇴화 %2, 중복 %3, 범위 밖 %4. 숫자가 아닌 꼭짓점: %5. 그 밖의 참고: %6. 자세한 것은 장면 패널에 있습니다.</translation>
     </message>
+    <message>
+        <source>%1 cannot be written: pictures of plots are SVG, PDF or PNG. Give the name one of the endings .svg, .pdf and .png.</source>
+        <translation>%1을(를) 쓸 수 없습니다: 그래프 그림은 SVG, PDF, PNG입니다. 파일 이름에 .svg, .pdf, .png 중 하나의 확장자를 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>Another experiment is under way: let it end, or cancel it.</source>
+        <translation>다른 실험이 진행 중입니다. 끝날 때까지 기다리거나 취소하십시오.</translation>
+    </message>
+    <message>
+        <source>The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client vertex arrays or a smaller scene.</source>
+        <translation>그래픽 메모리가 이 전략의 삼각형 순서(%1바이트)를 담지 못합니다. 클라이언트 정점 배열을 쓰거나 더 작은 장면을 여십시오.</translation>
+    </message>
+    <message>
+        <source>The numbers of the triangles in this strategy's order need %1 bytes in one buffer and this OpenGL gives %2: choose a strategy that keeps the mesh's order, or a part of the scene.</source>
+        <translation>이 전략의 순서로 된 삼각형 번호는 한 버퍼에 %1바이트가 필요한데 이 OpenGL은 %2바이트까지 줍니다. 메시의 순서를 지키는 전략이나 장면의 일부를 고르십시오.</translation>
+    </message>
+    <message>
+        <source>The paper's text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the bunny that is installed.</source>
+        <translation>논문 본문은 144,046면, 표 2는 144,078면이라고 합니다. 여기서는 설치된 토끼를 세분하여 144,046면을 측정합니다.</translation>
+    </message>
+    <message>
+        <source>The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the gain is smaller: both ratios are given.</source>
+        <translation>논문은 뒷면까지 모든 면을 그리는 경우와 비교합니다. OpenGL 자체의 후면 선별과 비교하면 이득이 더 작습니다. 두 비율을 모두 보입니다.</translation>
+    </message>
+    <message>
+        <source>The paper counts no lost pixels; here every picture is compared with the exact one.</source>
+        <translation>논문은 잃어버린 픽셀을 세지 않습니다. 여기서는 모든 그림을 정확한 그림과 비교합니다.</translation>
+    </message>
+    <message>
+        <source>The paper's machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per second.</source>
+        <translation>논문의 컴퓨터는 2.33 GHz Xeon과 Quadro FX 5500입니다. 초당 프레임 수가 아니라 비율을 비교하십시오.</translation>
+    </message>
+    <message>
+        <source>Four windows of 320 × 240 are in Table 3 and in Table 4, with different numbers: 376, 421, 202 against 206, 286, 161 frames per second.</source>
+        <translation>320 × 240 창 네 개는 표 3과 표 4에 모두 있으나 수치가 다릅니다: 초당 376, 421, 202 프레임 대 206, 286, 161 프레임.</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>모델</translation>
+    </message>
+    <message>
+        <source>memory access map</source>
+        <translation>메모리 접근 맵</translation>
+    </message>
+    <message>
+        <source>the three maps</source>
+        <translation>세 맵 모두</translation>
+    </message>
+    <message>
+        <source>Sizes of the three structures</source>
+        <translation>세 자료구조의 크기</translation>
+    </message>
+    <message>
+        <source>The paper's formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
+        <translation>논문의 식(면마다 실수 4개, 칸과 면마다 실수 2개, 칸마다 정수 4개)으로는 논문의 크기가 나오지 않습니다. 색인 맵은 74.7 GB가 됩니다.</translation>
+    </message>
+    <message>
+        <source>In the paper's table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
+        <translation>논문의 표에는 내용이 잘못된 열에 있습니다. 개수, 시작, 참조는 메모리 접근 맵의 것입니다.</translation>
+    </message>
+    <message>
+        <source>All at 360 × 180 cells; 1 MB is 1,000,000 bytes.</source>
+        <translation>모두 360 × 180칸입니다. 1 MB는 1,000,000바이트입니다.</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>자료구조</translation>
+    </message>
+    <message>
+        <source>paper: MB</source>
+        <translation>논문: MB</translation>
+    </message>
+    <message>
+        <source>paper's formula: MB</source>
+        <translation>논문의 식: MB</translation>
+    </message>
+    <message>
+        <source>here: MB</source>
+        <translation>여기: MB</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>바이트</translation>
+    </message>
+    <message>
+        <source>build, ms</source>
+        <translation>구축, ms</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>전략</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>면</translation>
+    </message>
+    <message>
+        <source>in frustum</source>
+        <translation>절두체 안</translation>
+    </message>
+    <message>
+        <source>cases found</source>
+        <translation>판정된 경우</translation>
+    </message>
+    <message>
+        <source>views</source>
+        <translation>시점</translation>
+    </message>
+    <message>
+        <source>fps max</source>
+        <translation>fps 최대</translation>
+    </message>
+    <message>
+        <source>fps min</source>
+        <translation>fps 최소</translation>
+    </message>
+    <message>
+        <source>fps mean</source>
+        <translation>fps 평균</translation>
+    </message>
+    <message>
+        <source>× all [95 %]</source>
+        <translation>× all [95 %]</translation>
+    </message>
+    <message>
+        <source>× backface [95 %]</source>
+        <translation>× backface [95 %]</translation>
+    </message>
+    <message>
+        <source>missed px</source>
+        <translation>놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>missed ppm</source>
+        <translation>놓친 ppm</translation>
+    </message>
+    <message>
+        <source>largest hole, px</source>
+        <translation>가장 큰 구멍, 픽셀</translation>
+    </message>
+    <message>
+        <source>paper: fps</source>
+        <translation>논문: fps</translation>
+    </message>
+    <message>
+        <source>paper: × all</source>
+        <translation>논문: × all</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>경우</translation>
+    </message>
+    <message>
+        <source>One window of 320 × 240, the object cut by the frustum</source>
+        <translation>320 × 240 창 하나, 절두체가 물체를 자르는 경우</translation>
+    </message>
+    <message>
+        <source>paper: faces</source>
+        <translation>논문: 면</translation>
+    </message>
+    <message>
+        <source>Four windows, of two sizes</source>
+        <translation>창 네 개, 두 가지 크기</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>크기</translation>
+    </message>
+    <message>
+        <source>Four and eight windows of 320 × 240</source>
+        <translation>320 × 240 창 네 개와 여덟 개</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>창</translation>
+    </message>
+    <message>
+        <source>One window of 640 × 480, the object inside the frustum</source>
+        <translation>640 × 480 창 하나, 물체가 절두체 안에 있는 경우</translation>
+    </message>
+    <message>
+        <source>upload</source>
+        <translation>업로드</translation>
+    </message>
+    <message>
+        <source>paper: fps max</source>
+        <translation>논문: fps 최대</translation>
+    </message>
+    <message>
+        <source>paper: fps min</source>
+        <translation>논문: fps 최소</translation>
+    </message>
+    <message>
+        <source>paper: fps mean</source>
+        <translation>논문: fps 평균</translation>
+    </message>
+    <message>
+        <source>The paper has "10 or more" views and does not say which: here 12, evenly around the object at three radii, all of it in view. spherical-horizon is not the paper's: it is the same idea made right.</source>
+        <translation>논문은 시점이 "10개 이상"이라고만 하고 어느 것인지 말하지 않습니다. 여기서는 반지름의 세 배 거리에서 물체 둘레에 고르게 놓인 12개이며 물체 전체가 보입니다. spherical-horizon은 논문의 것이 아니라 같은 생각을 바로잡은 것입니다.</translation>
+    </message>
+    <message>
+        <source>There is no colouring of the index map "%1". Known: %2.</source>
+        <translation>색인 맵의 색칠 방식 "%1"은(는) 없습니다. 있는 것: %2.</translation>
+    </message>
+    <message>
+        <source>There is no experiment "%1". Known: %2.</source>
+        <translation>"%1" 실험은 없습니다. 있는 것: %2.</translation>
+    </message>
+    <message>
+        <source>12 close views with a pole of the spherical map in them, 9.4 % of the faces in the frustum</source>
+        <translation>구면 맵의 극이 보이는 가까운 시점 12개, 면의 9.4 %가 절두체 안</translation>
+    </message>
+    <message>
+        <source>12 close views of one clump of the spherical map, 11.4 % of the faces in the frustum</source>
+        <translation>구면 맵의 한 덩어리를 보는 가까운 시점 12개, 면의 11.4 %가 절두체 안</translation>
+    </message>
+    <message>
+        <source>12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum</source>
+        <translation>구면 맵의 이음선이 나누는 덩어리를 보는 가까운 시점 12개, 면의 18.3 %가 절두체 안</translation>
+    </message>
+    <message>
+        <source>Rows of the maps; columns are twice as many. 0: by the mesh's number of triangles.</source>
+        <translation>맵의 행 수. 열은 그 두 배입니다. 0: 메시의 삼각형 수에 따라 정합니다.</translation>
+    </message>
+    <message>
+        <source>Width of a contour band, seen from the centre.</source>
+        <translation>중심에서 본 등고선 띠의 폭.</translation>
+    </message>
+    <message>
+        <source>Sectors into which a contour band is divided.</source>
+        <translation>등고선 띠를 나누는 부채꼴의 수.</translation>
+    </message>
+    <message>
+        <source>draw list</source>
+        <translation>그리기 목록</translation>
+    </message>
+    <message>
+        <source>maps and bands</source>
+        <translation>맵과 띠</translation>
+    </message>
+    <message>
+        <source>Spherical coordinates</source>
+        <translation>구좌표</translation>
+    </message>
+    <message>
+        <source>Looks up on a map of directions what four corner rays enclose; seen whole, compares contour bands by S. As published, with its losses.</source>
+        <translation>네 모서리 광선이 둘러싼 것을 방향의 맵에서 찾고, 전체가 보이면 등고선 띠를 S로 비교합니다. 논문 그대로이며 손실도 그대로입니다.</translation>
+    </message>
+    <message>
+        <source>How the four hits are joined to the visible region.</source>
+        <translation>네 교차점을 이어 가시 영역을 만드는 방법.</translation>
+    </message>
+    <message>
+        <source>straight on the map, so that the extremes are the hits'</source>
+        <translation>맵에서 직선으로. 영역의 끝이 교차점과 같습니다</translation>
+    </message>
+    <message>
+        <source>by great circles, whose extremes may lie between the hits</source>
+        <translation>대원으로. 끝이 교차점 사이에 있을 수 있습니다</translation>
+    </message>
+    <message>
+        <source>Spherical coordinates, exact horizon</source>
+        <translation>구좌표, 정확한 지평선</translation>
+    </message>
+    <message>
+        <source>Leaves out cells whose slope lies below the horizon of the surface in front of them: loses nothing of star-shaped objects.</source>
+        <translation>앞쪽 표면의 지평선보다 기울기가 낮은 셀을 제외합니다. 별 모양 물체에서는 아무것도 잃지 않습니다.</translation>
+    </message>
+    <message>
+        <source>cut by the frustum</source>
+        <translation>절두체에 잘림</translation>
+    </message>
+    <message>
+        <source>inside the frustum</source>
+        <translation>절두체 안</translation>
+    </message>
+    <message>
+        <source>around the eye</source>
+        <translation>눈을 둘러쌈</translation>
+    </message>
+    <message>
+        <source>The strategy draws the object in part; the rest is left out: %1.</source>
+        <translation>전략이 물체의 일부를 그립니다. 나머지는 제외합니다: %1.</translation>
+    </message>
+    <message>
+        <source>The object "%1" is tested as one bounding sphere with %2 triangles.</source>
+        <translation>물체 "%1"은(는) 삼각형 %2개가 든 경계구 하나로 검사합니다.</translation>
+    </message>
+    <message>
+        <source>Its centroid lies in the map's row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
+        <translation>무게중심이 맵의 행 %1, 열 %2에 있습니다: 고도각 %3°–%4°, 방위각 %5°–%6°.</translation>
+    </message>
+    <message>
+        <source>The cell lies in the visible region's boxes (case %1).</source>
+        <translation>셀이 가시 영역의 상자 안에 있습니다(경우 %1).</translation>
+    </message>
+    <message>
+        <source>The cell lies outside the visible region's boxes (case %1).</source>
+        <translation>셀이 가시 영역의 상자 밖에 있습니다(경우 %1).</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1°, within 90° of the axis to the eye: drawn without a test.</source>
+        <translation>셀이 α = %1°에 있어 눈을 향한 축에서 90° 이내입니다. 검사 없이 그립니다.</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 exceeds the largest nearer one, %5.</source>
+        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. S = %4이(가) 더 가까운 것 중 최대인 %5보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 does not exceed the largest nearer one, %5.</source>
+        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. S = %4이(가) 더 가까운 것 중 최대인 %5보다 크지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: its triangles rise above the horizon in front of them (slope %4 there).</source>
+        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. 삼각형이 앞쪽 지평선 위로 올라옵니다(그곳의 기울기 %4).</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: all its triangles lie below the horizon in front of them (slope %4 there).</source>
+        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. 모든 삼각형이 앞쪽 지평선 아래에 있습니다(그곳의 기울기 %4).</translation>
+    </message>
+    <message>
+        <source>The object's bounding sphere: %1.</source>
+        <translation>물체의 경계구: %1.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1417,6 +1737,100 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>그 밖에 OpenMesh, libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BandsPanel</name>
+    <message>
+        <source>β %1 to %2</source>
+        <comment>angles about the axis</comment>
+        <translation>β %1~%2</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctor:</source>
+        <translation>구역(&amp;C):</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>전체</translation>
+    </message>
+    <message>
+        <source>Sectors divide the bands by the angle β about the axis to the eye.</source>
+        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나눕니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BandsPlot</name>
+    <message>
+        <source>slope</source>
+        <translation>기울기</translation>
+    </message>
+    <message>
+        <source>S, mesh units</source>
+        <translation>S, 메시 단위</translation>
+    </message>
+    <message>
+        <source>Size by contour band</source>
+        <translation>등고선 띠별 크기</translation>
+    </message>
+    <message>
+        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
+        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye</source>
+        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α</translation>
+    </message>
+    <message>
+        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
+        <translation>이 전략에는 띠가 없습니다. 방향 구를 띠로 나누는 전략은 여기에 띠를 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
+        <comment>object, how it lies to the frustum</comment>
+        <translation>%1: %2, 띠를 검사하지 않습니다. 띠를 보려면 물체 전체를 화면에 담으십시오.</translation>
+    </message>
+    <message>
+        <source>α %1 to %2</source>
+        <translation>α %1~%2</translation>
+    </message>
+    <message>
+        <source>drawn: %1 %2</source>
+        <comment>a number, what it is of</comment>
+        <translation>그려짐: %1 %2</translation>
+    </message>
+    <message>
+        <source>hidden: %1 %2</source>
+        <comment>a number, what it is of</comment>
+        <translation>가려짐: %1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing lies here.</source>
+        <translation>여기에는 아무것도 없습니다.</translation>
+    </message>
+    <message>
+        <source>largest nearer: %1</source>
+        <translation>더 가까운 곳의 최댓값: %1</translation>
+    </message>
+    <message>
+        <source>Beyond α = %1 nothing is drawn.</source>
+        <translation>α = %1 너머로는 아무것도 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>그려짐</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>가려짐</translation>
+    </message>
+    <message>
+        <source>largest nearer</source>
+        <translation>더 가까운 곳의 최댓값</translation>
+    </message>
+    <message>
+        <source>beyond it nothing is drawn</source>
+        <translation>이 너머로는 그리지 않음</translation>
     </message>
 </context>
 <context>
@@ -1723,18 +2137,6 @@ OpenGL %2
 </context>
 <context>
     <name>cullscope::ui::InsidePanel</name>
-    <message>
-        <source>This strategy has no index map.</source>
-        <translation>이 전략에는 색인 맵이 없습니다.</translation>
-    </message>
-    <message>
-        <source>Strategies that look up what is visible by direction show their map here.</source>
-        <translation>방향으로 보이는 것을 찾는 전략은 여기에 맵을 보여 줍니다.</translation>
-    </message>
-    <message>
-        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
-        <translation>이 전략에는 띠가 없습니다. 방향 구를 띠로 나누는 전략은 여기에 띠를 보여 줍니다.</translation>
-    </message>
     <message>
         <source>Inside the strategy</source>
         <translation>전략의 내부</translation>
@@ -2207,6 +2609,191 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::MapPanel</name>
+    <message>
+        <source>The index map is being read…</source>
+        <translation>색인 맵을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>This strategy has no index map.</source>
+        <translation>이 전략에는 색인 맵이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Strategies that look up what is visible by direction show their map here.</source>
+        <translation>방향으로 보이는 것을 찾는 전략은 여기에 맵을 보여 줍니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of the map:</source>
+        <translation>맵의 색(&amp;C):</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MapWidget</name>
+    <message>
+        <source>Triangle index map</source>
+        <translation>삼각형 색인 맵</translation>
+    </message>
+    <message>
+        <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
+        <translation>화살표 키로 칸을 옮기고, Shift와 함께 누르면 열 칸씩 옮깁니다. Enter는 칸의 삼각형을 고릅니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MapWords</name>
+    <message>
+        <source>Case 1: all azimuths, one range in all</source>
+        <translation>경우 1: 모든 방위각, 전체가 한 구간</translation>
+    </message>
+    <message>
+        <source>Case 2: one clump, one range a row</source>
+        <translation>경우 2: 한 덩어리, 행마다 한 구간</translation>
+    </message>
+    <message>
+        <source>Case 3: split by the seam, two ranges a row</source>
+        <translation>경우 3: 이음매로 갈라짐, 행마다 두 구간</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>왼쪽 아래</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>오른쪽 아래</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>오른쪽 위</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>왼쪽 위</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>a range of numbers</comment>
+        <translation>%1~%2</translation>
+    </message>
+    <message>
+        <source>owns no triangle</source>
+        <translation>속한 삼각형 없음</translation>
+    </message>
+    <message>
+        <source>Entries a cell</source>
+        <translation>칸당 항목 수</translation>
+    </message>
+    <message>
+        <source>Farthest R</source>
+        <translation>가장 먼 R</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>상태</translation>
+    </message>
+    <message>
+        <source>farthest R, mesh units</source>
+        <translation>가장 먼 R, 메시 단위</translation>
+    </message>
+    <message>
+        <source>triangles a cell, logarithmic</source>
+        <translation>칸당 삼각형 수, 로그 눈금</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>object, how it lies to the frustum</comment>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3): %4</source>
+        <comment>object, its number, how many there are, how it lies to the frustum</comment>
+        <translation>%1 (%2/%3): %4</translation>
+    </message>
+    <message>
+        <source>Nothing of it is drawn.</source>
+        <translation>아무것도 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Bands of %1; drawn: %2 of %3 triangles</source>
+        <translation>띠 폭 %1, 그린 삼각형: %2/%3</translation>
+    </message>
+    <message>
+        <source>Everything of it is drawn.</source>
+        <translation>모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>Drawn: %1 of %2 triangles</source>
+        <translation>그린 삼각형: %1/%2</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>행 %1, 열 %2</translation>
+    </message>
+    <message>
+        <source>θ %1, φ %2</source>
+        <comment>two ranges of angles</comment>
+        <translation>θ %1, φ %2</translation>
+    </message>
+    <message>
+        <source>Triangles in it: %1, of which it owns %2</source>
+        <translation>걸친 삼각형: %1, 그중 속한 것: %2</translation>
+    </message>
+    <message>
+        <source>R %1 to %2 mesh units</source>
+        <translation>R %1~%2 메시 단위</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
+        <translation>모서리 광선 %1, %2: 삼각형 %3에서 교차가 확인되었습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
+        <translation>모서리 광선 %1, %2: 물체를 지나칩니다. 구에 들어가는 점을 씁니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere's nearest point.</source>
+        <translation>모서리 광선 %1, %2: 구를 빗나갑니다. 구에서 가장 가까운 점을 씁니다.</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>그려짐</translation>
+    </message>
+    <message>
+        <source>visible region</source>
+        <translation>가시 영역</translation>
+    </message>
+    <message>
+        <source>its box</source>
+        <translation>경계 박스</translation>
+    </message>
+    <message>
+        <source>corner: hit</source>
+        <translation>모서리: 교차</translation>
+    </message>
+    <message>
+        <source>corner: miss, nearest point</source>
+        <translation>모서리: 빗나감, 최근접점</translation>
+    </message>
+    <message>
+        <source>walked cells</source>
+        <translation>지나간 칸</translation>
+    </message>
+    <message>
+        <source>contours of α</source>
+        <translation>α의 등고선</translation>
+    </message>
+    <message>
+        <source>nearest to the eye</source>
+        <translation>눈에 가장 가까움</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>반대쪽</translation>
+    </message>
+    <message>
+        <source>picked</source>
+        <translation>고른 것</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::MessageBar</name>
     <message>
         <source>Close this message</source>
@@ -2288,6 +2875,17 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::PaperTableModel</name>
+    <message>
+        <source>As the paper prints it</source>
+        <translation>논문에 인쇄된 대로</translation>
+    </message>
+    <message>
+        <source>Measured here</source>
+        <translation>여기서 측정함</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ParameterForm</name>
     <message>
         <source>This strategy has no parameters.</source>
@@ -2354,6 +2952,17 @@ OpenGL %2
     <message>
         <source>Missed pixels, by pose</source>
         <translation>자세별 놓친 픽셀</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PictureMenu</name>
+    <message>
+        <source>Copy</source>
+        <translation>복사</translation>
+    </message>
+    <message>
+        <source>Save picture as…</source>
+        <translation>그림을 다른 이름으로 저장…</translation>
     </message>
 </context>
 <context>
@@ -2453,6 +3062,53 @@ OpenGL %2
     <message>
         <source>missed</source>
         <translation>놓침</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ReproduceDialog</name>
+    <message>
+        <source>&amp;Start</source>
+        <translation>시작(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>취소(&amp;C)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>내보내기(&amp;X)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>닫기(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Reproduce a paper's table</source>
+        <translation>논문의 표 재현</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>표</translation>
+    </message>
+    <message>
+        <source>The paper's numbers beside ours</source>
+        <translation>논문의 수치와 우리의 수치</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>진행</translation>
+    </message>
+    <message>
+        <source>stopped early: what was measured until then</source>
+        <translation>일찍 멈춤: 그때까지 측정한 것</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>완료</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>내보내기</translation>
     </message>
 </context>
 <context>
@@ -2701,10 +3357,6 @@ snapping</source>
         <translation>투명</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, wipe and marks</source>
-        <translation>덧그림(&amp;O): 절두체, 상자, 경계선, 표시</translation>
-    </message>
-    <message>
         <source>&amp;Legend of the colours, with counts</source>
         <translation>개수가 있는 색 범례(&amp;L)</translation>
     </message>
@@ -2791,6 +3443,10 @@ snapping</source>
     <message>
         <source>Folder for screenshots</source>
         <translation>화면 저장 폴더</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays: frustum, boxes, bands, wipe and marks</source>
+        <translation>덧그림(&amp;O): 절두체, 상자, 등고선 띠, 경계선, 표시</translation>
     </message>
 </context>
 <context>
@@ -3568,6 +4224,30 @@ snapping</source>
     <message>
         <source>What the views, panels and figures mean</source>
         <translation>뷰, 패널, 수치의 뜻</translation>
+    </message>
+    <message>
+        <source>Repro&amp;duce a paper's table…</source>
+        <translation>논문의 표 재현(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours</source>
+        <translation>논문의 표를 논문과 같은 창에서 측정하여 수치를 나란히 놓습니다</translation>
+    </message>
+    <message>
+        <source>&amp;Contour bands</source>
+        <translation>등고선 띠(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view</source>
+        <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Model in &amp;spherical coordinates</source>
+        <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
+        <translation>활성 뷰에서 한 물체의 그려진 부분을 방위각과 고도각 위에 표시합니다</translation>
     </message>
 </context>
 </TS>

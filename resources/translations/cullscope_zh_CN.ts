@@ -251,6 +251,14 @@
         <source>Picture</source>
         <translation>图像</translation>
     </message>
+    <message>
+        <source>Contour bands</source>
+        <translation>等高线环带</translation>
+    </message>
+    <message>
+        <source>Model in spherical coordinates</source>
+        <translation>球坐标中的模型</translation>
+    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -785,18 +793,6 @@
     <message>
         <source>N poses on a walk into the scene, looking ahead</source>
         <translation>向前看着走入场景的 N 个姿态</translation>
-    </message>
-    <message>
-        <source>a close view with a pole of the spherical map in it</source>
-        <translation>包含球面图一个极点的近景</translation>
-    </message>
-    <message>
-        <source>a close view of one clump of the spherical map</source>
-        <translation>球面图中一个团块的近景</translation>
-    </message>
-    <message>
-        <source>a close view of a clump that the map's seam splits</source>
-        <translation>被图的接缝分开的团块的近景</translation>
     </message>
     <message>
         <source>%1: %2=%3 is not a number between %4 and %5.</source>
@@ -1386,6 +1382,330 @@
         <source>%1 was repaired. Dropped faces: degenerate %2, duplicate %3, out of range %4; vertices that are no numbers: %5; other remarks: %6. The Scene panel tells all.</source>
         <translation>%1 已修复。丢弃的面：退化 %2，重复 %3，超出范围 %4；不是数字的顶点：%5；其他说明：%6。详情见场景面板。</translation>
     </message>
+    <message>
+        <source>%1 cannot be written: pictures of plots are SVG, PDF or PNG. Give the name one of the endings .svg, .pdf and .png.</source>
+        <translation>无法写入 %1：图表图片的格式为 SVG、PDF 或 PNG。请使用扩展名 .svg、.pdf 或 .png。</translation>
+    </message>
+    <message>
+        <source>Another experiment is under way: let it end, or cancel it.</source>
+        <translation>另一个实验正在进行：请等它结束，或取消它。</translation>
+    </message>
+    <message>
+        <source>The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client vertex arrays or a smaller scene.</source>
+        <translation>显存容不下该策略的三角形次序（%1 字节）：请使用客户端顶点数组或更小的场景。</translation>
+    </message>
+    <message>
+        <source>The numbers of the triangles in this strategy's order need %1 bytes in one buffer and this OpenGL gives %2: choose a strategy that keeps the mesh's order, or a part of the scene.</source>
+        <translation>按该策略次序的三角形编号在一个缓冲区中需要 %1 字节，而此 OpenGL 只提供 %2：请选择保持网格次序的策略，或场景的一部分。</translation>
+    </message>
+    <message>
+        <source>The paper's text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the bunny that is installed.</source>
+        <translation>论文正文写 144,046 个面，表 2 写 144,078 个：这里把已安装的兔子细分为 144,046 个面来测量。</translation>
+    </message>
+    <message>
+        <source>The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the gain is smaller: both ratios are given.</source>
+        <translation>论文与绘制所有面（包括背面）相比较。与 OpenGL 自身的背面剔除相比，收益较小：两个比值都给出。</translation>
+    </message>
+    <message>
+        <source>The paper counts no lost pixels; here every picture is compared with the exact one.</source>
+        <translation>论文没有统计丢失的像素；这里每幅图像都与精确图像比较。</translation>
+    </message>
+    <message>
+        <source>The paper's machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per second.</source>
+        <translation>论文所用机器为 2.33 GHz 的 Xeon 和 Quadro FX 5500：请比较比值，而不是每秒帧数。</translation>
+    </message>
+    <message>
+        <source>Four windows of 320 × 240 are in Table 3 and in Table 4, with different numbers: 376, 421, 202 against 206, 286, 161 frames per second.</source>
+        <translation>四个 320 × 240 的窗口同时出现在表 3 和表 4 中，但数字不同：每秒 376、421、202 帧对 206、286、161 帧。</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>模型</translation>
+    </message>
+    <message>
+        <source>memory access map</source>
+        <translation>内存访问图</translation>
+    </message>
+    <message>
+        <source>the three maps</source>
+        <translation>三张图合计</translation>
+    </message>
+    <message>
+        <source>Sizes of the three structures</source>
+        <translation>三种结构的大小</translation>
+    </message>
+    <message>
+        <source>The paper's formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
+        <translation>论文的公式（每个面 4 个浮点数；每个格子和面 2 个浮点数；每个格子 4 个整数）得不出它给的大小：索引图会占 74.7 GB。</translation>
+    </message>
+    <message>
+        <source>In the paper's table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
+        <translation>论文的表中内容放错了列：个数、起点和引用属于内存访问图。</translation>
+    </message>
+    <message>
+        <source>All at 360 × 180 cells; 1 MB is 1,000,000 bytes.</source>
+        <translation>均为 360 × 180 个格子；1 MB 为 1,000,000 字节。</translation>
+    </message>
+    <message>
+        <source>structure</source>
+        <translation>结构</translation>
+    </message>
+    <message>
+        <source>paper: MB</source>
+        <translation>论文：MB</translation>
+    </message>
+    <message>
+        <source>paper's formula: MB</source>
+        <translation>论文公式：MB</translation>
+    </message>
+    <message>
+        <source>here: MB</source>
+        <translation>此处：MB</translation>
+    </message>
+    <message>
+        <source>bytes</source>
+        <translation>字节</translation>
+    </message>
+    <message>
+        <source>build, ms</source>
+        <translation>构建，ms</translation>
+    </message>
+    <message>
+        <source>strategy</source>
+        <translation>策略</translation>
+    </message>
+    <message>
+        <source>faces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>in frustum</source>
+        <translation>视锥内</translation>
+    </message>
+    <message>
+        <source>cases found</source>
+        <translation>判定的情形</translation>
+    </message>
+    <message>
+        <source>views</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>fps max</source>
+        <translation>fps 最大</translation>
+    </message>
+    <message>
+        <source>fps min</source>
+        <translation>fps 最小</translation>
+    </message>
+    <message>
+        <source>fps mean</source>
+        <translation>fps 平均</translation>
+    </message>
+    <message>
+        <source>× all [95 %]</source>
+        <translation>× all [95 %]</translation>
+    </message>
+    <message>
+        <source>× backface [95 %]</source>
+        <translation>× backface [95 %]</translation>
+    </message>
+    <message>
+        <source>missed px</source>
+        <translation>丢失像素</translation>
+    </message>
+    <message>
+        <source>missed ppm</source>
+        <translation>丢失 ppm</translation>
+    </message>
+    <message>
+        <source>largest hole, px</source>
+        <translation>最大空洞，像素</translation>
+    </message>
+    <message>
+        <source>paper: fps</source>
+        <translation>论文：fps</translation>
+    </message>
+    <message>
+        <source>paper: × all</source>
+        <translation>论文：× all</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>情形</translation>
+    </message>
+    <message>
+        <source>One window of 320 × 240, the object cut by the frustum</source>
+        <translation>一个 320 × 240 的窗口，视锥切过物体</translation>
+    </message>
+    <message>
+        <source>paper: faces</source>
+        <translation>论文：面</translation>
+    </message>
+    <message>
+        <source>Four windows, of two sizes</source>
+        <translation>四个窗口，两种大小</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>大小</translation>
+    </message>
+    <message>
+        <source>Four and eight windows of 320 × 240</source>
+        <translation>四个和八个 320 × 240 的窗口</translation>
+    </message>
+    <message>
+        <source>windows</source>
+        <translation>窗口</translation>
+    </message>
+    <message>
+        <source>One window of 640 × 480, the object inside the frustum</source>
+        <translation>一个 640 × 480 的窗口，物体在视锥内</translation>
+    </message>
+    <message>
+        <source>upload</source>
+        <translation>上传方式</translation>
+    </message>
+    <message>
+        <source>paper: fps max</source>
+        <translation>论文：fps 最大</translation>
+    </message>
+    <message>
+        <source>paper: fps min</source>
+        <translation>论文：fps 最小</translation>
+    </message>
+    <message>
+        <source>paper: fps mean</source>
+        <translation>论文：fps 平均</translation>
+    </message>
+    <message>
+        <source>The paper has "10 or more" views and does not say which: here 12, evenly around the object at three radii, all of it in view. spherical-horizon is not the paper's: it is the same idea made right.</source>
+        <translation>论文只说视点“10 个以上”，没有说明是哪些：这里为 12 个，在三倍半径处均匀环绕物体，物体全部可见。spherical-horizon 不是论文的方法，而是同一思想的正确做法。</translation>
+    </message>
+    <message>
+        <source>There is no colouring of the index map "%1". Known: %2.</source>
+        <translation>没有索引图着色方式“%1”。已有：%2。</translation>
+    </message>
+    <message>
+        <source>There is no experiment "%1". Known: %2.</source>
+        <translation>没有实验“%1”。已知：%2。</translation>
+    </message>
+    <message>
+        <source>12 close views with a pole of the spherical map in them, 9.4 % of the faces in the frustum</source>
+        <translation>12 个近景，球面图的一极在其中，9.4 % 的面在视锥体内</translation>
+    </message>
+    <message>
+        <source>12 close views of one clump of the spherical map, 11.4 % of the faces in the frustum</source>
+        <translation>12 个近景，球面图上为一整块，11.4 % 的面在视锥体内</translation>
+    </message>
+    <message>
+        <source>12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum</source>
+        <translation>12 个近景，球面图上的一块被接缝分开，18.3 % 的面在视锥体内</translation>
+    </message>
+    <message>
+        <source>Rows of the maps; columns are twice as many. 0: by the mesh's number of triangles.</source>
+        <translation>图的行数；列数为其两倍。0：由网格的三角形数决定。</translation>
+    </message>
+    <message>
+        <source>Width of a contour band, seen from the centre.</source>
+        <translation>从中心看等高带的宽度。</translation>
+    </message>
+    <message>
+        <source>Sectors into which a contour band is divided.</source>
+        <translation>等高带所分的扇区数。</translation>
+    </message>
+    <message>
+        <source>draw list</source>
+        <translation>绘制列表</translation>
+    </message>
+    <message>
+        <source>maps and bands</source>
+        <translation>图与等高带</translation>
+    </message>
+    <message>
+        <source>Spherical coordinates</source>
+        <translation>球坐标</translation>
+    </message>
+    <message>
+        <source>Looks up on a map of directions what four corner rays enclose; seen whole, compares contour bands by S. As published, with its losses.</source>
+        <translation>在方向图上查找四条角光线所围的部分；整体可见时按 S 比较等高带。与论文一致，损失也一并保留。</translation>
+    </message>
+    <message>
+        <source>How the four hits are joined to the visible region.</source>
+        <translation>四个交点如何连成可见区域。</translation>
+    </message>
+    <message>
+        <source>straight on the map, so that the extremes are the hits'</source>
+        <translation>在图上连直线，极值即交点的极值</translation>
+    </message>
+    <message>
+        <source>by great circles, whose extremes may lie between the hits</source>
+        <translation>沿大圆相连，极值可能在交点之间</translation>
+    </message>
+    <message>
+        <source>Spherical coordinates, exact horizon</source>
+        <translation>球坐标，精确地平线</translation>
+    </message>
+    <message>
+        <source>Leaves out cells whose slope lies below the horizon of the surface in front of them: loses nothing of star-shaped objects.</source>
+        <translation>省去斜率低于其前方表面地平线的单元：对星形物体没有任何损失。</translation>
+    </message>
+    <message>
+        <source>cut by the frustum</source>
+        <translation>被视锥体切割</translation>
+    </message>
+    <message>
+        <source>inside the frustum</source>
+        <translation>在视锥体内</translation>
+    </message>
+    <message>
+        <source>around the eye</source>
+        <translation>包围视点</translation>
+    </message>
+    <message>
+        <source>The strategy draws the object in part; the rest is left out: %1.</source>
+        <translation>该策略绘制对象的一部分；其余省去：%1。</translation>
+    </message>
+    <message>
+        <source>The object "%1" is tested as one bounding sphere with %2 triangles.</source>
+        <translation>对象“%1”作为一个含 %2 个三角形的包围球来检验。</translation>
+    </message>
+    <message>
+        <source>Its centroid lies in the map's row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
+        <translation>其重心在图的第 %1 行第 %2 列：天顶角 %3° 至 %4°，方位角 %5° 至 %6°。</translation>
+    </message>
+    <message>
+        <source>The cell lies in the visible region's boxes (case %1).</source>
+        <translation>单元在可见区域的盒内（情形 %1）。</translation>
+    </message>
+    <message>
+        <source>The cell lies outside the visible region's boxes (case %1).</source>
+        <translation>单元在可见区域的盒外（情形 %1）。</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1°, within 90° of the axis to the eye: drawn without a test.</source>
+        <translation>单元位于 α = %1°，距指向视点的轴 90° 以内：不检验直接绘制。</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 exceeds the largest nearer one, %5.</source>
+        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其 S 为 %4，大于更近处的最大值 %5。</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 does not exceed the largest nearer one, %5.</source>
+        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其 S 为 %4，不大于更近处的最大值 %5。</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: its triangles rise above the horizon in front of them (slope %4 there).</source>
+        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其三角形高出前方的地平线（该处斜率 %4）。</translation>
+    </message>
+    <message>
+        <source>The cell lies at α = %1° in band %2, sector %3: all its triangles lie below the horizon in front of them (slope %4 there).</source>
+        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其所有三角形都低于前方的地平线（该处斜率 %4）。</translation>
+    </message>
+    <message>
+        <source>The object's bounding sphere: %1.</source>
+        <translation>对象的包围球：%1。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1417,6 +1737,100 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>此外还使用 OpenMesh、libepoxy、GLM、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BandsPanel</name>
+    <message>
+        <source>β %1 to %2</source>
+        <comment>angles about the axis</comment>
+        <translation>β %1 至 %2</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctor:</source>
+        <translation>扇区(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Sectors divide the bands by the angle β about the axis to the eye.</source>
+        <translation>扇区按绕视点方向轴的角 β 划分环带。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BandsPlot</name>
+    <message>
+        <source>slope</source>
+        <translation>斜率</translation>
+    </message>
+    <message>
+        <source>S, mesh units</source>
+        <translation>S，网格单位</translation>
+    </message>
+    <message>
+        <source>Size by contour band</source>
+        <translation>各等高线环带的大小</translation>
+    </message>
+    <message>
+        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
+        <translation>向上：%1；向右：与视点方向轴的夹角 α；扇区 %2</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye</source>
+        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α</translation>
+    </message>
+    <message>
+        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
+        <translation>该策略没有环带。把方向球面切成环带的策略会在此显示它们。</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
+        <comment>object, how it lies to the frustum</comment>
+        <translation>%1：%2，未测试其环带。要查看环带，请让整个对象位于画面内。</translation>
+    </message>
+    <message>
+        <source>α %1 to %2</source>
+        <translation>α %1 至 %2</translation>
+    </message>
+    <message>
+        <source>drawn: %1 %2</source>
+        <comment>a number, what it is of</comment>
+        <translation>已绘制：%1 %2</translation>
+    </message>
+    <message>
+        <source>hidden: %1 %2</source>
+        <comment>a number, what it is of</comment>
+        <translation>被遮挡：%1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing lies here.</source>
+        <translation>此处没有内容。</translation>
+    </message>
+    <message>
+        <source>largest nearer: %1</source>
+        <translation>更近处的最大值：%1</translation>
+    </message>
+    <message>
+        <source>Beyond α = %1 nothing is drawn.</source>
+        <translation>α = %1 之后不绘制任何内容。</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>已绘制</translation>
+    </message>
+    <message>
+        <source>hidden</source>
+        <translation>被遮挡</translation>
+    </message>
+    <message>
+        <source>largest nearer</source>
+        <translation>更近处的最大值</translation>
+    </message>
+    <message>
+        <source>beyond it nothing is drawn</source>
+        <translation>此后不再绘制</translation>
     </message>
 </context>
 <context>
@@ -1723,18 +2137,6 @@ OpenGL %2
 </context>
 <context>
     <name>cullscope::ui::InsidePanel</name>
-    <message>
-        <source>This strategy has no index map.</source>
-        <translation>该策略没有索引图。</translation>
-    </message>
-    <message>
-        <source>Strategies that look up what is visible by direction show their map here.</source>
-        <translation>按方向查找可见内容的策略会在此显示其索引图。</translation>
-    </message>
-    <message>
-        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
-        <translation>该策略没有环带。把方向球面切成环带的策略会在此显示它们。</translation>
-    </message>
     <message>
         <source>Inside the strategy</source>
         <translation>策略内部</translation>
@@ -2207,6 +2609,191 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::MapPanel</name>
+    <message>
+        <source>The index map is being read…</source>
+        <translation>正在读取索引图…</translation>
+    </message>
+    <message>
+        <source>This strategy has no index map.</source>
+        <translation>该策略没有索引图。</translation>
+    </message>
+    <message>
+        <source>Strategies that look up what is visible by direction show their map here.</source>
+        <translation>按方向查找可见内容的策略会在此显示其索引图。</translation>
+    </message>
+    <message>
+        <source>&amp;Colours of the map:</source>
+        <translation>图的颜色(&amp;C)：</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MapWidget</name>
+    <message>
+        <source>Triangle index map</source>
+        <translation>三角形索引图</translation>
+    </message>
+    <message>
+        <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
+        <translation>方向键在单元间移动，按住 Shift 每次移动十个；Enter 选取该单元的一个三角形。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MapWords</name>
+    <message>
+        <source>Case 1: all azimuths, one range in all</source>
+        <translation>情形 1：所有方位角，总共一个区间</translation>
+    </message>
+    <message>
+        <source>Case 2: one clump, one range a row</source>
+        <translation>情形 2：聚成一团，每行一个区间</translation>
+    </message>
+    <message>
+        <source>Case 3: split by the seam, two ranges a row</source>
+        <translation>情形 3：被接缝分开，每行两个区间</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <comment>a range of numbers</comment>
+        <translation>%1 至 %2</translation>
+    </message>
+    <message>
+        <source>owns no triangle</source>
+        <translation>没有所属三角形</translation>
+    </message>
+    <message>
+        <source>Entries a cell</source>
+        <translation>每单元条目数</translation>
+    </message>
+    <message>
+        <source>Farthest R</source>
+        <translation>最远 R</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>farthest R, mesh units</source>
+        <translation>最远 R，网格单位</translation>
+    </message>
+    <message>
+        <source>triangles a cell, logarithmic</source>
+        <translation>每单元三角形数，对数刻度</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>object, how it lies to the frustum</comment>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3): %4</source>
+        <comment>object, its number, how many there are, how it lies to the frustum</comment>
+        <translation>%1（第 %2 个，共 %3 个）：%4</translation>
+    </message>
+    <message>
+        <source>Nothing of it is drawn.</source>
+        <translation>完全不绘制。</translation>
+    </message>
+    <message>
+        <source>Bands of %1; drawn: %2 of %3 triangles</source>
+        <translation>环带宽 %1；已绘制三角形：%2 / %3</translation>
+    </message>
+    <message>
+        <source>Everything of it is drawn.</source>
+        <translation>全部绘制。</translation>
+    </message>
+    <message>
+        <source>Drawn: %1 of %2 triangles</source>
+        <translation>已绘制三角形：%1 / %2</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
+    </message>
+    <message>
+        <source>θ %1, φ %2</source>
+        <comment>two ranges of angles</comment>
+        <translation>θ %1，φ %2</translation>
+    </message>
+    <message>
+        <source>Triangles in it: %1, of which it owns %2</source>
+        <translation>其中的三角形：%1，所属：%2</translation>
+    </message>
+    <message>
+        <source>R %1 to %2 mesh units</source>
+        <translation>R %1 至 %2 网格单位</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
+        <translation>角射线 %1，%2：已在三角形 %3 上确认相交。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
+        <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere's nearest point.</source>
+        <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>已绘制</translation>
+    </message>
+    <message>
+        <source>visible region</source>
+        <translation>可见区域</translation>
+    </message>
+    <message>
+        <source>its box</source>
+        <translation>其包围框</translation>
+    </message>
+    <message>
+        <source>corner: hit</source>
+        <translation>角：命中</translation>
+    </message>
+    <message>
+        <source>corner: miss, nearest point</source>
+        <translation>角：未命中，最近点</translation>
+    </message>
+    <message>
+        <source>walked cells</source>
+        <translation>经过的单元</translation>
+    </message>
+    <message>
+        <source>contours of α</source>
+        <translation>α 的等高线</translation>
+    </message>
+    <message>
+        <source>nearest to the eye</source>
+        <translation>离视点最近</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>对面</translation>
+    </message>
+    <message>
+        <source>picked</source>
+        <translation>已选取</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::MessageBar</name>
     <message>
         <source>Close this message</source>
@@ -2288,6 +2875,17 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::PaperTableModel</name>
+    <message>
+        <source>As the paper prints it</source>
+        <translation>论文所印</translation>
+    </message>
+    <message>
+        <source>Measured here</source>
+        <translation>在此测得</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::ParameterForm</name>
     <message>
         <source>This strategy has no parameters.</source>
@@ -2354,6 +2952,17 @@ OpenGL %2
     <message>
         <source>Missed pixels, by pose</source>
         <translation>各姿态的丢失像素</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PictureMenu</name>
+    <message>
+        <source>Copy</source>
+        <translation>复制</translation>
+    </message>
+    <message>
+        <source>Save picture as…</source>
+        <translation>图片另存为…</translation>
     </message>
 </context>
 <context>
@@ -2453,6 +3062,53 @@ OpenGL %2
     <message>
         <source>missed</source>
         <translation>丢失</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ReproduceDialog</name>
+    <message>
+        <source>&amp;Start</source>
+        <translation>开始(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>取消(&amp;C)</translation>
+    </message>
+    <message>
+        <source>E&amp;xport</source>
+        <translation>导出(&amp;X)</translation>
+    </message>
+    <message>
+        <source>C&amp;lose</source>
+        <translation>关闭(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Reproduce a paper's table</source>
+        <translation>重现论文的表</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>表</translation>
+    </message>
+    <message>
+        <source>The paper's numbers beside ours</source>
+        <translation>论文的数字与我们的数字</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>进度</translation>
+    </message>
+    <message>
+        <source>stopped early: what was measured until then</source>
+        <translation>提前停止：到那时为止的测量结果</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>完成</translation>
+    </message>
+    <message>
+        <source>Export</source>
+        <translation>导出</translation>
     </message>
 </context>
 <context>
@@ -2701,10 +3357,6 @@ snapping</source>
         <translation>透明</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, wipe and marks</source>
-        <translation>叠加层(&amp;O)：视锥体、包围盒、分界线和标记</translation>
-    </message>
-    <message>
         <source>&amp;Legend of the colours, with counts</source>
         <translation>带数量的颜色图例(&amp;L)</translation>
     </message>
@@ -2791,6 +3443,10 @@ snapping</source>
     <message>
         <source>Folder for screenshots</source>
         <translation>截图文件夹</translation>
+    </message>
+    <message>
+        <source>&amp;Overlays: frustum, boxes, bands, wipe and marks</source>
+        <translation>叠加层(&amp;O)：视锥体、包围盒、等高线环带、分界线和标记</translation>
     </message>
 </context>
 <context>
@@ -3568,6 +4224,30 @@ snapping</source>
     <message>
         <source>What the views, panels and figures mean</source>
         <translation>视图、面板和数值的含义</translation>
+    </message>
+    <message>
+        <source>Repro&amp;duce a paper's table…</source>
+        <translation>重现论文的表(&amp;D)…</translation>
+    </message>
+    <message>
+        <source>Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours</source>
+        <translation>按论文的窗口测量论文表中的内容，并把它的数字与我们的并列</translation>
+    </message>
+    <message>
+        <source>&amp;Contour bands</source>
+        <translation>等高线环带(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view</source>
+        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带</translation>
+    </message>
+    <message>
+        <source>Model in &amp;spherical coordinates</source>
+        <translation>球坐标中的模型(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
+        <translation>在活动视图中，按方位角和天顶角显示一个物体中被绘制的部分</translation>
     </message>
 </context>
 </TS>

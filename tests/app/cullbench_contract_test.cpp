@@ -261,6 +261,64 @@ TEST_F(CullbenchContract, listHidesAStrategyOrScene) {
     EXPECT_EQ(json::parse(cullbench({"list", "strategies", "--json"}).out).size(), 1u);
 }
 
+TEST_F(CullbenchContract, listHidesAnExperiment) {
+    const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
+    std::vector<std::string> experiments;
+    for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
+    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5"));
+    const std::string text = cullbench({"list", "experiments"}).out;
+    for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
+}
+
+TEST_F(CullbenchContract, reproduceTakesWhatIsNoExperiment) {
+    expectRefusal(cullbench({"reproduce", "table-9"}), 2, "Known: table-1, table-2, table-3, table-4, table-5.");
+    expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
+    expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
+    expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");
+}
+
+TEST_F(CullbenchContract, reproduceNeedsOpenGlForTheStructures) {
+    const ProcessResult result =
+        cullbench({"reproduce", "table-1", "--json", "-"}, {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json"});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    const json table = json::parse(result.out)["experiments"][0];
+    EXPECT_EQ(table["scene"]["triangles"], 144046);
+    ASSERT_EQ(table["rows"].size(), 5u);
+    EXPECT_EQ(table["rows"][2]["paper_megabytes"], 6.7);
+    // The limit for the three maps at the paper's resolution.
+    EXPECT_LE(table["rows"][4]["megabytes"], 8.0);
+    EXPECT_GT(table["rows"][4]["build_ms"], 0.0);
+    EXPECT_THAT(result.err, HasSubstr("memory access map")) << "the table itself goes beside the data";
+}
+
+TEST_F(CullbenchContract, reproduceLacksThePapersOrOurFigures) {
+    const ProcessResult result = cullbench({"reproduce", "table-2", "--repeat", "1", "--json", file("t.json")});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("13508"));
+    std::ifstream in(file("t.json"));
+    const json table = json::parse(in)["experiments"][0];
+    ASSERT_EQ(table["rows"].size(), 9u);
+    for (int number = 1; number <= 3; ++number) {
+        const json& spherical = table["rows"][size_t(3 * number - 1)];
+        EXPECT_EQ(spherical["strategy"], "spherical");
+        EXPECT_EQ(spherical["case"], number);
+        EXPECT_EQ(spherical["cases"], std::to_string(number) + " ×" + std::to_string(spherical["poses"].get<int>()));
+        EXPECT_GE(spherical["poses"], 10);
+        EXPECT_LE(spherical["considered_triangles"], 1.5 * spherical["triangles_in_frustum"].get<double>());
+        EXPECT_GT(spherical["speedup_vs_all"], 0.0);
+        EXPECT_GT(spherical["speedup_vs_backface"], 0.0);
+        EXPECT_GE(spherical["missed_pixels"], 0.0);
+    }
+}
+
+TEST_F(CullbenchContract, interruptLosesTheTable) {
+    const ProcessResult result = cullbench({"reproduce", "table-3", "--json", file("t.json")}, {}, 7.0);
+    EXPECT_EQ(result.exitStatus, 130) << result.err;
+    std::ifstream in(file("t.json"));
+    const json table = json::parse(in)["experiments"][0];
+    EXPECT_TRUE(table["interrupted"]);
+}
+
 TEST_F(CullbenchContract, inspectHidesBytes) {
     const json root = json::parse(cullbench({"inspect", "sphere:triangles=500", "-s", "frustum", "--json", "-"}).out);
     EXPECT_GT(root["structure_bytes"], 0);

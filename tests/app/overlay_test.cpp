@@ -58,12 +58,82 @@ void expectRefusal(const ProcessResult& result, const std::string& mentions) {
 TEST_F(CullbenchOverlay, unknownOneIsDrawn) {
     const std::string sphere = "sphere:triangles=200";
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, boxes, frustum");
-    for (const char* name : {"index-map", "bands", "tree", "spherical-model"})
-        expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", name}), "\"frustum\" has no such overlay");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "\"frustum\" has no such overlay");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "index-map"}), "\"frustum\" has no index map");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "bands"}), "\"frustum\" has no contour bands");
     expectRefusal(render(sphere, "all", "a.png", {"--overlay", "boxes"}), "tests no boxes");
     expectRefusal(render(sphere, "frustum", "a.png", {"--drawn-only"}), "--overlay verdicts");
     expectRefusal(render(sphere, "frustum", "a.png", {"--view-eye", "1,2"}), "--view-eye");
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CullbenchOverlay, whatCannotBeShownIsDrawn) {
+    const std::string knot = "knot:triangles=2000";
+    const auto refused = [&](const std::vector<std::string>& more, const std::string& mentions) {
+        expectRefusal(render(knot, "spherical", "a.png", more), mentions);
+    };
+    refused({"--overlay", "index-map", "--overlay", "spherical-model"}, "give it without --overlay spherical-model");
+    refused({"--overlay", "boxes", "--overlay", "spherical-model"}, "give it without --overlay boxes");
+    refused({"--overlay", "index-map", "--map-colouring", "red"}, "Known: entries, radius, state");
+    refused({"--map-colouring", "state"}, "give both");
+    // The frustum cuts the object, or none of it is seen.
+    const std::vector<std::string> close{"--overlay", "bands", "--eye", "0,0,3", "--target", "1.5,0,0", "--fovy", "20"};
+    refused(close, "is cut by the frustum, and only one inside the frustum has contour bands");
+    refused({"--overlay", "bands", "--eye", "0,0,9", "--target", "0,0,20"}, "is outside the frustum");
+    EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CullbenchOverlay, figureOfThePaperIsMissing) {
+    const std::string knot = "knot:triangles=2000";
+    const std::vector<std::string> cut{"--eye", "0,0,3", "--target", "1.5,0,0", "--fovy", "20"};
+    const std::vector<std::vector<std::string>> figures{{},
+                                                        {"--overlay", "boxes"},
+                                                        {"--overlay", "bands"},
+                                                        {"--overlay", "bands", "--overlay", "verdicts"},
+                                                        {"--overlay", "spherical-model"},
+                                                        {"--overlay", "index-map"},
+                                                        {"--overlay", "index-map", "--map-colouring", "radius"},
+                                                        {"--overlay", "index-map", "--map-colouring", "state"}};
+    std::vector<std::vector<uint8_t>> pictures;
+    for (size_t i = 0; i < figures.size(); ++i) {
+        const std::string name = std::to_string(i) + ".png";
+        const ProcessResult result = render(knot, "spherical", name, figures[i]);
+        ASSERT_EQ(result.exitStatus, 0) << result.err;
+        pictures.push_back(readPicture(file(name)).rgba);
+        if (i == 2 || i == 3) continue;
+        std::vector<std::string> more = figures[i];
+        more.insert(more.end(), cut.begin(), cut.end());
+        ASSERT_EQ(render(knot, "spherical", "cut.png", more).exitStatus, 0);
+        pictures.push_back(readPicture(file("cut.png")).rgba);
+    }
+    for (size_t i = 0; i < pictures.size(); ++i)
+        for (size_t j = i + 1; j < pictures.size(); ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " " << j;
+    using Pair = std::pair<std::string, std::string>;
+    EXPECT_THAT(readPicture(file("7.png")).metadata,
+                testing::IsSupersetOf({Pair("cullscope:overlay", "index-map"), Pair("cullscope:map_colouring", "state")}));
+    EXPECT_THAT(readPicture(file("4.png")).metadata, testing::Contains(Pair("cullscope:overlay", "spherical-model")));
+    EXPECT_THAT(readPicture(file("3.png")).metadata, testing::Contains(Pair("cullscope:overlay", "verdicts,bands")));
+}
+
+TEST_F(CullbenchOverlay, directionsHaveDepths) {
+    for (const char* name : {"index-map", "spherical-model"}) {
+        ASSERT_EQ(render("sphere:triangles=200", "spherical", "a.exr", {"--overlay", name}).exitStatus, 0);
+        const cullscope::Picture picture = readPicture(file("a.exr"));
+        EXPECT_TRUE(picture.depth.empty() && picture.triangle.empty()) << name;
+    }
+    ASSERT_EQ(render("sphere:triangles=200", "spherical", "b.exr", {"--overlay", "boxes"}).exitStatus, 0);
+    EXPECT_FALSE(readPicture(file("b.exr")).depth.empty());
+}
+
+TEST_F(CullbenchOverlay, mapIsNotOfTheFirstObjectInTheFrustum) {
+    // From above one of sixteen is seen, the last; alone it has the same map.
+    const std::vector<std::string> place{"--overlay",   "index-map", "--eye", "3.75,12,3.75", "--target",
+                                         "3.75,0,3.75", "--up",      "0,0,1", "--fovy",       "6"};
+    std::vector<std::string> alone = place;
+    alone.insert(alone.end(), {"--hide", "0-14"});
+    ASSERT_EQ(render("field:mesh=teapot,n=4,spacing=2.5", "spherical", "a.png", place).exitStatus, 0);
+    ASSERT_EQ(render("field:mesh=teapot,n=4,spacing=2.5", "spherical", "b.png", alone).exitStatus, 0);
+    EXPECT_EQ(readPicture(file("a.png")).rgba, readPicture(file("b.png")).rgba);
 }
 
 TEST_F(CullbenchOverlay, overlayShowsNothing) {

@@ -89,6 +89,23 @@ TEST_F(CopiedCommand, ofFrozenCullingWithOnlyWhatWasDrawn) {
     expectSame(first);
 }
 
+TEST_F(CopiedCommand, ofASphericalStrategysOverlays) {
+    session.observe(1, 0);
+    session.slot(0).choose("spherical");
+    change(1, [](ViewSetup& setup) { setup.look = {.boxes = true, .bands = true}; });
+    EXPECT_TRUE(second.request().look.boxes && second.request().look.bands);
+    expectSame(second);
+    change(1, [](ViewSetup& setup) {
+        setup.look.sphericalModel = true;
+        setup.wipe.mode = Wipe::Mode::Truth;
+    });
+    expectSame(second);
+    // A strategy without bands shows none, and the command asks for none.
+    session.slot(0).choose("frustum");
+    change(1, [](ViewSetup& setup) { setup.look.sphericalModel = false; });
+    EXPECT_FALSE(second.request().look.bands);
+}
+
 TEST_F(CopiedCommand, withHiddenObjects) {
     std::vector<bool> hidden(session.hidden().size(), false);
     for (const size_t object : {1, 3, 4, 5, 20}) hidden[object] = true;

@@ -8,34 +8,27 @@ namespace cullscope::ui {
 
 InsidePanel::InsidePanel(Session& session, InsideReader& reader, QWidget* parent)
     : QWidget(parent),
-      m_noMap(new QLabel(this)),
+      m_map(new MapPanel(session, reader, this)),
       m_tabs(new QTabWidget(this)),
-      m_noBands(new QLabel(m_tabs)),
+      m_bands(new BandsPanel(session, reader, m_tabs)),
       m_tree(new InsideTree(session, reader, m_tabs)),
       m_why(new WhyPanel(session, reader, m_tabs)),
       m_losses(new LossPanel(session, m_tabs)) {
-    m_noMap->setForegroundRole(QPalette::PlaceholderText);
-    m_noBands->setWordWrap(true);
-    m_noBands->setMargin(8);
-    m_noBands->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    for (QWidget* page : std::initializer_list<QWidget*>{m_noBands, m_tree, m_why, m_losses}) m_tabs->addTab(page, QString());
+    for (QWidget* page : std::initializer_list<QWidget*>{m_bands, m_tree, m_why, m_losses}) m_tabs->addTab(page, QString());
     m_tabs->setCurrentWidget(m_tree);
     m_tabs->setDocumentMode(true);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(4);
-    layout->addWidget(m_noMap);
+    layout->addWidget(m_map);
     layout->addWidget(m_tabs, 1);
     reader.readFor(this);
     retranslate();
 }
 
 void InsidePanel::retranslate() {
-    m_noMap->setText(tr("This strategy has no index map."));
-    m_noMap->setToolTip(tr("Strategies that look up what is visible by direction show their map here."));
-    m_noBands->setText(tr("This strategy has no bands. Strategies that cut the sphere of directions into bands show them here."));
     m_tabs->tabBar()->setAccessibleName(tr("Inside the strategy"));
-    m_tabs->setTabText(m_tabs->indexOf(m_noBands), tr("Bands"));
+    m_tabs->setTabText(m_tabs->indexOf(m_bands), tr("Bands"));
     m_tabs->setTabText(m_tabs->indexOf(m_tree), tr("Tree"));
     m_tabs->setTabText(m_tabs->indexOf(m_why), tr("Why"));
     m_tabs->setTabText(m_tabs->indexOf(m_losses), tr("Losses"));

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <QLabel>
 #include <QTabWidget>
 
+#include "ui/panels/bands_panel.h"
 #include "ui/panels/inside_tree.h"
 #include "ui/panels/loss_panel.h"
+#include "ui/panels/map_panel.h"
 #include "ui/panels/why_panel.h"
 #include "ui/session/inside_reader.h"
 
@@ -18,6 +19,8 @@ public:
     InsidePanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
+    [[nodiscard]] MapPanel& map() { return *m_map; }
+    [[nodiscard]] BandsPanel& bands() { return *m_bands; }
     [[nodiscard]] InsideTree& tree() { return *m_tree; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
@@ -30,9 +33,9 @@ protected:
 private:
     void retranslate();
 
-    QLabel* m_noMap;
+    MapPanel* m_map;
     QTabWidget* m_tabs;
-    QLabel* m_noBands;
+    BandsPanel* m_bands;
     InsideTree* m_tree;
     WhyPanel* m_why;
     LossPanel* m_losses;

@@ -1,5 +1,6 @@
 #include "ui/session/built_strategy.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "core/gpu/context.h"
@@ -11,11 +12,16 @@ Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace) {
     return built.strategy->cull(view, trace);
 }
 
-bool testsBoxes(BuiltStrategy& built, const View& view) {
+ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
+    if (!look.boxes && !look.bands) return look;
     const std::lock_guard lock(built.mutex);
     Trace trace;
     (void)built.strategy->cull(view, &trace);
-    return !built.strategy->inside(trace).nodes.empty();
+    const Inside inside = built.strategy->inside(trace);
+    look.boxes = look.boxes && !(inside.nodes.empty() && inside.maps.empty());
+    look.bands =
+        look.bands && std::ranges::any_of(inside.maps, [](const InsideMap& map) { return map.decision.bands.has_value(); });
+    return look;
 }
 
 FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/measure/frame.h"
+#include "core/measure/view_picture.h"
 #include "core/scene/scene.h"
 #include "core/visibility/strategy.h"
 
@@ -24,8 +25,8 @@ using BuiltStrategyPointer = std::shared_ptr<BuiltStrategy>;
 /// One cull of a strategy that several threads share.
 [[nodiscard]] Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace);
 
-/// Whether the strategy tests boxes at this view, which it then shows.
-[[nodiscard]] bool testsBoxes(BuiltStrategy& built, const View& view);
+/// A look without the boxes and bands that the strategy does not have at this view.
+[[nodiscard]] ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look);
 
 /// core's renderFrame for a strategy that several threads share. Waiting for the others is not part of the time.
 FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,

@@ -53,10 +53,13 @@ QStringList lookWords(const ViewLook& look) {
     const auto add = [&](bool shown, const QString& name) {
         if (shown) words << QStringLiteral("--overlay") << name;
     };
+    // In its place nothing else is seen.
+    if (look.sphericalModel) return {QStringLiteral("--overlay"), QStringLiteral("spherical-model")};
     const bool verdicts = look.colouring == Colouring::Verdicts;
     add(verdicts, QStringLiteral("verdicts"));
     add(look.boxes, QStringLiteral("boxes"));
     add(look.frustum, QStringLiteral("frustum"));
+    add(look.bands, QStringLiteral("bands"));
     if (verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
     return words;
 }

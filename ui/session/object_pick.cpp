@@ -23,10 +23,14 @@ uint64_t tellingTriangle(const Session& session, uint32_t object, uint64_t count
 }  // namespace
 
 std::optional<Pick> pickOfObject(const Session& session, uint32_t object) {
+    const TriangleMesh& mesh = session.opened()->scene->meshOf(object);
+    if (mesh.triangleCount() == 0) return std::nullopt;
+    return pickOfTriangle(session, object, tellingTriangle(session, object, mesh.triangleCount()));
+}
+
+Pick pickOfTriangle(const Session& session, uint32_t object, uint64_t triangle) {
     const Scene& opened = *session.opened()->scene;
     const TriangleMesh& mesh = opened.meshOf(object);
-    if (mesh.triangleCount() == 0) return std::nullopt;
-    const uint64_t triangle = tellingTriangle(session, object, mesh.triangleCount());
     const auto corners = mesh.indices().subspan(3 * triangle, 3);
     const Vec3 centroid = (mesh.position(corners[0]) + mesh.position(corners[1]) + mesh.position(corners[2])) / 3.0;
     const Vec3 point(opened.instances()[object].worldFromMesh * Vec4(centroid, 1.0));

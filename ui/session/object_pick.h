@@ -11,6 +11,9 @@ namespace cullscope::ui {
 /// triangle.
 [[nodiscard]] std::optional<Pick> pickOfObject(const Session& session, uint32_t object);
 
+/// The pick of a triangle, counted within its object, at its centroid.
+[[nodiscard]] Pick pickOfTriangle(const Session& session, uint32_t object, uint64_t triangle);
+
 /// Picks an object unless it is what is picked already, whichever of its triangles that is.
 void pickObject(Session& session, uint32_t object);
 /// The same by a wrongly culled triangle of it, whatever is picked.

@@ -97,7 +97,7 @@ ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) 
     part.overlays = overlays;
     part.request = *shown;
     if (overlays) return part;
-    part.request.look.frustum = part.request.look.boxes = false;
+    part.request.look.frustum = part.request.look.boxes = part.request.look.bands = false;
     part.request.wipe = Wipe::Mode::None;
     return part;
 }
@@ -126,12 +126,13 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
 }
 
 std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
-    bool verdicts = false, culledToo = false, boxes = false, marks = false;
+    bool verdicts = false, culledToo = false, boxes = false, bands = false, marks = false;
     for (const ScreenshotPlan::Part& part : parts) {
         const bool coloured = part.request.look.colouring == Colouring::Verdicts;
         verdicts = verdicts || coloured;
         culledToo = culledToo || (coloured && part.request.look.culledToo);
         boxes = boxes || part.request.look.boxes;
+        bands = bands || part.request.look.bands;
         marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
     }
     std::vector<LegendEntry> legend;
@@ -140,7 +141,8 @@ std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts
         const auto state = TriangleState(i);
         const bool drawn = state == TriangleState::Visible || state == TriangleState::InVain;
         const bool ofBoxes = state == TriangleState::Visible || state == TriangleState::OutsideFrustum;
-        if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes))
+        const bool ofBands = state == TriangleState::Visible || state == TriangleState::Hidden;
+        if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || (bands && ofBands))
             legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
     }
     if (marks) {
@@ -187,7 +189,8 @@ ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options
     layOut(plan, options, session.scene()->triangleCount());
     for (ScreenshotPlan::Part& part : plan.parts) enlarge(part, plan, session, extras);
     if (counted) plan.legend.front().words = legendHeading(plan.parts[size_t(plan.legendPart)].request.cullingSize);
-    if (keepsDepth && !options.grid) plan.parts.front().wanted.items = true;
+    // Directions have neither a depth nor a triangle that a camera sees.
+    if (keepsDepth && !options.grid) plan.parts.front().wanted.items = !plan.parts.front().request.look.sphericalModel;
     plan.metadata = metadataOf(session, options, plan.size);
     return plan;
 }

@@ -274,6 +274,13 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.wipe = wipe.mode;
     if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference)
         request.other = slot(culledBy(wipe.other)).built();
+    if (request.look.sphericalModel) {
+        // It stands in place of everything else, and no other picture lies beside it.
+        request.look = {.sphericalModel = true};
+        request.states = nullptr;
+        request.wipe = Wipe::Mode::None;
+        request.other = nullptr;
+    }
     return request.complete() ? std::optional(request) : std::nullopt;
 }
 

@@ -57,6 +57,8 @@ public:
 
     // Scene
     void open(const QString& specification) { m_loader.open(specification); }
+    /// Shows a scene that is there already, as `open` does once it has read one.
+    void show(const OpenedScenePointer& opened);
     [[nodiscard]] SceneLoader& loader() { return m_loader; }
     /// Null: nothing opened yet.
     [[nodiscard]] const OpenedScenePointer& opened() const { return m_opened; }
@@ -186,7 +188,6 @@ private:
     void makeGraphics();
     void makeViews();
     void makeView(int view);
-    void show(const OpenedScenePointer& opened);
     void tellRepairs();
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);

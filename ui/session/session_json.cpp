@@ -45,7 +45,9 @@ Json jsonOf(const ViewLook& look) {
     return {{"colouring", wordOf(kColourings, look.colouring)},
             {"culled_too", look.culledToo},
             {"frustum", look.frustum},
-            {"boxes", look.boxes}};
+            {"boxes", look.boxes},
+            {"bands", look.bands},
+            {"spherical_model", look.sphericalModel}};
 }
 
 ViewLook readLook(const JsonField& field) {
@@ -54,6 +56,8 @@ ViewLook readLook(const JsonField& field) {
     read(field, "culled_too", look.culledToo);
     read(field, "frustum", look.frustum);
     read(field, "boxes", look.boxes);
+    read(field, "bands", look.bands);
+    read(field, "spherical_model", look.sphericalModel);
     return look;
 }
 

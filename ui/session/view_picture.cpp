@@ -2,6 +2,7 @@
 
 #include <QRgb>
 
+#include "core/measure/spherical_model.h"
 #include "core/measure/view_picture.h"
 #include "ui/session/navigation.h"
 #include "ui/session/picture_tiles.h"
@@ -115,6 +116,12 @@ ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
 }
 
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
+    if (request.look.sphericalModel) {
+        const DrawList drawn = cullShared(*request.strategy, View(request.culling, request.cullingSize), nullptr).drawList;
+        const std::optional<DirectionPick> found =
+            pickSphericalModel(request.buffers->scene(), drawn, request.size, request.style, x, y);
+        return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
+    }
     const View viewing(request.viewing, request.size);
     const bool all = request.look.colouring == Colouring::Verdicts && request.look.culledToo;
     const DrawList list = all ? everything(request.buffers->scene(), Facing::TwoSided)

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kTextPixels = 13;
 constexpr int kResolution = 96;  // pixels an inch
+constexpr int kImagePixels = 2;  // a unit
 
 void paintOn(QPaintDevice& device, const PlotWidget& plot, const QSize& size) {
     const QPalette palette = Appearance::palette(false);
@@ -37,6 +38,22 @@ QByteArray plotSvg(const PlotWidget& plot, const QSize& size) {
     generator.setViewBox(QRect(QPoint(), size));
     generator.setTitle(plot.title());
     paintOn(generator, plot, size);
+    return buffer.data();
+}
+
+QImage plotImage(const PlotWidget& plot, const QSize& size) {
+    QImage image(size * kImagePixels, QImage::Format_RGB32);
+    image.setDevicePixelRatio(kImagePixels);
+    paintOn(image, plot, size);
+    return image;
+}
+
+QByteArray plotPng(const PlotWidget& plot, const QSize& size) {
+    QImage image = plotImage(plot, size);
+    image.setText(QStringLiteral("Title"), plot.title());
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    image.save(&buffer, "PNG");
     return buffer.data();
 }
 

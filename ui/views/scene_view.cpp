@@ -111,13 +111,18 @@ PictureRequest SceneView::request() const {
     request.style = m_session.drawStyle();
     if (const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view)) {
         request.cullingSize = wanted->cullingSize;
-        request.look.boxes = request.look.boxes && testsBoxes(*wanted->strategy, View(wanted->culling, wanted->cullingSize));
+        request.look = shownLook(*wanted->strategy, View(wanted->culling, wanted->cullingSize), wanted->look);
     }
     return request;
 }
 
 PictureExtras SceneView::extras() const {
     PictureExtras extras;
+    if (m_session.setup(m_view).look.sphericalModel) {
+        // Its pixels are directions: nothing that lies over a camera's picture has a place there.
+        if (m_loupe) extras.loupe = m_loupePlace;
+        return extras;
+    }
     extras.wipe = m_session.setup(m_view).wipe;
     const auto nameOf = [this](int view) {
         return translated(findStrategy(m_session.slot(m_session.culledBy(view)).id()).info.name);
@@ -177,7 +182,7 @@ void SceneView::setAxes(bool on) {
 
 std::optional<OrientationGizmo> SceneView::axes() const {
     const ViewPicturePointer shown = m_session.picture(m_view);
-    if (!m_axes || !shown) return std::nullopt;
+    if (!m_axes || !shown || shown->request.look.sphericalModel) return std::nullopt;
     return OrientationGizmo(View(shown->request.viewing, shown->request.size), pictureLayout().rect());
 }
 
@@ -218,7 +223,8 @@ void SceneView::paintGL() {
     else
         painter.fillRect(layout.rect(), QColor::fromRgbF(m_session.drawStyle().background.x, m_session.drawStyle().background.y,
                                                          m_session.drawStyle().background.z));
-    if (const OpenedScenePointer& opened = m_session.opened(); shown && opened && m_session.pick())
+    if (const OpenedScenePointer& opened = m_session.opened();
+        shown && opened && m_session.pick() && !shown->request.look.sphericalModel)
         paintPick(painter, *opened->scene, *m_session.pick(), View(shown->request.viewing, shown->request.size), layout);
     if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
 }

@@ -69,6 +69,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     m_document = new DocumentCommands(m_session, *m_views, *m_actions, this);
     m_viewCommands = new ViewCommands(m_session, *m_views, *m_actions, m_document->screenshots(), this);
     m_paths = new PathCommands(m_session, *m_actions, *m_experiments, this);
+    m_papers = new PaperCommands(m_session, *m_actions, *m_experiments, m_document->undo(), this);
     m_memory = std::make_unique<WindowMemory>(*this);
     wireCommands();
     wireSession();

@@ -22,6 +22,7 @@
 #include "ui/window/document_commands.h"
 #include "ui/window/floating_docks.h"
 #include "ui/window/lecture_window.h"
+#include "ui/window/paper_commands.h"
 #include "ui/window/path_commands.h"
 #include "ui/window/placed_panels.h"
 #include "ui/window/side_panel.h"
@@ -59,6 +60,7 @@ public:
     [[nodiscard]] DocumentCommands& document() { return *m_document; }
     [[nodiscard]] PathCommands& paths() { return *m_paths; }
     [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
+    [[nodiscard]] PaperCommands& papers() { return *m_papers; }
 
     /// Gives the window the place, panels and number of views that it was left with. False: there is nothing kept.
     bool restoreLayout(bool viewCount);
@@ -119,6 +121,7 @@ private:
     PlacedPanels* m_panels;
     DocumentCommands* m_document;
     PathCommands* m_paths;
+    PaperCommands* m_papers;
     FigurePanel* m_figures;
     ScenePanel* m_scene;
     LegendPanel* m_legend;

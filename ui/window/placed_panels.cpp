@@ -1,5 +1,7 @@
 #include "ui/window/placed_panels.h"
 
+#include <QScrollArea>
+
 #include "ui/panels/figure_panel.h"
 #include "ui/panels/inside_panel.h"
 #include "ui/panels/legend_panel.h"
@@ -7,6 +9,21 @@
 #include "ui/panels/strategy_panel.h"
 
 namespace cullscope::ui {
+
+namespace {
+
+/// A view may be smaller than what the panel needs.
+QWidget* scrolling(QWidget* panel) {
+    auto* scroll = new QScrollArea;
+    scroll->setWidget(panel);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFocusPolicy(Qt::NoFocus);
+    return scroll;
+}
+
+}  // namespace
 
 PlacedPanels::PlacedPanels(Session& session, ViewGrid& views, InsideReader& reader, Experiments& experiments, QObject* parent)
     : QObject(parent), m_session(session), m_views(views), m_reader(reader), m_experiments(experiments) {
@@ -19,7 +36,7 @@ std::vector<PlaceablePanel> PlacedPanels::known() {
 }
 
 QWidget* PlacedPanels::make(const std::string& id) const {
-    if (id == "inside") return new InsidePanel(m_session, m_reader);
+    if (id == "inside") return scrolling(new InsidePanel(m_session, m_reader));
     if (id == "figures") return new FigurePanel(m_session);
     if (id == "statistics") return m_experiments.makePanel();
     if (id == "strategy") return new StrategyPanel(m_session);

@@ -44,6 +44,10 @@ void ViewCommands::wire() {
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.frustum = on; }); });
     connect(m_actions.boxes, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.boxes = on; }); });
+    connect(m_actions.bands, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.bands = on; }); });
+    connect(m_actions.sphericalModel, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.sphericalModel = on; }); });
     connect(m_actions.truth, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.wipe.mode = on ? Wipe::Mode::Truth : Wipe::Mode::None; }); });
     connect(m_actions.loss, &QAction::triggered, this,
@@ -68,13 +72,15 @@ void ViewCommands::refresh() {
     const int view = m_session.activeView();
     const ViewSetup& setup = m_session.setup(view);
     const bool scene = m_session.opened() != nullptr;
-    for (QAction* action : {m_actions.freeze, m_actions.verdicts, m_actions.frustum, m_actions.boxes, m_actions.truth,
-                            m_actions.loss, m_actions.loupe})
+    for (QAction* action : {m_actions.freeze, m_actions.verdicts, m_actions.frustum, m_actions.boxes, m_actions.bands,
+                            m_actions.sphericalModel, m_actions.truth, m_actions.loss, m_actions.loupe})
         action->setEnabled(scene);
     m_actions.freeze->setChecked(setup.role == Role::Frozen);
     m_actions.verdicts->setChecked(setup.look.colouring == Colouring::Verdicts);
     m_actions.frustum->setChecked(setup.look.frustum);
     m_actions.boxes->setChecked(setup.look.boxes);
+    m_actions.bands->setChecked(setup.look.bands);
+    m_actions.sphericalModel->setChecked(setup.look.sphericalModel);
     m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
     m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);
     m_actions.nextLoss->setEnabled(scene && setup.role == Role::Linked && !m_session.figures(view).holes.empty());

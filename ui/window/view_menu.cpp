@@ -56,7 +56,8 @@ void ViewMenu::addCameras() {
                setup().role == Role::Observer && setup().observed == other, [session, view, other] {
                    session->observe(view, other);
                    ViewSetup changed = session->setup(view);
-                   changed.look = {Colouring::Verdicts, true, true, changed.look.boxes};
+                   changed.look.colouring = Colouring::Verdicts;
+                   changed.look.culledToo = changed.look.frustum = true;
                    session->setSetup(view, changed);
                });
     }
@@ -75,6 +76,9 @@ void ViewMenu::addLook() {
     change(*menu, tr("The culling camera's frustum"), look.frustum,
            [](ViewSetup& setup) { setup.look.frustum = !setup.look.frustum; });
     change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
+    change(*menu, tr("Contour bands"), look.bands, [](ViewSetup& setup) { setup.look.bands = !setup.look.bands; });
+    change(*menu, tr("Model in spherical coordinates"), look.sphericalModel,
+           [](ViewSetup& setup) { setup.look.sphericalModel = !setup.look.sphericalModel; });
 }
 
 void ViewMenu::addComparisons() {

@@ -69,6 +69,7 @@ void WindowActions::makeView() {
     upY = option(upAxis, QStringLiteral("y"));
     upZ = option(upAxis, QStringLiteral("z"));
     lecture = command(Qt::Key_F5, QStringLiteral("lecture"));
+    reproduce = command({});
     resetLayout = command({});
     systemAppearance = option(appearance, QStringLiteral("system"));
     lightAppearance = option(appearance, QStringLiteral("light"));
@@ -80,6 +81,8 @@ void WindowActions::makePicture() {
     verdicts = toggle(Qt::Key_V, QStringLiteral("verdicts"));
     frustum = toggle({});
     boxes = toggle({});
+    bands = toggle({});
+    sphericalModel = toggle({});
     truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
     loss = toggle(Qt::Key_M);
     nextLoss = command(Qt::Key_N);
@@ -135,7 +138,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addAction(lecture);
+    m_viewMenu->addActions({lecture, reproduce});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(bookmarks);
@@ -146,7 +149,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, axes});
+    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, bands, sphericalModel, axes});
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
     m_pathMenu->addActions({record, addPose, savePath});
@@ -237,6 +240,8 @@ void WindowActions::retranslateView() {
     say(upY, tr("&y up"), tr("The y axis points up"));
     say(upZ, tr("&z up"), tr("The z axis points up"));
     say(lecture, tr("&Lecture"), tr("Show the active view full screen, large enough for the back row"));
+    say(reproduce, tr("Repro&duce a paper's table…"),
+        tr("Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours"));
     say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));
     say(systemAppearance, tr("As the &system"), tr("Light or dark as the system is set"));
     say(lightAppearance, tr("&Light"), tr("Dark on light"));
@@ -248,6 +253,10 @@ void WindowActions::retranslatePicture() {
     say(verdicts, tr("Colours by &verdict"), tr("Colour the active view by what became of each triangle"));
     say(frustum, tr("F&rustum"), tr("Show the culling camera's frustum in the active view"));
     say(boxes, tr("&Boxes"), tr("Show the boxes that the strategy tested in the active view"));
+    say(bands, tr("&Contour bands"),
+        tr("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view"));
+    say(sphericalModel, tr("Model in &spherical coordinates"),
+        tr("Show what was drawn of one object over azimuth and zenith angle in the active view"));
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));
     say(loss, tr("&Missed pixels"), tr("Mark the pixels that the strategy missed or added"));
     say(nextLoss, tr("&Next loss"), tr("Go to the next lost pixels, largest hole first"));

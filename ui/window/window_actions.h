@@ -32,12 +32,13 @@ public:
     QAction *home, *frame;
     QAction *upY, *upZ;
     QAction *lecture, *resetLayout;
+    QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
     /// The docks' own actions go here.
     QMenu* panels;
     // Picture: of the active view
-    QAction *freeze, *verdicts, *frustum, *boxes, *truth, *loss, *nextLoss, *loupe, *axes;
+    QAction *freeze, *verdicts, *frustum, *boxes, *bands, *sphericalModel, *truth, *loss, *nextLoss, *loupe, *axes;
     // Path
     QAction *record, *addPose, *savePath, *openPath, *play, *stop;
     // Help

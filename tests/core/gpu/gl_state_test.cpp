@@ -106,6 +106,10 @@ TEST_P(GlState, overlaysLeaveSomethingBehind) {
             expectDefaults();
             bound.expectStillBound();
         }
+        const SphericalModel model{.sphere = {Vec3(0.0), 7.0}, .area = mapArea(view.viewport(), 0.0)};
+        GlEnvironment::renderer().drawSpherical(buffers, view, everything(*scene, facing), model, target);
+        expectDefaults();
+        bound.expectStillBound();
     }
 }
 

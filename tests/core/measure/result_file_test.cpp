@@ -89,6 +89,18 @@ TEST(ResultJson, figureThatWasNotMeasuredIsANumber) {
     EXPECT_TRUE(json["runs"][0]["summary"]["missed_pixel_rate"].is_null());
 }
 
+TEST(ResultJson, caseIsLost) {
+    MeasureResult result = measure(smallExperiment({"frustum"}));
+    result.runs[0].frames[1].caseNumber = 3;
+    const Json frames = Json::parse(resultJson(result))["runs"][0]["frames"];
+    EXPECT_TRUE(frames[0]["case"].is_null());
+    EXPECT_EQ(frames[1]["case"], 3);
+    const std::vector<std::string> rows = lines(resultCsv(result));
+    EXPECT_EQ(cells(rows[0]).back(), "case");
+    EXPECT_EQ(cells(rows[1]).back(), "");
+    EXPECT_EQ(cells(rows[2]).back(), "3");
+}
+
 TEST(ResultJson, interruptedMeasurementIsNoJson) {
     std::stop_source source;
     source.request_stop();

@@ -1,0 +1,81 @@
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "app/cullbench/commands.h"
+#include "core/base/error.h"
+#include "core/gpu/context.h"
+#include "core/measure/paper_tables.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+constexpr const char* kAll = "all";
+
+struct Options {
+    std::string experiment, json;
+    int repeat = 0;
+};
+
+std::vector<const PaperExperiment*> chosen(const std::string& id) {
+    std::vector<const PaperExperiment*> experiments;
+    if (id != kAll) return {&findPaperExperiment(id)};
+    for (const PaperExperiment& experiment : paperExperiments()) experiments.push_back(&experiment);
+    return experiments;
+}
+
+/// Adds a table for each experiment; those that are there stay where a later one fails.
+void reproduceAll(const std::vector<const PaperExperiment*>& experiments, const ReproduceOptions& options,
+                  const Progress& progress, FILE* out, std::vector<PaperTable>& tables) {
+    std::optional<HeadlessContext> gl;
+    const double count = double(experiments.size());
+    for (size_t i = 0; i < experiments.size() && (tables.empty() || !tables.back().interrupted); ++i) {
+        if (experiments[i]->timed() && !gl) gl.emplace();
+        tables.push_back(reproduce(*experiments[i], options, progress.part(double(i) / count, double(i + 1) / count)));
+        clearProgress();
+        // Each as soon as it is there: all of them take minutes.
+        fmt::print(out, "{}{}", i > 0 ? "\n" : "", paperTableText(tables.back()));
+        std::fflush(out);
+    }
+}
+
+int statusOf(const std::vector<PaperTable>& tables) {
+    int status = 0;
+    for (const PaperTable& table : tables)
+        for (const std::string& strategy : table.brokenPromises) {
+            fmt::print(stderr, "cullbench: {}: {} promises to lose no pixel and lost some\n", table.experiment, strategy);
+            status = 1;
+        }
+    return tables.back().interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
+}
+
+void run(const Options& options, Context& context) {
+    const std::vector<const PaperExperiment*> experiments = chosen(options.experiment);
+    checkOutputPlaces({options.json});
+    // Where standard output carries data, the tables go beside it.
+    FILE* out = options.json == "-" ? stderr : stdout;
+    std::vector<PaperTable> tables;
+    std::optional<Error> failure;
+    try {
+        reproduceAll(experiments, {context.sceneOptions, options.repeat}, terminalProgress(context), out, tables);
+    } catch (const Error& error) {
+        failure = error;
+    }
+    if (!options.json.empty() && !tables.empty()) writeText(options.json, paperTablesJson(tables));
+    if (failure) throw *failure;
+    context.exitStatus = statusOf(tables);
+}
+
+}  // namespace
+
+void addReproduceCommand(CLI::App& app, Context& context) {
+    CLI::App* command = app.add_subcommand("reproduce", "A paper's table beside the same measured here");
+    auto options = std::make_shared<Options>();
+    command->add_option("EXPERIMENT", options->experiment, "one of `cullbench list experiments`, or all")->required();
+    command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
+        ->check(CLI::Range(1, 100000));
+    command->add_option("--json", options->json, "result file; - is standard output");
+    command->callback([options, &context] { run(*options, context); });
+}
+
+}  // namespace cullscope::cullbench

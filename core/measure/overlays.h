@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/gpu/renderer.h"
+#include "core/measure/triangle_states.h"
+#include "core/visibility/inside.h"
+
+namespace cullscope {
+
+/// What lines over a picture are made for: who looks, and in which colours.
+struct OverlayContext {
+    const Scene& scene;
+    const View& viewing;
+    const DrawStyle& style;
+    std::array<PaletteEntry, kTriangleStateCount> palette;  ///< by TriangleState
+    Vec3f contrast;                                         ///< to the style's background
+};
+
+/// Lines of one width that are drawn together; widths are in units (DrawStyle::unit).
+struct OverlayLines {
+    std::vector<LineSegment> lines;
+    LineStyle style;
+    bool cased = false;  ///< with the background's colour on both sides, so that they are seen on surfaces
+};
+
+/// A mark of constant size in the picture, whatever its distance; nothing where the place lies behind the viewer.
+enum class MarkShape { Ring, Dot, Cross };
+void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, const Vec3& place, double radius, MarkShape shape,
+             const Vec3f& colour);
+
+/// How many pixels a length in the world covers at a place; the picture's height where the place lies behind the viewer.
+[[nodiscard]] double pixelsOf(const View& viewing, const Vec3& place, double length);
+
+/// A frustum, its far plane cut to the scene, and its eye as a mark.
+[[nodiscard]] std::vector<OverlayLines> frustumOverlay(const OverlayContext& context, const View& culling);
+
+/// The boxes of the nodes, coloured by verdict.
+[[nodiscard]] OverlayLines boxOverlay(const OverlayContext& context, const Inside& inside);
+
+/// What strategies with maps of directions test in place of boxes, of every object that is not outside the frustum: the bounding
+/// sphere as three great circles; where the frustum cuts it, the visible region on the sphere (dashed) with its boxes, and the
+/// corner rays from the eye, with a ring where they enter the sphere, to a dot where they hit, or a cross at the region's corner
+/// of a ray that misses (Han & Hong 2008, Figure 3).
+[[nodiscard]] std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const Inside& inside);
+
+/// The contour bands on the bounding spheres: the circles between them, coloured by what became of the band's sectors beyond, the
+/// one at 90° stronger, the axis with its start (ring) and end (dot), and to either side of it each band's S from the
+/// axis outward (Han & Hong 2008, Figures 5 and 6). Of `spherical-horizon`, which has slopes, the height of the sight line there.
+/// Circles that would lie closer than a few pixels are left out.
+[[nodiscard]] std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const Inside& inside);
+
+}  // namespace cullscope

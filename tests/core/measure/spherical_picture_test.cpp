@@ -1,0 +1,231 @@
+// What the spherical strategies' pictures lose: nothing with spherical-horizon on star-shaped meshes, and with `spherical` what
+// it is known to lose.
+#include <gmock/gmock.h>
+
+#include <cstdio>
+
+#include "core/measure/reference.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/frustum_share.h"
+#include "core/scene/scene_source.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/visibility/exact_visibility.h"
+#include "tests/core/visibility/spherical_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+constexpr uint64_t kAllViews = 5'000;
+constexpr uint64_t kSample = 250;
+constexpr uint64_t kViewsPerScene = 10;
+
+Accuracy accuracyOf(Strategy& strategy, const SceneBuffers& buffers, const View& view) {
+    const Verdict verdict = strategy.cull(view);
+    const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy.referenceFacing());
+    return compare(reference, picture(buffers, view, verdict.drawList).depth, verdict.drawList, buffers.scene());
+}
+
+MeshPointer starShaped(uint64_t seed) {
+    switch (seed % 6) {
+        case 0:
+            return starMesh(seed, 4'000);
+        case 1:
+            return sphereMesh(3'000);
+        case 2:
+            return boxMesh({-1, -0.3f, -0.7f}, {0.9f, 0.4f, 0.8f});
+        case 3:
+            return bumpyMesh(seed, 5'000, 0.15);
+        case 4:
+            return bumpyMesh(seed, 20'000, 0.5);
+        default:
+            return starMesh(seed, 20'000);
+    }
+}
+
+/// One to three objects, turned, scaled unevenly and mirrored; some far from the origin.
+ScenePointer starScene(uint64_t seed) {
+    Random random(seed * 31 + 5);
+    std::vector<MeshPointer> meshes;
+    std::vector<Mat4> places;
+    const Vec3 home = seed % 7 == 3 ? Vec3(1e6, -1e6, 1e6) : Vec3(0.0);
+    const auto objects = size_t(random.between(1.0, 3.99));
+    for (size_t i = 0; i < objects; ++i) {
+        meshes.push_back(starShaped(seed + i));
+        const Vec3 axis = random.direction();
+        const double angle = random.between(0.0, 6.0);
+        Vec3 size(1.0);
+        if (seed % 3 == 1)
+            for (int c = 0; c < 3; ++c) size[c] = random.between(0.3, 2.0);
+        if (seed % 4 == 2) size.x = -size.x;
+        const Vec3 aside = 4.0 * random.direction() * double(i);
+        places.push_back(translation(home + aside) * rotation(axis, angle) * scaling(size));
+    }
+    return sceneOf(std::move(meshes), places);
+}
+
+/// From just outside an object's bounding sphere to far away, on its whole or on a part of it.
+std::pair<Camera, Viewport> starView(const Scene& scene, Random& random) {
+    const auto object = size_t(random.between(0.0, double(scene.instances().size()) - 1e-9));
+    const Sphere& sphere = scene.instanceSphere(object);
+    Camera camera;
+    const double distance = sphere.radius * (1.0 + std::pow(10.0, random.between(-2.0, 1.3)));
+    camera.eye = sphere.centre + random.direction() * distance;
+    camera.target = sphere.centre + random.direction() * (sphere.radius * random.unit() * random.unit());
+    camera.up = random.direction();
+    const double whole = 2.0 * std::asin(std::min(1.0, sphere.radius / distance)) * 180.0 / std::numbers::pi;
+    camera.fovy = Angle::fromDegrees(std::clamp(whole * random.between(0.1, 1.6), 0.5, 150.0));
+    camera.nearDistance = random.unit() < 0.2 ? distance : std::max(distance - 1.02 * sphere.radius, 1e-3 * distance) * 0.9;
+    camera.farDistance = distance * 10.0;
+    return {camera, {int(random.between(40.0, 200.0)), int(random.between(40.0, 160.0))}};
+}
+
+struct Tally {
+    uint64_t views = 0, cut = 0, within = 0, around = 0, covered = 0, culled = 0, triangles = 0, missed = 0;
+};
+
+class HorizonPicture {
+public:
+    void run(uint64_t views) {
+        for (uint64_t first = 0; first < views; first += kViewsPerScene) {
+            const uint64_t seed = 2000 + first / kViewsPerScene;
+            const ScenePointer scene = starScene(seed);
+            const SceneBuffers buffers(scene, Upload::Vbo);
+            const StrategyPointer strategy = strategyWith("spherical-horizon", {{"rows", seed % 2 == 0 ? "90" : "0"}});
+            strategy->build(*scene);
+            ASSERT_EQ(strategy->promise(), Promise::Conservative) << "seed " << seed;
+            Random random(seed * 7919);
+            for (uint64_t view = 0; view < kViewsPerScene; ++view)
+                check(*strategy, buffers, starView(*scene, random), seed, view);
+        }
+    }
+    [[nodiscard]] const Tally& tally() const { return m_tally; }
+
+private:
+    void check(Strategy& strategy, const SceneBuffers& buffers, const std::pair<Camera, Viewport>& random, uint64_t seed,
+               uint64_t number) {
+        const View view(random.first, random.second);
+        Trace trace;
+        const Verdict verdict = strategy.cull(view, &trace);
+        ++m_tally.views;
+        for (const SphericalDecision& decision : trace.spherical) {
+            m_tally.cut += decision.relation == SphereRelation::Cut ? 1 : 0;
+            m_tally.within += decision.relation == SphereRelation::Within ? 1 : 0;
+            m_tally.around += decision.relation == SphereRelation::AroundEye ? 1 : 0;
+        }
+        m_tally.culled += verdict.culledTriangles[size_t(Cause::Hidden)];
+        m_tally.triangles += buffers.scene().triangleCount();
+        const Accuracy accuracy = accuracyOf(strategy, buffers, view);
+        m_tally.covered += accuracy.coveredPixels;
+        m_tally.missed += accuracy.missedPixels;
+        EXPECT_EQ(accuracy.missedPixels + accuracy.extraPixels, 0u)
+            << "pixels lost: scene seed " << seed << " view " << number << "; " << described(random.first, random.second);
+    }
+
+    Tally m_tally;
+};
+
+TEST(SphericalPicture, horizonLostAPixelOfAStarShapedMesh) {
+    HorizonPicture property;
+    property.run(longMode() ? kAllViews : kSample);
+    const Tally& t = property.tally();
+    std::printf("long: spherical-horizon views %llu cut %llu within %llu around %llu covered %llu hidden %.1f%% missed %llu\n",
+                static_cast<unsigned long long>(t.views), static_cast<unsigned long long>(t.cut),
+                static_cast<unsigned long long>(t.within), static_cast<unsigned long long>(t.around),
+                static_cast<unsigned long long>(t.covered), 100.0 * double(t.culled) / double(t.triangles),
+                static_cast<unsigned long long>(t.missed));
+    // It must not pass for want of anything to lose.
+    EXPECT_GT(t.cut, t.views / 3);
+    EXPECT_GT(t.within, t.views / 10);
+    EXPECT_GT(t.covered, t.views * 1000);
+    EXPECT_GT(double(t.culled), 0.12 * double(t.triangles));
+}
+
+/// The share of covered pixels lost over a path.
+double lossOver(const char* strategyId, const ScenePointer& scene, const std::vector<Camera>& cameras,
+                const std::vector<std::pair<const char*, const char*>>& parameters = {}) {
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const StrategyPointer strategy = strategyWith(strategyId, parameters);
+    strategy->build(*scene);
+    uint64_t missed = 0, covered = 0;
+    for (const Camera& camera : cameras) {
+        const Accuracy accuracy = accuracyOf(*strategy, buffers, View(camera, {240, 240}));
+        missed += accuracy.missedPixels;
+        covered += accuracy.coveredPixels;
+    }
+    return double(missed) / double(covered);
+}
+
+Camera from(const Vec3& eye, double fovy, const Vec3& up = {0, 1, 0.1}) {
+    return {eye, Vec3(0.0), up, Angle::fromDegrees(fovy), 0.1, 1000};
+}
+
+TEST(SphericalPicture, knownLossesOfSAndSlopeChanged) {
+    // Case 16: a torus (1, 0.25) whose axis is tilted by 60° from the sight line, far away, and a thick bowl seen into its opening. These are expected losses,
+    // written down so that a change of them is noticed.
+    const ScenePointer torus = sceneOf({torusMesh(40'000)}, {rotation({1, 0, 0}, std::numbers::pi / 6)});
+    const ScenePointer bowl = sceneOf({bowlMesh(60)});
+    const std::vector<Camera> far{from({0, 0, 40}, 6)}, into{from({0, 0, 6}, 25)};
+    const double torusByS = lossOver("spherical", torus, far), torusBySlope = lossOver("spherical-horizon", torus, far);
+    const double bowlByS = lossOver("spherical", bowl, into), bowlBySlope = lossOver("spherical-horizon", bowl, into);
+    std::printf("long: spherical loss torus %.1f%% bowl %.1f%%; spherical-horizon torus %.1f%% bowl %.1f%%\n", 100 * torusByS,
+                100 * bowlByS, 100 * torusBySlope, 100 * bowlBySlope);
+    EXPECT_NEAR(torusByS, 0.17, 0.04);
+    EXPECT_GT(bowlByS, 0.8);
+    EXPECT_GT(bowlBySlope, 0.2);
+}
+
+TEST(SphericalPicture, lossAtHighLatitudesIsNotSeen) {
+    // Case 12 in pixels: `spherical` shows its loss, spherical-horizon none.
+    const ScenePointer scene = sceneOf({sphereMesh(40'000)});
+    const auto at = [](double degrees) {
+        const double latitude = degrees * std::numbers::pi / 180.0;
+        return from(3.0 * Vec3(std::cos(latitude), 0.0, std::sin(latitude)), 20.0, {0, 0.01, 1});
+    };
+    EXPECT_GT(lossOver("spherical", scene, {at(60)}), 0.15);
+    EXPECT_LT(lossOver("spherical", scene, {at(60)}, {{"joined", "arcs"}}), 0.1);
+    for (const double latitude : {0.0, 45.0, 60.0, 75.0, 90.0})
+        EXPECT_EQ(lossOver("spherical-horizon", scene, {at(latitude)}), 0.0) << latitude;
+}
+
+TEST(SphericalPicture, pathsDoNotShowThePapersCases) {
+    const std::string file = CULLSCOPE_SOURCE_DIR "/../shared/models/bunny.obj";
+    // Where the bunny is not at hand a body of its proportions stands in.
+    const bool bunny = std::filesystem::exists(file);
+    const ScenePointer scene = bunny ? openScene("mesh:" + file + ",triangles=144046").scene
+                                     : sceneOf({bumpyMesh(4, 144'000, 0.03)}, {scaling({1.2, 1.0, 0.9})});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    const std::array<double, 3> considered{13508.0 / 144078.0, 16434.0 / 144078.0, 26308.0 / 144078.0};
+    for (int number = 1; number <= 3; ++number) {
+        const CameraPath path = cameraPath("case-" + std::to_string(number), *scene);
+        ASSERT_GE(path.poses.size(), 10u);
+        for (size_t pose = 0; pose < path.poses.size(); ++pose) {
+            const View view(path.camera(pose), {320, 240});
+            Trace trace;
+            const Verdict verdict = strategy->cull(view, &trace);
+            const auto inFrustum = double(trianglesInFrustum(*scene, view));
+            const std::string where = path.name + " pose " + std::to_string(pose);
+            EXPECT_EQ(verdict.caseNumber, number) << where;
+            EXPECT_NEAR(inFrustum / double(scene->triangleCount()) / considered[size_t(number - 1)], 1.0, 0.1) << where;
+            EXPECT_LE(double(verdict.consideredTriangles), 1.5 * inFrustum) << where;
+            EXPECT_GT(verdict.consideredTriangles, 0u) << where;
+            for (const CornerRay& ray : trace.spherical.at(0).rays) EXPECT_TRUE(ray.hit.has_value()) << where;
+            const Accuracy accuracy = accuracyOf(*strategy, buffers, view);
+            EXPECT_GE(accuracy.coveredPixels, 320u * 240u * 6 / 10) << where;
+        }
+    }
+}
+
+TEST(SphericalPicture, upsideOfAnInstanceIsLookedUpInTheMeshsOwnAxes) {
+    // The case is the map's, not the world's: a turned instance has its pole elsewhere.
+    const ScenePointer scene = sceneOf({sphereMesh(20'000)}, {rotation({1, 0, 0}, std::numbers::pi / 2) * scaling({2, 2, -2})});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    EXPECT_EQ(strategy->cull(View(from({0, 6, 0.01}, 20), {64, 64})).caseNumber, 1);
+    EXPECT_EQ(strategy->cull(View(from({0, 0, 6}, 20), {64, 64})).caseNumber, 2);
+    EXPECT_EQ(strategy->cull(View(from({6, 0, 0}, 20), {64, 64})).caseNumber, 3);
+}
+
+}  // namespace
+}  // namespace cullscope::test

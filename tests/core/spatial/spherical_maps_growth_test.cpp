@@ -1,0 +1,24 @@
+// The resolution on auto: what the maps take grows with the number of triangles and no faster.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/mesh/parametric.h"
+#include "core/spatial/spherical_maps.h"
+
+namespace cullscope::test {
+namespace {
+
+double bytesAFace(size_t triangles) {
+    const MeshPointer mesh = sphereMesh(triangles);
+    const SphericalMaps maps(mesh, SphericalGrid::forTriangles(mesh->triangleCount()));
+    return double(maps.bytes().all()) / double(mesh->triangleCount());
+}
+
+TEST(SphericalMapsGrowth, bytesGrowFasterThanTheFaces) {
+    const double few = bytesAFace(10'000), many = bytesAFace(1'000'000);
+    EXPECT_LT(std::abs(many / few - 1.0), 0.15) << few << " and " << many << " bytes a face";
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <functional>
+#include <numbers>
+
+#include "core/scene/scene_source.h"
+#include "ui/panels/shown_map.h"
+
+namespace cullscope::ui {
+
+/// A sphere within the frustum: contour bands of 10° in eight sectors, of which those up to 110° are drawn.
+inline SphericalDecision withinDecision(const Vec3& eye) {
+    SphericalDecision decision;
+    decision.relation = SphereRelation::Within;
+    decision.eye = eye;
+    ContourBands bands;
+    bands.width = std::numbers::pi / 18;
+    bands.bands = 18;
+    bands.sectors = 8;
+    for (uint32_t band = 0; band < bands.bands; ++band)
+        for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+            const double size = std::sin((band + 0.5) * bands.width) * (1.0 + 0.05 * sector);
+            const double horizon = band == 0 ? 0.0 : bands.at(band - 1, sector).horizon;
+            const double before = band == 0 ? 0.0 : bands.at(band - 1, sector).size;
+            bands.table.push_back({size, std::max(horizon, before), band < 11});
+        }
+    decision.bands = bands;
+    return decision;
+}
+
+/// The maps of a scene's first object with that decision.
+inline InsideMap mapOver(const Scene& scene, const SphericalGrid& grid) {
+    return {std::make_shared<SphericalMaps>(scene.meshes()[scene.instances()[0].mesh], grid), withinDecision({0, 0, 5})};
+}
+
+/// The same as what a panel shows.
+inline ShownMap shownAlone(const ScenePointer& scene, const SphericalGrid& grid) {
+    auto inside = std::make_shared<Inside>();
+    inside->maps.push_back(mapOver(*scene, grid));
+    return {scene, inside, 0};
+}
+
+/// The same maps with another decision.
+inline ShownMap changed(const ShownMap& shown, const std::function<void(SphericalDecision&)>& how) {
+    auto inside = std::make_shared<Inside>(*shown.inside);
+    how(inside->maps[shown.place].decision);
+    return {shown.scene, inside, shown.place};
+}
+
+/// A frustum that cuts: the region between two corners (θ, φ), all four of them missed.
+inline SphericalDecision cutDecision(const Vec2& from, const Vec2& to, int caseNumber) {
+    SphericalDecision decision;
+    decision.relation = SphereRelation::Cut;
+    VisibleRegion region;
+    region.caseNumber = caseNumber;
+    region.outline = {{to.x, from.y}, {to.x, to.y}, {from.x, to.y}, {from.x, from.y}};
+    for (size_t i = 0; i < 4; ++i) {
+        const double theta = region.outline[i].x, phi = region.outline[i].y;
+        decision.rays[i].point = {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+    }
+    decision.region = region;
+    return decision;
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,96 @@
+#include <gtest/gtest.h>
+
+#include "tests/ui/test_scene.h"
+#include "ui/panels/map_panel.h"
+#include "ui/panels/map_words.h"
+#include "ui/session/navigation.h"
+#include "ui/session/object_pick.h"
+
+namespace cullscope::ui {
+namespace {
+
+/// A panel that reads a real strategy on a field of stars.
+struct LiveMapPanelTest : ::testing::Test {
+    void SetUp() override {
+        session.slot(1).choose("spherical");
+        session.setViewport(0, {160, 120});
+        session.setViewport(1, {160, 120});
+        openAndWait(session, QStringLiteral("field:mesh=star:seed=7,triangles=2000,n=3,spacing=3"));
+        reader.readFor(&panel);
+        panel.resize(400, 330);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
+        settle();
+    }
+
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.figuresSettled(); }));
+        QApplication::processEvents();
+    }
+    [[nodiscard]] const ShownMap& shown() { return panel.map().contents().shown; }
+
+    Session session{sessionOptions(true)};
+    InsideReader reader{session};
+    MapPanel panel{session, reader};
+};
+
+TEST_F(LiveMapPanelTest, showsThePickedObjectElseTheFirstThatIsNotOutside) {
+    ASSERT_FALSE(shown().empty());
+    const std::vector<InsideMap>& maps = reader.reading()->inside->maps;
+    ASSERT_EQ(maps.size(), 9U);
+    const auto first = std::find_if(maps.begin(), maps.end(),
+                                    [](const InsideMap& map) { return map.decision.relation != SphereRelation::Outside; });
+    ASSERT_NE(first, maps.end());
+    EXPECT_EQ(shown().decision().instance, first->decision.instance);
+    pickObject(session, 5);
+    settle();
+    EXPECT_EQ(shown().decision().instance, 5U);
+    EXPECT_TRUE(objectWords(shown()).contains(QStringLiteral("(6 of 9)")));
+    EXPECT_TRUE(panel.map().contents().picked);
+    session.setPick(std::nullopt);
+    EXPECT_EQ(shown().decision().instance, first->decision.instance);
+    EXPECT_FALSE(panel.map().contents().picked);
+}
+
+TEST_F(LiveMapPanelTest, hiddenObjectsDoNotShiftThePicks) {
+    std::vector<bool> hidden(session.hidden().size(), false);
+    hidden[0] = hidden[2] = true;
+    session.setHidden(hidden);
+    settle();
+    pickObject(session, 5);
+    settle();
+    EXPECT_EQ(shown().decision().instance, 3U);
+    uint32_t cell = 0;
+    while (shown().maps().centroids(cell).empty()) ++cell;
+    panel.pickIn(cell);
+    EXPECT_EQ(session.pick()->object, 5U);
+    const auto own = uint32_t(session.pick()->triangle - session.opened()->scene->firstTriangle(5));
+    EXPECT_EQ(own, shown().maps().centroids(cell).back());
+}
+
+TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
+    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(20.0), {}));
+    EXPECT_FALSE(reader.fresh());
+    EXPECT_FALSE(shown().empty());
+    EXPECT_TRUE(panel.sentence().isEmpty());
+    const std::shared_ptr<const Inside> before = shown().inside;
+    settle();
+    EXPECT_NE(shown().inside, before);
+}
+
+TEST_F(LiveMapPanelTest, strategiesWithoutAMapAndOtherScenes) {
+    session.slot(1).choose("all");
+    settle();
+    EXPECT_EQ(panel.sentence(), QStringLiteral("This strategy has no index map."));
+    EXPECT_TRUE(panel.map().isHidden());
+    session.slot(1).choose("spherical");
+    settle();
+    EXPECT_TRUE(panel.map().isVisible());
+    openAndWait(session, QStringLiteral("torus:triangles=800"));
+    settle();
+    EXPECT_EQ(shown().scene, session.scene());
+    EXPECT_FALSE(objectWords(shown()).contains(QLatin1Char('(')));
+}
+
+}  // namespace
+}  // namespace cullscope::ui

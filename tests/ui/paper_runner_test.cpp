@@ -1,0 +1,190 @@
+#include "ui/session/paper_runner.h"
+
+#include <gtest/gtest.h>
+
+#include "core/visibility/registry.h"
+#include "tests/ui/test_scene.h"
+
+namespace cullscope::ui {
+namespace {
+
+/// Table 2 over a generator: two settings, the second one in four windows.
+PaperExperiment smallTable(const std::string& path) {
+    PaperExperiment experiment = findPaperExperiment("table-2");
+    experiment.settings.resize(2);
+    for (PaperSetting& setting : experiment.settings) {
+        setting.scene = "star:seed=7,triangles=500";
+        setting.strategies = {"all", "backface", "frustum"};
+        setting.shown = "frustum";
+        setting.path = path;
+        setting.size = {64, 48};
+    }
+    experiment.settings[1].windows = 4;
+    return experiment;
+}
+
+/// A session that the user has made something of, and the runner.
+struct Papers : ::testing::Test {
+    void SetUp() override {
+        QObject::connect(&runner, &PaperRunner::ended, [this] { ++endings; });
+        QObject::connect(&session, &Session::messageRaised,
+                         [this](Severity, const Message& message) { messages.push_back(message.english()); });
+        openAndWait(session, QStringLiteral("field:mesh=torus:triangles=300,n=3"));
+        session.setViewCount(2);
+        session.setActiveView(1);
+        session.slot(0).choose("frustum");
+        session.setSetup(1, ViewSetup{});
+        ViewSetup small;
+        small.size = Viewport{100, 80};
+        session.setSetup(0, small);
+        session.setHidden({false, true, false, false, false, false, false, false, true});
+        session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(33.0), {}));
+        session.setPick(Pick{2, 700, Vec3(1.0)});
+        before = captureState(session);
+        opened = session.opened();
+    }
+
+    void expectSessionIsBack() {
+        EXPECT_EQ(session.opened(), opened);
+        EXPECT_EQ(captureState(session), before);
+        EXPECT_EQ(session.pick(), (Pick{2, 700, Vec3(1.0)}));
+    }
+
+    Session session{sessionOptions(true)};
+    PaperRunner runner{session};
+    SessionState before;
+    OpenedScenePointer opened;
+    int endings = 0;
+    std::vector<std::string> messages;
+};
+
+TEST_F(Papers, sessionIsNotGivenBack) {
+    const PaperExperiment experiment = smallTable("fibonacci:3");
+    runner.start(experiment, 1);
+    EXPECT_TRUE(runner.running());
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_FALSE(runner.running());
+    EXPECT_EQ(runner.table().rows.size(), 6u);
+    EXPECT_FALSE(runner.table().interrupted);
+    EXPECT_EQ(runner.table().triangles, 500u);
+    expectSessionIsBack();
+    EXPECT_TRUE(messages.empty()) << messages.front();
+}
+
+TEST_F(Papers, windowShowsSomethingElseThanWhatIsMeasured) {
+    const PaperExperiment experiment = smallTable("fibonacci:60");
+    double last = 0.0;
+    std::vector<Vec3> eyes;
+    QObject::connect(&runner, &PaperRunner::progressed, [&](double share, const QString&) {
+        EXPECT_GE(share, last - 1e-9);
+        last = share;
+    });
+    QObject::connect(&session, &Session::cameraChanged, [&] {
+        if (session.opened() != opened) eyes.push_back(session.camera().eye);
+    });
+    QObject::connect(&runner, &PaperRunner::tableChanged, [&] {
+        if (runner.table().rows.empty()) return;
+        const PaperSetting& shown = experiment.settings[runner.table().rows.size() / 3 - 1];
+        EXPECT_EQ(session.opened()->scene->triangleCount(), 500u);
+        EXPECT_EQ(session.viewCount(), shown.windows);
+        for (const int view : session.shownViews()) {
+            EXPECT_EQ(session.slot(view).id(), "frustum");
+            EXPECT_EQ(session.renderSize(view), (Viewport{64, 48}));
+            EXPECT_EQ(session.setup(view).role, Role::Linked);
+        }
+    });
+    runner.start(experiment, 20);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_GT(last, 0.5);
+    // Home and the first pose of each setting, and poses on the way.
+    EXPECT_GT(eyes.size(), 6u) << "the camera stands still";
+}
+
+TEST_F(Papers, cancelBetweenSettingsLosesRows) {
+    const PaperExperiment experiment = smallTable("fibonacci:3");
+    QObject::connect(&runner, &PaperRunner::tableChanged, [this] {
+        if (runner.table().rows.size() == 3) runner.cancel();
+    });
+    runner.start(experiment, 1);
+    ASSERT_TRUE(waitUntil([this] { return endings > 0; }));
+    EXPECT_TRUE(runner.table().interrupted);
+    EXPECT_EQ(runner.table().rows.size(), 3u);
+    expectSessionIsBack();
+    QTest::qWait(200);
+    EXPECT_EQ(endings, 1);
+}
+
+TEST_F(Papers, cancelInTheMiddleOfASettingLosesItsPoses) {
+    const PaperExperiment experiment = smallTable("walk:5000");
+    QObject::connect(&runner, &PaperRunner::progressed, [this](double share, const QString&) {
+        // Opened it is at a twentieth of the first half.
+        if (share < 0.5 * 0.06) return;
+        runner.cancel();
+        runner.cancel();
+    });
+    runner.start(experiment, 1);
+    ASSERT_TRUE(waitUntil([this] { return endings > 0; }));
+    EXPECT_TRUE(runner.table().interrupted);
+    EXPECT_EQ(runner.table().rows.size(), 3u) << "of the poses measured until then";
+    expectSessionIsBack();
+}
+
+TEST_F(Papers, cancelAtOnceLeavesTheExperimentsScene) {
+    const PaperExperiment experiment = smallTable("fibonacci:3");
+    runner.start(experiment, 1);
+    runner.cancel();
+    EXPECT_EQ(endings, 1);
+    expectSessionIsBack();
+    QTest::qWait(300);
+    expectSessionIsBack();
+    EXPECT_TRUE(runner.table().rows.empty());
+}
+
+TEST_F(Papers, whatCannotBeMeasuredIsNotSaid) {
+    PaperExperiment experiment = smallTable("fibonacci:3");
+    experiment.settings[1].strategies.push_back("no-such-strategy");
+    experiment.settings[1].shown = "no-such-strategy";
+    runner.start(experiment, 1);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    ASSERT_EQ(messages.size(), 1u);
+    EXPECT_TRUE(messages.front().starts_with("There is no strategy \"no-such-strategy\".")) << messages.front();
+    EXPECT_EQ(runner.table().rows.size(), 3u) << "what was measured before";
+    expectSessionIsBack();
+
+    experiment.settings[0].scene = "no-such-file.obj";
+    runner.start(experiment, 1);
+    ASSERT_TRUE(waitUntil([this] { return endings == 2; }));
+    ASSERT_EQ(messages.size(), 2u);
+    expectSessionIsBack();
+}
+
+TEST_F(Papers, sceneThatSomebodyOpensMeanwhileIsTakenAway) {
+    const PaperExperiment experiment = smallTable("walk:5000");
+    runner.start(experiment, 1);
+    ASSERT_TRUE(waitUntil([this] { return session.opened() != opened; }));
+    openAndWait(session, QStringLiteral("sphere:triangles=1000"));
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_EQ(session.opened()->specification, "sphere:triangles=1000");
+}
+
+TEST_F(Papers, structuresAreNotBuiltBesideTheWindow) {
+    PaperExperiment experiment = findPaperExperiment("table-1");
+    experiment.settings[0].scene = "sphere:triangles=5000";
+    runner.start(experiment);
+    EXPECT_TRUE(runner.table().rows.empty());
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_EQ(runner.table().rows.size(), 5u);
+    expectSessionIsBack();
+}
+
+TEST(PaperRunner, destroyedInTheMiddle) {
+    const PaperExperiment experiment = smallTable("walk:5000");
+    Session session{sessionOptions(true)};
+    openAndWait(session, QStringLiteral("torus:triangles=300"));
+    PaperRunner runner(session);
+    runner.start(experiment, 1);
+    QTest::qWait(200);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,116 @@
+#include "ui/dialogs/reproduce_dialog.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QFile>
+#include <QTemporaryDir>
+
+#include "tests/ui/test_scene.h"
+#include "ui/window/main_window.h"
+
+namespace cullscope::ui {
+namespace {
+
+/// A window on a small scene.
+struct Reproduce : ::testing::Test {
+    void SetUp() override {
+        window.resize(1000, 700);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+        openAndWait(session, QStringLiteral("torus:triangles=2000"));
+        QObject::connect(&window.papers().runner(), &PaperRunner::ended, [this] { ++endings; });
+    }
+
+    ReproduceDialog& dialog() {
+        if (!window.findChild<ReproduceDialog*>()) window.actions().reproduce->trigger();
+        return *window.findChild<ReproduceDialog*>();
+    }
+
+    Session session{sessionOptions(true)};
+    Language language;
+    Appearance appearance;
+    MainWindow window{session, language, appearance};
+    int endings = 0;
+};
+
+TEST_F(Reproduce, everyTableCanBeChosenAndStatesItsColumns) {
+    EXPECT_EQ(dialog().choice().count(), int(paperExperiments().size()));
+    EXPECT_TRUE(dialog().isVisible());
+    EXPECT_FALSE(dialog().cancelButton().isEnabled());
+    for (int table = 0; table < dialog().choice().count(); ++table) {
+        dialog().choice().setCurrentIndex(table);
+        EXPECT_EQ(dialog().model().columnCount(), int(paperExperiments()[size_t(table)].columns.size()));
+        EXPECT_EQ(dialog().model().rowCount(), 0);
+    }
+}
+
+TEST_F(Reproduce, table1ComesWithThePapersNumbersAndCanBeExported) {
+    const SessionState before = captureState(session);
+    const OpenedScenePointer opened = session.opened();
+    dialog().choice().setCurrentIndex(0);
+    QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
+    EXPECT_FALSE(dialog().startButton().isEnabled());
+    EXPECT_TRUE(dialog().cancelButton().isEnabled());
+    EXPECT_FALSE(dialog().choice().isEnabled());
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_TRUE(dialog().startButton().isEnabled());
+    EXPECT_EQ(dialog().progressBar().value(), dialog().progressBar().maximum());
+    ASSERT_EQ(dialog().model().rowCount(), 5);
+    EXPECT_EQ(dialog().model().index(1, 1).data().toString(), QStringLiteral("4.30"));
+    EXPECT_EQ(session.opened(), opened);
+    EXPECT_EQ(captureState(session), before);
+    EXPECT_FALSE(window.document().undo().canUndo()) << "the experiment's views can be undone to";
+
+    const QTemporaryDir folder;
+    const QString csv = folder.filePath(QStringLiteral("table.csv")), json = folder.filePath(QStringLiteral("table.json"));
+    dialog().exportTo(ReproduceDialog::File::Csv, csv.toStdString());
+    dialog().exportTo(ReproduceDialog::File::Json, json.toStdString());
+    ASSERT_TRUE(waitUntil([&] { return QFile::exists(csv) && QFile::exists(json); }));
+    QFile file(csv);
+    ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+    EXPECT_EQ(file.readAll().toStdString(), paperTableCsv(dialog().model().table()));
+}
+
+TEST_F(Reproduce, cancelGivesTheSessionBackAndKeepsTheWindowOpen) {
+    const SessionState before = captureState(session);
+    dialog().choice().setCurrentIndex(1);
+    int shown = 0;
+    QObject::connect(&window.papers().runner(), &PaperRunner::progressed, [&](double, const QString&) { ++shown; });
+    QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
+    // The bunny is there and the first views are measured.
+    ASSERT_TRUE(waitUntil([&] { return session.viewCount() == 1 && dialog().progressBar().value() > 30; }));
+    QTest::mouseClick(&dialog().cancelButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_GT(shown, 1);
+    EXPECT_TRUE(dialog().model().table().interrupted);
+    EXPECT_EQ(captureState(session), before);
+    EXPECT_TRUE(dialog().isVisible());
+    EXPECT_TRUE(dialog().startButton().isEnabled());
+}
+
+TEST_F(Reproduce, closingTheDialogStopsTheExperiment) {
+    const SessionState before = captureState(session);
+    dialog().choice().setCurrentIndex(1);
+    QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
+    dialog().reject();
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_EQ(captureState(session), before);
+    ASSERT_TRUE(waitUntil([this] { return window.findChild<ReproduceDialog*>() == nullptr; }));
+}
+
+TEST(PaperTableModel, breaksTheRulesOfModels) {
+    PaperTableModel model;
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    PaperTable table = emptyTable(findPaperExperiment("table-2"));
+    model.setTable(table);
+    table.addRow({{"case", 1.0}, {"strategy", std::string("all")}, {"speedup_vs_all", RatioEstimate{2.0, {1.5, 2.5}}}});
+    model.setTable(table);
+    QStringList cells;
+    for (int column = 0; column < model.columnCount(); ++column) cells << model.index(0, column).data().toString();
+    EXPECT_TRUE(cells.contains(QStringLiteral("2.00 [1.50, 2.50]"))) << cells.join(u'|').toStdString();
+    EXPECT_EQ(cells.first(), QStringLiteral("1"));
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,119 @@
+// Contour bands and the model in spherical coordinates in a window: their commands, and what a picture of directions is not.
+#include <gtest/gtest.h>
+
+#include "tests/ui/test_scene.h"
+#include "ui/session/screenshot_plan.h"
+#include "ui/startup/appearance.h"
+#include "ui/text/language.h"
+#include "ui/window/main_window.h"
+#include "ui/window/view_menu.h"
+
+namespace cullscope::ui {
+namespace {
+
+struct SphericalLook : ::testing::Test {
+    void SetUp() override {
+        window.resize(1100, 720);
+        window.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+        openAndWait(session, QStringLiteral("knot:triangles=4000"));
+        session.setActiveView(0);
+        session.slot(0).choose("spherical");
+        settle();
+    }
+    void settle() {
+        ASSERT_TRUE(waitUntil(
+            [&] { return !session.slot(0).building() && session.pictures()->isCurrent(0) && session.figuresSettled(); }));
+    }
+    [[nodiscard]] QImage pictureAfter(QAction* action) {
+        action->trigger();
+        settle();
+        return session.picture(0)->colour;
+    }
+    [[nodiscard]] SceneView& picture() { return window.views().pane(0).picture(); }
+
+    Session session{sessionOptions(true)};
+    Language language;
+    Appearance appearance;
+    MainWindow window{session, language, appearance};
+};
+
+TEST_F(SphericalLook, commandChangesNothing) {
+    const QImage plain = session.picture(0)->colour;
+    const QImage bands = pictureAfter(window.actions().bands);
+    EXPECT_TRUE(session.setup(0).look.bands && window.actions().bands->isChecked());
+    EXPECT_FALSE(session.setup(1).look.bands) << "of the active view only";
+    const QImage model = pictureAfter(window.actions().sphericalModel);
+    EXPECT_TRUE(session.setup(0).look.sphericalModel && window.actions().sphericalModel->isChecked());
+    EXPECT_TRUE(plain != bands && plain != model && bands != model);
+    EXPECT_EQ(pictureAfter(window.actions().sphericalModel), bands);
+    EXPECT_EQ(pictureAfter(window.actions().bands), plain);
+    session.setActiveView(1);
+    session.setActiveView(0);
+    EXPECT_FALSE(window.actions().bands->isChecked());
+}
+
+TEST_F(SphericalLook, viewsMenuLacksThem) {
+    QMenu menu;
+    ViewMenu filler(session, window.views().pane(0), menu);
+    filler.addLook();
+    const auto entry = [&](const QString& text) -> QAction* {
+        for (QAction* action : menu.findChild<QMenu*>()->actions())
+            if (action->text() == text) return action;
+        return nullptr;
+    };
+    for (const QString& text : {QStringLiteral("Contour bands"), QStringLiteral("Model in spherical coordinates")}) {
+        ASSERT_NE(entry(text), nullptr) << text.toStdString();
+        EXPECT_FALSE(entry(text)->isChecked());
+        entry(text)->trigger();
+    }
+    EXPECT_TRUE(session.setup(0).look.bands && session.setup(0).look.sphericalModel);
+}
+
+TEST_F(SphericalLook, modelLiesUnderWhatACameraSees) {
+    window.actions().boxes->trigger();
+    window.actions().verdicts->trigger();
+    window.actions().truth->trigger();
+    const QImage model = pictureAfter(window.actions().sphericalModel);
+    EXPECT_EQ(session.viewRequest(0)->look, (ViewLook{.sphericalModel = true}));
+    EXPECT_EQ(session.viewRequest(0)->wipe, Wipe::Mode::None);
+    EXPECT_FALSE(picture().axes()) << "the axes of a camera";
+    EXPECT_EQ(picture().extras().wipe.mode, Wipe::Mode::None);
+    EXPECT_FALSE(picture().surfaceAt(QPointF(picture().rect().center()))) << "a place in the scene under a direction";
+    const Wipe wipe = session.setup(0).wipe;
+    EXPECT_EQ(wipe.mode, Wipe::Mode::Truth) << "what was chosen before stays chosen";
+}
+
+TEST_F(SphericalLook, clickPicksWhatACameraSeesThere) {
+    (void)pictureAfter(window.actions().sphericalModel);
+    const Viewport size = session.viewRequest(0)->size;
+    const Scene& scene = *session.opened()->scene;
+    const Vec3 centre = scene.meshOf(0).localSphere().centre;
+    // Along the equator: the knot covers parts of it.
+    int picked = 0;
+    for (int x = size.width / 10; x < size.width; x += size.width / 10) {
+        session.setPick(std::nullopt);
+        session.pickAt(0, x, size.height / 2);
+        if (!QTest::qWaitFor([&] { return session.pick().has_value(); }, 500)) continue;
+        ++picked;
+        const Vec3 outward = session.pick()->point - centre;
+        EXPECT_NEAR(outward.z / glm::length(outward), 0.0, 0.05);
+    }
+    EXPECT_GT(picked, 2);
+}
+
+TEST_F(SphericalLook, screenshotWithoutOverlaysHasBands) {
+    window.actions().bands->trigger();
+    settle();
+    ScreenshotOptions options;
+    const auto extras = [](int) { return PictureExtras{}; };
+    EXPECT_TRUE(planScreenshot(session, options, extras, false).parts.front().request.look.bands);
+    options.overlays = false;
+    EXPECT_FALSE(planScreenshot(session, options, extras, false).parts.front().request.look.bands);
+    options.overlays = true;
+    (void)pictureAfter(window.actions().sphericalModel);
+    EXPECT_FALSE(planScreenshot(session, options, extras, true).parts.front().wanted.items) << "directions have no depth";
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QTableView>
+#include <filesystem>
+
+#include "ui/models/paper_table_model.h"
+#include "ui/session/paper_runner.h"
+#include "ui/statistics/result_exporter.h"
+
+namespace cullscope::ui {
+
+/// Chooses one of the papers' tables, has it measured while the window shows it, and puts the paper's numbers beside ours.
+class ReproduceDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    enum class File { Csv, Json };
+
+    ReproduceDialog(Session& session, PaperRunner& runner, QWidget* parent = nullptr);
+
+    [[nodiscard]] QComboBox& choice() { return *m_choice; }
+    [[nodiscard]] QPushButton& startButton() { return *m_start; }
+    [[nodiscard]] QPushButton& cancelButton() { return *m_cancel; }
+    [[nodiscard]] QProgressBar& progressBar() { return *m_progress; }
+    [[nodiscard]] const PaperTableModel& model() const { return *m_model; }
+    /// Writes the table on show beside the window; says through the session what came of it.
+    void exportTo(File file, const std::filesystem::path& path);
+
+    /// Closing it stops what is under way.
+    void reject() override;
+
+private:
+    [[nodiscard]] const PaperExperiment& chosen() const;
+    void makeRows();
+    void wire(Session& session);
+    void start();
+    void makeWay();
+    void showChosen();
+    void showTable();
+    void showProgress(double share, const QString& stage);
+    void showState();
+    void askWhereTo(File file);
+
+    PaperRunner& m_runner;
+    ResultExporter* m_exporter;
+    PaperTableModel* m_model;
+    QComboBox* m_choice;
+    QLabel* m_source;
+    QLabel* m_notes;
+    QTableView* m_table;
+    QProgressBar* m_progress;
+    QPushButton *m_start, *m_cancel, *m_export, *m_close;
+    QMenu* m_files;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,63 @@
+#include "ui/models/paper_table_model.h"
+
+#include <QFont>
+#include <QLocale>
+
+#include "ui/text/translated.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMillion = 1e6;
+
+QString numberText(const PaperColumn& column, double number) {
+    return QLocale().toString(column.perMillion ? number * kMillion : number, 'f', column.decimals);
+}
+
+QString cellText(const PaperColumn& column, const PaperValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
+    if (const auto* words = std::get_if<std::string>(&value)) return translated(*words);
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value))
+        return QStringLiteral("%1 [%2, %3]")
+            .arg(numberText(column, estimate->mean), numberText(column, estimate->ci95[0]),
+                 numberText(column, estimate->ci95[1]));
+    return {};
+}
+
+}  // namespace
+
+void PaperTableModel::setTable(const PaperTable& table) {
+    beginResetModel();
+    m_table = table;
+    endResetModel();
+}
+
+int PaperTableModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_table.rows.size()); }
+
+int PaperTableModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_table.columns.size()); }
+
+QVariant PaperTableModel::data(const QModelIndex& index, int role) const {
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
+    const PaperColumn& column = m_table.columns[size_t(index.column())];
+    if (role == Qt::DisplayRole) return cellText(column, m_table.rows[size_t(index.row())][size_t(index.column())]);
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignVCenter | (column.origin == PaperColumn::Origin::Setting ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == Qt::FontRole && column.origin == PaperColumn::Origin::Paper) {
+        QFont font;
+        font.setItalic(true);
+        return font;
+    }
+    return {};
+}
+
+QVariant PaperTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
+    const PaperColumn& column = m_table.columns[size_t(section)];
+    if (role == Qt::DisplayRole) return translated(column.title);
+    if (role != Qt::ToolTipRole) return {};
+    if (column.origin == PaperColumn::Origin::Paper) return tr("As the paper prints it");
+    return column.origin == PaperColumn::Origin::Measured ? tr("Measured here") : QString();
+}
+
+}  // namespace cullscope::ui

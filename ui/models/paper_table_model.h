@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "core/measure/paper_table.h"
+
+namespace cullscope::ui {
+
+/// A paper's table beside ours, a row a strategy and setting, numbers as the user's language writes them.
+class PaperTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void setTable(const PaperTable& table);
+    [[nodiscard]] const PaperTable& table() const { return m_table; }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    PaperTable m_table;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,87 @@
+#include "ui/panels/bands_panel.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+#include <numbers>
+
+#include "ui/panels/map_words.h"
+#include "ui/panels/wheel_guard.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr QSize kFileSize{960, 420};
+
+}  // namespace
+
+BandsPanel::BandsPanel(Session& session, InsideReader& reader, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_reader(reader),
+      m_choices(new QWidget(this)),
+      m_sectorLabel(new QLabel(m_choices)),
+      m_sector(new QSpinBox(m_choices)),
+      m_angles(new QLabel(m_choices)),
+      m_plot(new BandsPlot(this)),
+      m_pictures(new PictureMenu(session, *m_plot, kFileSize)) {
+    m_sectorLabel->setBuddy(m_sector);
+    m_sector->setWrapping(true);
+    leaveWheelUnlessFocused(*m_sector);
+    auto* choices = new QHBoxLayout(m_choices);
+    choices->setContentsMargins(8, 4, 8, 0);
+    choices->addWidget(m_sectorLabel);
+    choices->addWidget(m_sector);
+    choices->addWidget(m_angles);
+    choices->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_choices);
+    layout->addWidget(m_plot, 1);
+    connect(m_sector, &QSpinBox::valueChanged, this, &BandsPanel::chooseSector);
+    connect(&reader, &InsideReader::changed, this, &BandsPanel::refresh);
+    for (const auto signal : {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged})
+        connect(&session, signal, this, &BandsPanel::refresh);
+    retranslate();
+    refresh();
+}
+
+void BandsPanel::refresh() { showMap(shownMap(m_session, m_reader)); }
+
+void BandsPanel::showMap(const ShownMap& shown) {
+    m_plot->setShown(shown);
+    const uint32_t sectors = m_plot->empty() ? 0 : shown.decision().bands->sectors;
+    m_sectorWidth = sectors > 0 ? 2.0 * std::numbers::pi / sectors : 0.0;
+    // The choice outlives an object without bands.
+    if (sectors > 0) m_sector->setRange(0, int(sectors));
+    m_choices->setVisible(sectors > 0);
+    showAngles();
+}
+
+void BandsPanel::chooseSector() {
+    const int value = m_sector->value();
+    m_plot->setSector(value > 0 ? std::optional(uint32_t(value - 1)) : std::nullopt);
+    showAngles();
+}
+
+void BandsPanel::showAngles() {
+    const int value = m_sector->value();
+    m_angles->setText(value > 0 ? tr("β %1 to %2", "angles about the axis")
+                                      .arg(degreesText((value - 1) * m_sectorWidth), degreesText(value * m_sectorWidth))
+                                : QString());
+}
+
+void BandsPanel::retranslate() {
+    m_sectorLabel->setText(tr("Se&ctor:"));
+    m_sector->setSpecialValueText(tr("all"));
+    m_sector->setToolTip(tr("Sectors divide the bands by the angle β about the axis to the eye."));
+    showAngles();
+}
+
+void BandsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

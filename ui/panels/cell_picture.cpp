@@ -1,0 +1,85 @@
+#include "ui/panels/cell_picture.h"
+
+#include <QPaintEngine>
+#include <cmath>
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kMostCellsAPixel = 4;  // in either direction
+constexpr double kFilePixels = 3.0;  // pixels of the picture a unit of a document of vectors
+
+/// Pixels a unit of what is painted on.
+double resolution(const QPainter& painter) {
+    const QPaintEngine::Type type = painter.paintEngine()->type();
+    const bool vectors = type == QPaintEngine::SVG || type == QPaintEngine::Pdf;
+    return vectors ? kFilePixels : std::abs(painter.deviceTransform().m11());
+}
+
+/// Colours of a scale, averaged where several cells share a pixel; with so many that it would take long, the largest of some.
+QImage scaleImage(const CellTones& tones, const SphericalGrid& grid, const QSize& size, const QList<QRgb>& colours) {
+    const QSize cells(int(grid.columns()), int(grid.rows()));
+    if (cells.width() <= size.width()) return cellImage(tones.tones, grid, size, colours);
+    return cellImage(tones.tones, grid, cells.boundedTo(size * kMostCellsAPixel), colours)
+        .convertToFormat(QImage::Format_RGB32)
+        .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+}
+
+/// The hidden cells alone.
+QImage veilImage(const ShownMap& shown, const QSize& size, const QColor& veil) {
+    QList<QRgb> colours(CellTones::kTones, qRgba(0, 0, 0, 0));
+    colours[CellTones::toneOf(TriangleState::Hidden)] = veil.rgba();
+    return cellImage(stateTones(shown, nullptr).tones, shown.grid(), size, colours)
+        .convertToFormat(QImage::Format_ARGB32_Premultiplied);
+}
+
+}  // namespace
+
+void CellPicture::forgetCells() {
+    m_tones.reset();
+    m_cells = {};
+}
+
+void CellPicture::setContents(const MapContents& contents) {
+    const ShownMap &before = m_contents.shown, &now = contents.shown;
+    const bool sameDecision = now == before;
+    const bool sameMaps = !now.empty() && !before.empty() && now.map().maps == before.map().maps;
+    const bool sameCells = m_colouring == MapColouring::State ? sameDecision && contents.truth == m_contents.truth : sameMaps;
+    m_contents = contents;
+    if (!sameCells) forgetCells();
+    if (!sameDecision) m_veil = {};
+}
+
+void CellPicture::setColouring(MapColouring colouring) {
+    if (m_colouring == colouring) return;
+    m_colouring = colouring;
+    forgetCells();
+}
+
+const CellTones& CellPicture::tones() const {
+    if (!m_tones)
+        m_tones = m_colouring == MapColouring::State ? stateTones(m_contents.shown, m_contents.truth.get())
+                                                     : cellTones(m_contents.shown.maps(), m_colouring);
+    return *m_tones;
+}
+
+void CellPicture::paint(QPainter& painter, const QRectF& area, const QPalette& palette, const QColor& veil) const {
+    const QSize size = (area.size() * resolution(painter)).toSize();
+    const QList<QRgb> colours = toneColours(m_colouring, palette);
+    const bool otherColours = m_colours != colours;
+    if (otherColours || m_cells.size() != size) {
+        const SphericalGrid& grid = m_contents.shown.grid();
+        // States have no mean.
+        m_cells = (m_colouring == MapColouring::State ? cellImage(tones().tones, grid, size, colours)
+                                                      : scaleImage(tones(), grid, size, colours))
+                      .convertToFormat(QImage::Format_RGB32);
+    }
+    m_colours = colours;
+    painter.drawImage(area, m_cells);
+    if (!veiled()) return;
+    if (otherColours || m_veil.size() != size) m_veil = veilImage(m_contents.shown, size, veil);
+    painter.drawImage(area, m_veil);
+}
+
+}  // namespace cullscope::ui

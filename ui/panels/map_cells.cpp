@@ -1,0 +1,153 @@
+#include "ui/panels/map_cells.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/statistics/plot_colours.h"
+#include "ui/views/verdict_swatch.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+/// From the weakest to the one that shows where several share a pixel.
+constexpr std::array kByStrength{TriangleState::OutsideFrustum, TriangleState::TooSmall, TriangleState::Hidden,
+                                 TriangleState::BackFacing,     TriangleState::InVain,   TriangleState::Visible,
+                                 TriangleState::WronglyCulled};
+
+/// Brewer's Blues without its palest: even steps of lightness, and none of the colours of what lies over the map.
+constexpr std::array<QRgb, 8> kScale{0xDEEBF7, 0xC6DBEF, 0x9ECAE1, 0x6BAED6, 0x4292C6, 0x2171B5, 0x08519C, 0x08306B};
+
+QRgb between(QRgb from, QRgb to, double share) {
+    const auto mix = [share](int a, int b) { return int(std::lround(a + (b - a) * share)); };
+    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
+}
+
+/// Little is near the ground, much is far from it.
+QRgb scaleColour(double share, bool dark) {
+    const double position = (dark ? 1.0 - share : share) * (kScale.size() - 1);
+    const size_t first = std::min(size_t(position), kScale.size() - 2);
+    return between(kScale[first], kScale[first + 1], position - double(first));
+}
+
+uint8_t toneAt(double share) { return uint8_t(1 + std::lround(std::clamp(share, 0.0, 1.0) * (CellTones::kTones - 2))); }
+
+struct Cells {
+    uint32_t first = 0, end = 0;
+};
+
+/// The rows or columns under each pixel: that under its middle, or all that begin in it where they are smaller than pixels.
+std::vector<Cells> cellsUnder(uint32_t pixels, uint32_t cells) {
+    std::vector<Cells> under(pixels);
+    for (uint32_t i = 0; i < pixels; ++i) {
+        const auto middle = uint32_t((2 * uint64_t(i) + 1) * cells / (2 * uint64_t(pixels)));
+        const auto begin = uint32_t(uint64_t(i) * cells / pixels), end = uint32_t((uint64_t(i) + 1) * cells / pixels);
+        under[i] = cells > pixels ? Cells{begin, end} : Cells{middle, middle + 1};
+    }
+    return under;
+}
+
+CellTones entryTones(const SphericalMaps& maps) {
+    const uint32_t cells = maps.grid().cellCount();
+    size_t most = 1;
+    for (uint32_t cell = 0; cell < cells; ++cell) most = std::max(most, maps.triangles(cell).size());
+    CellTones made{std::vector<uint8_t>(cells), 1.0, double(most)};
+    const double span = std::max(std::log(double(most)), 1e-9);
+    for (uint32_t cell = 0; cell < cells; ++cell)
+        if (const size_t count = maps.triangles(cell).size(); count > 0)
+            made.tones[cell] = toneAt(std::log(double(count)) / span);
+    return made;
+}
+
+CellTones reachTones(const SphericalMaps& maps) {
+    const uint32_t cells = maps.grid().cellCount();
+    CellTones made{std::vector<uint8_t>(cells), maps.sphere().radius, 0.0};
+    for (uint32_t cell = 0; cell < cells; ++cell) {
+        if (maps.extent(cell).empty()) continue;
+        made.least = std::min(made.least, double(maps.extent(cell).farthest));
+        made.most = std::max(made.most, double(maps.extent(cell).farthest));
+    }
+    made.least = std::min(made.least, made.most);
+    const double span = std::max(made.most - made.least, 1e-9 * maps.sphere().radius);
+    for (uint32_t cell = 0; cell < cells; ++cell)
+        if (!maps.extent(cell).empty()) made.tones[cell] = toneAt((maps.extent(cell).farthest - made.least) / span);
+    return made;
+}
+
+TriangleState stateOf(CellState state) {
+    if (state == CellState::Drawn) return TriangleState::Visible;
+    return state == CellState::Hidden ? TriangleState::Hidden : TriangleState::OutsideFrustum;
+}
+
+uint8_t toneOf(const ShownMap& shown, const TriangleStates* truth, uint32_t cell, CellState state) {
+    if (state == CellState::Empty) return 0;
+    if (!truth) return CellTones::toneOf(stateOf(state));
+    const uint64_t first = shown.scene->firstTriangle(shown.decision().instance);
+    uint8_t strongest = 0;
+    for (const uint32_t triangle : shown.maps().centroids(cell))
+        strongest = std::max(strongest, CellTones::toneOf(truth->states[first + triangle]));
+    return strongest;
+}
+
+}  // namespace
+
+uint8_t CellTones::toneOf(TriangleState state) {
+    return uint8_t(1 + (std::find(kByStrength.begin(), kByStrength.end(), state) - kByStrength.begin()));
+}
+
+CellTones cellTones(const SphericalMaps& maps, MapColouring colouring) {
+    return colouring == MapColouring::Reach ? reachTones(maps) : entryTones(maps);
+}
+
+CellTones stateTones(const ShownMap& shown, const TriangleStates* truth) {
+    const SphericalMaps& maps = shown.maps();
+    const std::vector<CellState> states = cellStates(shown.map());
+    CellTones made;
+    made.tones.resize(states.size());
+    std::vector<uint8_t> ofTriangle(maps.mesh().triangleCount(), 0);
+    for (uint32_t cell = 0; cell < states.size(); ++cell) {
+        made.tones[cell] = toneOf(shown, truth, cell, states[cell]);
+        for (const uint32_t triangle : maps.centroids(cell)) ofTriangle[triangle] = made.tones[cell];
+    }
+    for (uint32_t cell = 0; cell < states.size(); ++cell)
+        if (states[cell] == CellState::Empty && !maps.triangles(cell).empty())
+            made.tones[cell] = ofTriangle[maps.triangles(cell).back()];
+    return made;
+}
+
+uint8_t stateTone(const ShownMap& shown, const TriangleStates* truth, uint32_t cell) {
+    return toneOf(shown, truth, cell, cellStates(shown.map())[cell]);
+}
+
+QList<QRgb> toneColours(MapColouring colouring, const QPalette& palette) {
+    QList<QRgb> colours(CellTones::kTones, palette.color(QPalette::Base).rgb());
+    if (colouring == MapColouring::State) {
+        for (const TriangleState state : kByStrength) colours[CellTones::toneOf(state)] = verdictColour(state, palette).rgb();
+        return colours;
+    }
+    const bool dark = PlotColours(palette).dark;
+    for (size_t tone = 1; tone < CellTones::kTones; ++tone)
+        colours[qsizetype(tone)] = scaleColour(double(tone - 1) / (CellTones::kTones - 2), dark) | 0xFF000000U;
+    return colours;
+}
+
+QImage cellImage(const std::vector<uint8_t>& tones, const SphericalGrid& grid, const QSize& size, const QList<QRgb>& colours) {
+    QImage image(size, QImage::Format_Indexed8);
+    image.setColorTable(colours);
+    const std::vector<Cells> rows = cellsUnder(uint32_t(size.height()), grid.rows());
+    const std::vector<Cells> columns = cellsUnder(uint32_t(size.width()), grid.columns());
+    for (size_t y = 0; y < rows.size(); ++y) {
+        uchar* line = image.scanLine(int(y));
+        for (size_t x = 0; x < columns.size(); ++x) {
+            uint8_t tone = 0;
+            for (uint32_t row = rows[y].first; row < rows[y].end; ++row)
+                for (uint32_t column = columns[x].first; column < columns[x].end; ++column)
+                    tone = std::max(tone, tones[grid.number({row, column})]);
+            line[x] = tone;
+        }
+    }
+    return image;
+}
+
+}  // namespace cullscope::ui

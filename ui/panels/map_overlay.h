@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QPainterPath>
+
+#include "ui/panels/map_layout.h"
+#include "ui/panels/map_symbols.h"
+
+namespace cullscope::ui {
+
+/// Paints over a map's cells what was decided on them. Whatever crosses the seam is painted on both sides of it.
+class MapOverlay {
+public:
+    MapOverlay(QPainter& painter, const MapLayout& layout, const MapColours& colours)
+        : m_painter(painter), m_layout(layout), m_colours(colours) {}
+
+    /// The corner rays' walked cells, the visible region, its boxes and the four corners; or the contour bands and the edge of
+    /// what they leave.
+    void paint(const InsideMap& map) const;
+    void paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,
+                     const SphericalGrid::Cell& centroid) const;
+    void paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
+
+private:
+    void paintWalked(const InsideMap& map) const;
+    void paintRegion(const SphericalGrid& grid, const VisibleRegion& region) const;
+    void paintCorners(const SphericalDecision& decision) const;
+    void paintBands(const ContourBands& bands) const;
+    /// A line of (θ, φ) with φ continued over the seam, once for every turn that it reaches into; at least one point.
+    [[nodiscard]] QPainterPath wrapped(const std::vector<Vec2>& line, bool closed) const;
+
+    QPainter& m_painter;
+    const MapLayout& m_layout;
+    const MapColours& m_colours;
+};
+
+/// (θ, φ) of a corner of the region.
+[[nodiscard]] Vec2 cornerOf(const CornerRay& ray);
+/// Along the curve of one α (radians): (θ, φ), φ continued over the seam; closed on the sphere.
+[[nodiscard]] std::vector<Vec2> contour(const ContourBands& bands, double alpha);
+
+}  // namespace cullscope::ui

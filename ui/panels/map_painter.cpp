@@ -1,0 +1,208 @@
+#include "ui/panels/map_painter.h"
+
+#include <QLinearGradient>
+#include <algorithm>
+#include <cmath>
+
+#include "core/spatial/spherical_triangle.h"
+#include "ui/panels/map_overlay.h"
+#include "ui/panels/map_words.h"
+#include "ui/text/wording.h"
+#include "ui/views/verdict_swatch.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMargin = 4.0;
+constexpr double kLeading = 2.0;
+constexpr double kScaleWidth = 110.0;
+constexpr double kGap = 5.0;
+
+double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kLeading; }
+
+std::vector<MapLegend::Entry> symbolsOf(bool bands) {
+    using enum MapSymbol;
+    std::vector<MapLegend::Entry> entries;
+    for (const MapSymbol symbol :
+         bands ? std::vector{Contour, Start, End} : std::vector{Region, Box, CornerHit, CornerMiss, Walked})
+        entries.push_back({symbol, symbolWords(symbol), {}});
+    return entries;
+}
+
+void append(std::vector<MapLegend::Entry>& entries, const std::vector<MapLegend::Entry>& more) {
+    entries.insert(entries.end(), more.begin(), more.end());
+}
+
+/// The states that the words are kept room for, which is more than most maps have.
+std::vector<MapLegend::Entry> usualStates(bool bands) {
+    using enum TriangleState;
+    std::vector<MapLegend::Entry> entries;
+    for (const TriangleState state : {Visible, InVain, bands ? Hidden : OutsideFrustum, WronglyCulled})
+        entries.push_back({MapSymbol::Cells, stateWords(state, true), {}});
+    return entries;
+}
+
+QRectF inner(const QRectF& place) { return place.adjusted(kMargin, 0, -kMargin, 0); }
+
+}  // namespace
+
+double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) const {
+    const double across = width - 2 * kMargin;
+    return std::ceil(2 * lineHeight(metrics) + MapLayout::heightFor(across, metrics) + heightBelow(across, metrics) + kMargin);
+}
+
+double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const {
+    const bool states = colouring() == MapColouring::State;
+    double most = 0.0;
+    for (const bool bands : {false, true}) {
+        std::vector<MapLegend::Entry> entries;
+        if (states) entries = usualStates(bands);
+        if (!states && bands) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), {}});
+        append(entries, symbolsOf(bands));
+        entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
+        most = std::max(most, MapLegend(std::move(entries), metrics).heightFor(width));
+    }
+    return most + (states ? 0.0 : lineHeight(metrics));
+}
+
+std::vector<MapLegend::Entry> MapPainter::statesShown(const QPalette& palette) const {
+    std::vector<MapLegend::Entry> entries;
+    const std::vector<uint8_t>& cells = m_cells.tones().tones;
+    for (size_t number = 0; number < kTriangleStateCount; ++number) {
+        const auto state = TriangleState(number);
+        if (std::find(cells.begin(), cells.end(), CellTones::toneOf(state)) == cells.end()) continue;
+        entries.push_back({MapSymbol::Cells, stateWords(state, contents().truth != nullptr), verdictColour(state, palette)});
+    }
+    return entries;
+}
+
+MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palette) const {
+    std::vector<MapLegend::Entry> entries;
+    if (colouring() == MapColouring::State) entries = statesShown(palette);
+    if (m_cells.veiled())
+        entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), MapColours(palette).veil});
+    const SphericalDecision& decision = contents().shown.decision();
+    if (decision.bands || decision.region) append(entries, symbolsOf(decision.bands.has_value()));
+    if (contents().picked) entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
+    return {std::move(entries), metrics};
+}
+
+MapLayout MapPainter::layout(const QRectF& place, const QFontMetricsF& metrics) const {
+    const QRectF within = inner(place);
+    return {within.adjusted(0, 2 * lineHeight(metrics), 0, -heightBelow(within.width(), metrics) - kMargin), metrics};
+}
+
+std::vector<SphericalGrid::Cell> MapPainter::cellsOf(const SphericalMaps& maps, uint32_t triangle) {
+    const auto [a, b, c] = maps.corners(triangle);
+    std::vector<SphericalGrid::Cell> cells;
+    SphericalTriangle(a, b, c).forEachCell(maps.grid(), [&](const SphericalGrid::Cell& cell) { cells.push_back(cell); });
+    return cells;
+}
+
+SphericalGrid::Cell MapPainter::centroidCell(const SphericalMaps& maps, uint32_t triangle) {
+    const auto [a, b, c] = maps.corners(triangle);
+    return maps.grid().cellOf((a + b + c) / 3.0);
+}
+
+void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& palette,
+                       const std::optional<SphericalGrid::Cell>& cursor) const {
+    const MapColours colours(palette);
+    const QFontMetricsF metrics(painter.font());
+    const ShownMap& shown = contents().shown;
+    const MapLayout layout = this->layout(place, metrics);
+    painter.save();
+    paintCaption(painter, inner(place), colours);
+    m_cells.paint(painter, layout.area, palette, colours.veil);
+    const MapOverlay overlay(painter, layout, colours);
+    overlay.paint(shown.map());
+    if (contents().picked)
+        overlay.paintPicked(shown.grid(), cellsOf(shown.maps(), *contents().picked),
+                            centroidCell(shown.maps(), *contents().picked));
+    if (cursor) overlay.paintCursor(shown.grid(), *cursor);
+    paintAxes(painter, layout.area, colours);
+    QRectF below = inner(place);
+    below.setTop(layout.area.bottom() + metrics.height() + kMargin);
+    if (colouring() != MapColouring::State) {
+        paintScale(painter, below, palette);
+        below.setTop(below.top() + lineHeight(metrics));
+    }
+    legend(metrics, palette).paint(painter, below, colours);
+    painter.restore();
+}
+
+void MapPainter::paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const {
+    const QFontMetricsF metrics(painter.font());
+    QRectF line(place.left(), place.top(), place.width(), metrics.height());
+    painter.setPen(colours.text);
+    painter.drawText(line, Qt::AlignLeft, metrics.elidedText(objectWords(contents().shown), Qt::ElideMiddle, line.width()));
+    line.translate(0, lineHeight(metrics));
+    QFont bold = painter.font();
+    const QFont plain = bold;
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.drawText(line, Qt::AlignLeft,
+                     QFontMetricsF(bold).elidedText(decisionWords(contents().shown), Qt::ElideRight, line.width()));
+    painter.setFont(plain);
+}
+
+void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours) {
+    const QFontMetricsF metrics(painter.font());
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(colours.faintText, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(area);
+    const auto degrees = [](int value) { return QStringLiteral("%1°").arg(value); };
+    constexpr double kTick = 3.0;
+    for (int phi = 0; phi <= 360; phi += 45) {
+        const double x = area.left() + phi / 360.0 * area.width();
+        painter.setPen(colours.faintText);
+        painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kTick));
+        if (phi % 90 != 0) continue;
+        painter.setPen(colours.text);
+        painter.drawText(QRectF(x - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignHCenter | Qt::AlignTop,
+                         degrees(phi));
+    }
+    for (int theta = 0; theta <= 180; theta += 45) {
+        const double y = area.top() + theta / 180.0 * area.height();
+        painter.setPen(colours.faintText);
+        painter.drawLine(QPointF(area.left() - kTick, y), QPointF(area.left(), y));
+        if (theta % 90 != 0) continue;
+        painter.setPen(colours.text);
+        painter.drawText(QRectF(area.left() - 66.0, y - metrics.height() / 2, 61.0, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, degrees(theta));
+    }
+    const double step = area.width() / 8, down = area.height() / 4;
+    painter.drawText(QRectF(area.left() + 5 * step - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignCenter,
+                     QStringLiteral("φ"));
+    painter.drawText(QRectF(area.left() - 66.0, area.top() + 3 * down - metrics.height() / 2, 61.0, metrics.height()),
+                     Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("θ"));
+}
+
+void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalette& palette) const {
+    const QFontMetricsF metrics(painter.font());
+    const QList<QRgb> colours = toneColours(colouring(), palette);
+    const auto value = [this](double number) {
+        return colouring() == MapColouring::Reach ? lengthText(number) : countText(uint64_t(number));
+    };
+    const QString least = value(m_cells.tones().least), most = value(m_cells.tones().most);
+    QPointF at = place.topLeft();
+    const auto say = [&](const QString& words) {
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(at + QPointF(0.0, metrics.ascent()), words);
+        at.rx() += metrics.horizontalAdvance(words) + kGap;
+    };
+    say(least);
+    const QRectF bar(at, QSizeF(kScaleWidth, metrics.height() - 2.0));
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int kStops = 16;
+    for (int stop = 0; stop <= kStops; ++stop)
+        gradient.setColorAt(double(stop) / kStops, QColor(colours[1 + stop * qsizetype(CellTones::kTones - 2) / kStops]));
+    painter.fillRect(bar, gradient);
+    at.rx() += kScaleWidth + kGap;
+    say(most);
+    at.rx() += kGap;
+    say(scaleWords(colouring()));
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,128 @@
+#include "ui/panels/map_panel.h"
+
+#include <QEvent>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "ui/panels/map_words.h"
+#include "ui/panels/wheel_guard.h"
+#include "ui/session/object_pick.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr QSize kFileSize{960, 560};
+constexpr std::array kColourings{MapColouring::Entries, MapColouring::Reach, MapColouring::State};
+
+/// What a cell's repeated picks go through.
+std::vector<uint32_t> pickOrder(const SphericalMaps& maps, uint32_t cell) {
+    const std::span<const uint32_t> owned = maps.centroids(cell), touching = maps.triangles(cell);
+    std::vector<uint32_t> order(owned.rbegin(), owned.rend());
+    for (size_t i = touching.size(); i-- > 0;)
+        if (std::find(owned.begin(), owned.end(), touching[i]) == owned.end()) order.push_back(touching[i]);
+    return order;
+}
+
+}  // namespace
+
+MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_reader(reader),
+      m_sentence(new QLabel(this)),
+      m_choices(new QWidget(this)),
+      m_colouringLabel(new QLabel(m_choices)),
+      m_colouring(new QComboBox(m_choices)),
+      m_map(new MapWidget(this)),
+      m_pictures(new PictureMenu(session, *m_map, kFileSize)) {
+    layOut();
+    connect(m_colouring, &QComboBox::activated, this, [this](int index) { m_map->setColouring(kColourings[size_t(index)]); });
+    connect(m_map, &MapWidget::cellChosen, this, &MapPanel::pickIn);
+    connect(&reader, &InsideReader::changed, this, &MapPanel::refresh);
+    for (const auto signal :
+         {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged, &Session::activeViewChanged})
+        connect(&session, signal, this, &MapPanel::refresh);
+    connect(&session, &Session::figuresChanged, this, &MapPanel::refresh);
+    retranslate();
+    refresh();
+}
+
+void MapPanel::layOut() {
+    m_sentence->setForegroundRole(QPalette::PlaceholderText);
+    m_colouringLabel->setBuddy(m_colouring);
+    for (const MapColouring colouring : kColourings) m_colouring->addItem(QString(), int(colouring));
+    leaveWheelUnlessFocused(*m_colouring);
+    m_map->setBackgroundRole(QPalette::Base);
+    auto* choices = new QHBoxLayout(m_choices);
+    choices->setContentsMargins(4, 0, 0, 2);
+    choices->addWidget(m_colouringLabel);
+    choices->addWidget(m_colouring);
+    choices->addStretch(1);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_sentence);
+    layout->addWidget(m_choices);
+    layout->addWidget(m_map);
+}
+
+void MapPanel::refresh() {
+    // What was read last stays until there is something newer, so that nothing flickers.
+    showMap(shownMap(m_session, m_reader));
+}
+
+void MapPanel::showMap(const ShownMap& shown) {
+    m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown)});
+    m_choices->setVisible(!shown.empty());
+    m_map->setVisible(!shown.empty());
+    m_sentence->setVisible(shown.empty());
+    // The Tab key does not get past a panel whose proxy is hidden.
+    setFocusProxy(shown.empty() ? nullptr : m_map);
+    showSentence();
+}
+
+void MapPanel::showSentence() {
+    const bool waiting = m_session.scene() && !m_reader.reading();
+    m_sentence->setText(waiting ? tr("The index map is being read…") : tr("This strategy has no index map."));
+    m_sentence->setToolTip(tr("Strategies that look up what is visible by direction show their map here."));
+}
+
+std::shared_ptr<const TriangleStates> MapPanel::truth() const {
+    const Figures& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == Figures::State::Ready && figures.states && figures.subject.buffers &&
+                       figures.subject.buffers->scenePointer() == m_session.scene();
+    return known && m_reader.fresh() && figures.states->againstTruth ? figures.states : nullptr;
+}
+
+std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
+    const std::optional<Pick>& pick = m_session.pick();
+    if (shown.empty() || !pick || m_session.objectOf(shown.decision().instance) != pick->object) return std::nullopt;
+    return uint32_t(pick->triangle - m_session.opened()->scene->firstTriangle(pick->object));
+}
+
+void MapPanel::pickIn(uint32_t cell) {
+    const ShownMap& shown = m_map->contents().shown;
+    if (shown.empty() || shown.scene != m_session.scene()) return;
+    const std::vector<uint32_t> order = pickOrder(shown.maps(), cell);
+    if (order.empty()) return;
+    const std::optional<uint32_t> picked = pickedTriangle(shown);
+    const auto before = picked ? std::find(order.begin(), order.end(), *picked) : order.end();
+    const bool wraps = before == order.end() || before + 1 == order.end();
+    const uint32_t object = m_session.objectOf(shown.decision().instance);
+    m_session.setPick(pickOfTriangle(m_session, object, wraps ? order.front() : *(before + 1)));
+}
+
+void MapPanel::retranslate() {
+    m_colouringLabel->setText(tr("&Colours of the map:"));
+    for (int i = 0; i < m_colouring->count(); ++i) m_colouring->setItemText(i, colouringWords(kColourings[size_t(i)]));
+    showSentence();
+}
+
+void MapPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) retranslate();
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "ui/panels/map_painter.h"
+#include "ui/statistics/plot_widget.h"
+
+namespace cullscope::ui {
+
+/// The θ–φ map of an object. Hovering tells about cells and corners; a click, or Enter on the cell under the keyboard's cursor,
+/// chooses a cell.
+class MapWidget : public PlotWidget {
+    Q_OBJECT
+
+public:
+    explicit MapWidget(QWidget* parent = nullptr);
+
+    void setContents(const MapContents& contents);
+    [[nodiscard]] const MapContents& contents() const { return m_painter.contents(); }
+    void setColouring(MapColouring colouring);
+    [[nodiscard]] MapColouring colouring() const { return m_painter.colouring(); }
+    /// Of the keyboard; none: it has not been moved yet.
+    [[nodiscard]] const std::optional<SphericalGrid::Cell>& cursor() const { return m_cursor; }
+
+    [[nodiscard]] MapLayout layoutOfMap() const;
+    /// What is said about a place; empty: nothing is there.
+    [[nodiscard]] QString wordsAt(const QPointF& place) const;
+
+    [[nodiscard]] QString title() const override;
+    [[nodiscard]] bool empty() const override { return m_painter.contents().shown.empty(); }
+    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
+    [[nodiscard]] int neededHeight(int width) const override;
+
+signals:
+    void cellChosen(uint32_t number);
+
+protected:
+    [[nodiscard]] QString emptySentence() const override { return {}; }
+    [[nodiscard]] QString description() const override;
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
+
+private:
+    void showWords(const QPointF& place, const QPoint& onScreen);
+    void moveCursor(int rows, int columns);
+
+    MapPainter m_painter;
+    std::optional<SphericalGrid::Cell> m_cursor;
+};
+
+}  // namespace cullscope::ui

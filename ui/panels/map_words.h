@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+
+#include "ui/panels/map_cells.h"
+#include "ui/panels/map_symbols.h"
+
+namespace cullscope::ui {
+
+/// What the map's picture says in words.
+
+[[nodiscard]] QString colouringWords(MapColouring colouring);
+/// What the scale's colours mean, with the unit.
+[[nodiscard]] QString scaleWords(MapColouring colouring);
+/// Which object it is and how it lies to the frustum, one line.
+[[nodiscard]] QString objectWords(const ShownMap& shown);
+/// What follows from that: the case, the bands, or why nothing is decided by direction.
+[[nodiscard]] QString decisionWords(const ShownMap& shown);
+/// Row, column, angles, entries, triangles, R and state of a cell, several lines.
+[[nodiscard]] QString cellWords(const ShownMap& shown, const TriangleStates* truth, const SphericalGrid::Cell& cell);
+/// What the corner ray with that index found.
+[[nodiscard]] QString cornerWords(const SphericalDecision& decision, size_t corner);
+/// Of a cell's tone in a map coloured by state; without truth, what is drawn is only that.
+[[nodiscard]] QString stateWords(TriangleState state, bool truthKnown);
+/// What a symbol over the map stands for.
+[[nodiscard]] QString symbolWords(MapSymbol symbol);
+/// A length in the mesh's units, three digits.
+[[nodiscard]] QString lengthText(double length);
+/// An angle in degrees, as many digits as tell the map's cells apart.
+[[nodiscard]] QString degreesText(double radians);
+
+}  // namespace cullscope::ui

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QString>
+#include <memory>
+#include <optional>
+
+#include "ui/session/inside_reader.h"
+
+namespace cullscope::ui {
+
+/// One object's map of directions, and what was decided on it.
+struct ShownMap {
+    ScenePointer scene;                    ///< numbers the instances
+    std::shared_ptr<const Inside> inside;  ///< null: there is no map
+    size_t place = 0;                      ///< in Inside::maps
+
+    [[nodiscard]] bool empty() const { return !inside; }
+    [[nodiscard]] const InsideMap& map() const { return inside->maps[place]; }
+    [[nodiscard]] const SphericalDecision& decision() const { return map().decision; }
+    [[nodiscard]] const SphericalMaps& maps() const { return *map().maps; }
+    [[nodiscard]] const SphericalGrid& grid() const { return map().maps->grid(); }
+    /// Of the object.
+    [[nodiscard]] QString name() const;
+
+    bool operator==(const ShownMap&) const = default;
+};
+
+/// The map that the panels show: the picked object's, else that of the first object that is not outside the frustum, else the
+/// first one; empty: the strategy has none, or nothing is read yet.
+[[nodiscard]] ShownMap shownMap(const Session& session, const InsideReader& reader);
+
+}  // namespace cullscope::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QObject>
+
+#include "ui/session/paper_runner.h"
+#include "ui/session/undo_recorder.h"
+#include "ui/window/experiments.h"
+#include "ui/window/window_actions.h"
+
+namespace cullscope::ui {
+
+/// The command that reproduces a paper's table in the window.
+class PaperCommands : public QObject {
+    Q_OBJECT
+
+public:
+    PaperCommands(Session& session, WindowActions& actions, Experiments& experiments, UndoRecorder& undo, QWidget* window);
+
+    [[nodiscard]] PaperRunner& runner() { return *m_runner; }
+
+private:
+    void showDialog();
+
+    Session& m_session;
+    Experiments& m_experiments;
+    QWidget* m_window;
+    PaperRunner* m_runner;
+};
+
+}  // namespace cullscope::ui
