@@ -11,15 +11,15 @@
 namespace cullscope {
 namespace {
 
-/// The ramp of cividis, which is told apart in every sight: Nuñez, Anderton & Renslow 2018.
-constexpr std::array<uint32_t, 5> kRamp{0x00224E, 0x434E6C, 0x7D7C78, 0xBCAF6F, 0xFEE838};
-constexpr uint32_t kDarkestOnDark = 0x2C4478;  ///< cividis begins as dark as a dark background
+/// Brewer's Blues without its palest (Harrower & Brewer 2003): even steps of lightness, and none of the colours of what lies over
+/// the map.
+constexpr std::array<uint32_t, 8> kRamp{0xDEEBF7, 0xC6DBEF, 0x9ECAE1, 0x6BAED6, 0x4292C6, 0x2171B5, 0x08519C, 0x08306B};
+/// Cividis, which is told apart in every sight (Nuñez, Anderton & Renslow 2018), begun a little brighter.
+constexpr std::array<uint32_t, 5> kRelief{0x2C4478, 0x434E6C, 0x7D7C78, 0xBCAF6F, 0xFEE838};
 
 Vec3f colourOf(uint32_t hexadecimal) {
     return Vec3f(float(hexadecimal >> 16), float(hexadecimal >> 8 & 255), float(hexadecimal & 255)) / 255.0f;
 }
-
-double entriesShare(size_t entries, size_t most) { return std::log1p(double(entries)) / std::log1p(double(most)); }
 
 Vec3f stateColour(CellState state, const Vec3f& background) {
     const auto palette = verdictPalette(background);
@@ -36,22 +36,30 @@ Vec3f stateColour(CellState state, const Vec3f& background) {
     return background;
 }
 
-std::vector<Vec3f> colouredByEntries(const SphericalMaps& maps, const Vec3f& background) {
+CellShares entryShares(const SphericalMaps& maps) {
     size_t most = 1;
     for (uint32_t cell = 0; cell < maps.grid().cellCount(); ++cell) most = std::max(most, maps.triangles(cell).size());
-    std::vector<Vec3f> colours(maps.grid().cellCount(), background);
-    for (uint32_t cell = 0; cell < colours.size(); ++cell)
+    CellShares result{std::vector<float>(maps.grid().cellCount(), -1.0f), 1.0, double(most)};
+    const double span = std::max(std::log(double(most)), 1e-9);
+    for (uint32_t cell = 0; cell < result.shares.size(); ++cell)
         if (const size_t entries = maps.triangles(cell).size(); entries > 0)
-            colours[cell] = rampColour(entriesShare(entries, most), background);
-    return colours;
+            result.shares[cell] = float(std::log(double(entries)) / span);
+    return result;
 }
 
-std::vector<Vec3f> colouredByRadius(const SphericalMaps& maps, const Vec3f& background) {
-    std::vector<Vec3f> colours(maps.grid().cellCount(), background);
-    for (uint32_t cell = 0; cell < colours.size(); ++cell)
+CellShares radiusShares(const SphericalMaps& maps) {
+    CellShares result{std::vector<float>(maps.grid().cellCount(), -1.0f), maps.sphere().radius, 0.0};
+    for (uint32_t cell = 0; cell < result.shares.size(); ++cell) {
+        if (maps.extent(cell).empty()) continue;
+        result.least = std::min(result.least, double(maps.extent(cell).farthest));
+        result.most = std::max(result.most, double(maps.extent(cell).farthest));
+    }
+    result.least = std::min(result.least, result.most);
+    const double span = std::max(result.most - result.least, 1e-9 * maps.sphere().radius);
+    for (uint32_t cell = 0; cell < result.shares.size(); ++cell)
         if (const SphericalMaps::Extent& extent = maps.extent(cell); !extent.empty())
-            colours[cell] = rampColour(double(extent.farthest) / maps.sphere().radius, kRadiusRamp);
-    return colours;
+            result.shares[cell] = float((extent.farthest - result.least) / span);
+    return result;
 }
 
 constexpr std::array kColouringIds{"entries", "radius", "state"};
@@ -67,24 +75,29 @@ MapColouring mapColouringFromId(std::string_view id) {
                {std::string(id), "entries, radius, state"});
 }
 
-std::array<Vec3f, 5> rampColours(const Vec3f& background) {
-    const bool light = isLight(background);
-    std::array<Vec3f, 5> colours;
-    for (size_t i = 0; i < colours.size(); ++i) colours[i] = colourOf(kRamp[light ? colours.size() - 1 - i : i]);
-    if (!light) colours[0] = colourOf(kDarkestOnDark);
-    return colours;
+CellShares cellShares(const SphericalMaps& maps, MapColouring colouring) {
+    return colouring == MapColouring::Radius ? radiusShares(maps) : entryShares(maps);
 }
 
 Vec3f rampColour(double share, const Vec3f& background) {
-    const std::array<Vec3f, 5> colours = rampColours(background);
-    const double place = std::clamp(share, 0.0, 1.0) * (colours.size() - 1);
-    const size_t from = std::min(size_t(place), colours.size() - 2);
-    return glm::mix(colours[from], colours[from + 1], float(place - double(from)));
+    const double place = std::clamp(isLight(background) ? share : 1.0 - share, 0.0, 1.0) * (kRamp.size() - 1);
+    const size_t from = std::min(size_t(place), kRamp.size() - 2);
+    return glm::mix(colourOf(kRamp[from]), colourOf(kRamp[from + 1]), float(place - double(from)));
+}
+
+std::array<Vec3f, 5> reliefColours() {
+    std::array<Vec3f, 5> colours;
+    std::transform(kRelief.begin(), kRelief.end(), colours.begin(), colourOf);
+    return colours;
 }
 
 std::vector<Vec3f> cellColours(const InsideMap& map, MapColouring colouring, const Vec3f& background) {
-    if (colouring == MapColouring::Entries) return colouredByEntries(*map.maps, background);
-    if (colouring == MapColouring::Radius) return colouredByRadius(*map.maps, background);
+    if (colouring != MapColouring::State) {
+        std::vector<Vec3f> colours;
+        for (const float share : cellShares(*map.maps, colouring).shares)
+            colours.push_back(share < 0.0f ? background : rampColour(share, background));
+        return colours;
+    }
     std::vector<Vec3f> colours;
     for (const CellState state : cellStates(map)) colours.push_back(stateColour(state, background));
     return colours;

@@ -78,11 +78,13 @@ Vec2 mapAngles(const Vec3& direction) {
     return {std::atan2(std::hypot(direction.x, direction.y), direction.z), phi < kTurn ? phi : 0.0};
 }
 
+std::vector<Vec2> contour(const ContourBands& bands, double alpha) { return Curve(bands, alpha).points(); }
+
 std::vector<Contour> contours(const ContourBands& bands) {
     std::vector<Contour> result;
     for (uint32_t band = 1; band < bands.bands; ++band) {
         const double alpha = band * bands.width;
-        result.push_back({alpha, cutAtSeam(Curve(bands, alpha).points())});
+        result.push_back({alpha, cutAtSeam(contour(bands, alpha))});
     }
     return result;
 }

@@ -20,19 +20,28 @@ enum class MapColouring {
 /// Throws Error(Usage) for another id, naming those there are.
 [[nodiscard]] MapColouring mapColouringFromId(std::string_view id);
 
-/// A colour for a share from 0 to 1; brightness goes one way all along, and the end at 1 stands out most from the background.
-[[nodiscard]] Vec3f rampColour(double share, const Vec3f& background);
-/// The colours between which rampColour goes straight, at equal distances.
-[[nodiscard]] std::array<Vec3f, 5> rampColours(const Vec3f& background);
+/// Where each cell lies on the scale of Entries or Radius.
+struct CellShares {
+    std::vector<float> shares;       ///< by cell number, in [0, 1]; below 0: the cell is empty
+    double least = 0.0, most = 0.0;  ///< the values at 0 and 1: triangles, or mesh units
+};
+[[nodiscard]] CellShares cellShares(const SphericalMaps& maps, MapColouring colouring);
 
-/// The background for which the ramp of radii is, whatever lies behind the picture: the farther out the brighter, because light
-/// makes relief only of bright colours.
-inline constexpr Vec3f kRadiusRamp(0.0f);
+/// A colour for a share from 0 to 1: little is near the background's lightness, much is far from it.
+[[nodiscard]] Vec3f rampColour(double share, const Vec3f& background);
+
+/// The colours of the model in spherical coordinates by R, at equal distances: the farther out the brighter, because light makes
+/// relief only of bright colours.
+[[nodiscard]] std::array<Vec3f, 5> reliefColours();
 
 /// By cell number; the background's where a cell is empty. States have the verdicts' colours.
 [[nodiscard]] std::vector<Vec3f> cellColours(const InsideMap& map, MapColouring colouring, const Vec3f& background);
 
-/// The directions at one angle α from the axis of the bands.
+/// The directions at one angle α from the axis of the bands as points (θ, φ), φ continued over the seam: the last one is the
+/// first, a whole turn on where the curve goes around a pole.
+[[nodiscard]] std::vector<Vec2> contour(const ContourBands& bands, double alpha);
+
+/// The same, cut at the seam.
 struct Contour {
     double alpha = 0.0;
     /// As lines on the map through points (θ, φ) in radians, cut where the curve goes over the seam, φ in [0, 2π].

@@ -49,7 +49,7 @@ void drawSphericalModel(Renderer& renderer, const SceneBuffers& buffers, const V
         model.instance = *shown;
         model.sphere = buffers.scene().meshOf(*shown).localSphere();
     }
-    model.ramp = rampColours(kRadiusRamp);
+    model.ramp = reliefColours();
     model.area = areaOf(viewing.viewport(), style);
     renderer.drawSpherical(buffers, viewing, list, model, target, style);
     renderer.drawLines(viewing, frameLines(viewing, model.area, contrastTo(style.background)), {kFrameWidth * style.unit, false},

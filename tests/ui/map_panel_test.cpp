@@ -142,7 +142,7 @@ TEST_F(MapPanelTest, drawnAndCulledCellsDiffer) {
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::OutsideFrustum, palette));
     change([&](SphericalDecision& decision) { decision.drawn = {{culled, culled + 1}}; });
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
-    for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Reach}) {
+    for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Radius}) {
         colourBy(colouring);
         EXPECT_NE(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
     }

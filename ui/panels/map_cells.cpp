@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "ui/statistics/plot_colours.h"
 #include "ui/views/verdict_swatch.h"
 
 namespace cullscope::ui {
@@ -15,21 +14,6 @@ namespace {
 constexpr std::array kByStrength{TriangleState::OutsideFrustum, TriangleState::TooSmall, TriangleState::Hidden,
                                  TriangleState::BackFacing,     TriangleState::InVain,   TriangleState::Visible,
                                  TriangleState::WronglyCulled};
-
-/// Brewer's Blues without its palest: even steps of lightness, and none of the colours of what lies over the map.
-constexpr std::array<QRgb, 8> kScale{0xDEEBF7, 0xC6DBEF, 0x9ECAE1, 0x6BAED6, 0x4292C6, 0x2171B5, 0x08519C, 0x08306B};
-
-QRgb between(QRgb from, QRgb to, double share) {
-    const auto mix = [share](int a, int b) { return int(std::lround(a + (b - a) * share)); };
-    return qRgb(mix(qRed(from), qRed(to)), mix(qGreen(from), qGreen(to)), mix(qBlue(from), qBlue(to)));
-}
-
-/// Little is near the ground, much is far from it.
-QRgb scaleColour(double share, bool dark) {
-    const double position = (dark ? 1.0 - share : share) * (kScale.size() - 1);
-    const size_t first = std::min(size_t(position), kScale.size() - 2);
-    return between(kScale[first], kScale[first + 1], position - double(first));
-}
 
 uint8_t toneAt(double share) { return uint8_t(1 + std::lround(std::clamp(share, 0.0, 1.0) * (CellTones::kTones - 2))); }
 
@@ -46,33 +30,6 @@ std::vector<Cells> cellsUnder(uint32_t pixels, uint32_t cells) {
         under[i] = cells > pixels ? Cells{begin, end} : Cells{middle, middle + 1};
     }
     return under;
-}
-
-CellTones entryTones(const SphericalMaps& maps) {
-    const uint32_t cells = maps.grid().cellCount();
-    size_t most = 1;
-    for (uint32_t cell = 0; cell < cells; ++cell) most = std::max(most, maps.triangles(cell).size());
-    CellTones made{std::vector<uint8_t>(cells), 1.0, double(most)};
-    const double span = std::max(std::log(double(most)), 1e-9);
-    for (uint32_t cell = 0; cell < cells; ++cell)
-        if (const size_t count = maps.triangles(cell).size(); count > 0)
-            made.tones[cell] = toneAt(std::log(double(count)) / span);
-    return made;
-}
-
-CellTones reachTones(const SphericalMaps& maps) {
-    const uint32_t cells = maps.grid().cellCount();
-    CellTones made{std::vector<uint8_t>(cells), maps.sphere().radius, 0.0};
-    for (uint32_t cell = 0; cell < cells; ++cell) {
-        if (maps.extent(cell).empty()) continue;
-        made.least = std::min(made.least, double(maps.extent(cell).farthest));
-        made.most = std::max(made.most, double(maps.extent(cell).farthest));
-    }
-    made.least = std::min(made.least, made.most);
-    const double span = std::max(made.most - made.least, 1e-9 * maps.sphere().radius);
-    for (uint32_t cell = 0; cell < cells; ++cell)
-        if (!maps.extent(cell).empty()) made.tones[cell] = toneAt((maps.extent(cell).farthest - made.least) / span);
-    return made;
 }
 
 TriangleState stateOf(CellState state) {
@@ -97,7 +54,11 @@ uint8_t CellTones::toneOf(TriangleState state) {
 }
 
 CellTones cellTones(const SphericalMaps& maps, MapColouring colouring) {
-    return colouring == MapColouring::Reach ? reachTones(maps) : entryTones(maps);
+    const CellShares scale = cellShares(maps, colouring);
+    CellTones made{std::vector<uint8_t>(scale.shares.size()), scale.least, scale.most};
+    std::transform(scale.shares.begin(), scale.shares.end(), made.tones.begin(),
+                   [](float share) { return share < 0.0F ? uint8_t(0) : toneAt(share); });
+    return made;
 }
 
 CellTones stateTones(const ShownMap& shown, const TriangleStates* truth) {
@@ -126,9 +87,12 @@ QList<QRgb> toneColours(MapColouring colouring, const QPalette& palette) {
         for (const TriangleState state : kByStrength) colours[CellTones::toneOf(state)] = verdictColour(state, palette).rgb();
         return colours;
     }
-    const bool dark = PlotColours(palette).dark;
-    for (size_t tone = 1; tone < CellTones::kTones; ++tone)
-        colours[qsizetype(tone)] = scaleColour(double(tone - 1) / (CellTones::kTones - 2), dark) | 0xFF000000U;
+    const QColor base = palette.color(QPalette::Base);
+    const Vec3f background(base.redF(), base.greenF(), base.blueF());
+    for (size_t tone = 1; tone < CellTones::kTones; ++tone) {
+        const Vec3f colour = rampColour(double(tone - 1) / (CellTones::kTones - 2), background);
+        colours[qsizetype(tone)] = QColor::fromRgbF(colour.x, colour.y, colour.z).rgb();
+    }
     return colours;
 }
 

@@ -5,17 +5,11 @@
 #include <memory>
 #include <vector>
 
+#include "core/measure/map_picture.h"
 #include "core/measure/triangle_states.h"
 #include "ui/panels/shown_map.h"
 
 namespace cullscope::ui {
-
-/// What the cells of a map are coloured by.
-enum class MapColouring {
-    Entries,  ///< how many triangles touch the cell, on a logarithmic scale
-    Reach,    ///< R: how far from the centre they reach inside it
-    State     ///< what became of the triangles that it owns, or that touch it
-};
 
 /// One tone a cell, from which pictures of any size are made.
 struct CellTones {
@@ -28,7 +22,7 @@ struct CellTones {
     [[nodiscard]] static uint8_t toneOf(TriangleState state);
 };
 
-/// Of Entries and Reach.
+/// Of Entries and Radius.
 [[nodiscard]] CellTones cellTones(const SphericalMaps& maps, MapColouring colouring);
 /// Of State. `truth`, where known, are the states of the shown scene's triangles: a cell is as the worst triangle that it owns
 /// (wrongly culled before visible before drawn in vain); null: drawn cells count as visible. A cell that owns none but is touched

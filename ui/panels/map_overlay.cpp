@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/measure/map_picture.h"
 #include "ui/panels/map_edges.h"
 
 namespace cullscope::ui {
@@ -12,7 +13,6 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr int kContourSteps = 180;
 constexpr int kLabelStep = 30;              // degrees between labelled contours
 constexpr double kLeastContourStep = 15.0;  // degrees between drawn ones
 constexpr double kNumberDistance = 15.0;
@@ -29,16 +29,6 @@ QRectF atLeast(const QRectF& rect, double size) {
 Vec2 cornerOf(const CornerRay& ray) {
     const SphericalPoint point = sphericalPoint(ray.point);
     return {point.theta, point.phi};
-}
-
-std::vector<Vec2> contour(const ContourBands& bands, double alpha) {
-    std::vector<Vec2> line;
-    for (int step = 0; step <= kContourSteps; ++step) {
-        const SphericalPoint point = sphericalPoint(bands.direction(alpha, kTurn * step / kContourSteps));
-        const double turns = line.empty() ? 0.0 : std::round((line.back().y - point.phi) / kTurn);
-        line.emplace_back(point.theta, point.phi + turns * kTurn);
-    }
-    return line;
 }
 
 void MapOverlay::paint(const InsideMap& map) const {

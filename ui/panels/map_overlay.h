@@ -35,7 +35,5 @@ private:
 
 /// (θ, φ) of a corner of the region.
 [[nodiscard]] Vec2 cornerOf(const CornerRay& ray);
-/// Along the curve of one α (radians): (θ, φ), φ continued over the seam; closed on the sphere.
-[[nodiscard]] std::vector<Vec2> contour(const ContourBands& bands, double alpha);
 
 }  // namespace cullscope::ui

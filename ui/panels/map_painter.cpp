@@ -183,7 +183,7 @@ void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalet
     const QFontMetricsF metrics(painter.font());
     const QList<QRgb> colours = toneColours(colouring(), palette);
     const auto value = [this](double number) {
-        return colouring() == MapColouring::Reach ? lengthText(number) : countText(uint64_t(number));
+        return colouring() == MapColouring::Radius ? lengthText(number) : countText(uint64_t(number));
     };
     const QString least = value(m_cells.tones().least), most = value(m_cells.tones().most);
     QPointF at = place.topLeft();

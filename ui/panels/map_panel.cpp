@@ -14,7 +14,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr QSize kFileSize{960, 560};
-constexpr std::array kColourings{MapColouring::Entries, MapColouring::Reach, MapColouring::State};
+constexpr std::array kColourings{MapColouring::Entries, MapColouring::Radius, MapColouring::State};
 
 /// What a cell's repeated picks go through.
 std::vector<uint32_t> pickOrder(const SphericalMaps& maps, uint32_t cell) {

@@ -47,11 +47,11 @@ QString stateOfCell(const ShownMap& shown, const TriangleStates* truth, uint32_t
 
 QString colouringWords(MapColouring colouring) {
     if (colouring == MapColouring::Entries) return MapWords::tr("Entries a cell");
-    return colouring == MapColouring::Reach ? MapWords::tr("Farthest R") : MapWords::tr("State");
+    return colouring == MapColouring::Radius ? MapWords::tr("Farthest R") : MapWords::tr("State");
 }
 
 QString scaleWords(MapColouring colouring) {
-    if (colouring == MapColouring::Reach) return MapWords::tr("farthest R, mesh units");
+    if (colouring == MapColouring::Radius) return MapWords::tr("farthest R, mesh units");
     return MapWords::tr("triangles a cell, logarithmic");
 }
 

@@ -79,7 +79,8 @@ TEST(CellColours, moreEntriesOrLargerRadiusStandOutLess) {
         }
         EXPECT_GT(compared, 50u);
     }
-    EXPECT_LT(relativeLuminance(rampColour(0.3, kRadiusRamp)), relativeLuminance(rampColour(0.8, kRadiusRamp)));
+    const std::array<Vec3f, 5> relief = reliefColours();
+    for (size_t i = 1; i < relief.size(); ++i) EXPECT_LT(relativeLuminance(relief[i - 1]), relativeLuminance(relief[i]));
 }
 
 TEST(MapColouringId, isNotReadBack) {
