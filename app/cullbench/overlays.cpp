@@ -70,8 +70,11 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
                     "object in the frustum), spherical-model (what was drawn of the first object, over azimuth and zenith "
                     "angle); may be given more than once")
         ->allow_extra_args(false);
+    command.add_option("--below", options.below,
+                       "a second picture of the same size below the first: index-map, spherical-model, or behind (the same from "
+                       "the other side)");
     command.add_option("--map-colouring", options.mapColouring,
-                       "with --overlay index-map: entries (triangles by cell, the default), radius or state");
+                       "of the index map: entries (triangles by cell, the default), radius or state");
     command.add_option("--view-eye", options.eye, "eye of an observer, x,y,z (default: the culling camera's)");
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
@@ -101,9 +104,36 @@ OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strat
     if (options.drawnOnly && choice.look.colouring != Colouring::Verdicts)
         throwUsage(CULLSCOPE_TR("--drawn-only says what --overlay verdicts shows: give both."));
     if (options.mapColouring.empty()) return choice;
-    if (!choice.map) throwUsage(CULLSCOPE_TR("--map-colouring says what --overlay index-map shows: give both."));
-    choice.map = mapColouringFromId(options.mapColouring);
+    if (choice.map)
+        choice.map = mapColouringFromId(options.mapColouring);
+    else if (options.below != "index-map")
+        throwUsage(CULLSCOPE_TR("--map-colouring says what --overlay index-map shows: give both."));
     return choice;
+}
+
+std::optional<BelowChoice> belowOf(const OverlayOptions& options, const OverlayChoice& above) {
+    if (options.below.empty()) return std::nullopt;
+    BelowChoice below;
+    if (options.below == "index-map")
+        below.overlays.map = options.mapColouring.empty() ? MapColouring::Entries : mapColouringFromId(options.mapColouring);
+    else if (options.below == "spherical-model")
+        below.overlays.look.sphericalModel = true;
+    else if (options.below != "behind")
+        throwUsage(CULLSCOPE_TR("--below %1: index-map, spherical-model or behind can stand below a picture."), {options.below});
+    else if (above.replacesScene())
+        throwUsage(CULLSCOPE_TR("--below behind: a map has no other side. Leave it out, or show the scene."));
+    else
+        below = {above, true};
+    return below;
+}
+
+Camera cameraBehind(const Camera& camera, const Scene& scene) {
+    const Vec3 centre = scene.boundingSphere().centre;
+    Camera behind = camera;
+    behind.eye = 2.0 * centre - camera.eye;
+    behind.target = 2.0 * centre - camera.target;
+    fitDepthRange(behind, scene);
+    return behind;
 }
 
 void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const Inside& inside, const Scene& scene) {

@@ -12,6 +12,7 @@ namespace cullscope::cullbench {
 /// What `render` shows besides what was drawn, and from where, as given on the command line.
 struct OverlayOptions {
     std::vector<std::string> names;
+    std::string below;         ///< what stands below the picture; empty: nothing
     std::string mapColouring;  ///< empty: by entries
     std::string eye, target, up;
     std::string cullingSize;
@@ -39,6 +40,17 @@ struct OverlayChoice {
 /// Throws Error(Usage) for a name that is no overlay, naming those that are, that the strategy of this id does not have, or that
 /// cannot be shown together with the others.
 [[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy);
+
+/// What stands below the picture: another choice, or the same seen from behind.
+struct BelowChoice {
+    OverlayChoice overlays;
+    bool behind = false;
+};
+/// None where nothing was asked for; throws Error(Usage) for an unknown name.
+[[nodiscard]] std::optional<BelowChoice> belowOf(const OverlayOptions& options, const OverlayChoice& above);
+
+/// The camera from the other side of the scene's middle.
+[[nodiscard]] Camera cameraBehind(const Camera& camera, const Scene& scene);
 
 /// Throws Error(Usage) where the strategy has nothing at this view of what was chosen, saying why and what to do.
 void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const Inside& inside, const Scene& scene);

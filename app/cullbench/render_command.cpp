@@ -88,7 +88,16 @@ struct Drawn {
     Verdict verdict;
     TriangleStates states;  ///< empty without `verdicts`
     std::vector<uint8_t> rgba;
+    std::string sphere;  ///< what a spherical strategy decided about the object whose map is shown
 };
+
+std::string describedMap(const InsideMap& map, const Scene& scene) {
+    const SphericalDecision& decision = map.decision;
+    std::string text = fmt::format("the bounding sphere of \"{}\" is {}", scene.instances()[decision.instance].name,
+                                   relationName(decision.relation));
+    if (decision.region) text += fmt::format(", case {}", decision.region->caseNumber);
+    return text;
+}
 
 /// Draws the picture with its overlays.
 Drawn drawPicture(Strategy& strategy, const std::string& id, const ScenePointer& scene, const View& culling, const View& viewing,
@@ -98,6 +107,7 @@ Drawn drawPicture(Strategy& strategy, const std::string& id, const ScenePointer&
     drawn.verdict = strategy.cull(culling, choice.needsTrace() ? &trace : nullptr);
     const Inside inside = choice.needsTrace() ? strategy.inside(trace) : Inside{};
     requireOverlays(choice, id, inside, *scene);
+    if (!inside.maps.empty()) drawn.sphere = describedMap(*shownMap(inside), *scene);
     if (choice.map) {
         drawn.rgba = mapPicture(*shownMap(inside), *choice.map, viewing.viewport(), style);
         return drawn;
@@ -128,6 +138,7 @@ void run(const Options& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
     const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
     const OverlayChoice choice = overlaysOf(options.overlays, request.id);
+    const std::optional<BelowChoice> below = belowOf(options.overlays, choice);
     DrawStyle style;
     style.background = colourFromText("--background", options.background, style.background);
     style.surface = colourFromText("--surface", options.surface, style.surface);
@@ -141,17 +152,28 @@ void run(const Options& options, const Context& context) {
     strategy->build(*opened.scene, terminalProgress(context));
     clearProgress();
     terminalProgress(context).check();
-    auto [verdict, states, rgba] = drawPicture(*strategy, request.id, opened.scene, view, viewingView, choice, style);
+    Drawn drawn = drawPicture(*strategy, request.id, opened.scene, view, viewingView, choice, style);
+    if (below) {
+        const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
+        // Rows count from the bottom: what stands below comes first.
+        Drawn second = drawPicture(*strategy, request.id, opened.scene, view, side, below->overlays, style);
+        drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
+        if (drawn.sphere.empty()) drawn.sphere = std::move(second.sphere);
+    }
+    const auto& [verdict, states, rgba, sphere] = drawn;
+    const Viewport whole{size.width, below ? 2 * size.height : size.height};
     PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, view, viewingView, verdict));
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
-    Picture picture{size, std::move(rgba), std::move(metadata)};
-    if (keepsDepth(options.output) && !choice.replacesScene()) addDepth(picture, opened.scene, viewingView, verdict.drawList);
+    Picture picture{whole, rgba, std::move(metadata)};
+    if (keepsDepth(options.output) && !choice.replacesScene() && !below)
+        addDepth(picture, opened.scene, viewingView, verdict.drawList);
     writePicture(options.output, picture);
     // Where the picture went to standard output, the words go beside it.
     std::FILE* words = options.output == "-" ? stderr : stdout;
     fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, verdict.consideredTriangles,
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());
     if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
+    if (!sphere.empty()) fmt::print(words, "{}: {}\n", options.output, sphere);
 }
 
 }  // namespace

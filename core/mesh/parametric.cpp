@@ -169,6 +169,41 @@ MeshPointer torusMesh(size_t triangles, const Progress& progress) {
     });
 }
 
+MeshPointer bowlMesh(size_t triangles, const Progress& progress) {
+    constexpr double kInner = 0.92;
+    checkCount("bowl", triangles, 64);
+    // 4 n sides and n rings on either wall: 16 n² triangles.
+    const auto n = std::max<size_t>(2, size_t(std::lround(std::sqrt(double(triangles) / 16.0))));
+    const auto sides = uint32_t(4 * n);
+    TriangleMesh::Data data;
+    data.name = "bowl";
+    uint32_t done = 0;
+    const auto addRing = [&](double radius, double angle) {
+        row(progress, done++, uint32_t(4 * n));
+        for (uint32_t side = 0; side < sides; ++side) {
+            const double turn = 2.0 * std::numbers::pi * side / sides;
+            data.positions.emplace_back(
+                Vec3(std::sin(angle) * std::cos(turn), std::sin(angle) * std::sin(turn), -std::cos(angle)) * radius);
+        }
+    };
+    const double step = 0.5 * std::numbers::pi / double(n);
+    for (size_t ring = 1; ring <= n; ++ring) addRing(1.0, double(ring) * step);
+    for (size_t ring = n; ring >= 1; --ring) addRing(kInner, double(ring) * step);
+    const auto rings = uint32_t(2 * n), outerPole = rings * sides, innerPole = outerPole + 1;
+    data.positions.emplace_back(0.0f, 0.0f, -1.0f);
+    data.positions.emplace_back(0.0f, 0.0f, float(-kInner));
+    const auto at = [&](uint32_t ring, uint32_t side) { return ring * sides + side % sides; };
+    for (uint32_t side = 0; side < sides; ++side) {
+        row(progress, uint32_t(2 * n) + side / 2, uint32_t(4 * n));
+        data.indices.insert(data.indices.end(), {outerPole, at(0, side + 1), at(0, side)});
+        for (uint32_t ring = 0; ring + 1 < rings; ++ring)
+            data.indices.insert(data.indices.end(), {at(ring, side), at(ring, side + 1), at(ring + 1, side + 1),  //
+                                                     at(ring, side), at(ring + 1, side + 1), at(ring + 1, side)});
+        data.indices.insert(data.indices.end(), {innerPole, at(rings - 1, side), at(rings - 1, side + 1)});
+    }
+    return std::make_shared<TriangleMesh>(std::move(data));
+}
+
 MeshPointer knotMesh(size_t triangles, const Progress& progress) {
     constexpr double kTube = 0.25;
     const auto centre = [](double t) {

@@ -14,6 +14,9 @@ namespace cullscope {
 /// A unit sphere: an icosahedron with every face divided f × f (20 f² triangles), projected. Closed.
 [[nodiscard]] MeshPointer sphereMesh(size_t triangles, const Progress& progress = {});
 
+/// Half a hollow sphere of radii 1 and 0.92, open towards +z. Closed; from its centre most directions meet it twice.
+[[nodiscard]] MeshPointer bowlMesh(size_t triangles, const Progress& progress = {});
+
 /// A torus about y with radii 1 and 0.25. Closed.
 [[nodiscard]] MeshPointer torusMesh(size_t triangles, const Progress& progress = {});
 

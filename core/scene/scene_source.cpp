@@ -153,6 +153,7 @@ MeshPointer parametricMesh(Request& request) {
     if (id == "teapot") return teapotMesh(triangles, progress);
     if (id == "sphere") return sphereMesh(triangles, progress);
     if (id == "torus") return torusMesh(triangles, progress);
+    if (id == "bowl") return bowlMesh(triangles, progress);
     return knotMesh(triangles, progress);
 }
 
@@ -177,6 +178,8 @@ const std::vector<Generator>& generators() {
          openParametric},
         {{"sphere", CULLSCOPE_TR("a unit sphere, from an icosahedron"), {kTriangles}}, openParametric},
         {{"torus", CULLSCOPE_TR("a torus of radii 1 and 0.25: closed, not star-shaped"), {kTriangles}}, openParametric},
+        {{"bowl", CULLSCOPE_TR("half a hollow sphere, open towards z: closed, hides its inside from its outside"), {kTriangles}},
+         openParametric},
         {{"knot", CULLSCOPE_TR("a tube around a torus knot: hides much of itself"), {kTriangles}}, openParametric},
         {{"star",
           CULLSCOPE_TR("a star-shaped body with random bumps"),

@@ -23,9 +23,10 @@ struct MapView {
     std::array<PlaneTest, 6> planes{};
     size_t planesTested = 0;  ///< tests end at the first plane with all of the sphere outside
     Vec3 eye{0.0};
-    std::array<Vec3, 4> cornerDirections{};  ///< bottom-left, bottom-right, top-right, top-left; of any length
-    bool beyondNear = false;                 ///< the whole sphere lies behind the near plane, so that nothing of it is cut off
-    double pixelReach = 0.0;                 ///< how far in map units a point moves, at most, that moves by one pixel
+    std::array<Vec3, 4>
+        cornerDirections{};   ///< from the eye to the near plane's corners: bottom-left, bottom-right, top-right, top-left
+    bool beyondNear = false;  ///< the whole sphere lies behind the near plane, so that nothing of it is cut off
+    double pixelReach = 0.0;  ///< how far in map units a point moves, at most, that moves by one pixel
 };
 
 /// Outside is never said of a sphere that reaches into the frustum (bound: geometry/frustum.h, conservativeSlack).

@@ -3,6 +3,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
@@ -25,8 +26,10 @@ ParameterDeclaration wholeNumber(std::string key, int64_t value, double least, d
 }
 
 ParameterDeclaration rowsParameter() {
-    return wholeNumber("rows", SphericalGrid::kRows, 0, 4096,
-                       CULLSCOPE_TR("Rows of the maps; columns are twice as many. 0: by the mesh's number of triangles."));
+    return wholeNumber(
+        "rows", SphericalGrid::kRows, 0, 4096,
+        CULLSCOPE_TR("Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than triangles. "
+                     "0: as many cells a triangle as in the paper."));
 }
 
 std::vector<ParameterDeclaration> bandParameters(double width, int64_t sectors) {
@@ -100,8 +103,11 @@ private:
 
     [[nodiscard]] SphericalGrid gridFor(const TriangleMesh& mesh) const {
         const auto rows = uint32_t(parameters().integer("rows"));
-        return rows == 0 ? SphericalGrid::forTriangles(mesh.triangleCount())
-                         : SphericalGrid(2 * std::max(rows, 2u), std::max(rows, 2u));
+        if (rows == 0) return SphericalGrid::forTriangles(mesh.triangleCount());
+        // More cells than triangles would only be empty: a scene of many small meshes pays for what it has.
+        const auto most = uint32_t(std::ceil(std::sqrt(double(mesh.triangleCount()) / 2.0)));
+        const uint32_t taken = std::max(std::min(rows, most), 2u);
+        return SphericalGrid(2 * taken, taken);
     }
 
     [[nodiscard]] TriangleOrderPointer orderOfAll() const {
@@ -247,7 +253,8 @@ protected:
             return;
         }
         for (size_t i = 0; i < decision.rays.size(); ++i)
-            decision.rays[i] = followCorner(*mesh.maps, {view.eye, view.cornerDirections[i]}, traced);
+            // From the near plane on: what lies before it is not seen.
+            decision.rays[i] = followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, traced);
         decision.region = visibleRegion(*mesh.maps, decision.rays, m_join);
         decision.drawn = runsOf(mesh.maps->grid(), *decision.region);
     }
@@ -257,6 +264,8 @@ private:
 };
 
 class SphericalHorizon final : public SphericalCulling {
+    static constexpr size_t kFewTriangles = 500;
+
 public:
     using SphericalCulling::SphericalCulling;
     [[nodiscard]] Promise promise() const override { return m_starShaped ? Promise::Conservative : Promise::Approximate; }
@@ -269,19 +278,21 @@ protected:
     void buildFor(MappedMesh& mesh) override {
         mesh.horizonCells = std::make_unique<HorizonCells>(*mesh.maps, *mesh.bandCells);
         // Above the limit nothing is looked for that was not asked for: the promise is the smaller one.
-        m_starShaped = m_starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit && isStarShaped(*mesh.maps);
+        m_starShaped =
+            m_starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit && isStarShaped(*mesh.maps, facing());
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
 
     void decideAbout(const MappedMesh& mesh, const MapView& view, SphericalDecision& decision, bool traced) const override {
-        // A surface that the near plane cuts open hides nothing.
-        if (!view.beyondNear) {
+        // A surface that the near plane cuts open hides nothing; and what has few triangles is drawn in less time than it is
+        // tested.
+        if (!view.beyondNear || mesh.maps->mesh().triangleCount() < kFewTriangles) {
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
             return;
         }
         decision.bands = makeBands(view.eye, bandWidth(), sectors());
         decision.drawn = drawnBySlope(*mesh.maps, *mesh.bandCells, *mesh.horizonCells, view, *decision.bands);
-        if (traced) markDrawnSectors(*mesh.bandCells, decision.drawn, *decision.bands);
+        if (traced) markDrawnSectors(*mesh.maps, *mesh.bandCells, decision.drawn, *decision.bands);
     }
 
 private:

@@ -202,11 +202,13 @@ HorizonCells::Cap capOfRow(const SphericalGrid& grid, const CellDirections& dire
     return capOfCosine(least);
 }
 
-/// Whole numbers of the maps' cells in each of its own.
-SphericalGrid surfaceGrid(const SphericalGrid& maps) {
-    constexpr uint32_t kRowsOfTwoDegrees = 90;
-    uint32_t fine = std::max(1u, maps.rows() / kRowsOfTwoDegrees);
-    while (maps.rows() % fine != 0 || maps.columns() % fine != 0) --fine;
+/// Whole numbers of the maps' cells in each of its own, of 2° or more, and four triangles or more a cell: the horizon may not
+/// cost more than what it saves.
+SphericalGrid surfaceGrid(const SphericalGrid& maps, size_t triangles) {
+    constexpr double kRowsOfTwoDegrees = 90.0;
+    const double rows = std::min(kRowsOfTwoDegrees, std::sqrt(double(triangles) / 8.0));
+    uint32_t fine = std::max(1u, uint32_t(maps.rows() / std::max(rows, 1.0)));
+    while (fine > 1 && (maps.rows() % fine != 0 || maps.columns() % fine != 0 || maps.rows() < 2 * fine)) --fine;
     return SphericalGrid(maps.columns() / fine, maps.rows() / fine);
 }
 
@@ -222,7 +224,7 @@ double solidAngle(const std::array<Vec3, 3>& corners) {
 
 HorizonCells::HorizonCells(const SphericalMaps& maps, const BandCells& cells)
     : caps(cells.cells.size()),
-      surface(surfaceGrid(maps.grid())),
+      surface(surfaceGrid(maps.grid(), maps.mesh().triangleCount())),
       surfaceDirections(surface),
       surfaceNearest(surface.cellCount(), std::numeric_limits<float>::infinity()) {
     tbb::parallel_for(tbb::blocked_range<size_t>(0, caps.size(), 256), [&](const auto& block) {
@@ -255,18 +257,23 @@ std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& ce
     return runs.take();
 }
 
-void markDrawnSectors(const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands) {
+void markDrawnSectors(const SphericalMaps& maps, const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands) {
     for (BandSector& entry : bands.table) entry.drawn = false;
     auto run = drawn.begin();
     for (const BandCells::Cell& cell : cells.cells) {
         while (run != drawn.end() && run->last <= cell.number) ++run;
         if (run == drawn.end() || cell.number < run->first) continue;
-        const Vec2 angles = bands.anglesOf(cells.directions.middle({cell.row, cell.column}));
-        bands.table[size_t(bands.bandOf(angles.x)) * bands.sectors + bands.sectorOf(angles.y)].drawn = true;
+        const CapOnBands cap(bands, cells.directions.middle({cell.row, cell.column}),
+                             capOfRow(maps.grid(), cells.directions, cell.row));
+        const BandRange reached = cap.bandRange();
+        const SectorRange sectors = cap.sectorRange();
+        for (uint32_t band = reached.first; band <= reached.last; ++band)
+            for (uint32_t i = 0; i < sectors.count; ++i)
+                bands.table[size_t(band) * bands.sectors + (sectors.first + i) % bands.sectors].drawn = true;
     }
 }
 
-bool isStarShaped(const SphericalMaps& maps) {
+bool isStarShaped(const SphericalMaps& maps, Facing facing) {
     const TriangleMesh& mesh = maps.mesh();
     double turned = 0.0;
     size_t left = 0, right = 0;
@@ -279,6 +286,7 @@ bool isStarShaped(const SphericalMaps& maps) {
         ++(angle > 0.0 ? left : right);
     }
     if ((left > 0 && right > 0) || std::abs(std::abs(turned) - 4.0 * kPi) > 1e-6) return false;
+    if (facing == Facing::Front && right > 0) return false;
     return mesh.topology().closed && mesh.topology().consistentlyOriented;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/scene/draw_list.h"
 #include "core/visibility/map_view.h"
 #include "core/visibility/spherical_bands.h"
 
@@ -35,11 +36,12 @@ struct HorizonCells {
 [[nodiscard]] std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells,
                                                 const HorizonCells& horizonCells, const MapView& view, ContourBands& bands);
 
-/// Says of each band's sector whether a cell with its middle there is drawn: for those who look inside.
-void markDrawnSectors(const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands);
+/// Says of each band's sector whether a cell that reaches into it is drawn: for those who look inside.
+void markDrawnSectors(const SphericalMaps& maps, const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands);
 
 /// Whether every direction from the centre of the mesh's bounding sphere meets its surface exactly once: closed, consistently
-/// oriented, every triangle on the same side of the centre, all solid angles together one sphere.
-[[nodiscard]] bool isStarShaped(const SphericalMaps& maps);
+/// oriented, every triangle on the same side of the centre, all solid angles together one sphere. Where only front sides are
+/// drawn they must be the outer ones.
+[[nodiscard]] bool isStarShaped(const SphericalMaps& maps, Facing facing);
 
 }  // namespace cullscope

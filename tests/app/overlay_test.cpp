@@ -182,4 +182,40 @@ TEST_F(CullbenchOverlay, observerOfThePlainPictureSeesAnotherScene) {
     EXPECT_EQ(readPicture(file("a.png")).rgba, readPicture(file("b.png")).rgba);
 }
 
+TEST_F(CullbenchOverlay, figureOfTwoPartsTakesTwoCalls) {
+    const auto rgba = [&](const std::vector<std::string>& more) {
+        const ProcessResult result = render("torus:triangles=2000", "spherical", "a.png", more);
+        EXPECT_EQ(result.exitStatus, 0) << result.err;
+        return readPicture(file("a.png")).rgba;
+    };
+    const std::vector<uint8_t> scene = rgba({"--overlay", "bands"}), map = rgba({"--overlay", "index-map"});
+    const std::vector<uint8_t> model = rgba({"--overlay", "spherical-model"});
+    // Rows count from the bottom: what stands below comes first.
+    const auto stacked = [&](std::vector<uint8_t> below) {
+        below.insert(below.end(), scene.begin(), scene.end());
+        return below;
+    };
+    EXPECT_EQ(rgba({"--overlay", "bands", "--below", "index-map"}), stacked(map));
+    EXPECT_EQ(rgba({"--overlay", "bands", "--below", "spherical-model"}), stacked(model));
+    const std::vector<uint8_t> both = rgba({"--overlay", "bands", "--below", "behind"});
+    ASSERT_EQ(both.size(), 2 * scene.size());
+    EXPECT_TRUE(std::equal(scene.begin(), scene.end(), both.begin() + std::ptrdiff_t(scene.size())));
+    EXPECT_FALSE(std::equal(scene.begin(), scene.end(), both.begin()));
+    const std::string sphere = "sphere:triangles=200";
+    expectRefusal(render(sphere, "spherical", "a.png", {"--below", "above"}), "--below above");
+    expectRefusal(render(sphere, "spherical", "a.png", {"--overlay", "index-map", "--below", "behind"}), "no other side");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--below", "index-map"}), "has no index map");
+}
+
+TEST_F(CullbenchOverlay, mapDoesNotSayHowItsObjectLies) {
+    const auto words = [&](const std::vector<std::string>& place) {
+        std::vector<std::string> more{"--overlay", "index-map"};
+        more.insert(more.end(), place.begin(), place.end());
+        return render("sphere:triangles=2000", "spherical", "a.png", more).out;
+    };
+    EXPECT_THAT(words({"--eye", "50,0,0", "--target", "100,0,0"}), HasSubstr("outside the frustum"));
+    EXPECT_THAT(words({"--eye", "0,0,0.1", "--target", "1,0,0"}), HasSubstr("around the eye"));
+    EXPECT_THAT(words({"--eye", "0,0,3", "--target", "0,0,0", "--fovy", "15"}), HasSubstr("cut by the frustum, case 1"));
+}
+
 }  // namespace

@@ -14,8 +14,9 @@ struct Shape {
 };
 
 MeshPointer star(size_t triangles, const Progress& progress) { return starMesh(7, triangles, progress); }
-const std::array<Shape, 5> kShapes{{{"sphere", sphereMesh, true},
+const std::array<Shape, 6> kShapes{{{"sphere", sphereMesh, true},
                                     {"torus", torusMesh, true},
+                                    {"bowl", bowlMesh, true},
                                     {"knot", knotMesh, true},
                                     {"star", star, true},
                                     {"teapot", teapotMesh, false}}};

@@ -34,35 +34,6 @@ inline MeshPointer bumpyMesh(uint64_t seed, size_t triangles, double height) {
     return meshOf(std::move(positions), {sphere->indices().begin(), sphere->indices().end()});
 }
 
-/// A hemispherical bowl with a thick wall, its opening towards +z.
-inline MeshPointer bowlMesh(size_t rings) {
-    const size_t sides = 4 * rings;
-    // The profile from the outer bottom over the rim to the inner bottom.
-    std::vector<Vec2> profile;
-    for (size_t i = 0; i <= rings; ++i) {
-        const double angle = 0.5 * std::numbers::pi * double(i) / double(rings);
-        profile.emplace_back(std::sin(angle), -std::cos(angle));
-    }
-    for (size_t i = 0; i <= rings; ++i) {
-        const double angle = 0.5 * std::numbers::pi * double(rings - i) / double(rings);
-        profile.emplace_back(0.92 * std::sin(angle), -0.92 * std::cos(angle));
-    }
-    std::vector<Vec3f> positions;
-    for (const Vec2& point : profile)
-        for (size_t side = 0; side < sides; ++side) {
-            const double turn = 2.0 * std::numbers::pi * double(side) / double(sides);
-            positions.emplace_back(float(point.x * std::cos(turn)), float(point.x * std::sin(turn)), float(point.y));
-        }
-    std::vector<uint32_t> indices;
-    for (size_t ring = 0; ring + 1 < profile.size(); ++ring)
-        for (size_t side = 0; side < sides; ++side) {
-            const auto a = uint32_t(ring * sides + side), b = uint32_t(ring * sides + (side + 1) % sides);
-            const auto c = uint32_t(a + sides), d = uint32_t(b + sides);
-            indices.insert(indices.end(), {a, b, d, a, d, c});
-        }
-    return meshOf(std::move(positions), std::move(indices));
-}
-
 /// A rotation about an axis of any length.
 inline Mat4 rotation(const Vec3& axis, double radians) {
     const Vec3 n = glm::normalize(axis);

@@ -79,7 +79,7 @@ TEST(Spherical, cornerBoxLosesWhatThePaperDidNotSee) {
 }
 
 TEST(Spherical, caseIsWrong) {
-    const ScenePointer scene = sceneOf({sphereMesh(20'000)});
+    const ScenePointer scene = sceneOf({sphereMesh(80'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
     struct Expected {
@@ -105,7 +105,7 @@ TEST(Spherical, caseIsWrong) {
 
 TEST(Spherical, seenFromThePolarAxisLeftAGap) {
     // Case 13: the cap around the pole, all azimuths.
-    const ScenePointer scene = sceneOf({sphereMesh(20'000)});
+    const ScenePointer scene = sceneOf({sphereMesh(80'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
     for (const double side : {1.0, -1.0}) {
@@ -126,8 +126,8 @@ TEST(Spherical, seenFromThePolarAxisLeftAGap) {
         const StrategyPointer whole = makeStrategy(id);
         whole->build(*scene);
         const Verdict verdict = whole->cull(lookingAt({0, 0, 3}, Vec3(0.0), 60.0));
-        EXPECT_GT(verdict.consideredTriangles, 5'000u) << id;
-        EXPECT_LT(verdict.consideredTriangles, 15'000u) << id;
+        EXPECT_GT(verdict.consideredTriangles, 20'000u) << id;
+        EXPECT_LT(verdict.consideredTriangles, 60'000u) << id;
     }
 }
 
@@ -248,7 +248,7 @@ TEST(SphericalHorizon, promiseIsTooLarge) {
     EXPECT_EQ(promiseOver(boxMesh({-1, -2, -3}, {1, 2, 3})), Promise::Conservative);
     EXPECT_EQ(promiseOver(bumpyMesh(5, 5'000, 0.2)), Promise::Conservative);
     EXPECT_EQ(promiseOver(torusMesh(2'000)), Promise::Approximate);
-    EXPECT_EQ(promiseOver(bowlMesh(20)), Promise::Approximate);
+    EXPECT_EQ(promiseOver(bowlMesh(6'000)), Promise::Approximate);
     EXPECT_EQ(promiseOver(squareMesh(1, 0)), Promise::Approximate);
     // Two spheres, one in the other: each direction meets the surface twice.
     std::vector<Vec3f> positions;
@@ -262,8 +262,53 @@ TEST(SphericalHorizon, promiseIsTooLarge) {
     EXPECT_EQ(promiseOver(meshOf(positions, indices)), Promise::Approximate);
 }
 
+TEST(SphericalHorizon, inwardFrontsHidWhatOpenGlDidNotDraw) {
+    // Its fronts are its inner sides: what the horizon takes for a surface is dropped by OpenGL.
+    const MeshPointer star = bumpyMesh(5, 5'000, 0.2);
+    std::vector<uint32_t> turned(star->indices().begin(), star->indices().end());
+    for (size_t i = 0; i < turned.size(); i += 3) std::swap(turned[i], turned[i + 1]);
+    const ScenePointer scene = sceneOf({meshOf({star->positions().begin(), star->positions().end()}, turned)});
+    for (const char* facing : {"front", "two-sided", "auto"}) {
+        const StrategyPointer strategy = strategyWith("spherical-horizon", {{"facing", facing}});
+        strategy->build(*scene);
+        EXPECT_EQ(strategy->promise(), std::string_view(facing) == "front" ? Promise::Approximate : Promise::Conservative)
+            << facing;
+    }
+}
+
+TEST(Spherical, cornerRaysHitWhatTheNearPlaneCutsAway) {
+    // Two walls; the near plane lies between them. The rays must go on to the second.
+    std::vector<Vec3f> positions;
+    std::vector<uint32_t> indices;
+    for (const float z : {1.0f, -1.0f})
+        for (const auto& [x, y] : {std::pair(-5.f, -5.f), {5.f, -5.f}, {5.f, 5.f}, {-5.f, 5.f}}) positions.emplace_back(x, y, z);
+    for (const uint32_t base : {0u, 4u})
+        for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(base + corner);
+    const ScenePointer scene = sceneOf({meshOf(positions, indices)});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    const SphericalDecision decision =
+        decisionOf(*strategy, View({{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(20), 10.0, 100}, {64, 64}));
+    ASSERT_EQ(decision.relation, SphereRelation::Cut);
+    for (const CornerRay& ray : decision.rays) {
+        ASSERT_TRUE(ray.hit);
+        EXPECT_GE(ray.hit->triangle, 2u);
+    }
+}
+
+TEST(Spherical, mapsOfManySmallMeshesTookGigabytes) {
+    std::vector<MeshPointer> meshes(200, nullptr);
+    for (MeshPointer& mesh : meshes) mesh = boxMesh({-1, -1, -1}, {1, 1, 1});
+    const ScenePointer scene = sceneOf(std::move(meshes));
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        EXPECT_LT(strategy->structure().bytes, scene->triangleCount() * 1000) << id;
+    }
+}
+
 TEST(Spherical, bandsAreFromNearToFar) {
-    const ScenePointer scene = sceneOf({sphereMesh(20'000)});
+    const ScenePointer scene = sceneOf({sphereMesh(80'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
     const SphericalDecision decision = decisionOf(*strategy, lookingAt({0, -4, 1}, Vec3(0.0), 60.0));
