@@ -11,7 +11,7 @@ namespace {
 constexpr float kContourWidth = 1.0f;
 constexpr float kEquatorWidth = 2.5f;
 constexpr float kAxisWidth = 1.5f;
-constexpr float kSizeWidth = 2.5f;
+constexpr float kSizeWidth = 1.0f;  // many close ones: with more they hide the model
 constexpr float kMarkWidth = 2.0f;
 constexpr double kMarkRadius = 5.0;
 
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] std::vector<OverlayLines> overlays() && {
         return {{std::move(m_contours), {kContourWidth, true}},
                 {std::move(m_equators), {kEquatorWidth, true}},
-                {std::move(m_sizes), {kSizeWidth, false}, true},
+                {std::move(m_sizes), {kSizeWidth, false}},
                 {std::move(m_axes), {kAxisWidth, false}, true},
                 {std::move(m_marks), {kMarkWidth, false}, true}};
     }

@@ -11,12 +11,13 @@ namespace {
 
 // In units.
 constexpr float kFrameWidth = 1.0f;
-constexpr float kMargin = 14.0f;
+constexpr float kMargin = 40.0f;
+constexpr double kTick = 3.5;
+constexpr double kLongTick = 6.0;
 
-MapArea areaOf(const Viewport& size, const DrawStyle& style) { return mapArea(size, double(kMargin * style.unit)); }
-
-/// The map's border as lines that the viewer sees there.
-std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, const Vec3f& colour) {
+/// The map's border with ticks at φ below and at θ on the left, as lines that the viewer sees there.
+std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, const DrawStyle& style) {
+    const Vec3f colour = contrastTo(style.background);
     const auto at = [&](double right, double up) {
         const Vec3 direction = viewing.direction(area.left + right * area.width, area.bottom + up * area.height);
         return viewing.eye() + viewing.camera().nearDistance * direction;
@@ -24,6 +25,12 @@ std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, co
     const std::array corners{at(0.0, 0.0), at(1.0, 0.0), at(1.0, 1.0), at(0.0, 1.0)};
     std::vector<LineSegment> lines;
     for (size_t i = 0; i < corners.size(); ++i) lines.push_back({corners[i], corners[(i + 1) % corners.size()], colour});
+    for (int degrees = 0; degrees <= 360; degrees += 30) {
+        const double length = double(style.unit) * (degrees % 90 == 0 ? kLongTick : kTick);
+        lines.push_back({at(degrees / 360.0, -length / area.height), at(degrees / 360.0, 0.0), colour});
+        if (degrees > 180) continue;
+        lines.push_back({at(-length / area.width, 1.0 - degrees / 180.0), at(0.0, 1.0 - degrees / 180.0), colour});
+    }
     return lines;
 }
 
@@ -42,6 +49,17 @@ std::optional<uint32_t> sphericalModelInstance(const DrawList& list) {
     return list.ranges.front().instance;
 }
 
+bool hasWholeModel(const Scene& scene, const DrawList& list) {
+    const std::optional<uint32_t> shown = sphericalModelInstance(list);
+    if (!shown) return false;
+    uint64_t submitted = 0;
+    for (const DrawRange& range : list.ranges)
+        if (range.instance == *shown) submitted += range.indexCount / 3;
+    return submitted >= scene.meshOf(*shown).triangleCount();
+}
+
+MapArea sphericalModelArea(const Viewport& size, const DrawStyle& style) { return mapArea(size, double(kMargin * style.unit)); }
+
 void drawSphericalModel(Renderer& renderer, const SceneBuffers& buffers, const View& viewing, const DrawList& list,
                         const DrawStyle& style, Framebuffer& target) {
     SphericalModel model;
@@ -50,16 +68,15 @@ void drawSphericalModel(Renderer& renderer, const SceneBuffers& buffers, const V
         model.sphere = buffers.scene().meshOf(*shown).localSphere();
     }
     model.ramp = reliefColours();
-    model.area = areaOf(viewing.viewport(), style);
+    model.area = sphericalModelArea(viewing.viewport(), style);
     renderer.drawSpherical(buffers, viewing, list, model, target, style);
-    renderer.drawLines(viewing, frameLines(viewing, model.area, contrastTo(style.background)), {kFrameWidth * style.unit, false},
-                       target);
+    renderer.drawLines(viewing, frameLines(viewing, model.area, style), {kFrameWidth * style.unit, false}, target);
 }
 
 std::optional<DirectionPick> pickSphericalModel(const Scene& scene, const DrawList& list, const Viewport& size,
                                                 const DrawStyle& style, int x, int y) {
     const std::optional<uint32_t> shown = sphericalModelInstance(list);
-    const std::optional<Vec3> direction = directionAt(areaOf(size, style), x, y);
+    const std::optional<Vec3> direction = directionAt(sphericalModelArea(size, style), x, y);
     if (!shown || !direction) return std::nullopt;
     const Instance& instance = scene.instances()[*shown];
     const TriangleMesh& mesh = scene.meshOf(*shown);

@@ -142,6 +142,21 @@
     </message>
 </context>
 <context>
+    <name>SphericalModel</name>
+    <message>
+        <source>R: near</source>
+        <translation>R: 가까움</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>멂</translation>
+    </message>
+    <message>
+        <source>Only what the strategy submits is drawn: choose All triangles for the whole model.</source>
+        <translation>전략이 제출한 것만 그려집니다. 모델 전체를 보려면 '모든 삼각형'을 선택하세요.</translation>
+    </message>
+</context>
+<context>
     <name>ViewMenu</name>
     <message>
         <source>Strategy</source>
@@ -1603,10 +1618,6 @@
         <translation>구면 맵의 이음선이 나누는 덩어리를 보는 가까운 시점 12개, 면의 18.3 %가 절두체 안</translation>
     </message>
     <message>
-        <source>Rows of the maps; columns are twice as many. 0: by the mesh's number of triangles.</source>
-        <translation>맵의 행 수. 열은 그 두 배입니다. 0: 메시의 삼각형 수에 따라 정합니다.</translation>
-    </message>
-    <message>
         <source>Width of a contour band, seen from the centre.</source>
         <translation>중심에서 본 등고선 띠의 폭.</translation>
     </message>
@@ -1706,6 +1717,18 @@
         <source>The object's bounding sphere: %1.</source>
         <translation>물체의 경계구: %1.</translation>
     </message>
+    <message>
+        <source>In the frustum are the faces on the far side of the object too; considered are those in the boxes around the four hits on its near side.</source>
+        <translation>절두체 안의 면에는 물체의 먼 쪽 면도 들어 있습니다. 고려되는 면은 가까운 쪽의 네 교차점을 둘러싼 상자 안의 면입니다.</translation>
+    </message>
+    <message>
+        <source>half a hollow sphere, open towards z: closed, hides its inside from its outside</source>
+        <translation>속이 빈 반구, z 쪽이 열림: 닫혀 있고, 안쪽이 바깥쪽에서 가려집니다</translation>
+    </message>
+    <message>
+        <source>Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than triangles. 0: as many cells a triangle as in the paper.</source>
+        <translation>맵의 행 수, 2 이상. 열은 그 두 배입니다. 메시의 셀은 삼각형보다 많지 않습니다. 0: 논문과 같은 삼각형당 셀 수.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1755,8 +1778,8 @@ OpenGL %2
         <translation>전체</translation>
     </message>
     <message>
-        <source>Sectors divide the bands by the angle β about the axis to the eye.</source>
-        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나눕니다.</translation>
+        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
+        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
     </message>
 </context>
 <context>
@@ -1776,10 +1799,6 @@ OpenGL %2
     <message>
         <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
         <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
-    </message>
-    <message>
-        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye</source>
-        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α</translation>
     </message>
     <message>
         <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
@@ -1831,6 +1850,18 @@ OpenGL %2
     <message>
         <source>beyond it nothing is drawn</source>
         <translation>이 너머로는 그리지 않음</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
+        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 구역은 따로 비교되며, 두 색으로 나뉜 띠는 일부 구역에서는 그려지고 다른 구역에서는 가려집니다.</translation>
+    </message>
+    <message>
+        <source>drawn in some sectors</source>
+        <translation>일부 구역에서 그려짐</translation>
+    </message>
+    <message>
+        <source>hidden in some sectors</source>
+        <translation>일부 구역에서 가려짐</translation>
     </message>
 </context>
 <context>
@@ -2611,10 +2642,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapPanel</name>
     <message>
-        <source>The index map is being read…</source>
-        <translation>색인 맵을 읽는 중…</translation>
-    </message>
-    <message>
         <source>This strategy has no index map.</source>
         <translation>이 전략에는 색인 맵이 없습니다.</translation>
     </message>
@@ -2777,10 +2804,6 @@ OpenGL %2
         <translation>지나간 칸</translation>
     </message>
     <message>
-        <source>contours of α</source>
-        <translation>α의 등고선</translation>
-    </message>
-    <message>
         <source>nearest to the eye</source>
         <translation>눈에 가장 가까움</translation>
     </message>
@@ -2791,6 +2814,26 @@ OpenGL %2
     <message>
         <source>picked</source>
         <translation>고른 것</translation>
+    </message>
+    <message>
+        <source>contours of α every %1</source>
+        <translation>α의 등고선, %1 간격</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>구역 %1</translation>
+    </message>
+    <message>
+        <source>Open a scene to see what a strategy decides about it.</source>
+        <translation>전략이 무엇을 결정하는지 보려면 장면을 여십시오.</translation>
+    </message>
+    <message>
+        <source>The strategy is being prepared…</source>
+        <translation>전략을 준비하고 있습니다…</translation>
+    </message>
+    <message>
+        <source>The strategy could not be built. Choose another one, or other parameters.</source>
+        <translation>전략을 만들 수 없었습니다. 다른 전략이나 다른 매개변수를 선택하십시오.</translation>
     </message>
 </context>
 <context>
@@ -3109,6 +3152,10 @@ OpenGL %2
     <message>
         <source>Export</source>
         <translation>내보내기</translation>
+    </message>
+    <message>
+        <source>The views show %1 at the view being measured; beside it, off the window, are measured: %2.</source>
+        <translation>화면은 측정 중인 시점에서 %1을(를) 보여 주며, 창 밖에서 함께 측정하는 것: %2.</translation>
     </message>
 </context>
 <context>
@@ -4238,16 +4285,20 @@ snapping</source>
         <translation>등고선 띠(&amp;C)</translation>
     </message>
     <message>
-        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view</source>
-        <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다</translation>
-    </message>
-    <message>
         <source>Model in &amp;spherical coordinates</source>
         <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
     </message>
     <message>
         <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
         <translation>활성 뷰에서 한 물체의 그려진 부분을 방위각과 고도각 위에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
+        <translation>뷰가 모델을 구좌표로 표시하는 동안에는 쓸 수 없습니다. 카메라가 보는 것이 놓일 자리가 없습니다</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines from the axis are each band's S</source>
+        <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다. 축에서 뻗은 가는 선은 각 띠의 S입니다</translation>
     </message>
 </context>
 </TS>

@@ -142,6 +142,21 @@
     </message>
 </context>
 <context>
+    <name>SphericalModel</name>
+    <message>
+        <source>R: near</source>
+        <translation>R：近</translation>
+    </message>
+    <message>
+        <source>far</source>
+        <translation>远</translation>
+    </message>
+    <message>
+        <source>Only what the strategy submits is drawn: choose All triangles for the whole model.</source>
+        <translation>只绘制策略提交的内容：要看整个模型，请选择“所有三角形”。</translation>
+    </message>
+</context>
+<context>
     <name>ViewMenu</name>
     <message>
         <source>Strategy</source>
@@ -1603,10 +1618,6 @@
         <translation>12 个近景，球面图上的一块被接缝分开，18.3 % 的面在视锥体内</translation>
     </message>
     <message>
-        <source>Rows of the maps; columns are twice as many. 0: by the mesh's number of triangles.</source>
-        <translation>图的行数；列数为其两倍。0：由网格的三角形数决定。</translation>
-    </message>
-    <message>
         <source>Width of a contour band, seen from the centre.</source>
         <translation>从中心看等高带的宽度。</translation>
     </message>
@@ -1706,6 +1717,18 @@
         <source>The object's bounding sphere: %1.</source>
         <translation>对象的包围球：%1。</translation>
     </message>
+    <message>
+        <source>In the frustum are the faces on the far side of the object too; considered are those in the boxes around the four hits on its near side.</source>
+        <translation>视锥体内的面包括对象远侧的面；所考虑的是近侧四个交点周围盒中的面。</translation>
+    </message>
+    <message>
+        <source>half a hollow sphere, open towards z: closed, hides its inside from its outside</source>
+        <translation>半个空心球，朝 z 开口：封闭，内侧被外侧遮住</translation>
+    </message>
+    <message>
+        <source>Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than triangles. 0: as many cells a triangle as in the paper.</source>
+        <translation>图的行数，至少 2；列数为其两倍。网格的单元不多于三角形。0：每个三角形的单元数与论文相同。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1755,8 +1778,8 @@ OpenGL %2
         <translation>全部</translation>
     </message>
     <message>
-        <source>Sectors divide the bands by the angle β about the axis to the eye.</source>
-        <translation>扇区按绕视点方向轴的角 β 划分环带。</translation>
+        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
+        <translation>扇区按绕视点方向轴的角 β 划分环带，每个扇区单独测试。在您选择之前，显示绘制范围最远的扇区。</translation>
     </message>
 </context>
 <context>
@@ -1776,10 +1799,6 @@ OpenGL %2
     <message>
         <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
         <translation>向上：%1；向右：与视点方向轴的夹角 α；扇区 %2</translation>
-    </message>
-    <message>
-        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye</source>
-        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α</translation>
     </message>
     <message>
         <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
@@ -1831,6 +1850,18 @@ OpenGL %2
     <message>
         <source>beyond it nothing is drawn</source>
         <translation>此后不再绘制</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
+        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α。每个扇区单独比较；双色的环带在部分扇区中绘制，在其他扇区中被遮挡。</translation>
+    </message>
+    <message>
+        <source>drawn in some sectors</source>
+        <translation>在部分扇区绘制</translation>
+    </message>
+    <message>
+        <source>hidden in some sectors</source>
+        <translation>在部分扇区被遮挡</translation>
     </message>
 </context>
 <context>
@@ -2611,10 +2642,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapPanel</name>
     <message>
-        <source>The index map is being read…</source>
-        <translation>正在读取索引图…</translation>
-    </message>
-    <message>
         <source>This strategy has no index map.</source>
         <translation>该策略没有索引图。</translation>
     </message>
@@ -2777,10 +2804,6 @@ OpenGL %2
         <translation>经过的单元</translation>
     </message>
     <message>
-        <source>contours of α</source>
-        <translation>α 的等高线</translation>
-    </message>
-    <message>
         <source>nearest to the eye</source>
         <translation>离视点最近</translation>
     </message>
@@ -2791,6 +2814,26 @@ OpenGL %2
     <message>
         <source>picked</source>
         <translation>已选取</translation>
+    </message>
+    <message>
+        <source>contours of α every %1</source>
+        <translation>α 的等高线，每 %1</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>扇区 %1</translation>
+    </message>
+    <message>
+        <source>Open a scene to see what a strategy decides about it.</source>
+        <translation>打开场景即可查看策略对其作出的判断。</translation>
+    </message>
+    <message>
+        <source>The strategy is being prepared…</source>
+        <translation>正在准备策略…</translation>
+    </message>
+    <message>
+        <source>The strategy could not be built. Choose another one, or other parameters.</source>
+        <translation>无法构建该策略。请选择其他策略或其他参数。</translation>
     </message>
 </context>
 <context>
@@ -3109,6 +3152,10 @@ OpenGL %2
     <message>
         <source>Export</source>
         <translation>导出</translation>
+    </message>
+    <message>
+        <source>The views show %1 at the view being measured; beside it, off the window, are measured: %2.</source>
+        <translation>各视图显示正在测量的视点下的 %1；同时在窗口之外测量的还有：%2。</translation>
     </message>
 </context>
 <context>
@@ -4238,16 +4285,20 @@ snapping</source>
         <translation>等高线环带(&amp;C)</translation>
     </message>
     <message>
-        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view</source>
-        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带</translation>
-    </message>
-    <message>
         <source>Model in &amp;spherical coordinates</source>
         <translation>球坐标中的模型(&amp;S)</translation>
     </message>
     <message>
         <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
         <translation>在活动视图中，按方位角和天顶角显示一个物体中被绘制的部分</translation>
+    </message>
+    <message>
+        <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
+        <translation>视图以球坐标显示模型时不可用：相机所见的内容在其中没有位置</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines from the axis are each band's S</source>
+        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带；从轴引出的细线是各环带的 S</translation>
     </message>
 </context>
 </TS>

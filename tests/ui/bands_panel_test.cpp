@@ -40,6 +40,7 @@ struct BandsPanelTest : ::testing::Test {
 };
 
 TEST_F(BandsPanelTest, allSectorsHaveTheLargestOfEach) {
+    panel.sector().setValue(0);
     const ContourBands& table = *shown.decision().bands;
     const std::vector<BandsPlot::Band> bands = panel.plot().bands();
     ASSERT_EQ(bands.size(), table.bands);
@@ -60,7 +61,34 @@ TEST_F(BandsPanelTest, allSectorsHaveTheLargestOfEach) {
     EXPECT_FALSE(panel.plot().sector());
 }
 
+TEST_F(BandsPanelTest, barsOfAllSectorsStoodBelowTheLargestNearer) {
+    const QColor ground = PlotColours(panel.plot().palette()).ground;
+    const double horizon = shown.decision().bands->at(17, 7).horizon;
+    panel.sector().setValue(8);
+    EXPECT_NE(colourAt(175, horizon), ground);
+    EXPECT_TRUE(panel.plot().accessibleDescription().contains(QStringLiteral("largest nearer")));
+    panel.sector().setValue(0);
+    EXPECT_EQ(colourAt(175, horizon), ground) << "drawn bands are compared with another sector's";
+    EXPECT_FALSE(panel.plot().accessibleDescription().contains(QStringLiteral("largest nearer")));
+    EXPECT_TRUE(panel.plot().accessibleDescription().contains(QStringLiteral("Each sector is compared by itself")));
+    EXPECT_TRUE(plotSvg(panel.plot(), {960, 420}).contains("drawn in some sectors</text>"));
+}
+
+TEST_F(BandsPanelTest, untilOneIsChosenTheSectorThatIsDrawnFarthest) {
+    EXPECT_EQ(panel.sector().value(), 1) << "all are cut at the same band";
+    change([](SphericalDecision& decision) {
+        decision.bands->table[14 * 8 + 5].drawn = true;
+        for (uint32_t band = 0; band < 18; ++band) decision.bands->table[band * 8 + 3].drawn = true;
+    });
+    EXPECT_EQ(panel.sector().value(), 6) << "the fourth is not cut";
+    EXPECT_EQ(panel.plot().sector(), 5U);
+    panel.sector().setValue(2);
+    change([](SphericalDecision& decision) { decision.bands->table[15 * 8 + 4].drawn = true; });
+    EXPECT_EQ(panel.sector().value(), 2) << "it was chosen";
+}
+
 TEST_F(BandsPanelTest, drawnAndHiddenBandsDiffer) {
+    panel.sector().setValue(0);
     const QPalette palette = panel.plot().palette();
     EXPECT_EQ(colourAt(45, 0.2), verdictColour(TriangleState::Visible, palette));
     EXPECT_EQ(colourAt(145, 0.2), verdictColour(TriangleState::Hidden, palette));
@@ -73,6 +101,7 @@ TEST_F(BandsPanelTest, drawnAndHiddenBandsDiffer) {
 }
 
 TEST_F(BandsPanelTest, theCutIsWhereTheLastDrawnBandEnds) {
+    panel.sector().setValue(0);
     ASSERT_TRUE(panel.plot().cut());
     EXPECT_NEAR(*panel.plot().cut(), 110.0 * kDegree, 1e-12);
     change([](SphericalDecision& decision) { decision.bands->table[14 * 8 + 5].drawn = true; });
@@ -86,6 +115,7 @@ TEST_F(BandsPanelTest, theCutIsWhereTheLastDrawnBandEnds) {
 }
 
 TEST_F(BandsPanelTest, sectorsInWhichNothingLiesAreNeither) {
+    panel.sector().setValue(0);
     change([](SphericalDecision& decision) {
         for (uint32_t sector = 0; sector < 8; ++sector) decision.bands->table[17 * 8 + sector].size = 0.0;
         decision.bands->table[16 * 8].size = std::numeric_limits<double>::infinity();
@@ -121,6 +151,8 @@ TEST_F(BandsPanelTest, withoutBandsASentenceSaysWhy) {
     EXPECT_TRUE(panel.plot().accessibleDescription().contains(QStringLiteral("cut by the frustum")));
     EXPECT_FALSE(panel.sector().isVisible());
     panel.showMap({});
+    EXPECT_EQ(panel.plot().accessibleDescription(), QStringLiteral("The strategy is being prepared…"));
+    panel.plot().setAbsence(MapAbsence::NoMaps);
     EXPECT_TRUE(panel.plot().accessibleDescription().startsWith(QStringLiteral("This strategy has no bands.")));
     change([](SphericalDecision& decision) { decision = withinDecision({0, 0, 5}); });
     EXPECT_FALSE(panel.plot().empty());
@@ -138,8 +170,8 @@ TEST_F(BandsPanelTest, aChosenSectorOutlivesAnObjectWithoutBands) {
         decision.bands->bands = 36;
         decision.bands->width /= 2;
     });
-    EXPECT_EQ(panel.sector().value(), 0) << "there is no eighth sector any more";
-    EXPECT_FALSE(panel.plot().sector());
+    EXPECT_EQ(panel.sector().value(), 1) << "there is no eighth sector any more";
+    EXPECT_EQ(panel.plot().sector(), 0U);
 }
 
 TEST(BandsPanelLive, readsWhatTheStrategyTested) {

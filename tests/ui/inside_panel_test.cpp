@@ -264,6 +264,25 @@ TEST_F(InsidePanelTest, noLossIsNoProof) {
     EXPECT_TRUE(panel.losses().summary().contains(QStringLiteral("3 in ")));
 }
 
+TEST_F(InsidePanelTest, theSectorOfTheBandsWasShownNowhereElse) {
+    session.slot(1).choose("spherical");
+    openAndWait(session, QStringLiteral("star:seed=3,triangles=2000"));
+    Camera camera = session.camera();
+    camera.eye = camera.target + 2.0 * (camera.eye - camera.target);
+    session.setCamera(camera);
+    settle();
+    ASSERT_FALSE(panel.bands().plot().empty());
+    const auto marked = [&] { return panel.map().map().contents().sector; };
+    EXPECT_FALSE(marked()) << "without the chart it means nothing";
+    panel.tabs().setCurrentWidget(&panel.bands());
+    ASSERT_TRUE(marked());
+    EXPECT_EQ(marked(), panel.bands().plot().sector());
+    panel.bands().sector().setValue(2);
+    EXPECT_EQ(marked(), 1U);
+    panel.bands().sector().setValue(0);
+    EXPECT_FALSE(marked());
+}
+
 TEST(LossModel, objectsWithNamesPixelsAndShares) {
     LossModel model;
     const QAbstractItemModelTester tester(&model, kFatal);

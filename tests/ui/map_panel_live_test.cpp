@@ -78,6 +78,27 @@ TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
     EXPECT_NE(shown().inside, before);
 }
 
+TEST_F(LiveMapPanelTest, aStrategyThatWasStillBuiltHadNoIndexMap) {
+    session.slot(1).choose("all");
+    settle();
+    session.slot(1).choose("spherical");
+    QCoreApplication::sendPostedEvents();
+    EXPECT_EQ(panel.sentence(), QStringLiteral("The strategy is being prepared…"));
+    bool denied = false;
+    EXPECT_TRUE(waitUntil([&] {
+        denied = denied || panel.sentence() == QStringLiteral("This strategy has no index map.");
+        return panel.map().isVisible();
+    }));
+    EXPECT_FALSE(denied);
+}
+
+TEST(LiveMapPanel, withoutASceneThereIsNothingToPrepare) {
+    Session session{sessionOptions(false)};
+    InsideReader reader{session};
+    const MapPanel panel{session, reader};
+    EXPECT_TRUE(panel.sentence().startsWith(QStringLiteral("Open a scene"))) << panel.sentence().toStdString();
+}
+
 TEST_F(LiveMapPanelTest, strategiesWithoutAMapAndOtherScenes) {
     session.slot(1).choose("all");
     settle();

@@ -195,6 +195,38 @@ TEST_F(MapPanelTest, cornersSayWhetherTheyWereHit) {
     EXPECT_TRUE(panel.map().wordsAt({1, 1}).isEmpty());
 }
 
+TEST_F(MapPanelTest, aChosenSectorIsMarked) {
+    const QImage before = picture();
+    panel.setSector(2);
+    EXPECT_EQ(panel.map().contents().sector, 2U);
+    EXPECT_NE(picture(), before);
+    EXPECT_TRUE(plotSvg(panel.map(), {960, 560}).contains("sector 3</text>"));
+    panel.setSector(8);
+    EXPECT_FALSE(panel.map().contents().sector) << "there are eight";
+    EXPECT_EQ(picture(), before);
+    panel.setSector(2);
+    change([](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
+    EXPECT_FALSE(panel.map().contents().sector);
+}
+
+TEST_F(MapPanelTest, legendLackedTheRightAngleAndTheColourOfTheVeil) {
+    const QByteArray svg = plotSvg(panel.map(), {960, 560});
+    EXPECT_TRUE(svg.contains("α = 90°</text>"));
+    EXPECT_EQ(contourWords(contourStep(*shown.decision().bands)), QStringLiteral("contours of α every 20°")) << "bands of 10°";
+    const QPalette palette = Appearance::palette(false);
+    MapPainter painter;
+    painter.setContents(panel.map().contents());
+    EXPECT_TRUE(svg.contains(painter.veiledColour(palette).name().toUtf8()));
+    const MapColours colours(palette);
+    QImage image(1, 1, QImage::Format_RGB32);
+    image.fill(QColor(200, 40, 90));
+    QPainter(&image).fillRect(image.rect(), colours.veil);
+    const QColor painted = image.pixelColor(0, 0), said = colours.veiled(QColor(200, 40, 90));
+    EXPECT_NEAR(said.red(), painted.red(), 1);
+    EXPECT_NEAR(said.green(), painted.green(), 1);
+    EXPECT_NEAR(said.blue(), painted.blue(), 1);
+}
+
 TEST_F(MapPanelTest, arrowKeysGoOverTheSeamAndStopAtThePoles) {
     MapWidget& map = panel.map();
     QTest::mouseClick(&map, Qt::LeftButton, {}, pixelOf(shown.grid().number({0, 0})));
@@ -268,12 +300,14 @@ TEST_F(MapPanelTest, wordsFollowTheLanguage) {
     // Of one size: longer words need a higher panel.
     const auto look = [&] { return plotImage(panel.map(), {480, 320}); };
     const QImage before = look();
+    const int width = panel.colouring().width();
     Marking marking;
     QCoreApplication::installTranslator(&marking);
     QApplication::processEvents();
     EXPECT_TRUE(panel.map().accessibleDescription().contains(QStringLiteral("«Case 3")));
     EXPECT_TRUE(panel.colouring().itemText(0).startsWith(QStringLiteral("«")));
     EXPECT_TRUE(panel.map().accessibleName().startsWith(QStringLiteral("«")));
+    EXPECT_TRUE(QTest::qWaitFor([&] { return panel.colouring().width() > width; }, 3000)) << "longer words are cut";
     EXPECT_NE(look(), before);
     QCoreApplication::removeTranslator(&marking);
     QApplication::processEvents();

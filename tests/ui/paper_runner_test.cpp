@@ -100,6 +100,23 @@ TEST_F(Papers, windowShowsSomethingElseThanWhatIsMeasured) {
     EXPECT_GT(eyes.size(), 6u) << "the camera stands still";
 }
 
+TEST_F(Papers, buildingCountsAsMeasuring) {
+    PaperExperiment experiment = smallTable("fibonacci:3");
+    experiment.settings.resize(1);
+    experiment.settings[0].scene = "sphere:triangles=300000";
+    experiment.settings[0].strategies = {"all", "backface", "spherical"};
+    double last = 0.0;
+    QObject::connect(&runner, &PaperRunner::progressed, [&](double share, const QString& stage) {
+        EXPECT_GE(share, last) << stage.toStdString();
+        EXPECT_TRUE(stage == QStringLiteral("measuring") || share < 0.05 + 1e-9) << stage.toStdString() << ": " << share;
+        last = share;
+    });
+    runner.start(experiment, 1);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_EQ(runner.share(), last);
+    EXPECT_EQ(runner.table().rows.size(), 3u);
+}
+
 TEST_F(Papers, cancelBetweenSettingsLosesRows) {
     const PaperExperiment experiment = smallTable("fibonacci:3");
     QObject::connect(&runner, &PaperRunner::tableChanged, [this] {

@@ -4,6 +4,8 @@
 
 #include <QAbstractItemModelTester>
 #include <QFile>
+#include <QHeaderView>
+#include <QScreen>
 #include <QTemporaryDir>
 
 #include "tests/ui/test_scene.h"
@@ -18,8 +20,16 @@ struct Reproduce : ::testing::Test {
         window.resize(1000, 700);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
+        const QRect screen = window.screen()->availableGeometry();
+        // Hanging off the screen, as a window may.
+        window.move(screen.left() + 10, screen.bottom() - 600);
         openAndWait(session, QStringLiteral("torus:triangles=2000"));
         QObject::connect(&window.papers().runner(), &PaperRunner::ended, [this] { ++endings; });
+    }
+
+    void expectDialogIsOnTheScreen() {
+        const QRect screen = dialog().screen()->availableGeometry(), frame = dialog().frameGeometry();
+        EXPECT_TRUE(screen.contains(frame)) << frame.top() << " to " << frame.bottom() << " of " << screen.bottom();
     }
 
     ReproduceDialog& dialog() {
@@ -45,6 +55,15 @@ TEST_F(Reproduce, everyTableCanBeChosenAndStatesItsColumns) {
     }
 }
 
+TEST_F(Reproduce, headerIsElided) {
+    for (int table = 0; table < dialog().choice().count(); ++table) {
+        dialog().choice().setCurrentIndex(table);
+        const QHeaderView& header = *dialog().table().horizontalHeader();
+        for (int column = 0; column < header.count(); ++column)
+            EXPECT_GE(header.sectionSize(column), header.sectionSizeHint(column)) << "table " << table + 1 << ": " << column;
+    }
+}
+
 TEST_F(Reproduce, table1ComesWithThePapersNumbersAndCanBeExported) {
     const SessionState before = captureState(session);
     const OpenedScenePointer opened = session.opened();
@@ -53,8 +72,10 @@ TEST_F(Reproduce, table1ComesWithThePapersNumbersAndCanBeExported) {
     EXPECT_FALSE(dialog().startButton().isEnabled());
     EXPECT_TRUE(dialog().cancelButton().isEnabled());
     EXPECT_FALSE(dialog().choice().isEnabled());
+    expectDialogIsOnTheScreen();
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
     EXPECT_TRUE(dialog().startButton().isEnabled());
+    expectDialogIsOnTheScreen();
     EXPECT_EQ(dialog().progressBar().value(), dialog().progressBar().maximum());
     ASSERT_EQ(dialog().model().rowCount(), 5);
     EXPECT_EQ(dialog().model().index(1, 1).data().toString(), QStringLiteral("4.30"));
@@ -72,6 +93,22 @@ TEST_F(Reproduce, table1ComesWithThePapersNumbersAndCanBeExported) {
     EXPECT_EQ(file.readAll().toStdString(), paperTableCsv(dialog().model().table()));
 }
 
+TEST_F(Reproduce, tableIsLostWithItsDialog) {
+    dialog().choice().setCurrentIndex(0);
+    QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    const std::string measured = paperTableCsv(dialog().model().table());
+    dialog().choice().setCurrentIndex(1);
+    EXPECT_EQ(dialog().model().rowCount(), 0);
+    EXPECT_FALSE(dialog().exportButton().isEnabled());
+    dialog().reject();
+    ASSERT_TRUE(waitUntil([this] { return window.findChild<ReproduceDialog*>() == nullptr; }));
+    EXPECT_EQ(dialog().choice().currentIndex(), 0);
+    EXPECT_EQ(paperTableCsv(dialog().model().table()), measured);
+    EXPECT_TRUE(dialog().exportButton().isEnabled());
+    EXPECT_EQ(dialog().progressBar().value(), dialog().progressBar().maximum());
+}
+
 TEST_F(Reproduce, cancelGivesTheSessionBackAndKeepsTheWindowOpen) {
     const SessionState before = captureState(session);
     dialog().choice().setCurrentIndex(1);
@@ -80,6 +117,9 @@ TEST_F(Reproduce, cancelGivesTheSessionBackAndKeepsTheWindowOpen) {
     QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
     // The bunny is there and the first views are measured.
     ASSERT_TRUE(waitUntil([&] { return session.viewCount() == 1 && dialog().progressBar().value() > 30; }));
+    expectDialogIsOnTheScreen();
+    EXPECT_LE(dialog().frameGeometry().height(), window.screen()->availableGeometry().height() / 3) << "it hides the views";
+    EXPECT_TRUE(dialog().heading().contains(QStringLiteral("all, backface"))) << dialog().heading().toStdString();
     QTest::mouseClick(&dialog().cancelButton(), Qt::LeftButton);
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
     EXPECT_GT(shown, 1);
@@ -87,6 +127,8 @@ TEST_F(Reproduce, cancelGivesTheSessionBackAndKeepsTheWindowOpen) {
     EXPECT_EQ(captureState(session), before);
     EXPECT_TRUE(dialog().isVisible());
     EXPECT_TRUE(dialog().startButton().isEnabled());
+    expectDialogIsOnTheScreen();
+    EXPECT_LT(dialog().progressBar().value(), dialog().progressBar().maximum() / 2) << "the bar looks complete";
 }
 
 TEST_F(Reproduce, closingTheDialogStopsTheExperiment) {

@@ -1,10 +1,14 @@
 // Contour bands and the model in spherical coordinates in a window: their commands, and what a picture of directions is not.
 #include <gtest/gtest.h>
 
+#include <QPainter>
+
+#include "core/measure/spherical_model.h"
 #include "tests/ui/test_scene.h"
 #include "ui/session/screenshot_plan.h"
 #include "ui/startup/appearance.h"
 #include "ui/text/language.h"
+#include "ui/views/picture_painter.h"
 #include "ui/window/main_window.h"
 #include "ui/window/view_menu.h"
 
@@ -84,6 +88,98 @@ TEST_F(SphericalLook, modelLiesUnderWhatACameraSees) {
     EXPECT_EQ(wipe.mode, Wipe::Mode::Truth) << "what was chosen before stays chosen";
 }
 
+TEST_F(SphericalLook, chipCountsLossesInDirections) {
+    const auto chipSays = [&](const QString& words) { return window.views().pane(0).chipText().contains(words); };
+    const QString counts = QStringLiteral("missed pixels");
+    (void)pictureAfter(window.actions().loss);
+    EXPECT_TRUE(chipSays(counts));
+    (void)pictureAfter(window.actions().sphericalModel);
+    EXPECT_FALSE(chipSays(counts));
+    EXPECT_TRUE(session.picture(0)->marks.isNull());
+    (void)pictureAfter(window.actions().sphericalModel);
+    EXPECT_TRUE(chipSays(counts)) << "what was chosen before stays chosen";
+}
+
+TEST_F(SphericalLook, commandWithoutEffectCanBeChosen) {
+    const WindowActions& actions = window.actions();
+    const std::array camerasOnly{actions.verdicts, actions.frustum, actions.boxes, actions.bands,
+                                 actions.axes,     actions.truth,   actions.loss};
+    const QString tip = actions.bands->toolTip();
+    (void)pictureAfter(actions.sphericalModel);
+    for (const QAction* action : camerasOnly) {
+        EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
+        EXPECT_EQ(action->toolTip(), WindowActions::modelStandsInPlace()) << action->text().toStdString();
+    }
+    EXPECT_FALSE(actions.nextLoss->isEnabled());
+    EXPECT_TRUE(actions.sphericalModel->isEnabled() && actions.freeze->isEnabled() && actions.loupe->isEnabled());
+    session.setActiveView(1);
+    EXPECT_TRUE(actions.bands->isEnabled()) << "of the active view only";
+    session.setActiveView(0);
+    (void)pictureAfter(actions.sphericalModel);
+    for (const QAction* action : camerasOnly) EXPECT_TRUE(action->isEnabled()) << action->text().toStdString();
+    EXPECT_EQ(actions.bands->toolTip(), tip);
+}
+
+TEST_F(SphericalLook, viewsMenuOffersWhatHasNoEffect) {
+    for (const bool model : {false, true}) {
+        if (model) (void)pictureAfter(window.actions().sphericalModel);
+        QMenu menu;
+        ViewMenu filler(session, window.views().pane(0), menu);
+        filler.addLook();
+        filler.addComparisons();
+        int enabled = 0, greyed = 0;
+        for (const QMenu* part : menu.findChildren<QMenu*>())
+            for (const QAction* action : part->actions()) {
+                if (action->isSeparator()) continue;
+                ++(action->isEnabled() ? enabled : greyed);
+                if (model && !action->isEnabled()) {
+                    EXPECT_EQ(action->toolTip(), WindowActions::modelStandsInPlace());
+                }
+            }
+        EXPECT_EQ(model ? enabled : greyed, 1) << "the model's own entry; without it, what needs verdicts";
+        EXPECT_GT(model ? greyed : enabled, 5);
+    }
+}
+
+TEST_F(SphericalLook, scalesAreMissing) {
+    const auto inkOf = [&](const PictureExtras& extras) {
+        const ViewPicturePointer shown = session.picture(0);
+        QImage painted = shown->colour.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+        QPainter painter(&painted);
+        paintPicture(painter, painted.rect(), *shown, extras);
+        painter.end();
+        const QImage bare = shown->colour.convertToFormat(QImage::Format_ARGB32_Premultiplied);
+        const MapArea area = sphericalModelArea(shown->request.size, shown->request.style);
+        // Left of the map, below it at the ticks, farther below, and above it.
+        std::array<int, 4> ink{};
+        for (int y = 0; y < painted.height(); ++y)
+            for (int x = 0; x < painted.width(); ++x) {
+                if (painted.pixel(x, y) == bare.pixel(x, y)) continue;
+                const int up = painted.height() - y;
+                if (x < area.left - 5 && up > area.bottom) ++ink[0];
+                if (up <= area.bottom - 5) ++ink[up > area.bottom - 20 ? 1 : 2];
+                if (up > area.bottom + area.height + 2) ++ink[3];
+            }
+        return ink;
+    };
+    (void)pictureAfter(window.actions().sphericalModel);
+    const PictureExtras extras = picture().extras();
+    const std::array part = inkOf(extras);
+    EXPECT_GT(part[0], 30) << "θ";
+    EXPECT_GT(part[1], 60) << "φ";
+    EXPECT_GT(part[2], 200) << "the hint";
+    EXPECT_GT(part[3], 200) << "the colours of R";
+    EXPECT_EQ(inkOf(PictureExtras{}), (std::array{0, 0, 0, 0})) << "without what lies over it";
+    EXPECT_TRUE(session.picture(0)->partOfModel);
+    session.slot(0).choose("all");
+    settle();
+    EXPECT_FALSE(session.picture(0)->partOfModel);
+    const std::array whole = inkOf(extras);
+    EXPECT_EQ(whole[0], part[0]);
+    EXPECT_EQ(whole[3], part[3]);
+    EXPECT_LT(whole[2], part[2] - 200) << "nothing is left out: no hint";
+}
+
 TEST_F(SphericalLook, clickPicksWhatACameraSeesThere) {
     (void)pictureAfter(window.actions().sphericalModel);
     const Viewport size = session.viewRequest(0)->size;
@@ -113,6 +209,9 @@ TEST_F(SphericalLook, screenshotWithoutOverlaysHasBands) {
     options.overlays = true;
     (void)pictureAfter(window.actions().sphericalModel);
     EXPECT_FALSE(planScreenshot(session, options, extras, true).parts.front().wanted.items) << "directions have no depth";
+    const auto shown = [this](int) { return picture().extras(); };
+    const ScreenshotPlan plan = planScreenshot(session, options, shown, false);
+    EXPECT_TRUE(plan.parts.front().extras.modelScales);
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
+#include <QScreen>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/text/translated.h"
 
@@ -11,10 +13,11 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kWidth = 1160;
+constexpr int kWidth = 960;
 constexpr int kHeight = 460;
-constexpr int kLowHeight = 240;
 constexpr int kProgressSteps = 1000;
+
+int stepsOf(double share) { return int(share * kProgressSteps); }
 
 }  // namespace
 
@@ -41,6 +44,9 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
     m_table->setAccessibleName(tr("The paper's numbers beside ours"));
     m_table->setAlternatingRowColors(true);
     m_table->verticalHeader()->hide();
+    for (QHeaderView* header : {m_table->horizontalHeader(), m_table->verticalHeader()})
+        header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_progress->setRange(0, kProgressSteps);
     m_progress->setAccessibleName(tr("Progress"));
     for (const File file : {File::Csv, File::Json})
@@ -49,9 +55,19 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
     m_export->setMenu(m_files);
     for (QPushButton* button : {m_cancel, m_export, m_close}) button->setAutoDefault(false);
     makeRows();
+    chooseNewest();
     wire(session);
     showChosen();
-    resize(kWidth, kHeight);
+    resize(QSize(kWidth, kHeight).boundedTo(screen()->availableGeometry().size()));
+}
+
+/// What was measured is not lost with the dialog that it was measured in.
+void ReproduceDialog::chooseNewest() {
+    const std::vector<PaperExperiment>& all = paperExperiments();
+    const auto newest = std::find_if(all.begin(), all.end(), [this](const PaperExperiment& experiment) {
+        return experiment.id == m_runner.table().experiment;
+    });
+    if (newest != all.end()) m_choice->setCurrentIndex(int(newest - all.begin()));
 }
 
 void ReproduceDialog::makeRows() {
@@ -84,8 +100,8 @@ void ReproduceDialog::wire(Session& session) {
     connect(&m_runner, &PaperRunner::progressed, this, &ReproduceDialog::showProgress);
     connect(&m_runner, &PaperRunner::tableChanged, this, &ReproduceDialog::showTable);
     connect(&m_runner, &PaperRunner::ended, this, [this] {
-        makeWay();
         showTable();
+        makeWay();
     });
     connect(m_exporter, &ResultExporter::written, this, [&session](const QString& path) {
         session.raise(Severity::Information, {QT_TRANSLATE_NOOP("core", "Saved %1."), {path.toStdString()}});
@@ -98,38 +114,48 @@ const PaperExperiment& ReproduceDialog::chosen() const { return paperExperiments
 
 void ReproduceDialog::start() {
     m_runner.start(chosen());
-    makeWay();
     showState();
+    makeWay();
 }
 
-/// The views are to be seen while they are measured: meanwhile the dialog is low, at the lower edge of its window.
+/// The views are to be seen while they are measured: meanwhile the dialog is low, in the lower third of its window. Its whole
+/// frame stays on the screen.
 void ReproduceDialog::makeWay() {
     m_notes->setVisible(!m_runner.running());
-    resize(width(), m_runner.running() ? kLowHeight : kHeight);
-    if (const QWidget* window = parentWidget()) {
-        const QRect place = window->geometry();
-        move(place.x() + (place.width() - width()) / 2, place.bottom() - height());
-    }
+    // What it takes at least without the notes.
+    layout()->activate();
+    const QRect screenPlace = screen()->availableGeometry();
+    const QRect seen = parentWidget() ? parentWidget()->window()->frameGeometry().intersected(screenPlace) : QRect();
+    const QRect place = seen.isEmpty() ? screenPlace : seen;
+    const QSize frame = frameGeometry().size() - size();
+    const int most = m_runner.running() ? place.height() / 3 : std::min(kHeight + frame.height(), screenPlace.height());
+    // Afterwards every column is to be seen: the losses are in the last ones.
+    const int beside = width() - m_table->viewport()->width();
+    const int wide = m_runner.running() ? kWidth : std::max(kWidth, m_table->horizontalHeader()->length() + beside);
+    resize(std::min(wide, screenPlace.width() - frame.width()), most - frame.height());
+    const QSize taken = size() + frame;
+    const int left = place.x() + (place.width() - taken.width()) / 2, top = place.bottom() + 1 - taken.height();
+    move(std::clamp(left, screenPlace.left(), std::max(screenPlace.left(), screenPlace.right() + 1 - taken.width())),
+         std::clamp(top, screenPlace.top(), std::max(screenPlace.top(), screenPlace.bottom() + 1 - taken.height())));
 }
 
 void ReproduceDialog::showChosen() {
-    m_model->setTable(emptyTable(chosen()));
-    m_source->setText(QString::fromStdString(chosen().source));
+    const PaperTable& newest = m_runner.table();
+    m_model->setTable(newest.experiment == chosen().id ? newest : emptyTable(chosen()));
     QStringList notes;
     for (const Message& note : chosen().notes) notes << QStringLiteral("• ") + translated(note);
     m_notes->setText(notes.join(QLatin1Char('\n')));
-    m_progress->reset();
     showState();
 }
 
 void ReproduceDialog::showTable() {
     m_model->setTable(m_runner.table());
-    m_table->resizeColumnsToContents();
+    if (m_runner.running()) m_table->scrollToBottom();
     showState();
 }
 
 void ReproduceDialog::showProgress(double share, const QString& stage) {
-    m_progress->setValue(int(share * kProgressSteps));
+    m_progress->setValue(stepsOf(share));
     m_progress->setFormat(stage.isEmpty() ? QStringLiteral("%p %")
                                           : QStringLiteral("%1 · %p %").arg(translated(stage.toStdString())));
 }
@@ -140,9 +166,26 @@ void ReproduceDialog::showState() {
     m_start->setEnabled(!running);
     m_cancel->setEnabled(running);
     m_export->setEnabled(!running && !m_model->table().rows.empty());
-    if (running || m_model->table().rows.empty()) return;
-    m_progress->setValue(kProgressSteps);
-    m_progress->setFormat(m_model->table().interrupted ? tr("stopped early: what was measured until then") : tr("done"));
+    showHeading();
+    if (running) return;
+    if (m_model->table().rows.empty()) return m_progress->reset();
+    const bool stopped = m_model->table().interrupted;
+    m_progress->setValue(stopped ? std::min(stepsOf(m_runner.share()), kProgressSteps - 1) : kProgressSteps);
+    m_progress->setFormat(stopped ? tr("stopped early: what was measured until then") : tr("done"));
+}
+
+void ReproduceDialog::showHeading() {
+    QString heading = QString::fromStdString(chosen().source);
+    const PaperSetting& setting = chosen().settings.front();
+    if (m_runner.running() && setting.timed()) {
+        QStringList others;
+        for (const std::string& strategy : setting.strategies)
+            if (strategy != setting.shown) others << QString::fromStdString(strategy);
+        heading += QStringLiteral(" · ") +
+                   tr("The views show %1 at the view being measured; beside it, off the window, are measured: %2.")
+                       .arg(QString::fromStdString(setting.shown), others.join(QStringLiteral(", ")));
+    }
+    m_source->setText(heading);
 }
 
 void ReproduceDialog::askWhereTo(File file) {

@@ -15,7 +15,8 @@
 
 namespace cullscope::ui {
 
-/// Chooses one of the papers' tables, has it measured while the window shows it, and puts the paper's numbers beside ours.
+/// Chooses one of the papers' tables, has it measured while the window shows it, and puts the paper's numbers beside ours. The
+/// runner keeps the newest table: a later dialog shows it again.
 class ReproduceDialog : public QDialog {
     Q_OBJECT
 
@@ -27,6 +28,10 @@ public:
     [[nodiscard]] QComboBox& choice() { return *m_choice; }
     [[nodiscard]] QPushButton& startButton() { return *m_start; }
     [[nodiscard]] QPushButton& cancelButton() { return *m_cancel; }
+    [[nodiscard]] QPushButton& exportButton() { return *m_export; }
+    [[nodiscard]] QTableView& table() { return *m_table; }
+    /// Whose numbers these are; while it runs, what the views show meanwhile.
+    [[nodiscard]] QString heading() const { return m_source->text(); }
     [[nodiscard]] QProgressBar& progressBar() { return *m_progress; }
     [[nodiscard]] const PaperTableModel& model() const { return *m_model; }
     /// Writes the table on show beside the window; says through the session what came of it.
@@ -37,6 +42,7 @@ public:
 
 private:
     [[nodiscard]] const PaperExperiment& chosen() const;
+    void chooseNewest();
     void makeRows();
     void wire(Session& session);
     void start();
@@ -45,6 +51,7 @@ private:
     void showTable();
     void showProgress(double share, const QString& stage);
     void showState();
+    void showHeading();
     void askWhereTo(File file);
 
     PaperRunner& m_runner;

@@ -40,29 +40,42 @@ BandsPanel::BandsPanel(Session& session, InsideReader& reader, QWidget* parent)
     layout->addWidget(m_choices);
     layout->addWidget(m_plot, 1);
     connect(m_sector, &QSpinBox::valueChanged, this, &BandsPanel::chooseSector);
-    connect(&reader, &InsideReader::changed, this, &BandsPanel::refresh);
-    for (const auto signal : {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged})
-        connect(&session, signal, this, &BandsPanel::refresh);
+    followShownMap(session, reader, this, [this] { refresh(); });
+    followMapAbsence(session, this, [this] { m_plot->setAbsence(mapAbsence(m_session, m_reader)); });
     retranslate();
     refresh();
 }
 
-void BandsPanel::refresh() { showMap(shownMap(m_session, m_reader)); }
+void BandsPanel::refresh() {
+    m_plot->setAbsence(mapAbsence(m_session, m_reader));
+    showMap(shownMap(m_session, m_reader));
+}
 
 void BandsPanel::showMap(const ShownMap& shown) {
     m_plot->setShown(shown);
     const uint32_t sectors = m_plot->empty() ? 0 : shown.decision().bands->sectors;
     m_sectorWidth = sectors > 0 ? 2.0 * std::numbers::pi / sectors : 0.0;
     // The choice outlives an object without bands.
-    if (sectors > 0) m_sector->setRange(0, int(sectors));
+    if (sectors > 0) {
+        const QSignalBlocker quiet(m_sector);
+        m_chosen = m_chosen && uint32_t(m_sector->value()) <= sectors;
+        m_sector->setRange(0, int(sectors));
+        if (!m_chosen) m_sector->setValue(int(farthestCutSector(*shown.decision().bands)) + 1);
+    }
     m_choices->setVisible(sectors > 0);
-    showAngles();
+    takeSector();
 }
 
 void BandsPanel::chooseSector() {
+    m_chosen = true;
+    takeSector();
+}
+
+void BandsPanel::takeSector() {
     const int value = m_sector->value();
     m_plot->setSector(value > 0 ? std::optional(uint32_t(value - 1)) : std::nullopt);
     showAngles();
+    emit sectorChanged();
 }
 
 void BandsPanel::showAngles() {
@@ -75,7 +88,9 @@ void BandsPanel::showAngles() {
 void BandsPanel::retranslate() {
     m_sectorLabel->setText(tr("Se&ctor:"));
     m_sector->setSpecialValueText(tr("all"));
-    m_sector->setToolTip(tr("Sectors divide the bands by the angle β about the axis to the eye."));
+    m_sector->setToolTip(
+        tr("Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose "
+           "one, it is the one that is drawn farthest."));
     showAngles();
 }
 

@@ -16,10 +16,14 @@ public:
     BandsPanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] BandsPlot& plot() { return *m_plot; }
-    /// 0: all sectors.
+    /// 0: all sectors. Until one is chosen, the one whose cut is farthest.
     [[nodiscard]] QSpinBox& sector() { return *m_sector; }
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
     void showMap(const ShownMap& shown);
+
+signals:
+    /// The plot's sector, or what it is a sector of.
+    void sectorChanged();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -27,6 +31,7 @@ protected:
 private:
     void refresh();
     void chooseSector();
+    void takeSector();
     void retranslate();
     /// Which angles about the axis the chosen sector has.
     void showAngles();
@@ -40,6 +45,7 @@ private:
     BandsPlot* m_plot;
     PictureMenu* m_pictures;
     double m_sectorWidth = 0.0;  ///< radians; 0: there are no bands
+    bool m_chosen = false;       ///< the sector, by the user
 };
 
 }  // namespace cullscope::ui

@@ -23,7 +23,30 @@ constexpr double kHalf = std::numbers::pi;
 
 double finite(double size) { return std::isfinite(size) ? size : 0.0; }
 
+/// The number of the band from which on a sector is only hidden; 0: it is not cut.
+uint32_t cutOf(const ContourBands& bands, uint32_t sector) {
+    uint32_t cut = 0;
+    bool hiddenBeyond = false;
+    for (uint32_t band = 0; band < bands.bands; ++band) {
+        const BandSector& entry = bands.at(band, sector);
+        if (finite(entry.size) <= 0.0) continue;
+        if (entry.drawn) cut = band + 1;
+        hiddenBeyond = !entry.drawn;
+    }
+    return hiddenBeyond ? cut : 0;
+}
+
 }  // namespace
+
+uint32_t farthestCutSector(const ContourBands& bands) {
+    uint32_t farthest = 0, most = 0;
+    for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+        const uint32_t cut = cutOf(bands, sector);
+        if (cut > most) farthest = sector;
+        most = std::max(most, cut);
+    }
+    return farthest;
+}
 
 BandsPlot::BandsPlot(QWidget* parent) : PlotWidget(parent) {
     setMouseTracking(true);
@@ -33,6 +56,11 @@ BandsPlot::BandsPlot(QWidget* parent) : PlotWidget(parent) {
 void BandsPlot::setShown(const ShownMap& shown) {
     m_shown = shown;
     if (m_sector && !empty() && *m_sector >= contourBands().sectors) m_sector.reset();
+    contentsChanged();
+}
+
+void BandsPlot::setAbsence(MapAbsence absence) {
+    m_absence = absence;
     contentsChanged();
 }
 
@@ -72,7 +100,7 @@ std::optional<double> BandsPlot::cut() const {
 
 double BandsPlot::largest() const {
     double most = 0.0;
-    for (const Band& band : bands()) most = std::max({most, band.drawn, band.hidden, band.horizon});
+    for (const Band& band : bands()) most = std::max({most, band.drawn, band.hidden, m_sector ? band.horizon : 0.0});
     return most;
 }
 
@@ -84,10 +112,13 @@ QString BandsPlot::caption() const {
     const QString name = sizeName();
     if (m_sector)
         return tr("Upwards: %1; to the right: angle α from the axis to the eye; sector %2").arg(name).arg(*m_sector + 1);
-    return tr("Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye").arg(name);
+    return tr("Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared "
+              "by itself; a band of two colours is drawn in some sectors and hidden in others.")
+        .arg(name);
 }
 
 QString BandsPlot::emptySentence() const {
+    if (const QString words = absenceWords(m_absence); m_shown.empty() && !words.isEmpty()) return words;
     if (m_shown.empty())
         return tr("This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.");
     return tr("%1 is %2: its bands are not tested. Bring all of it into the picture to see them.",
@@ -100,7 +131,7 @@ QString BandsPlot::bandWords(const Band& band) const {
     if (band.anyDrawn) lines << tr("drawn: %1 %2", "a number, what it is of").arg(sizeName(), lengthText(band.drawn));
     if (band.anyHidden) lines << tr("hidden: %1 %2", "a number, what it is of").arg(sizeName(), lengthText(band.hidden));
     if (!band.anyDrawn && !band.anyHidden) lines << tr("Nothing lies here.");
-    lines << tr("largest nearer: %1").arg(lengthText(band.horizon));
+    if (m_sector) lines << tr("largest nearer: %1").arg(lengthText(band.horizon));
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -117,11 +148,13 @@ QPointF BandsPlot::Frame::placeOf(double alpha, double size) const {
 }
 
 PlotLegend BandsPlot::legend(const PlotColours& colours, const QFontMetricsF& metrics, const QPalette& palette) const {
-    return {{{tr("drawn"), verdictColour(TriangleState::Visible, palette), Qt::SolidLine, {}},
-             {tr("hidden"), verdictColour(TriangleState::Hidden, palette), Qt::SolidLine, {}},
-             {tr("largest nearer"), colours.text, Qt::SolidLine, {}},
-             {tr("beyond it nothing is drawn"), colours.loss, Qt::DashLine, {}}},
-            metrics};
+    const bool all = !m_sector;
+    std::vector<PlotLegend::Entry> entries{
+        {all ? tr("drawn in some sectors") : tr("drawn"), verdictColour(TriangleState::Visible, palette), Qt::SolidLine, {}},
+        {all ? tr("hidden in some sectors") : tr("hidden"), verdictColour(TriangleState::Hidden, palette), Qt::SolidLine, {}}};
+    if (m_sector) entries.push_back({tr("largest nearer"), colours.text, Qt::SolidLine, {}});
+    entries.push_back({tr("beyond it nothing is drawn"), colours.loss, Qt::DashLine, {}});
+    return {std::move(entries), metrics};
 }
 
 BandsPlot::Frame BandsPlot::frame(const QRectF& place, const QFontMetricsF& metrics) const {
@@ -153,7 +186,7 @@ void BandsPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette
     (void)takeCaption(painter, words.takeFrom(place.adjusted(kMargin, kMargin, -kMargin, -kMargin)), caption(), colours);
     paintAxes(painter, frame, colours);
     paintBands(painter, frame, palette);
-    paintHorizon(painter, frame, colours);
+    if (m_sector) paintHorizon(painter, frame, colours);
     paintAngles(painter, frame, colours);
     words.paint(painter, colours);
 }

@@ -7,7 +7,8 @@
 namespace cullscope::ui {
 
 /// What the contour bands of an object decided: size (S, or the slope) over α, drawn and hidden bands, the largest size nearer as
-/// a step line, and beyond which angle nothing is drawn. Of one sector about the axis, or of all of them together.
+/// a step line, and beyond which angle nothing is drawn. Of one sector about the axis; or of all of them together, then without
+/// the largest nearer: each sector is compared with its own.
 class BandsPlot : public PlotWidget {
     Q_OBJECT
 
@@ -25,6 +26,8 @@ public:
 
     /// One without bands: the plot is empty.
     void setShown(const ShownMap& shown);
+    /// Why there is no map, where setShown was given an empty one.
+    void setAbsence(MapAbsence absence);
     /// From 0; none: all sectors together, of each the largest size.
     void setSector(const std::optional<uint32_t>& sector);
     [[nodiscard]] const std::optional<uint32_t>& sector() const { return m_sector; }
@@ -69,7 +72,12 @@ private:
     void paintAxes(QPainter& painter, const Frame& frame, const PlotColours& colours) const;
 
     ShownMap m_shown;
+    MapAbsence m_absence = MapAbsence::NoMaps;
     std::optional<uint32_t> m_sector;
 };
+
+/// The sector, from 0, of which something is drawn up to the largest α, of those where it ends before the hidden rest; the first
+/// of several, and 0 where nothing is cut.
+[[nodiscard]] uint32_t farthestCutSector(const ContourBands& bands);
 
 }  // namespace cullscope::ui

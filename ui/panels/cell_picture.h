@@ -12,6 +12,7 @@ struct MapContents {
     ShownMap shown;
     std::shared_ptr<const TriangleStates> truth;  ///< of the shown scene; null: not known
     std::optional<uint32_t> picked;               ///< triangle of the mesh
+    std::optional<uint32_t> sector;               ///< of the decision's bands, whose edges are marked
 
     bool operator==(const MapContents&) const = default;
 };

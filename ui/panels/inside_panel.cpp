@@ -22,8 +22,16 @@ InsidePanel::InsidePanel(Session& session, InsideReader& reader, QWidget* parent
     layout->setSpacing(4);
     layout->addWidget(m_map);
     layout->addWidget(m_tabs, 1);
+    connect(m_bands, &BandsPanel::sectorChanged, this, &InsidePanel::markSector);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &InsidePanel::markSector);
+    markSector();
     reader.readFor(this);
     retranslate();
+}
+
+void InsidePanel::markSector() {
+    // A mark on the map explains the chart below it: without the chart it would itself have to be explained.
+    m_map->setSector(m_tabs->currentWidget() == m_bands ? m_bands->plot().sector() : std::nullopt);
 }
 
 void InsidePanel::retranslate() {

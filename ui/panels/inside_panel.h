@@ -32,6 +32,7 @@ protected:
 
 private:
     void retranslate();
+    void markSector();
 
     MapPanel* m_map;
     QTabWidget* m_tabs;

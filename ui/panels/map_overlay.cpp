@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 
 #include "core/measure/map_picture.h"
@@ -24,7 +25,69 @@ QRectF atLeast(const QRectF& rect, double size) {
     return rect.adjusted(-across, -down, across, down);
 }
 
+/// Words by a place, in the first direction, from the wanted one on, in which they cover nothing else.
+QRectF placeBeside(const QPointF& place, double direction, const QString& words, const QRectF& bounds,
+                   const QFontMetricsF& metrics, const std::function<bool(const QRectF&)>& free) {
+    constexpr double kEighth = kTurn / 8;
+    const auto at = [&](double turned, double distance) {
+        const QPointF away(std::cos(direction + turned), std::sin(direction + turned));
+        return labelPlace(place + away * distance, words, bounds, metrics);
+    };
+    for (const double distance : {kNumberDistance, 2 * kNumberDistance})
+        for (const int turned : {0, 1, -1, 2, -2, 3, -3, 4})
+            if (const QRectF found = at(turned * kEighth, distance); free(found)) return found;
+    return at(0.0, kNumberDistance);
+}
+
+double distanceTo(const QRectF& rect, const QPointF& point) {
+    return std::hypot(point.x() - std::clamp(point.x(), rect.left(), rect.right()),
+                      point.y() - std::clamp(point.y(), rect.top(), rect.bottom()));
+}
+
 }  // namespace
+
+std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const SphericalDecision& decision, const QFontMetricsF& metrics) {
+    std::array<QPointF, 4> places;
+    for (size_t corner = 0; corner < places.size(); ++corner) places[corner] = layout.placeOf(cornerOf(decision.rays[corner]));
+    const QPointF middle = (places[0] + places[1] + places[2] + places[3]) / 4;
+    // The map's frame is drawn over what stands on it.
+    const QRectF bounds = layout.area.adjusted(2, 2, -2, -2);
+    std::array<QRectF, 4> numbers;
+    for (size_t corner = 0; corner < places.size(); ++corner) {
+        const auto free = [&](const QRectF& number) {
+            return std::none_of(places.begin(), places.end(),
+                                [&](const QPointF& place) { return distanceTo(number, place) < kMarkerReach; }) &&
+                   std::none_of(numbers.begin(), numbers.begin() + corner,
+                                [&](const QRectF& other) { return other.intersects(number); });
+        };
+        // Numbers stand outside, so that they do not cover a small region.
+        const QPointF outwards = places[corner] - middle;
+        numbers[corner] = placeBeside(places[corner], std::atan2(outwards.y(), outwards.x()), QString::number(corner + 1), bounds,
+                                      metrics, free);
+    }
+    return numbers;
+}
+
+double contourStep(const ContourBands& bands) {
+    const double degrees = bands.width * 180.0 / std::numbers::pi;
+    return bands.width * std::max(1.0, std::ceil(kLeastContourStep / degrees - 1e-9));
+}
+
+std::vector<std::vector<Vec2>> sectorEdge(const ContourBands& bands, double beta) {
+    constexpr int kSteps = 180;
+    std::vector<std::vector<Vec2>> lines(1);
+    for (int step = 0; step <= kSteps; ++step) {
+        Vec2 point = mapAngles(bands.direction(step * std::numbers::pi / kSteps, beta));
+        if (!lines.back().empty()) {
+            const double before = lines.back().back().y;
+            point.y += std::round((before - point.y) / kTurn) * kTurn;
+            // At a pole φ jumps, and the curve with it.
+            if (std::abs(point.y - before) > kTurn / 4) lines.emplace_back();
+        }
+        lines.back().push_back(point);
+    }
+    return lines;
+}
 
 Vec2 cornerOf(const CornerRay& ray) {
     const SphericalPoint point = sphericalPoint(ray.point);
@@ -86,31 +149,24 @@ void MapOverlay::paintRegion(const SphericalGrid& grid, const VisibleRegion& reg
 void MapOverlay::paintCorners(const SphericalDecision& decision) const {
     m_painter.save();
     m_painter.setRenderHint(QPainter::Antialiasing);
-    std::array<QPointF, 4> places;
-    for (size_t corner = 0; corner < places.size(); ++corner) places[corner] = m_layout.placeOf(cornerOf(decision.rays[corner]));
-    const QPointF middle = (places[0] + places[1] + places[2] + places[3]) / 4;
-    for (size_t corner = 0; corner < places.size(); ++corner) {
-        // Numbers stand outside, so that they do not cover a small region.
-        const QPointF outwards = places[corner] - middle;
-        const double distance = std::max(1.0, std::hypot(outwards.x(), outwards.y()));
-        paintLabel(m_painter, places[corner] + outwards / distance * kNumberDistance, QString::number(corner + 1), m_layout.area,
-                   m_colours);
-    }
-    for (size_t corner = 0; corner < places.size(); ++corner)
-        paintMarker(m_painter, places[corner], decision.rays[corner].hit ? MapSymbol::CornerHit : MapSymbol::CornerMiss,
+    const std::array<QRectF, 4> numbers = cornerNumbers(m_layout, decision, QFontMetricsF(m_painter.font()));
+    for (size_t corner = 0; corner < numbers.size(); ++corner)
+        paintLabel(m_painter, numbers[corner], QString::number(corner + 1), m_colours);
+    for (const CornerRay& ray : decision.rays)
+        paintMarker(m_painter, m_layout.placeOf(cornerOf(ray)), ray.hit ? MapSymbol::CornerHit : MapSymbol::CornerMiss,
                     m_colours);
     m_painter.restore();
 }
 
 void MapOverlay::paintBands(const ContourBands& bands) const {
     const QPen pen = linePen(MapSymbol::Contour, m_colours);
-    const double degrees = bands.width * 180.0 / std::numbers::pi;
-    const int every = std::max(1, int(std::ceil(kLeastContourStep / degrees - 1e-9)));
+    const auto every = uint32_t(std::lround(contourStep(bands) / bands.width));
     m_painter.setBrush(Qt::NoBrush);
     m_painter.setPen(pen);
-    for (uint32_t band = uint32_t(every); band < bands.bands; band += uint32_t(every))
+    for (uint32_t band = every; band < bands.bands; band += every)
         m_painter.drawPath(wrapped(contour(bands, band * bands.width), false));
-    strokeOver(m_painter, wrapped(contour(bands, std::numbers::pi / 2), false), QPen(pen.color(), 2.2), m_colours.ground);
+    strokeOver(m_painter, wrapped(contour(bands, std::numbers::pi / 2), false), linePen(MapSymbol::RightAngle, m_colours),
+               m_colours.ground);
     for (int label = kLabelStep; label < 180; label += kLabelStep) {
         const std::vector<Vec2> line = contour(bands, label * std::numbers::pi / 180.0);
         // Where the curve is highest nothing else crosses it, and the words stand level.
@@ -131,6 +187,16 @@ void MapOverlay::paintPicked(const SphericalGrid& grid, const std::vector<Spheri
     edges.choose(cells);
     strokeOver(m_painter, edges.path(), linePen(MapSymbol::Picked, m_colours), m_colours.ground);
     m_painter.fillRect(atLeast(m_layout.rectOf(grid, centroid), kLeastCellSize), m_colours.picked);
+    m_painter.restore();
+}
+
+void MapOverlay::paintSector(const ContourBands& bands, uint32_t sector) const {
+    m_painter.save();
+    m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    for (const uint32_t edge : {sector, sector + 1})
+        for (const std::vector<Vec2>& line : sectorEdge(bands, edge * kTurn / bands.sectors))
+            strokeOver(m_painter, wrapped(line, false), linePen(MapSymbol::Sector, m_colours), m_colours.ground);
     m_painter.restore();
 }
 

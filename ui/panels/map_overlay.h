@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QFontMetricsF>
 #include <QPainterPath>
+#include <array>
 
 #include "ui/panels/map_layout.h"
 #include "ui/panels/map_symbols.h"
@@ -18,6 +20,8 @@ public:
     void paint(const InsideMap& map) const;
     void paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,
                      const SphericalGrid::Cell& centroid) const;
+    /// The edges of a sector of the bands: there β stays the same from the start to the end.
+    void paintSector(const ContourBands& bands, uint32_t sector) const;
     void paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
 
 private:
@@ -35,5 +39,13 @@ private:
 
 /// (θ, φ) of a corner of the region.
 [[nodiscard]] Vec2 cornerOf(const CornerRay& ray);
+/// Where the four corners' numbers stand: within the map, and on no corner's marker.
+[[nodiscard]] std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const SphericalDecision& decision,
+                                                  const QFontMetricsF& metrics);
+/// From one drawn contour to the next, radians: a whole number of bands.
+[[nodiscard]] double contourStep(const ContourBands& bands);
+/// The directions at one angle β about the axis, from α = 0 to 180°, as lines of (θ, φ), φ continued over the seam; two, where
+/// they go over a pole of the map.
+[[nodiscard]] std::vector<std::vector<Vec2>> sectorEdge(const ContourBands& bands, double beta);
 
 }  // namespace cullscope::ui

@@ -3,6 +3,7 @@
 #include <QLinearGradient>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/spatial/spherical_triangle.h"
 #include "ui/panels/map_overlay.h"
@@ -21,17 +22,31 @@ constexpr double kGap = 5.0;
 
 double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kLeading; }
 
-std::vector<MapLegend::Entry> symbolsOf(bool bands) {
-    using enum MapSymbol;
+void append(std::vector<MapLegend::Entry>& entries, const std::vector<MapLegend::Entry>& more) {
+    entries.insert(entries.end(), more.begin(), more.end());
+}
+
+/// That the words are kept room for: wider than most.
+constexpr double kUsualStep = 22.5 * std::numbers::pi / 180.0;
+constexpr uint32_t kUsualSector = 98;
+
+std::vector<MapLegend::Entry> symbols(const std::vector<MapSymbol>& which) {
     std::vector<MapLegend::Entry> entries;
-    for (const MapSymbol symbol :
-         bands ? std::vector{Contour, Start, End} : std::vector{Region, Box, CornerHit, CornerMiss, Walked})
-        entries.push_back({symbol, symbolWords(symbol), {}});
+    for (const MapSymbol symbol : which) entries.push_back({symbol, symbolWords(symbol), {}});
     return entries;
 }
 
-void append(std::vector<MapLegend::Entry>& entries, const std::vector<MapLegend::Entry>& more) {
-    entries.insert(entries.end(), more.begin(), more.end());
+std::vector<MapLegend::Entry> regionSymbols() {
+    using enum MapSymbol;
+    return symbols({Region, Box, CornerHit, CornerMiss, Walked});
+}
+
+std::vector<MapLegend::Entry> bandSymbols(double step, const std::optional<uint32_t>& sector) {
+    using enum MapSymbol;
+    std::vector<MapLegend::Entry> entries{{Contour, contourWords(step), {}}};
+    append(entries, symbols({RightAngle, Start, End}));
+    if (sector) entries.push_back({Sector, sectorWords(*sector), {}});
+    return entries;
 }
 
 /// The states that the words are kept room for, which is more than most maps have.
@@ -59,7 +74,7 @@ double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const
         std::vector<MapLegend::Entry> entries;
         if (states) entries = usualStates(bands);
         if (!states && bands) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), {}});
-        append(entries, symbolsOf(bands));
+        append(entries, bands ? bandSymbols(kUsualStep, kUsualSector) : regionSymbols());
         entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
         most = std::max(most, MapLegend(std::move(entries), metrics).heightFor(width));
     }
@@ -77,13 +92,17 @@ std::vector<MapLegend::Entry> MapPainter::statesShown(const QPalette& palette) c
     return entries;
 }
 
+QColor MapPainter::veiledColour(const QPalette& palette) const {
+    return MapColours(palette).veiled(QColor(toneColours(colouring(), palette)[CellTones::kTones / 2]));
+}
+
 MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palette) const {
     std::vector<MapLegend::Entry> entries;
     if (colouring() == MapColouring::State) entries = statesShown(palette);
-    if (m_cells.veiled())
-        entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), MapColours(palette).veil});
+    if (m_cells.veiled()) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), veiledColour(palette)});
     const SphericalDecision& decision = contents().shown.decision();
-    if (decision.bands || decision.region) append(entries, symbolsOf(decision.bands.has_value()));
+    if (decision.bands) append(entries, bandSymbols(contourStep(*decision.bands), contents().sector));
+    if (decision.region) append(entries, regionSymbols());
     if (contents().picked) entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
     return {std::move(entries), metrics};
 }
@@ -116,6 +135,7 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
     m_cells.paint(painter, layout.area, palette, colours.veil);
     const MapOverlay overlay(painter, layout, colours);
     overlay.paint(shown.map());
+    if (contents().sector) overlay.paintSector(*shown.decision().bands, *contents().sector);
     if (contents().picked)
         overlay.paintPicked(shown.grid(), cellsOf(shown.maps(), *contents().picked),
                             centroidCell(shown.maps(), *contents().picked));

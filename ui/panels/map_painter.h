@@ -24,6 +24,9 @@ public:
     void paint(QPainter& painter, const QRectF& place, const QPalette& palette,
                const std::optional<SphericalGrid::Cell>& cursor = {}) const;
 
+    /// What the veil makes of a cell in the middle of the scale, of which the legend shows it.
+    [[nodiscard]] QColor veiledColour(const QPalette& palette) const;
+
     /// The cells that a triangle of the shown mesh touches.
     [[nodiscard]] static std::vector<SphericalGrid::Cell> cellsOf(const SphericalMaps& maps, uint32_t triangle);
     [[nodiscard]] static SphericalGrid::Cell centroidCell(const SphericalMaps& maps, uint32_t triangle);

@@ -40,10 +40,8 @@ MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
     layOut();
     connect(m_colouring, &QComboBox::activated, this, [this](int index) { m_map->setColouring(kColourings[size_t(index)]); });
     connect(m_map, &MapWidget::cellChosen, this, &MapPanel::pickIn);
-    connect(&reader, &InsideReader::changed, this, &MapPanel::refresh);
-    for (const auto signal :
-         {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged, &Session::activeViewChanged})
-        connect(&session, signal, this, &MapPanel::refresh);
+    followShownMap(session, reader, this, [this] { refresh(); });
+    followMapAbsence(session, this, [this] { showSentence(); });
     connect(&session, &Session::figuresChanged, this, &MapPanel::refresh);
     retranslate();
     refresh();
@@ -54,6 +52,7 @@ void MapPanel::layOut() {
     m_colouringLabel->setBuddy(m_colouring);
     for (const MapColouring colouring : kColourings) m_colouring->addItem(QString(), int(colouring));
     leaveWheelUnlessFocused(*m_colouring);
+    m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_map->setBackgroundRole(QPalette::Base);
     auto* choices = new QHBoxLayout(m_choices);
     choices->setContentsMargins(4, 0, 0, 2);
@@ -74,7 +73,7 @@ void MapPanel::refresh() {
 }
 
 void MapPanel::showMap(const ShownMap& shown) {
-    m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown)});
+    m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown), sectorOf(shown)});
     m_choices->setVisible(!shown.empty());
     m_map->setVisible(!shown.empty());
     m_sentence->setVisible(shown.empty());
@@ -84,8 +83,8 @@ void MapPanel::showMap(const ShownMap& shown) {
 }
 
 void MapPanel::showSentence() {
-    const bool waiting = m_session.scene() && !m_reader.reading();
-    m_sentence->setText(waiting ? tr("The index map is being read…") : tr("This strategy has no index map."));
+    const QString words = absenceWords(mapAbsence(m_session, m_reader));
+    m_sentence->setText(words.isEmpty() ? tr("This strategy has no index map.") : words);
     m_sentence->setToolTip(tr("Strategies that look up what is visible by direction show their map here."));
 }
 
@@ -100,6 +99,16 @@ std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
     const std::optional<Pick>& pick = m_session.pick();
     if (shown.empty() || !pick || m_session.objectOf(shown.decision().instance) != pick->object) return std::nullopt;
     return uint32_t(pick->triangle - m_session.opened()->scene->firstTriangle(pick->object));
+}
+
+std::optional<uint32_t> MapPanel::sectorOf(const ShownMap& shown) const {
+    const bool has = m_sector && !shown.empty() && shown.decision().bands && *m_sector < shown.decision().bands->sectors;
+    return has ? m_sector : std::nullopt;
+}
+
+void MapPanel::setSector(const std::optional<uint32_t>& sector) {
+    m_sector = sector;
+    showMap(ShownMap(m_map->contents().shown));
 }
 
 void MapPanel::pickIn(uint32_t cell) {

@@ -26,6 +26,8 @@ public:
     /// Picks the farthest-out triangle that a cell of the shown map owns; where one of the cell's is picked already, the next one
     /// nearer, the triangles that only touch the cell after those that it owns.
     void pickIn(uint32_t cell);
+    /// Marks a sector of the bands on maps that have it; none: none.
+    void setSector(const std::optional<uint32_t>& sector);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -39,6 +41,8 @@ private:
     /// Of the shown map's mesh; none: nothing of it is picked.
     [[nodiscard]] std::optional<uint32_t> pickedTriangle(const ShownMap& shown) const;
 
+    [[nodiscard]] std::optional<uint32_t> sectorOf(const ShownMap& shown) const;
+
     Session& m_session;
     InsideReader& m_reader;
     QLabel* m_sentence;
@@ -47,6 +51,7 @@ private:
     QComboBox* m_colouring;
     MapWidget* m_map;
     PictureMenu* m_pictures;
+    std::optional<uint32_t> m_sector;
 };
 
 }  // namespace cullscope::ui

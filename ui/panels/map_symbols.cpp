@@ -46,6 +46,12 @@ MapColours::MapColours(const QPalette& palette) {
     veil.setAlphaF(0.4F);
 }
 
+QColor MapColours::veiled(const QColor& under) const {
+    const auto mixed = [share = veil.alphaF()](float over, float below) { return share * over + (1.0F - share) * below; };
+    return QColor::fromRgbF(mixed(veil.redF(), under.redF()), mixed(veil.greenF(), under.greenF()),
+                            mixed(veil.blueF(), under.blueF()));
+}
+
 void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const QColor& ground) {
     QColor under = ground;
     under.setAlphaF(0.75);
@@ -63,6 +69,8 @@ QPen linePen(MapSymbol symbol, const MapColours& colours) {
         return pen;
     }
     if (symbol == MapSymbol::Box) return {colours.text, 1.2};
+    if (symbol == MapSymbol::Sector) return {colours.text, 1.6, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin};
+    if (symbol == MapSymbol::RightAngle) return {colours.contour, 2.2};
     return {symbol == MapSymbol::Picked ? colours.picked : colours.contour, symbol == MapSymbol::Picked ? 2.0 : 1.2};
 }
 
@@ -82,12 +90,19 @@ void paintMarker(QPainter& painter, const QPointF& centre, MapSymbol symbol, con
     painter.drawPath(disc(centre, kMarkerRadius - 2.5));
 }
 
-void paintLabel(QPainter& painter, const QPointF& centre, const QString& words, const QRectF& bounds, const MapColours& colours) {
-    const QFontMetricsF metrics(painter.font());
+QRectF labelPlace(const QPointF& centre, const QString& words, const QRectF& bounds, const QFontMetricsF& metrics) {
     QRectF place(0, 0, metrics.horizontalAdvance(words) + 4.0, metrics.ascent());
     place.moveCenter(centre);
     place.moveTop(std::clamp(place.top(), bounds.top(), bounds.bottom() - place.height()));
     place.moveLeft(std::clamp(place.left(), bounds.left(), bounds.right() - place.width()));
+    return place;
+}
+
+void paintLabel(QPainter& painter, const QPointF& centre, const QString& words, const QRectF& bounds, const MapColours& colours) {
+    paintLabel(painter, labelPlace(centre, words, bounds, QFontMetricsF(painter.font())), words, colours);
+}
+
+void paintLabel(QPainter& painter, const QRectF& place, const QString& words, const MapColours& colours) {
     QColor ground = colours.ground;
     ground.setAlphaF(0.85F);
     painter.fillRect(place, ground);

@@ -19,17 +19,26 @@ struct MapColours {
     QColor contour;
     QColor picked;
     QColor veil;  ///< over cells that are hidden, half transparent
+
+    /// As it looks over a colour.
+    [[nodiscard]] QColor veiled(const QColor& under) const;
 };
 
 /// What is drawn over a map, in its legend as on it.
-enum class MapSymbol { Region, Box, CornerHit, CornerMiss, Walked, Contour, Start, End, Picked, Cells };
+enum class MapSymbol { Region, Box, CornerHit, CornerMiss, Walked, Contour, RightAngle, Sector, Start, End, Picked, Cells };
 
 /// A line that is seen on every cell: in its colour on a wider one of the ground's.
 void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const QColor& ground);
 /// The pen of a symbol that is a line.
 [[nodiscard]] QPen linePen(MapSymbol symbol, const MapColours& colours);
 void paintMarker(QPainter& painter, const QPointF& centre, MapSymbol symbol, const MapColours& colours);
-/// Words that are read on every cell, moved into the bounds.
+/// How far a marker reaches from its middle.
+inline constexpr double kMarkerReach = 7.0;
+/// Where words around a place stand, moved into the bounds.
+[[nodiscard]] QRectF labelPlace(const QPointF& centre, const QString& words, const QRectF& bounds, const QFontMetricsF& metrics);
+/// Words that are read on every cell.
+void paintLabel(QPainter& painter, const QRectF& place, const QString& words, const MapColours& colours);
+/// The same around a place, moved into the bounds.
 void paintLabel(QPainter& painter, const QPointF& centre, const QString& words, const QRectF& bounds, const MapColours& colours);
 /// A symbol as a legend has it, within a place.
 void paintSymbol(QPainter& painter, const QRectF& place, MapSymbol symbol, const MapColours& colours);

@@ -121,14 +121,31 @@ QString symbolWords(MapSymbol symbol) {
             return MapWords::tr("corner: miss, nearest point");
         case MapSymbol::Walked:
             return MapWords::tr("walked cells");
-        case MapSymbol::Contour:
-            return MapWords::tr("contours of α");
+        case MapSymbol::RightAngle:
+            return QStringLiteral("α = 90°");
         case MapSymbol::Start:
             return MapWords::tr("nearest to the eye");
         case MapSymbol::End:
             return MapWords::tr("opposite");
         default:
             return MapWords::tr("picked");
+    }
+}
+
+QString contourWords(double step) { return MapWords::tr("contours of α every %1").arg(degreesText(step)); }
+
+QString sectorWords(uint32_t sector) { return MapWords::tr("sector %1").arg(sector + 1); }
+
+QString absenceWords(MapAbsence absence) {
+    switch (absence) {
+        case MapAbsence::NoScene:
+            return MapWords::tr("Open a scene to see what a strategy decides about it.");
+        case MapAbsence::Preparing:
+            return MapWords::tr("The strategy is being prepared…");
+        case MapAbsence::NotBuilt:
+            return MapWords::tr("The strategy could not be built. Choose another one, or other parameters.");
+        default:
+            return {};
     }
 }
 

@@ -22,8 +22,14 @@ namespace cullscope::ui {
 [[nodiscard]] QString cornerWords(const SphericalDecision& decision, size_t corner);
 /// Of a cell's tone in a map coloured by state; without truth, what is drawn is only that.
 [[nodiscard]] QString stateWords(TriangleState state, bool truthKnown);
+/// Instead of a map; empty: the strategy has none.
+[[nodiscard]] QString absenceWords(MapAbsence absence);
 /// What a symbol over the map stands for.
 [[nodiscard]] QString symbolWords(MapSymbol symbol);
+/// The same of the contours, drawn at every so much of α (radians).
+[[nodiscard]] QString contourWords(double step);
+/// The same of a sector's edges, counted from 0.
+[[nodiscard]] QString sectorWords(uint32_t sector);
 /// A length in the mesh's units, three digits.
 [[nodiscard]] QString lengthText(double length);
 /// An angle in degrees, as many digits as tell the map's cells apart.

@@ -23,4 +23,34 @@ ShownMap shownMap(const Session& session, const InsideReader& reader) {
     return {session.scene(), reading->inside, found == maps.size() ? 0 : found};
 }
 
+MapAbsence mapAbsence(Session& session, const InsideReader& reader) {
+    if (!session.scene()) return session.loader().loading() ? MapAbsence::Preparing : MapAbsence::NoScene;
+    const StrategySlot& slot = session.slot(session.culledBy(session.activeView()));
+    if (slot.building()) return MapAbsence::Preparing;
+    if (!slot.built() || slot.built()->id != slot.id()) return MapAbsence::NotBuilt;
+    // The reading that is there may be of the strategy before.
+    const bool read = reader.reading() && reader.reading()->strategy == slot.built();
+    return read ? MapAbsence::NoMaps : MapAbsence::Preparing;
+}
+
+void followShownMap(Session& session, InsideReader& reader, QObject* context, const std::function<void()>& then) {
+    QObject::connect(&reader, &InsideReader::changed, context, then);
+    for (const auto signal :
+         {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged, &Session::activeViewChanged})
+        QObject::connect(&session, signal, context, then);
+}
+
+void followMapAbsence(Session& session, QObject* context, const std::function<void()>& then) {
+    for (const auto signal : {&Session::strategyBuilt, &Session::setupChanged})
+        QObject::connect(&session, signal, context, [then](int) { then(); });
+    // Building and opening begin after this is said, and have ended only after it is said that they failed.
+    QObject::connect(
+        &session, &Session::strategyChosen, context, [then](int) { then(); }, Qt::QueuedConnection);
+    QObject::connect(
+        &session, &Session::messageRaised, context, [then](Severity, const Message&) { then(); }, Qt::QueuedConnection);
+    QObject::connect(
+        &session.loader(), &SceneLoader::started, context, [then](const QString&) { then(); }, Qt::QueuedConnection);
+    QObject::connect(&session.loader(), &SceneLoader::cancelled, context, then, Qt::QueuedConnection);
+}
+
 }  // namespace cullscope::ui

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QString>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -28,5 +29,19 @@ struct ShownMap {
 /// The map that the panels show: the picked object's, else that of the first object that is not outside the frustum, else the
 /// first one; empty: the strategy has none, or nothing is read yet.
 [[nodiscard]] ShownMap shownMap(const Session& session, const InsideReader& reader);
+
+/// Why there is no map to show.
+enum class MapAbsence {
+    NoScene,
+    Preparing,  ///< the scene is being opened, the strategy built, or its maps read
+    NotBuilt,   ///< the strategy could not be built
+    NoMaps      ///< it is read, and has none
+};
+[[nodiscard]] MapAbsence mapAbsence(Session& session, const InsideReader& reader);
+
+/// Calls `then` whenever the map that is shown may be another one, as long as `context` lives.
+void followShownMap(Session& session, InsideReader& reader, QObject* context, const std::function<void()>& then);
+/// The same of why there is none, where the map itself stays as it is.
+void followMapAbsence(Session& session, QObject* context, const std::function<void()>& then);
 
 }  // namespace cullscope::ui

@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kShownInterval = 50;  // ms
 constexpr double kOpened = 0.05;    // of a setting's progress
+const QString kMeasuring = QStringLiteral("measuring");
 
 Message sentenceOf(const std::exception& exception) {
     if (const auto* error = dynamic_cast<const Error*>(&exception)) return error->message();
@@ -27,8 +28,10 @@ PaperRunner::PaperRunner(Session& session, QObject* parent) : QObject(parent), m
     connect(&m_shownCheck, &QTimer::timeout, this, &PaperRunner::measureWhenShown);
     connect(&m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
         if (!running()) return;
-        showPose(share);
-        tellProgress(kOpened + (1.0 - kOpened) * share, stage);
+        // Each strategy that is built before has shares of its own: they are not of the path.
+        const double measured = stage == kMeasuring ? share : 0.0;
+        showPose(measured);
+        tellProgress(kOpened + (1.0 - kOpened) * measured, stage);
     });
     connect(&m_runner, &ExperimentRunner::finished, this, [this](const MeasureResult& result) {
         if (!running()) return;
@@ -49,6 +52,7 @@ void PaperRunner::start(const PaperExperiment& experiment, int repetitions) {
     m_experiment = &experiment;
     m_repetitions = repetitions;
     m_setting = 0;
+    m_share = 0.0;
     m_specification.clear();
     m_table = emptyTable(experiment);
     m_openedBefore = m_session.opened();
@@ -220,7 +224,8 @@ Progress PaperRunner::progressOn(const std::stop_token& stop) {
 void PaperRunner::tellProgress(double share, const QString& stage) {
     if (!running()) return;
     const double all = double(m_experiment->settings.size());
-    emit progressed((double(m_setting) + share) / all, stage);
+    m_share = std::max(m_share, (double(m_setting) + share) / all);
+    emit progressed(m_share, stage);
 }
 
 }  // namespace cullscope::ui

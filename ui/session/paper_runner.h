@@ -28,9 +28,11 @@ public:
     [[nodiscard]] bool running() const { return m_experiment != nullptr; }
     /// Of the newest run: what was measured so far.
     [[nodiscard]] const PaperTable& table() const { return m_table; }
+    /// Of the newest run: how much of all settings is done, in [0, 1]; it never falls.
+    [[nodiscard]] double share() const { return m_share; }
 
 signals:
-    /// `share` in [0, 1] of all settings; `stage` is one of core's English names.
+    /// `share` in [0, 1] of all settings, never less than before; `stage` is one of core's English names.
     void progressed(double share, const QString& stage);
     /// The table has more rows.
     void tableChanged();
@@ -62,6 +64,7 @@ private:
     const PaperExperiment* m_experiment = nullptr;  ///< null: nothing is under way
     size_t m_setting = 0;
     int m_repetitions = 0;
+    double m_share = 0.0;
     PaperTable m_table;
     CameraPath m_path;            ///< of the setting being measured
     std::string m_specification;  ///< of the scene that is shown for the experiment

@@ -67,6 +67,7 @@ PictureDrawing::PictureDrawing(const ViewRequest& request)
     m_picture->request = request;
     m_verdict = cullShared(*request.strategy, m_culling, needsTrace(request.look) ? &m_trace : nullptr);
     m_picture->consideredTriangles = m_verdict.consideredTriangles;
+    m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(request.buffers->scene(), m_verdict.drawList);
     if (request.look.colouring == Colouring::Verdicts && !m_states)
         m_states = std::make_shared<const TriangleStates>(
             triangleStates(request.buffers->scene(), m_culling, m_verdict.drawList, m_trace, nullptr));

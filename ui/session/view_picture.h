@@ -42,6 +42,7 @@ struct ViewPicture {
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
     uint64_t missed = 0, added = 0;    ///< differing pixels: `colour` shows something farther or nearer than `other`
     uint64_t consideredTriangles = 0;  ///< given to OpenGL
+    bool partOfModel = false;          ///< in spherical coordinates: not all of the object that is shown was given to OpenGL
 };
 
 /// Of marked pixels that show something nearer than what lies beside them.

@@ -2,6 +2,8 @@
 
 #include <QPainterPath>
 
+#include "ui/views/model_painter.h"
+
 namespace cullscope::ui {
 
 namespace {
@@ -111,6 +113,7 @@ void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& pi
         ring.addEllipse(middle, radius, radius);
         strokeTwice(painter, ring, extras.unit);
     }
+    if (extras.modelScales && picture.request.look.sphericalModel) paintModelScales(painter, target, picture, extras.unit);
     if (extras.loupe) paintLoupe(painter, target, picture, extras);
     painter.restore();
 }

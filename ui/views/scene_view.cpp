@@ -120,6 +120,7 @@ PictureExtras SceneView::extras() const {
     PictureExtras extras;
     if (m_session.setup(m_view).look.sphericalModel) {
         // Its pixels are directions: nothing that lies over a camera's picture has a place there.
+        extras.modelScales = true;
         if (m_loupe) extras.loupe = m_loupePlace;
         return extras;
     }

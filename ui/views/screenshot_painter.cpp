@@ -55,7 +55,8 @@ void paintLegend(QPainter& painter, const ScreenshotPlan& plan, const std::vecto
 bool isOnePlainPicture(const ScreenshotPlan& plan) {
     const ScreenshotPlan::Part& first = plan.parts.front();
     const bool whole = first.picture == QRect(0, 0, plan.size.width, plan.size.height);
-    return whole && first.request.wipe == Wipe::Mode::None && !(first.overlays && first.extras.markedLoss);
+    return whole && first.request.wipe == Wipe::Mode::None &&
+           !(first.overlays && (first.extras.markedLoss || first.extras.modelScales));
 }
 
 }  // namespace

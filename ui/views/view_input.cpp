@@ -91,7 +91,7 @@ void ViewInput::beginDrag() {
 }
 
 bool ViewInput::overWipeLine(const QPointF& position) const {
-    const Wipe& wipe = m_session.setup(m_view.view()).wipe;
+    const Wipe wipe = m_view.extras().wipe;
     if (wipe.mode != Wipe::Mode::Truth && wipe.mode != Wipe::Mode::OtherView) return false;
     const QRectF picture = m_view.pictureLayout().rect();
     return std::abs(position.x() - picture.left() - wipe.position * picture.width()) < kWipeReach;

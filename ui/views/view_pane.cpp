@@ -56,7 +56,7 @@ QStringList ViewPane::lensParts() const {
 }
 
 QString ViewPane::visibleSets() const {
-    const Wipe& wipe = m_session.setup(m_view).wipe;
+    const Wipe wipe = m_picture->extras().wipe;
     if (wipe.mode != Wipe::Mode::Difference) return {};
     const Figures &mine = m_session.figures(m_view), &others = m_session.figures(wipe.other);
     const auto known = [](const Figures& figures) { return figures.state == Figures::State::Ready && figures.states; };
@@ -83,13 +83,14 @@ QString ViewPane::chipText() const {
     const auto hidden = std::count(m_session.hidden().begin(), m_session.hidden().end(), true);
     if (hidden > 0) parts << tr("hidden objects: %1").arg(hidden);
     const ViewPicturePointer shown = m_session.picture(m_view);
-    if (shown && setup.wipe.mode == Wipe::Mode::Loss)
+    const PictureExtras extras = m_picture->extras();
+    if (shown && extras.wipe.mode == Wipe::Mode::Loss)
         parts << tr("missed pixels: %1, nearer than the truth: %2").arg(countText(shown->missed), countText(shown->added));
-    if (shown && setup.wipe.mode == Wipe::Mode::Difference)
-        parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(setup.wipe.other));
+    if (shown && extras.wipe.mode == Wipe::Mode::Difference)
+        parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(extras.wipe.other));
     if (const QString sets = visibleSets(); !sets.isEmpty()) parts << sets;
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
-    if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size())
+    if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size() && !setup.look.sphericalModel)
         parts << tr("loss %1 of %2, pixels: %3").arg(*loss + 1).arg(holes.size()).arg(countText(holes[*loss].pixels));
     return parts.join(QStringLiteral(" · "));
 }

@@ -72,9 +72,8 @@ void ViewCommands::refresh() {
     const int view = m_session.activeView();
     const ViewSetup& setup = m_session.setup(view);
     const bool scene = m_session.opened() != nullptr;
-    for (QAction* action : {m_actions.freeze, m_actions.verdicts, m_actions.frustum, m_actions.boxes, m_actions.bands,
-                            m_actions.sphericalModel, m_actions.truth, m_actions.loss, m_actions.loupe})
-        action->setEnabled(scene);
+    const bool model = scene && setup.look.sphericalModel;
+    m_actions.setPictureUsable(scene, model);
     m_actions.freeze->setChecked(setup.role == Role::Frozen);
     m_actions.verdicts->setChecked(setup.look.colouring == Colouring::Verdicts);
     m_actions.frustum->setChecked(setup.look.frustum);
@@ -83,7 +82,7 @@ void ViewCommands::refresh() {
     m_actions.sphericalModel->setChecked(setup.look.sphericalModel);
     m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
     m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);
-    m_actions.nextLoss->setEnabled(scene && setup.role == Role::Linked && !m_session.figures(view).holes.empty());
+    m_actions.nextLoss->setEnabled(scene && !model && setup.role == Role::Linked && !m_session.figures(view).holes.empty());
 }
 
 void ViewCommands::copyPicture(int view, bool overlays) {

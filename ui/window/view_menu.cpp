@@ -3,6 +3,7 @@
 #include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "ui/window/window_actions.h"
 
 namespace cullscope::ui {
 
@@ -28,6 +29,12 @@ QAction* ViewMenu::change(QMenu& menu, const QString& text, bool checked, const 
         edit(changed);
         session->setSetup(view, changed);
     });
+}
+
+void ViewMenu::needsCameraPicture(QAction* action) const {
+    if (!setup().look.sphericalModel) return;
+    action->setEnabled(false);
+    action->setToolTip(WindowActions::modelStandsInPlace());
 }
 
 void ViewMenu::addStrategies() {
@@ -65,6 +72,7 @@ void ViewMenu::addCameras() {
 
 void ViewMenu::addLook() {
     QMenu* menu = m_menu.addMenu(tr("Show"));
+    menu->setToolTipsVisible(true);
     const ViewLook& look = setup().look;
     const bool verdicts = look.colouring == Colouring::Verdicts;
     change(*menu, tr("Colours by verdict"), verdicts, [verdicts](ViewSetup& setup) {
@@ -77,12 +85,14 @@ void ViewMenu::addLook() {
            [](ViewSetup& setup) { setup.look.frustum = !setup.look.frustum; });
     change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
     change(*menu, tr("Contour bands"), look.bands, [](ViewSetup& setup) { setup.look.bands = !setup.look.bands; });
+    for (QAction* action : menu->actions()) needsCameraPicture(action);
     change(*menu, tr("Model in spherical coordinates"), look.sphericalModel,
            [](ViewSetup& setup) { setup.look.sphericalModel = !setup.look.sphericalModel; });
 }
 
 void ViewMenu::addComparisons() {
     QMenu* menu = m_menu.addMenu(tr("Compare"));
+    menu->setToolTipsVisible(true);
     const Wipe& wipe = setup().wipe;
     const auto choice = [&](const QString& text, Wipe::Mode mode, int other) {
         const bool pair = mode == Wipe::Mode::OtherView || mode == Wipe::Mode::Difference;
@@ -100,6 +110,7 @@ void ViewMenu::addComparisons() {
         choice(tr("Wipe: view %1 | this one").arg(viewLetter(other)), Wipe::Mode::OtherView, other);
         choice(tr("Pixels that differ from view %1").arg(viewLetter(other)), Wipe::Mode::Difference, other);
     }
+    for (QAction* action : menu->actions()) needsCameraPicture(action);
 }
 
 void ViewMenu::addSizes(const std::function<void()>& askForSize) {

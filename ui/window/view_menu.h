@@ -36,6 +36,9 @@ private:
     /// An option that changes the view's setup.
     QAction* change(QMenu& menu, const QString& text, bool checked, const std::function<void(ViewSetup&)>& edit);
 
+    /// Greys an action, and says why, where the view shows a model in spherical coordinates.
+    void needsCameraPicture(QAction* action) const;
+
     Session& m_session;
     ViewPane& m_pane;
     QMenu& m_menu;

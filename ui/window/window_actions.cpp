@@ -150,6 +150,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
     m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, bands, sphericalModel, axes});
+    m_pictureMenu->setToolTipsVisible(true);
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
     m_pathMenu->addActions({record, addPose, savePath});
@@ -212,6 +213,18 @@ void WindowActions::retranslate() {
     fillGenerate();
 }
 
+QString WindowActions::modelStandsInPlace() {
+    return tr("Not while the view shows the model in spherical coordinates: what a camera sees has no place there");
+}
+
+void WindowActions::setPictureUsable(bool scene, bool model) {
+    for (QAction* action : {freeze, sphericalModel, loupe}) action->setEnabled(scene);
+    for (QAction* action : ofCameraPictures()) action->setEnabled(scene && !model);
+    // The axes are not of the scene: they may be chosen before one is opened.
+    axes->setEnabled(!model);
+    if (std::exchange(m_modelShown, model) != model) retranslatePicture();
+}
+
 void WindowActions::retranslateFile() {
     generate->setTitle(tr("&Generate"));
     generate->menuAction()->setIconText(withoutMnemonic(generate->title()));
@@ -254,7 +267,8 @@ void WindowActions::retranslatePicture() {
     say(frustum, tr("F&rustum"), tr("Show the culling camera's frustum in the active view"));
     say(boxes, tr("&Boxes"), tr("Show the boxes that the strategy tested in the active view"));
     say(bands, tr("&Contour bands"),
-        tr("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view"));
+        tr("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines "
+           "from the axis are each band's S"));
     say(sphericalModel, tr("Model in &spherical coordinates"),
         tr("Show what was drawn of one object over azimuth and zenith angle in the active view"));
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));
@@ -262,6 +276,8 @@ void WindowActions::retranslatePicture() {
     say(nextLoss, tr("&Next loss"), tr("Go to the next lost pixels, largest hole first"));
     say(axes, tr("A&xes"), tr("Show the axes in a corner of each view; a click on an end looks from there"));
     say(loupe, tr("&Loupe"), tr("Enlarge what is under the pointer"));
+    if (m_modelShown)
+        for (QAction* action : ofCameraPictures()) action->setToolTip(modelStandsInPlace());
     say(record, tr("&Record"), tr("Record the camera's moves as a path"));
     say(addPose, tr("&Add this pose"), tr("Add the present camera to the path"));
     say(savePath, tr("&Save the path…"), tr("Save the recorded path as a file"));

@@ -21,6 +21,11 @@ public:
     void fill(QToolBar& bar);
     /// Words, and the Generate menu from the scene generators.
     void retranslate();
+    /// Greys what has no place over a model in spherical coordinates and says so, while the active view shows one; the rest of
+    /// the pictures' commands is to be used where there is a `scene`.
+    void setPictureUsable(bool scene, bool model);
+    /// Why a command is grey while a view shows a model in spherical coordinates.
+    [[nodiscard]] static QString modelStandsInPlace();
 
     // File
     QAction *open, *saveSession, *saveSessionAs, *screenshot, *screenshotNow, *screenshotBare, *quit;
@@ -60,11 +65,16 @@ private:
     void retranslateFile();
     void retranslateView();
     void retranslatePicture();
+    /// What needs a camera's picture.
+    [[nodiscard]] QList<QAction*> ofCameraPictures() const {
+        return {verdicts, frustum, boxes, bands, axes, truth, loss, nextLoss};
+    }
     QAction* option(QActionGroup* group, const QString& data, const QKeySequence& shortcut = {}, const QString& icon = {});
     void makeLanguages();
     void fillGenerate();
 
     QWidget* m_window;
+    bool m_modelShown = false;  ///< in the active view, in spherical coordinates
     QMenu *m_editMenu, *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu,
         *m_helpMenu;
 };

@@ -10,7 +10,8 @@
 namespace cullscope::test {
 namespace {
 
-constexpr Viewport kSize{388, 208};  // the margin of 14 leaves one pixel a degree
+constexpr Viewport kSize{440, 400};  // the map 360 × 180: a pixel a degree
+constexpr int kLeft = 40, kBottom = 110;
 
 std::vector<uint8_t> shown(const ScenePointer& scene, const char* id, const View& view, const ViewLook& look,
                            const DrawStyle& style) {
@@ -36,8 +37,8 @@ TEST(SphericalModelPicture, pickIsNotWhatIsShown) {
     ASSERT_EQ(sphericalModelInstance(list), 0u);
     const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, style);
     size_t picked = 0, disagreeing = 0;
-    for (int y = 15; y < 193; y += 3)
-        for (int x = 15; x < 373; x += 3) {
+    for (int y = kBottom + 1; y < kBottom + 179; y += 3)
+        for (int x = kLeft + 1; x < kLeft + 359; x += 3) {
             const uint8_t* pixel = &rgba[4 * (size_t(y) * size_t(kSize.width) + size_t(x))];
             const bool covered = pixel[0] != 255 || pixel[1] != 255 || pixel[2] != 255;
             const std::optional<DirectionPick> pick = pickSphericalModel(*scene, list, kSize, style, x, y);
@@ -47,7 +48,7 @@ TEST(SphericalModelPicture, pickIsNotWhatIsShown) {
             ASSERT_LT(pick->triangle, scene->firstTriangle(1));
             // The point lies in the pixel's direction from the centre, and in the triangle's plane.
             const Vec3 centre = Vec3(5, 1, 2) + 3.0 * scene->meshOf(0).localSphere().centre;
-            const Vec3 expected = directionOf(180.0 - (y - 14 + 0.5), x - 14 + 0.5);
+            const Vec3 expected = directionOf(180.0 - (y - kBottom + 0.5), x - kLeft + 0.5);
             ASSERT_NEAR(glm::dot(glm::normalize(pick->point - centre), expected), 1.0, 1e-9);
         }
     EXPECT_GT(picked, 1500u);
@@ -63,8 +64,9 @@ TEST(SphericalModelPicture, showsMoreThanWasDrawn) {
     const auto covered = [&](const char* id) {
         const std::vector<uint8_t> rgba = shown(scene, id, view, {.sphericalModel = true}, style);
         size_t pixels = 0;
-        for (int y = 16; y < 192; ++y)
-            for (int x = 16; x < 372; ++x) pixels += rgba[4 * (size_t(y) * size_t(kSize.width) + size_t(x)) + 2] != 255 ? 1 : 0;
+        for (int y = kBottom + 2; y < kBottom + 178; ++y)
+            for (int x = kLeft + 2; x < kLeft + 358; ++x)
+                pixels += rgba[4 * (size_t(y) * size_t(kSize.width) + size_t(x)) + 2] != 255 ? 1 : 0;
         return pixels;
     };
     EXPECT_EQ(covered("all"), 176u * 356u);
@@ -83,7 +85,40 @@ TEST(SphericalModelPicture, overlaysAreDrawnOverIt) {
     EXPECT_EQ(shown(scene, "spherical", view, all, style), alone);
     const Vec3f frame = contrastTo(style.background);
     const auto at = [&](size_t y) { return alone[4 * (y * size_t(kSize.width) + 200)]; };
-    EXPECT_EQ(std::max(at(13), at(14)), 255.0f * frame.x) << "the frame";
+    EXPECT_EQ(std::max(at(kBottom - 1), at(kBottom)), 255.0f * frame.x) << "the frame";
+}
+
+TEST(SphericalModelPicture, anglesHaveNoTicks) {
+    const ScenePointer scene = sceneOf({knotMesh(3000)});
+    const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, {Vec3f(1.0f)});
+    // A tick is one pixel wide: to one or the other side of its place.
+    const auto marked = [&](int x, int y, int alongX, int alongY) {
+        const auto dark = [&](int column, int row) {
+            return rgba[4 * (size_t(row) * size_t(kSize.width) + size_t(column))] < 128;
+        };
+        return dark(x, y) || dark(x - alongX, y - alongY);
+    };
+    for (int degrees = 0; degrees <= 360; degrees += 15) {
+        EXPECT_EQ(marked(kLeft + degrees, kBottom - 3, 1, 0), degrees % 30 == 0) << degrees;
+        EXPECT_EQ(marked(kLeft + degrees, kBottom - 5, 1, 0), degrees % 90 == 0) << degrees;
+        if (degrees > 180) continue;
+        EXPECT_EQ(marked(kLeft - 3, kBottom + 180 - degrees, 0, 1), degrees % 30 == 0) << degrees;
+        EXPECT_EQ(marked(kLeft - 5, kBottom + 180 - degrees, 0, 1), degrees % 90 == 0) << degrees;
+    }
+}
+
+TEST(SphericalModelPicture, partIsTakenForTheWhole) {
+    const ScenePointer scene = sceneOf({sphereMesh(2000), knotMesh(3000)});
+    const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const auto whole = [&](const char* id) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        return hasWholeModel(*scene, strategy->cull(view).drawList);
+    };
+    EXPECT_TRUE(whole("all"));
+    EXPECT_FALSE(whole("spherical"));
+    EXPECT_FALSE(hasWholeModel(*scene, DrawList{}));
 }
 
 }  // namespace

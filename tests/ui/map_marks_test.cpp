@@ -1,0 +1,52 @@
+// Where corners' numbers and sectors' edges stand on the map.
+#include <gtest/gtest.h>
+
+#include "tests/ui/made_up_map.h"
+#include "ui/panels/map_overlay.h"
+
+namespace cullscope::ui {
+namespace {
+
+TEST(MapMarks, numbersOfCornersWereUnderTheirOwnMarkers) {
+    const QFontMetricsF metrics{QFont()};
+    const MapLayout layout({0, 0, 400, 220}, metrics);
+    for (const auto& [from, to] : {std::pair<Vec2, Vec2>{{0.01, 0.02}, {3.13, 6.27}},
+                                   {{0.9, -0.05}, {1.9, 0.05}},
+                                   {{0.02, 1.0}, {0.3, 2.0}},
+                                   {{2.9, 5.9}, {3.13, 6.26}}}) {
+        const SphericalDecision decision = cutDecision(from, to, 2);
+        const std::array<QRectF, 4> numbers = cornerNumbers(layout, decision, metrics);
+        for (size_t i = 0; i < numbers.size(); ++i) {
+            EXPECT_TRUE(layout.area.adjusted(1, 1, -1, -1).contains(numbers[i])) << "on the frame";
+            for (const CornerRay& ray : decision.rays)
+                EXPECT_FALSE(numbers[i].adjusted(-3, -3, 3, 3).contains(layout.placeOf(cornerOf(ray)))) << from.x << " " << i;
+            for (size_t j = 0; j < i; ++j) EXPECT_FALSE(numbers[i].intersects(numbers[j])) << from.x;
+        }
+    }
+}
+
+TEST(MapMarks, edgesOfSectorsKeepTheirAngleOverThePolesToo) {
+    ContourBands bands = *withinDecision({5, 0, 0}).bands;
+    bands.axis = {1, 0, 0};
+    bands.side = {0, 1, 0};
+    bands.over = {0, 0, 1};
+    for (const double beta : {0.7, std::numbers::pi / 2, 4.0}) {
+        const std::vector<std::vector<Vec2>> lines = sectorEdge(bands, beta);
+        EXPECT_EQ(lines.size(), beta == std::numbers::pi / 2 ? 2U : 1U) << beta;
+        for (const std::vector<Vec2>& line : lines)
+            for (size_t i = 0; i < line.size(); ++i) {
+                const double theta = line[i].x, phi = line[i].y;
+                const Vec3 direction{std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+                const Vec2 angles = bands.anglesOf(direction);
+                if (std::sin(angles.x) > 1e-6) {
+                    EXPECT_NEAR(angles.y, beta, 1e-6);
+                }
+                if (i > 0) {
+                    EXPECT_LT(std::abs(phi - line[i - 1].y), 1.6) << "a line across the map";
+                }
+            }
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::ui
