@@ -53,6 +53,16 @@ TEST_F(HeaderOfView, promiseAndIdWereCutInANarrowView) {
     }
 }
 
+TEST_F(HeaderOfView, promisesWhatTheStrategyBeforePromised) {
+    watch(Role::Linked, "all");
+    session.slot(1).choose("spherical");
+    // Not built yet.
+    ASSERT_EQ(session.slot(1).built()->id, "all");
+    EXPECT_FALSE(header.shownFirstLine().contains(promiseWord(Promise::Conservative))) << header.shownFirstLine().toStdString();
+    ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->id == "spherical"; }));
+    EXPECT_TRUE(waitUntil([&] { return header.shownFirstLine().contains(promiseWord(Promise::Approximate)); }));
+}
+
 TEST_F(HeaderOfView, theNameStandsWhereItHasRoomAndTheIdAloneElsewhere) {
     watch(Role::Observer, "backface");
     EXPECT_EQ(header.shownFirstLine(), QStringLiteral("B watches A lossless backface"));

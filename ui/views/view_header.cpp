@@ -60,7 +60,8 @@ std::optional<Promise> ViewHeader::promise() const {
     const Figures& figures = m_session.figures(m_view);
     if (figures.state == Figures::State::Ready) return figures.promise;
     const BuiltStrategyPointer& built = m_session.slot(m_session.culledBy(m_view)).built();
-    if (!built) return std::nullopt;
+    // While the chosen one is being built, the one before it is still there.
+    if (!built || built->id != info().id) return std::nullopt;
     return built->strategy->promise();
 }
 
