@@ -160,8 +160,8 @@ Camera from(const Vec3& eye, double fovy, const Vec3& up = {0, 1, 0.1}) {
 }
 
 TEST(SphericalPicture, knownLossesOfSAndSlopeChanged) {
-    // Case 16: a torus (1, 0.25) whose axis is tilted by 60° from the sight line, far away, and a thick bowl seen into its opening. These are expected losses,
-    // written down so that a change of them is noticed.
+    // Case 16: a torus (1, 0.25) whose axis is tilted by 60° from the sight line, far away, and a thick bowl seen into its
+    // opening. These are expected losses, written down so that a change of them is noticed.
     const ScenePointer torus = sceneOf({torusMesh(40'000)}, {rotation({1, 0, 0}, std::numbers::pi / 6)});
     const ScenePointer bowl = sceneOf({bowlMesh(60'000)});
     const std::vector<Camera> far{from({0, 0, 40}, 6)}, into{from({0, 0, 6}, 25)};
