@@ -31,11 +31,11 @@ std::string safe(std::string_view text) {
     return name;
 }
 
-/// The digits that {n} or {n:04} asks for; nothing for another placeholder.
-std::optional<size_t> digitsOfCounter(std::string_view placeholder) {
-    if (placeholder == "n") return 1;
-    if (!placeholder.starts_with("n:")) return std::nullopt;
-    std::string_view width = placeholder.substr(2);
+/// The digits that {n} or {n:04} asks for; nothing for another field.
+std::optional<size_t> digitsOfCounter(std::string_view field) {
+    if (field == "n") return 1;
+    if (!field.starts_with("n:")) return std::nullopt;
+    std::string_view width = field.substr(2);
     if (width.size() == 2 && width.front() == '0') width.remove_prefix(1);
     if (width.size() != 1 || width.front() < '1' || width.front() > '9') return std::nullopt;
     return static_cast<size_t>(width.front() - '0');
@@ -49,16 +49,16 @@ std::string filledIn(std::string_view pattern, std::string_view scene, std::stri
         pattern.remove_prefix(open);
         if (pattern.empty()) break;
         const size_t close = pattern.find('}');
-        const std::string_view placeholder = pattern.substr(1, close == std::string_view::npos ? close : close - 1);
-        const std::optional<size_t> digits = digitsOfCounter(placeholder);
-        if (close == std::string_view::npos || (!digits && placeholder != "scene" && placeholder != "strategy"))
+        const std::string_view field = pattern.substr(1, close == std::string_view::npos ? close : close - 1);
+        const std::optional<size_t> digits = digitsOfCounter(field);
+        if (close == std::string_view::npos || (!digits && field != "scene" && field != "strategy"))
             throwUsage(CULLSCOPE_TR("File names have no placeholder {%1}. There are {scene}, {strategy}, {n} and {n:04}."),
-                       {std::string(placeholder)});
+                       {std::string(field)});
         if (digits) {
             const std::string counted = std::to_string(number);
             name += std::string(*digits - std::min(*digits, counted.size()), '0') + counted;
         } else {
-            name += shortened(placeholder == "scene" ? scene : strategy, kMostNameBytes);
+            name += shortened(field == "scene" ? scene : strategy, kMostNameBytes);
         }
         pattern.remove_prefix(close + 1);
     }
