@@ -6,6 +6,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/overlays.h"
 #include "core/base/error.h"
+#include "core/gpu/colour.h"
 #include "core/gpu/context.h"
 #include "core/measure/picture_file.h"
 #include "core/measure/picture_metadata.h"
@@ -52,7 +53,7 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value, 16);
     if (text.size() != 6 || error != std::errc() || end != text.data() + text.size())
         throwUsage(CULLSCOPE_TR("%1 %2 is not a colour of six hexadecimal digits, as in FFFFFF."), {option, text});
-    return Vec3f(float(value >> 16), float(value >> 8 & 255), float(value & 255)) / 255.0f;
+    return colourFromHexadecimal(value);
 }
 
 /// What the picture shows, for its metadata.

@@ -1,8 +1,13 @@
 #pragma once
 
+#include <cstdint>
+
 #include "core/geometry/types.h"
 
 namespace cullscope {
+
+/// 0xRRGGBB.
+[[nodiscard]] Vec3f colourFromHexadecimal(uint32_t rgb);
 
 /// The relative luminance Y in [0, 1] of an sRGB colour (IEC 61966-2-1).
 [[nodiscard]] float relativeLuminance(const Vec3f& colour);

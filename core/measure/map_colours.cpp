@@ -17,10 +17,6 @@ constexpr std::array<uint32_t, 8> kRamp{0xDEEBF7, 0xC6DBEF, 0x9ECAE1, 0x6BAED6, 
 /// Cividis, which is told apart in every sight (Nuñez, Anderton & Renslow 2018), begun a little brighter.
 constexpr std::array<uint32_t, 5> kRelief{0x2C4478, 0x434E6C, 0x7D7C78, 0xBCAF6F, 0xFEE838};
 
-Vec3f colourOf(uint32_t hexadecimal) {
-    return Vec3f(float(hexadecimal >> 16), float(hexadecimal >> 8 & 255), float(hexadecimal & 255)) / 255.0f;
-}
-
 Vec3f stateColour(CellState state, const Vec3f& background) {
     const auto palette = verdictPalette(background);
     switch (state) {
@@ -82,12 +78,12 @@ CellShares cellShares(const SphericalMaps& maps, MapColouring colouring) {
 Vec3f rampColour(double share, const Vec3f& background) {
     const double place = std::clamp(isLight(background) ? share : 1.0 - share, 0.0, 1.0) * (kRamp.size() - 1);
     const size_t from = std::min(size_t(place), kRamp.size() - 2);
-    return glm::mix(colourOf(kRamp[from]), colourOf(kRamp[from + 1]), float(place - double(from)));
+    return glm::mix(colourFromHexadecimal(kRamp[from]), colourFromHexadecimal(kRamp[from + 1]), float(place - double(from)));
 }
 
 std::array<Vec3f, 5> reliefColours() {
     std::array<Vec3f, 5> colours;
-    std::transform(kRelief.begin(), kRelief.end(), colours.begin(), colourOf);
+    std::transform(kRelief.begin(), kRelief.end(), colours.begin(), colourFromHexadecimal);
     return colours;
 }
 

@@ -73,9 +73,8 @@ std::vector<std::vector<Vec2>> cutAtSeam(const std::vector<Vec2>& points) {
 }  // namespace
 
 Vec2 mapAngles(const Vec3& direction) {
-    double phi = std::atan2(direction.y, direction.x);
-    if (phi < 0.0) phi += kTurn;
-    return {std::atan2(std::hypot(direction.x, direction.y), direction.z), phi < kTurn ? phi : 0.0};
+    const SphericalPoint point = sphericalPoint(direction);
+    return {point.theta, point.phi};
 }
 
 std::vector<Vec2> contour(const ContourBands& bands, double alpha) { return Curve(bands, alpha).points(); }

@@ -22,10 +22,6 @@ constexpr std::array<uint32_t, kTriangleStateCount> kOnDark{0x88EAEE, 0xF4FB19, 
 constexpr std::array<float, kTriangleStateCount> kShadesOnLight{0.9125f, 0.7625f, 1.0f, 0.775f, 0.7f, 0.975f, 1.0f};
 constexpr std::array<float, kTriangleStateCount> kShadesOnDark{0.9125f, 1.1f, 0.85f, 0.875f, 0.8625f, 0.8375f, 1.0f};
 
-Vec3f colourOf(uint32_t hexadecimal) {
-    return Vec3f(float(hexadecimal >> 16), float(hexadecimal >> 8 & 255), float(hexadecimal & 255)) / 255.0f;
-}
-
 /// Only what reached the picture keeps its look.
 VerdictPalette drawnOnly(VerdictPalette palette) {
     for (size_t state = 0; state < palette.size(); ++state)
@@ -54,7 +50,7 @@ VerdictPalette verdictPalette(const Vec3f& background) {
     const bool light = isLight(background);
     VerdictPalette palette;
     for (size_t state = 0; state < palette.size(); ++state) {
-        palette[state].colour = colourOf((light ? kOnLight : kOnDark)[state]);
+        palette[state].colour = colourFromHexadecimal((light ? kOnLight : kOnDark)[state]);
         palette[state].shade = (light ? kShadesOnLight : kShadesOnDark)[state];
     }
     palette[size_t(TriangleState::OutsideFrustum)].look = Look::Wireframe;

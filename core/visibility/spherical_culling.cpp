@@ -45,15 +45,16 @@ public:
 
     [[nodiscard]] Facing facing() const override { return m_facing; }
     [[nodiscard]] Inside inside(const Trace& trace) const override {
+        std::vector<std::optional<FrustumPlane>> rejectedBy(scene().instances().size());
+        for (const TraceEvent& event : trace.events)
+            if (event.kind == TraceEvent::Kind::TestedPlane && event.containment == Containment::Outside)
+                rejectedBy[event.instance] = event.plane;
         Inside result;
         for (const SphericalDecision& decision : trace.spherical) {
             result.nodes.push_back(nodeOf(decision));
+            result.nodes.back().rejectedBy = rejectedBy[decision.instance];
             result.maps.push_back({mappedMesh(decision.instance).maps, decision});
         }
-        for (const TraceEvent& event : trace.events)
-            if (event.kind == TraceEvent::Kind::TestedPlane && event.containment == Containment::Outside)
-                for (InsideNode& node : result.nodes)
-                    if (node.instance == event.instance) node.rejectedBy = event.plane;
         return result;
     }
 

@@ -89,10 +89,7 @@ std::vector<std::vector<Vec2>> sectorEdge(const ContourBands& bands, double beta
     return lines;
 }
 
-Vec2 cornerOf(const CornerRay& ray) {
-    const SphericalPoint point = sphericalPoint(ray.point);
-    return {point.theta, point.phi};
-}
+Vec2 cornerOf(const CornerRay& ray) { return mapAngles(ray.point); }
 
 void MapOverlay::paint(const InsideMap& map) const {
     m_painter.save();
