@@ -19,6 +19,32 @@ struct Options {
     bool noAccuracy = false;
 };
 
+/// With the parameters that are not as by default.
+std::string nameOf(const StrategyRequest& strategy) {
+    std::string name = strategy.id;
+    for (const ParameterDeclaration& parameter : strategy.parameters.declarations())
+        if (const ParameterValue& value = strategy.parameters.value(parameter.key); value != parameter.defaultValue)
+            name += " " + parameter.key + "=" + toText(value);
+    return name;
+}
+
+/// Of the scene's triangles, mean over the poses; empty for a strategy that leaves nothing out for a cause but the frustum, of
+/// which the table says all.
+std::string culledByCause(const RunMeasurement& run, const Scene& scene) {
+    std::array<double, kCauseCount> sums{};
+    for (const FrameMeasurement& frame : run.frames)
+        for (size_t cause = 0; cause < kCauseCount; ++cause) sums[cause] += double(frame.culledTriangles[cause]);
+    std::string text;
+    bool others = false;
+    for (size_t cause = 0; cause < kCauseCount; ++cause) {
+        if (sums[cause] == 0.0) continue;
+        others = others || static_cast<Cause>(cause) != Cause::OutsideFrustum;
+        const double share = sums[cause] / (double(run.frames.size()) * double(scene.triangleCount()));
+        text += fmt::format("{}{} {:.1f} %", text.empty() ? "" : ", ", causeName(static_cast<Cause>(cause)), 100.0 * share);
+    }
+    return others ? text : std::string();
+}
+
 void printTable(const MeasureResult& result, FILE* out) {
     const Scene& scene = *result.request.scene;
     fmt::print(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
@@ -36,16 +62,15 @@ void printTable(const MeasureResult& result, FILE* out) {
                 missed += frame.accuracy->missedPixels;
                 hole = std::max(hole, frame.accuracy->largestHolePixels);
             }
-        std::string name = run.strategy.id;
-        for (const ParameterDeclaration& parameter : run.strategy.parameters.declarations())
-            if (const ParameterValue& value = run.strategy.parameters.value(parameter.key); value != parameter.defaultValue)
-                name += " " + parameter.key + "=" + toText(value);
-        fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>12.2f} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n", name,
-                   promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
+        fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>12.2f} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
+                   nameOf(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
                    fmt::format("{:.2f} [{:.2f},{:.2f}]", s.speedupVsAll, s.speedupVsAllCi95[0], s.speedupVsAllCi95[1]),
                    s.speedupVsBackface, s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
                    result.request.accuracy ? std::to_string(missed) : "-", result.request.accuracy ? std::to_string(hole) : "-");
     }
+    for (const RunMeasurement& run : result.runs)
+        if (const std::string culled = culledByCause(run, scene); !culled.empty())
+            fmt::print(out, "{} culled by cause: {}\n", nameOf(run.strategy), culled);
 }
 
 MeasureRequest requestOf(const Options& options, const OpenedScene& opened) {

@@ -7,14 +7,17 @@
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
+#include "core/measure/overlays.h"
 
 namespace cullscope::cullbench {
 namespace {
 
-constexpr const char* kOverlays = "verdicts, boxes, frustum, bands, index-map, spherical-model";
+constexpr const char* kOverlays = "verdicts, boxes, frustum, bands, kernel, index-map, spherical-model";
 /// Of strategies that have such a structure; none of today's has.
 constexpr std::array kOfOtherStrategies{"tree"};
-constexpr const char* kStrategiesWithMaps = "spherical, spherical-horizon";
+constexpr const char* kStrategiesWithMaps = "spherical, spherical-horizon, spherical-lossless";
+constexpr const char* kStrategiesWithBands = "spherical, spherical-horizon";
+constexpr const char* kStrategiesWithCells = "spherical-lossless";
 
 /// Adds one overlay; false: there is none of that name.
 bool add(const std::string& name, OverlayChoice& choice) {
@@ -26,6 +29,8 @@ bool add(const std::string& name, OverlayChoice& choice) {
         choice.look.frustum = true;
     else if (name == "bands")
         choice.look.bands = true;
+    else if (name == "kernel")
+        choice.look.kernel = true;
     else if (name == "spherical-model")
         choice.look.sphericalModel = true;
     else if (name == "index-map")
@@ -46,9 +51,9 @@ void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& n
 }
 
 void requireBands(const std::string& strategy, const Inside& inside, const Scene& scene) {
-    if (inside.maps.empty())
+    if (inside.maps.empty() || inside.maps.front().tree)
         throwUsage(CULLSCOPE_TR("--overlay bands: the strategy \"%1\" has no contour bands. Strategies that have them: %2."),
-                   {strategy, kStrategiesWithMaps});
+                   {strategy, kStrategiesWithBands});
     for (const InsideMap& map : inside.maps)
         if (map.decision.bands) return;
     const SphericalDecision& decision = shownMap(inside)->decision;
@@ -59,22 +64,63 @@ void requireBands(const std::string& strategy, const Inside& inside, const Scene
         {scene.instances()[decision.instance].name, relationName(decision.relation)});
 }
 
+/// Says why an object has no kernel; nothing where it has one.
+void requireKernelOf(const InsideMap& map, const std::string& option, const Scene& scene) {
+    const std::string& name = scene.instances()[map.decision.instance].name;
+    if (!map.kernel)
+        throwUsage(CULLSCOPE_TR("%1: no inner kernel was made for the object \"%2\", because the parameter horizon is off or the "
+                                "mesh has too few triangles for it to pay. Choose horizon=true, or a larger mesh."),
+                   {option, name});
+    if (!map.kernel->filled())
+        throwUsage(CULLSCOPE_TR("%1: the object \"%2\" has no inner kernel: %3. Leave it out, or choose another scene."),
+                   {option, name, InnerKernel::stateName(map.kernel->state())});
+}
+
+void requireKernel(const std::string& strategy, const Inside& inside, const Scene& scene) {
+    const std::string option = "--overlay kernel";
+    if (inside.maps.empty() || !inside.maps.front().tree)
+        throwUsage(CULLSCOPE_TR("%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3."),
+                   {option, strategy, kStrategiesWithCells});
+    if (std::ranges::any_of(inside.maps, hasKernel)) return;
+    const InsideMap& shown = *shownMap(inside);
+    requireKernelOf(shown, option, scene);
+    throwUsage(CULLSCOPE_TR("%1: the object \"%2\" is %3, so that its inner kernel is not shown. Choose another eye or target."),
+               {option, scene.instances()[shown.decision.instance].name, relationName(shown.decision.relation)});
+}
+
+void requireMap(MapColouring colouring, const std::string& strategy, const Inside& inside, const Scene& scene) {
+    if (inside.maps.empty())
+        throwUsage(CULLSCOPE_TR("--overlay index-map: the strategy \"%1\" has no index map. Strategies that have one: %2."),
+                   {strategy, kStrategiesWithMaps});
+    const InsideMap& shown = *shownMap(inside);
+    if (hasColouring(shown, colouring)) return;
+    const std::string option = std::string("--map-colouring ") + mapColouringId(colouring);
+    if (shown.tree) requireKernelOf(shown, option, scene);
+    throwUsage(CULLSCOPE_TR("%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3."),
+               {option, strategy, kStrategiesWithCells});
+}
+
 }  // namespace
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command
-        .add_option("--overlay", options.names,
-                    "verdicts (colour by verdict, against the truth), boxes (that the strategy tests; bounding spheres, visible "
-                    "region and corner rays of spherical strategies), frustum (of the culling camera), bands (contour bands of "
-                    "spherical strategies, with S); in place of the scene: index-map (of spherical strategies, of the first "
-                    "object in the frustum), spherical-model (what was drawn of the first object, over azimuth and zenith "
-                    "angle); may be given more than once")
+        .add_option(
+            "--overlay", options.names,
+            "verdicts (colour by verdict, against the truth), boxes (that the strategy tests; bounding spheres, visible "
+            "region and corner rays of spherical strategies, judged cells of spherical-lossless), frustum (of the culling "
+            "camera), bands (contour bands of spherical strategies, with S), kernel (of spherical-lossless: what is filled "
+            "of a solid around its centre, with the horizon that the eye sees of it); in place of the scene: index-map (of "
+            "spherical strategies, of the first "
+            "object in the frustum), spherical-model (what was drawn of the first object, over azimuth and zenith "
+            "angle); may be given more than once")
         ->allow_extra_args(false);
     command.add_option("--below", options.below,
                        "a second picture of the same size below the first: index-map, spherical-model, or behind (the same from "
                        "the other side)");
-    command.add_option("--map-colouring", options.mapColouring,
-                       "of the index map: entries (triangles by cell, the default), radius or state");
+    command.add_option(
+        "--map-colouring", options.mapColouring,
+        "of the index map: entries (triangles by cell, the default), radius, state, or of spherical-lossless level (of the "
+        "judged cells) or kernel (its radius)");
     command.add_option("--view-eye", options.eye, "eye of an observer, x,y,z (default: the culling camera's)");
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
@@ -140,9 +186,8 @@ void requireOverlays(const OverlayChoice& choice, const std::string& strategy, c
     if (choice.look.boxes && inside.nodes.empty() && inside.maps.empty())
         throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
     if (choice.look.bands) requireBands(strategy, inside, scene);
-    if (choice.map && inside.maps.empty())
-        throwUsage(CULLSCOPE_TR("--overlay index-map: the strategy \"%1\" has no index map. Strategies that have one: %2."),
-                   {strategy, kStrategiesWithMaps});
+    if (choice.look.kernel) requireKernel(strategy, inside, scene);
+    if (choice.map) requireMap(*choice.map, strategy, inside, scene);
 }
 
 const InsideMap* shownMap(const Inside& inside) {

@@ -92,11 +92,19 @@ struct Drawn {
     std::string sphere;  ///< what a spherical strategy decided about the object whose map is shown
 };
 
+/// What the walk over an object's cells tested, and how many triangles each test left out.
+std::string describedWalk(const CellWalk& walk) {
+    const auto culled = [&](Cause cause) { return fmt::format("{} {}", walk.culled[size_t(cause)], causeName(cause)); };
+    return fmt::format("{} nodes visited; planes: {}; cones: {}; horizon: {}", walk.nodesVisited, culled(Cause::OutsideFrustum),
+                       walk.cones ? culled(Cause::BackFacing) : "not used", walk.horizon ? culled(Cause::Hidden) : "not used");
+}
+
 std::string describedMap(const InsideMap& map, const Scene& scene) {
     const SphericalDecision& decision = map.decision;
     std::string text = fmt::format("the bounding sphere of \"{}\" is {}", scene.instances()[decision.instance].name,
                                    relationName(decision.relation));
     if (decision.region) text += fmt::format(", case {}", decision.region->caseNumber);
+    if (decision.walk) text += "; " + describedWalk(*decision.walk);
     return text;
 }
 

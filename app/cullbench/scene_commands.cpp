@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
 #include "core/mesh/save.h"
+#include "core/scene/camera_path.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -33,6 +36,25 @@ struct InspectOptions {
     std::vector<std::string> parameters;
 };
 
+/// How the meshes' quadtrees are laid out, and how many meshes have an inner kernel, or why not.
+struct CellFigures {
+    std::string layout;  ///< empty: this strategy has no quadtrees
+    std::map<std::string, size_t> meshesByKernel;
+};
+
+CellFigures cellFigures(Strategy& strategy, const Scene& scene) {
+    CellFigures figures;
+    Trace trace;
+    (void)strategy.cull(View(overviewCamera(scene, 1.0), {64, 64}), &trace);
+    std::set<uint32_t> seen;
+    for (const InsideMap& map : strategy.inside(trace).maps) {
+        if (!map.tree || !seen.insert(scene.instances()[map.decision.instance].mesh).second) continue;
+        figures.layout = mapLayoutId(map.tree->layout());
+        ++figures.meshesByKernel[map.kernel ? InnerKernel::stateName(map.kernel->state()) : "not made"];
+    }
+    return figures;
+}
+
 void runInspect(const InspectOptions& options, const Context& context) {
     const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
     const OpenedScene opened = openSceneForCommand(options.scene, context);
@@ -41,6 +63,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
     clearProgress();
     const StructureReport& structure = strategy->structure();
     const Scene& scene = *opened.scene;
+    const CellFigures cells = cellFigures(*strategy, scene);
     const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
     if (!options.json.empty()) {
         nlohmann::ordered_json json{{"scene",
@@ -54,6 +77,9 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                     {"build_ms", structure.buildMilliseconds},
                                     {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
+        if (!cells.layout.empty()) json["layout"] = cells.layout;
+        for (const auto& [state, meshes] : cells.meshesByKernel)
+            json["kernels"].push_back({{"state", state}, {"meshes", meshes}});
         writeText(options.json, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     }
     if (options.json == "-") return;
@@ -62,6 +88,9 @@ void runInspect(const InspectOptions& options, const Context& context) {
     fmt::print("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
                structure.buildMilliseconds, structure.bytes);
     for (const StructureReport::Figure& figure : structure.figures) fmt::print("  {} {}\n", figure.name, figure.value);
+    if (!cells.layout.empty()) fmt::print("  layout {}\n", cells.layout);
+    for (const auto& [state, meshes] : cells.meshesByKernel)
+        fmt::print("  inner kernel of {}: {}\n", meshes == 1 ? "1 mesh" : fmt::format("{} meshes", meshes), state);
 }
 
 struct PathOptions {

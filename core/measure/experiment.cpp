@@ -13,6 +13,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double kBuilding = 0.1;  // of the progress that is shown
+
 /// A strategy while it is measured.
 struct Contestant {
     StrategyRequest request;
@@ -31,16 +33,21 @@ public:
           m_gl(requireOpenGl45()),
           m_buffers(request.scene, request.upload) {
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
-        for (const StrategyRequest& strategy : request.strategies) add(strategy, true);
+        const double step = kBuilding / double(std::max<size_t>(request.strategies.size(), 1));
+        for (const StrategyRequest& strategy : request.strategies) {
+            const double from = step * double(m_contestants.size());
+            add(strategy, true, m_progress.part(from, from + step));
+        }
         for (const char* baseline : {"all", "backface"})
             if (indexOf(baseline) == m_contestants.size())
-                add({baseline, ParameterSet(findStrategy(baseline).info.parameters)}, false);
+                add({baseline, ParameterSet(findStrategy(baseline).info.parameters)}, false, {nullptr, m_progress.stop});
     }
 
     MeasureResult run() {
         bool interrupted = false;
+        const Progress measuring = m_progress.part(kBuilding, 1.0);
         for (size_t pose = 0; pose < m_request.path.poses.size() && !interrupted; ++pose) {
-            m_progress.tell(double(pose) / double(m_request.path.poses.size()), CULLSCOPE_TR("measuring"));
+            measuring.tell(double(pose) / double(m_request.path.poses.size()), CULLSCOPE_TR("measuring"));
             interrupted = !measurePose(pose);
             if (!interrupted && m_afterPose) m_afterPose([this] { return resultSoFar(); });
         }
@@ -50,12 +57,12 @@ public:
     }
 
 private:
-    void add(const StrategyRequest& request, bool askedFor) {
+    void add(const StrategyRequest& request, bool askedFor, const Progress& progress) {
         Contestant contestant;
         contestant.request = request;
         contestant.askedFor = askedFor;
         contestant.strategy = makeStrategy(request.id, request.parameters);
-        contestant.strategy->build(*m_request.scene, m_progress);
+        contestant.strategy->build(*m_request.scene, progress);
         contestant.run.strategy = request;
         contestant.run.promise = contestant.strategy->promise();
         contestant.run.facing = contestant.strategy->facing();
@@ -135,6 +142,7 @@ private:
             const Verdict verdict = contestant.strategy->cull(view);
             frame.stages = verdict.stages;
             frame.consideredTriangles = verdict.consideredTriangles;
+            frame.culledTriangles = verdict.culledTriangles;
             frame.caseNumber = verdict.caseNumber;
             if (m_request.accuracy && contestant.askedFor) {
                 std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];

@@ -48,8 +48,9 @@ struct FrameMeasurement {
     double cullMilliseconds = 0.0;   ///< median
     std::vector<Stage> stages;       ///< of one cull
     int repetitions = 0;
-    uint64_t consideredTriangles = 0;  ///< of one window
-    int caseNumber = 0;                ///< of Han & Hong's cases (Verdict::caseNumber); 0: none
+    uint64_t consideredTriangles = 0;                     ///< of one window
+    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (Verdict::culledTriangles)
+    int caseNumber = 0;                                   ///< of Han & Hong's cases (Verdict::caseNumber); 0: none
     std::optional<Accuracy> accuracy;
     uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
 };

@@ -5,8 +5,10 @@
 
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
+#include "core/measure/judged_cells.h"
 #include "core/measure/map_picture.h"
 #include "core/measure/view_picture.h"
+#include "core/visibility/cell_directions.h"
 
 namespace cullscope {
 namespace {
@@ -24,12 +26,23 @@ Vec3f stateColour(CellState state, const Vec3f& background) {
             return palette[size_t(TriangleState::Visible)].colour;
         case CellState::OutsideFrustum:
             return palette[size_t(TriangleState::OutsideFrustum)].colour;
+        case CellState::BackFacing:
+            return palette[size_t(TriangleState::BackFacing)].colour;
         case CellState::Hidden:
             return palette[size_t(TriangleState::Hidden)].colour;
         case CellState::Empty:
             break;
     }
     return background;
+}
+
+/// Of the quadtree's cell that holds a direction in which no centroid lies: the display's cells may be the smaller ones.
+Vec3f colourBetween(const InsideMap& map, const Vec3& direction, const Vec3f& background) {
+    if (map.tree->leafAt(direction) == nullptr) return background;
+    const JudgedCell* judged = judgedCellAt(map, direction);
+    if (judged == nullptr) return stateColour(CellState::OutsideFrustum, background);
+    const TriangleState state = judged->cause ? stateOfCause(*judged->cause) : TriangleState::Visible;
+    return verdictPalette(background)[size_t(state)].colour;
 }
 
 CellShares entryShares(const SphericalMaps& maps) {
@@ -58,7 +71,35 @@ CellShares radiusShares(const SphericalMaps& maps) {
     return result;
 }
 
-constexpr std::array kColouringIds{"entries", "radius", "state"};
+CellShares levelShares(const InsideMap& map) {
+    const SphericalGrid& grid = map.maps->grid();
+    const CellDirections directions(grid);
+    CellShares result{std::vector<float>(grid.cellCount(), -1.0f), 0.0, 1.0};
+    for (uint32_t cell = 0; cell < result.shares.size(); ++cell) {
+        const Vec3 middle = directions.middle(grid.cell(cell));
+        const CellTree::Node* node = map.tree->leafAt(middle);
+        if (node == nullptr) continue;
+        // The scale does not change from view to view. Single leaves may lie far deeper: many triangles at one place.
+        result.most = std::max(result.most, double(node->level));
+        if (const JudgedCell* judged = judgedCellAt(map, middle)) node = &map.tree->nodes()[judged->node];
+        result.shares[cell] = float(node->level);
+    }
+    for (float& share : result.shares) share = share < 0.0f ? share : float(share / result.most);
+    return result;
+}
+
+CellShares kernelShares(const InsideMap& map) {
+    const SphericalGrid& grid = map.maps->grid();
+    const CellDirections directions(grid);
+    const double most = map.maps.sphere().radius;
+    CellShares result{std::vector<float>(grid.cellCount(), -1.0f), 0.0, most};
+    for (uint32_t cell = 0; cell < result.shares.size(); ++cell)
+        result.shares[cell] =
+            float(map.kernel->radius(octahedralCell(directions.middle(grid.cell(cell)), map.kernel->level())) / most);
+    return result;
+}
+
+constexpr std::array kColouringIds{"entries", "radius", "state", "level", "kernel"};
 
 }  // namespace
 
@@ -68,11 +109,19 @@ MapColouring mapColouringFromId(std::string_view id) {
     for (size_t i = 0; i < kColouringIds.size(); ++i)
         if (id == kColouringIds[i]) return MapColouring(i);
     throwUsage(CULLSCOPE_TR("There is no colouring of the index map \"%1\". Known: %2."),
-               {std::string(id), "entries, radius, state"});
+               {std::string(id), "entries, radius, state, level, kernel"});
 }
 
-CellShares cellShares(const SphericalMaps& maps, MapColouring colouring) {
-    return colouring == MapColouring::Radius ? radiusShares(maps) : entryShares(maps);
+bool hasColouring(const InsideMap& map, MapColouring colouring) {
+    if (colouring == MapColouring::Level) return map.tree != nullptr;
+    return colouring != MapColouring::Kernel || (map.kernel && map.kernel->filled());
+}
+
+CellShares cellShares(const InsideMap& map, MapColouring colouring) {
+    if (!hasColouring(map, colouring)) return {std::vector<float>(map.maps->grid().cellCount(), -1.0f), 0.0, 0.0};
+    if (colouring == MapColouring::Level) return levelShares(map);
+    if (colouring == MapColouring::Kernel) return kernelShares(map);
+    return colouring == MapColouring::Radius ? radiusShares(*map.maps) : entryShares(*map.maps);
 }
 
 Vec3f rampColour(double share, const Vec3f& background) {
@@ -90,12 +139,18 @@ std::array<Vec3f, 5> reliefColours() {
 std::vector<Vec3f> cellColours(const InsideMap& map, MapColouring colouring, const Vec3f& background) {
     if (colouring != MapColouring::State) {
         std::vector<Vec3f> colours;
-        for (const float share : cellShares(*map.maps, colouring).shares)
+        for (const float share : cellShares(map, colouring).shares)
             colours.push_back(share < 0.0f ? background : rampColour(share, background));
         return colours;
     }
     std::vector<Vec3f> colours;
-    for (const CellState state : cellStates(map)) colours.push_back(stateColour(state, background));
+    const std::vector<CellState> states = cellStates(map);
+    const CellDirections directions(map.maps->grid());
+    for (uint32_t cell = 0; cell < states.size(); ++cell) {
+        const bool between = states[cell] == CellState::Empty && map.tree;
+        colours.push_back(between ? colourBetween(map, directions.middle(map.maps->grid().cell(cell)), background)
+                                  : stateColour(states[cell], background));
+    }
     return colours;
 }
 

@@ -3,51 +3,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/measure/map_line.h"
 #include "core/measure/map_picture.h"
 
 namespace cullscope {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
-/// How far apart two neighbouring points of a curve may lie on the map, radians, and how often a piece is halved for that: a
-/// curve that passes close to a pole turns there within a hair's breadth.
-constexpr double kStep = std::numbers::pi / 90.0;
-constexpr int kHalvings = 12;
 constexpr int kFirstPieces = 120;
-
-/// Nearest to another azimuth by whole turns.
-double continued(double phi, double after) { return phi + kTurn * std::round((after - phi) / kTurn); }
-
-class Curve {
-public:
-    Curve(const ContourBands& bands, double alpha) : m_bands(bands), m_alpha(alpha) {
-        m_points.push_back(at(0.0));
-        for (int i = 0; i < kFirstPieces; ++i) add(kTurn * i / kFirstPieces, kTurn * (i + 1) / kFirstPieces, kHalvings);
-    }
-
-    /// (θ, φ) with φ continued over the seam.
-    [[nodiscard]] const std::vector<Vec2>& points() const { return m_points; }
-
-private:
-    [[nodiscard]] Vec2 at(double beta) const { return mapAngles(m_bands.direction(m_alpha, beta)); }
-
-    /// The piece up to the azimuth `to`, whose beginning is the last point.
-    void add(double from, double to, int halvings) {
-        Vec2 end = at(to);
-        end.y = continued(end.y, m_points.back().y);
-        if (halvings > 0 && glm::length(end - m_points.back()) > kStep) {
-            const double middle = 0.5 * (from + to);
-            add(from, middle, halvings - 1);
-            add(middle, to, halvings - 1);
-            return;
-        }
-        m_points.push_back(end);
-    }
-
-    const ContourBands& m_bands;
-    double m_alpha;
-    std::vector<Vec2> m_points;
-};
 
 /// Cuts a curve where it goes over the seam, and puts every piece between 0 and 2π.
 std::vector<std::vector<Vec2>> cutAtSeam(const std::vector<Vec2>& points) {
@@ -77,7 +40,12 @@ Vec2 mapAngles(const Vec3& direction) {
     return {point.theta, point.phi};
 }
 
-std::vector<Vec2> contour(const ContourBands& bands, double alpha) { return Curve(bands, alpha).points(); }
+std::vector<Vec2> contour(const ContourBands& bands, double alpha) {
+    const auto at = [&](double beta) { return bands.direction(alpha, beta); };
+    MapLine line(at(0.0));
+    for (int i = 0; i < kFirstPieces; ++i) line.follow(at, kTurn * i / kFirstPieces, kTurn * (i + 1) / kFirstPieces);
+    return std::move(line).take();
+}
 
 std::vector<Contour> contours(const ContourBands& bands) {
     std::vector<Contour> result;

@@ -6,6 +6,7 @@
 
 #include "core/gpu/colour.h"
 #include "core/measure/canvas.h"
+#include "core/measure/judged_cells.h"
 
 namespace cullscope {
 namespace {
@@ -22,6 +23,7 @@ constexpr double kStrong = 2.0;
 constexpr double kCasing = 1.5;  ///< of the background's colour on both sides of a line
 constexpr double kDash = 6.0;
 constexpr double kMark = 4.5;
+constexpr double kLeastCell = 5.0;  ///< a smaller one is not outlined
 constexpr double kWalkedOpacity = 0.45;
 
 constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in the paper's Figure 4
@@ -41,6 +43,8 @@ public:
     void paintRegion(const VisibleRegion& region);
     void paintRays(std::span<const CornerRay> rays);
     void paintBands(const ContourBands& bands);
+    void paintJudgedCells();
+    void paintHorizon();
     [[nodiscard]] std::vector<uint8_t> rgba() const { return m_canvas.rgba(); }
 
 private:
@@ -55,6 +59,7 @@ private:
     void curve(const std::vector<Vec2>& angles, const Canvas::Pen& pen);
     void box(const CellBox& box, const Canvas::Pen& pen);
     void cross(const Vec2& centre, const Canvas::Pen& pen);
+    void axisMarks(const Vec3& axis);
     void tick(const Vec2& from, const Vec2& outward, int degrees);
 
     const InsideMap& m_map;
@@ -170,11 +175,35 @@ void MapPainter::paintBands(const ContourBands& bands) {
             m_canvas.line(points, {m_contrast, (equator ? kStrong : kThin) * unit()});
         }
     }
-    const Vec2 start = place(mapAngles(bands.axis)), end = place(mapAngles(-bands.axis));
+    axisMarks(bands.axis);
+}
+
+/// Where the axis from the centre to the eye begins (ring) and ends (dot).
+void MapPainter::axisMarks(const Vec3& axis) {
+    const Vec2 start = place(mapAngles(axis)), end = place(mapAngles(-axis));
     m_canvas.ring(start, kMark * unit(), {m_style.background, (kStrong + 2.0 * kCasing) * unit()});
     m_canvas.ring(start, kMark * unit(), {m_contrast, kStrong * unit()});
     m_canvas.dot(end, (kMark + kCasing) * unit(), m_style.background);
     m_canvas.dot(end, kMark * unit(), m_contrast);
+}
+
+void MapPainter::paintJudgedCells() {
+    m_canvas.clipTo(m_area);
+    const double leastSize = kLeastCell * unit() * kTurn / (m_area.right - m_area.left);
+    for (const std::vector<Vec2>& outline : cellOutlines(m_map, leastSize))
+        for (const double turn : {-kTurn, 0.0, kTurn}) {
+            std::vector<Vec2> points;
+            for (const Vec2& each : outline) points.push_back(place({each.x, each.y + turn}));
+            m_canvas.line(points, {m_style.background, kThin * unit()});
+        }
+}
+
+void MapPainter::paintHorizon() {
+    const std::vector<Vec2> line = horizonLine(m_map);
+    if (line.empty()) return;
+    m_canvas.clipTo(m_area);
+    curve(line, {kRegionColour, kStrong * unit()});
+    axisMarks(m_map.decision.eye);
 }
 
 }  // namespace
@@ -184,6 +213,8 @@ std::vector<uint8_t> mapPicture(const InsideMap& map, MapColouring colouring, co
     MapPainter painter(map, size, style);
     painter.paintCells(cellColours(map, colouring, style.background));
     painter.paintFrame();
+    painter.paintJudgedCells();
+    painter.paintHorizon();
     if (decision.bands) painter.paintBands(*decision.bands);
     if (decision.region) {
         painter.paintRegion(*decision.region);

@@ -12,9 +12,13 @@ class MapPlace {
 public:
     MapPlace(const Scene& scene, const InsideMap& map)
         : m_worldFromMesh(scene.instances()[map.decision.instance].worldFromMesh),
-          m_centre(map.maps->mesh().origin() + map.maps->sphere().centre) {}
+          m_centre(map.maps.mesh().origin() + map.maps.sphere().centre) {}
 
     [[nodiscard]] Vec3 world(const Vec3& point) const { return Vec3(m_worldFromMesh * Vec4(m_centre + point, 1.0)); }
+    /// The other way; of a flat object not finite.
+    [[nodiscard]] Vec3 local(const Vec3& place) const {
+        return Vec3(glm::inverse(m_worldFromMesh) * Vec4(place, 1.0)) - m_centre;
+    }
 
 private:
     const Mat4& m_worldFromMesh;

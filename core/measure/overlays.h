@@ -36,13 +36,17 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
 /// A frustum, its far plane cut to the scene, and its eye as a mark.
 [[nodiscard]] std::vector<OverlayLines> frustumOverlay(const OverlayContext& context, const View& culling);
 
-/// The boxes of the nodes, coloured by verdict.
+/// The boxes of the objects, coloured by verdict.
 [[nodiscard]] OverlayLines boxOverlay(const OverlayContext& context, const Inside& inside);
+
+/// The boxes of the groups of objects that were tested, coloured by verdict.
+[[nodiscard]] OverlayLines groupOverlay(const OverlayContext& context, const Inside& inside);
 
 /// What strategies with maps of directions test in place of boxes, of every object that is not outside the frustum: the bounding
 /// sphere as three great circles; where the frustum cuts it, the visible region on the sphere (dashed) with its boxes, and the
 /// corner rays from the eye, with a ring where they enter the sphere, to a dot where they hit, or a cross at the region's corner
-/// of a ray that misses (Han & Hong 2008, Figure 3).
+/// of a ray that misses (Han & Hong 2008, Figure 3). Of `spherical-lossless` the borders of the judged cells on the viewer's side
+/// of the sphere, coloured by verdict, of those that are some pixels large.
 [[nodiscard]] std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const Inside& inside);
 
 /// The contour bands on the bounding spheres: the circles between them, coloured by what became of the band's sectors beyond, the
@@ -50,5 +54,14 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
 /// axis outward (Han & Hong 2008, Figures 5 and 6). Of `spherical-horizon`, which has slopes, the height of the sight line there.
 /// Circles that would lie closer than a few pixels are left out.
 [[nodiscard]] std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const Inside& inside);
+
+/// Whether there is a kernel to be shown.
+[[nodiscard]] inline bool hasKernel(const InsideMap& map) {
+    return map.kernel && map.kernel->filled() && map.decision.relation != SphereRelation::Outside;
+}
+/// The inner kernels of the objects that are not outside the frustum, but for those of a few pixels: the grid of a kernel's map
+/// on its surface, as far as it faces the viewer and pixels keep the lines apart; its outline as the culling camera's eye sees
+/// it, where the horizon was used; and the axis from the centre (dot) to that eye.
+[[nodiscard]] std::vector<OverlayLines> kernelOverlay(const OverlayContext& context, const Inside& inside);
 
 }  // namespace cullscope

@@ -24,7 +24,7 @@ public:
     explicit BandLines(const OverlayContext& context) : m_context(context) {}
 
     void add(const InsideMap& map) {
-        const Object object{map, *map.decision.bands, MapPlace(m_context.scene, map), map.maps->sphere().radius,
+        const Object object{map, *map.decision.bands, MapPlace(m_context.scene, map), map.maps.sphere().radius,
                             pixelsOf(m_context.viewing, MapPlace(m_context.scene, map).world(Vec3(0.0)),
                                      m_context.scene.instanceSphere(map.decision.instance).radius)};
         const ContourBands& bands = object.bands;

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/measure/judged_cells.h"
 #include "core/measure/map_place.h"
 
 namespace cullscope {
@@ -9,11 +10,13 @@ namespace {
 
 // Widths and radii are in units.
 constexpr float kCircleWidth = 1.0f;
+constexpr float kCellWidth = 1.0f;
 constexpr float kLineWidth = 1.5f;
 constexpr float kMarkWidth = 2.0f;
 constexpr double kEntryRadius = 3.5;
 constexpr double kHitRadius = 4.0;
 constexpr double kMissRadius = 4.5;
+constexpr double kLeastCell = 8.0;
 
 constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in the paper's Figure 4
 constexpr double kStep = std::numbers::pi / 120.0;   ///< of lines on the sphere
@@ -30,20 +33,27 @@ public:
     void add(const InsideMap& map) {
         const MapPlace place(m_context.scene, map);
         addCircles(map, place);
+        if (map.tree && map.decision.walk) addCells(map, place);
         if (map.decision.relation != SphereRelation::Cut) return;
         if (map.decision.region) addRegion(map, place);
         for (const CornerRay& ray : map.decision.rays) addRay(ray, map.decision.eye, place);
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {
+        // Where cells share a border, that of what is drawn lies over the others.
+        std::vector<LineSegment> cells;
+        for (const TriangleState state :
+             {TriangleState::OutsideFrustum, TriangleState::Hidden, TriangleState::BackFacing, TriangleState::Visible})
+            cells.insert(cells.end(), m_cells[size_t(state)].begin(), m_cells[size_t(state)].end());
         return {{std::move(m_circles), {kCircleWidth, true}},
                 {std::move(m_lines), {kLineWidth, true}, true},
-                {std::move(m_marks), {kMarkWidth, false}, true}};
+                {std::move(m_marks), {kMarkWidth, false}, true},
+                {std::move(cells), {kCellWidth, true}}};
     }
 
 private:
     void addCircles(const InsideMap& map, const MapPlace& place) {
-        const double radius = map.maps->sphere().radius;
+        const double radius = map.maps.sphere().radius;
         const Vec3f colour = m_context.palette[size_t(TriangleState::Visible)].colour;
         const Vec3 centre = place.world(Vec3(0.0));
         const double worldRadius = m_context.scene.instanceSphere(map.decision.instance).radius;
@@ -83,7 +93,7 @@ private:
 
     void addRegion(const InsideMap& map, const MapPlace& place) {
         const VisibleRegion& region = *map.decision.region;
-        const double radius = map.maps->sphere().radius;
+        const double radius = map.maps.sphere().radius;
         for (const CellBox& box : region.boxes) addBox(box, map.maps->grid(), radius, place);
         const std::vector<Vec2>& outline = region.outline;
         m_dash = 0;
@@ -91,6 +101,28 @@ private:
         // In case 1 it ends a whole turn away from its beginning: that is the same place on the sphere.
         if (region.caseNumber != 1 && outline.size() > 1)
             addOnSphere(outline.back(), outline.front(), radius, place, kRegionColour, true);
+    }
+
+    void addCells(const InsideMap& map, const MapPlace& place) {
+        const double radius = map.maps.sphere().radius, squared = radius * radius;
+        const double pixels =
+            pixelsOf(m_context.viewing, place.world(Vec3(0.0)), m_context.scene.instanceSphere(map.decision.instance).radius);
+        const double leastAngle = kLeastCell * m_context.style.unit / pixels;
+        const Vec3 eye = place.local(m_context.viewing.eye());
+        const MapLayout layout = map.tree->layout();
+        for (const JudgedCell& judged : map.decision.walk->judged) {
+            const MapCell cell = map.tree->nodes()[judged.node].cell();
+            if (!(solidAngle(layout, cell) > leastAngle * leastAngle)) continue;
+            const TriangleState state = judged.cause ? stateOfCause(*judged.cause) : TriangleState::Visible;
+            const std::vector<Vec2> outline = cellOutline(layout, cell);
+            for (size_t i = 1; i < outline.size(); ++i) {
+                const Vec3 from = radius * direction(outline[i - 1].x, outline[i - 1].y);
+                const Vec3 to = radius * direction(outline[i].x, outline[i].y);
+                // On the other side they would be seen through the sphere and crowd these; from within it there is no other side.
+                if (glm::dot(eye, eye) > squared && (glm::dot(from, eye) < squared || glm::dot(to, eye) < squared)) continue;
+                m_cells[size_t(state)].push_back({place.world(from), place.world(to), m_context.palette[size_t(state)].colour});
+            }
+        }
     }
 
     void addRay(const CornerRay& ray, const Vec3& eye, const MapPlace& place) {
@@ -106,6 +138,7 @@ private:
 
     const OverlayContext& m_context;
     std::vector<LineSegment> m_circles, m_lines, m_marks;
+    std::array<std::vector<LineSegment>, kTriangleStateCount> m_cells;
     int m_dash = 0;  ///< steps since the outline began
 };
 

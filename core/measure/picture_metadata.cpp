@@ -18,6 +18,7 @@ std::string overlays(const ViewLook& look) {
     add(look.boxes, "boxes");
     add(look.frustum, "frustum");
     add(look.bands, "bands");
+    add(look.kernel, "kernel");
     return names;
 }
 

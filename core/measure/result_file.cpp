@@ -19,6 +19,10 @@ Json parametersJson(const ParameterSet& parameters) {
     return json;
 }
 
+/// By Cause.
+constexpr std::array<const char*, kCauseCount> kCulledFields{"culled_outside_frustum", "culled_back_facing", "culled_hidden",
+                                                             "culled_too_small"};
+
 /// The fields of one frame, the same in JSON and CSV. Not measured is null.
 Json frameJson(const FrameMeasurement& frame) {
     Json json{{"pose", frame.pose},
@@ -26,6 +30,7 @@ Json frameJson(const FrameMeasurement& frame) {
               {"cull_ms", frame.cullMilliseconds},
               {"repetitions", frame.repetitions},
               {"considered_triangles", frame.consideredTriangles}};
+    for (size_t cause = 0; cause < kCauseCount; ++cause) json[kCulledFields[cause]] = frame.culledTriangles[cause];
     const auto figure = [&](uint64_t Accuracy::*member) {
         return frame.accuracy ? Json((*frame.accuracy).*member) : Json(nullptr);
     };

@@ -45,13 +45,18 @@ TriangleState stateOfCause(Cause cause) {
 
 namespace {
 
-/// As if nothing were submitted: the causes by object.
-std::vector<TriangleState> causes(const Scene& scene, const Trace& trace) {
+/// As if nothing were submitted: the causes by object, and within objects where there is more than one.
+std::vector<TriangleState> causes(const Scene& scene, const DrawList& list, const Trace& trace) {
     std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
     for (const TraceEvent& event : trace.events)
         if (event.kind == TraceEvent::Kind::Culled || event.kind == TraceEvent::Kind::PartlyDrawn)
             std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(event.instance)),
                         scene.meshOf(event.instance).triangleCount(), stateOfCause(event.cause));
+    for (const CulledRun& run : trace.culledRuns) {
+        const uint32_t mesh = scene.instances()[run.instance].mesh;
+        for (uint32_t place = run.places.first; place < run.places.first + run.places.count; ++place)
+            states[scene.firstTriangle(run.instance) + list.triangleAt(mesh, place)] = stateOfCause(run.cause);
+    }
     return states;
 }
 
@@ -79,7 +84,7 @@ TriangleStates triangleStates(const Scene& scene, const View& view, const DrawLi
                               const Reference* reference) {
     TriangleStates result;
     result.againstTruth = reference != nullptr;
-    result.states = causes(scene, trace);
+    result.states = causes(scene, list, trace);
     if (reference != nullptr)
         for (const uint32_t triangle : reference->visibleTriangles) result.states[triangle] = TriangleState::WronglyCulled;
     const Submitted submitted{reference, list.facing};

@@ -59,7 +59,7 @@ VerdictPalette verdictPalette(const Vec3f& background) {
 }
 
 bool needsTrace(const ViewLook& look) {
-    return !look.sphericalModel && (look.colouring == Colouring::Verdicts || look.boxes || look.bands);
+    return !look.sphericalModel && (look.colouring == Colouring::Verdicts || look.boxes || look.bands || look.kernel);
 }
 
 void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Strategy& strategy, const View& culling,
@@ -80,11 +80,15 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     const auto drawAll = [&](const std::vector<OverlayLines>& overlays) {
         for (const OverlayLines& overlay : overlays) drawOverlay(renderer, viewing, overlay, style, target);
     };
-    if (look.boxes || look.bands) {
+    if (look.boxes || look.bands || look.kernel) {
         const Inside inside = strategy.inside(trace);
         // Strategies with maps test spheres, though their objects have boxes.
-        if (look.boxes) drawAll(inside.maps.empty() ? std::vector{boxOverlay(context, inside)} : sphereOverlay(context, inside));
+        if (look.boxes) {
+            drawAll({groupOverlay(context, inside)});
+            drawAll(inside.maps.empty() ? std::vector{boxOverlay(context, inside)} : sphereOverlay(context, inside));
+        }
         if (look.bands) drawAll(bandOverlay(context, inside));
+        if (look.kernel) drawAll(kernelOverlay(context, inside));
     }
     // Seen from its own eye a frustum is the picture's border.
     if (look.frustum && !(culling.camera() == viewing.camera())) drawAll(frustumOverlay(context, culling));

@@ -14,6 +14,7 @@ struct ViewLook {
     bool frustum = false;   ///< the culling camera's frustum as lines, its far plane cut to the scene, and its eye
     bool boxes = false;     ///< the boxes that the strategy tests, coloured by verdict; of maps of directions: spheres and rays
     bool bands = false;     ///< the contour bands on the bounding spheres that lie inside the frustum, with their sizes
+    bool kernel = false;    ///< the inner kernels of the objects that are not outside the frustum, with the horizon
     /// In place of the scene and everything over it: what was drawn of one object, in spherical coordinates (spherical_model.h).
     bool sphericalModel = false;
 

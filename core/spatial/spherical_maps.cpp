@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/geometry/triangle.h"
 #include "core/spatial/spherical_triangle.h"
 
 namespace cullscope {
@@ -24,31 +25,6 @@ constexpr uint32_t kTrianglesPerPart = 8192;
 
 double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
-
-/// The least distance from the origin to the triangle's points; its corners may coincide.
-double nearestRadius(const std::array<Vec3, 3>& corners) {
-    const auto& [a, b, c] = corners;
-    const Vec3 ab = b - a, ac = c - a;
-    const Vec3 normal = glm::cross(ab, ac);
-    const double area = glm::dot(normal, normal);
-    if (area > 0.0) {
-        // The foot of the perpendicular, where it lies inside.
-        const Vec3 foot = glm::dot(a, normal) / area * normal;
-        const bool inside = glm::dot(glm::cross(b - a, foot - a), normal) >= 0.0 &&
-                            glm::dot(glm::cross(c - b, foot - b), normal) >= 0.0 &&
-                            glm::dot(glm::cross(a - c, foot - c), normal) >= 0.0;
-        if (inside) return glm::length(foot);
-    }
-    double nearest = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < 3; ++i) {
-        const Vec3& from = corners[i];
-        const Vec3 way = corners[(i + 1) % 3] - from;
-        const double length = glm::dot(way, way);
-        const double share = length > 0.0 ? std::clamp(-glm::dot(from, way) / length, 0.0, 1.0) : 0.0;
-        nearest = std::min(nearest, glm::length(from + share * way));
-    }
-    return nearest;
 }
 
 double farthestRadius(const std::array<Vec3, 3>& corners) {
@@ -135,7 +111,7 @@ void SphericalMaps::buildIndexMap(const Progress& progress, uint64_t mostEntries
             extent = {std::numeric_limits<float>::infinity(), 0.0f};
             for (const uint32_t triangle : m_index.of(cell)) {
                 const std::array<Vec3, 3> points = corners(triangle);
-                extent.nearest = std::min(extent.nearest, below(nearestRadius(points)));
+                extent.nearest = std::min(extent.nearest, below(nearestDistance(points)));
                 extent.farthest = std::max(extent.farthest, above(farthestRadius(points)));
             }
         }

@@ -1,7 +1,7 @@
 #include "core/visibility/frustum_culling.h"
 
 #include "core/base/message.h"
-#include "core/geometry/frustum.h"
+#include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
 
 namespace cullscope {
@@ -9,37 +9,14 @@ namespace {
 
 enum class BoxTest { PVertex, Length };
 
-/// The bounds of one object, relative to the eye.
-struct EyeBounds {
-    EyeBox box;
-    Sphere sphere;
-    double slack = 0.0;
-};
-
-EyeBounds boundsFromEye(const Scene& scene, uint32_t instance, const Vec3& eye) {
-    EyeBounds bounds;
-    bounds.box = relativeToEye(scene.instanceBox(instance), eye);
-    const Sphere& sphere = scene.instanceSphere(instance);
-    bounds.sphere = {sphere.centre - eye, sphere.radius};
-    // The subtraction's rounding counts in world coordinates, the picture's in distances from the eye.
-    const double world = glm::length(sphere.centre) + glm::length(eye) + sphere.radius;
-    bounds.slack = conservativeSlack(glm::length(bounds.sphere.centre) + sphere.radius) + world * 0x1p-49;
-    return bounds;
-}
-
-/// Signed distance of the bound's point farthest inside; below 0 by more than the slack, the object is outside. The tighter of
-/// sphere and box decides.
 double farthestInside(const Plane& plane, const EyeBounds& bounds, BoxTest test) {
     if (test == BoxTest::Length) return plane.distance(bounds.box.centre) + glm::length(bounds.box.half);
-    return std::min(plane.distance(bounds.sphere.centre) + bounds.sphere.radius, pVertexDistance(plane, bounds.box));
+    return farthestInside(plane, bounds);
 }
 
-/// The same of the point farthest outside; above 0 by more than the slack, all of the object is inside this plane.
 double farthestOutside(const Plane& plane, const EyeBounds& bounds, BoxTest test) {
-    const double centre = plane.distance(bounds.box.centre);
-    if (test == BoxTest::Length) return centre - glm::length(bounds.box.half);
-    return std::max(plane.distance(bounds.sphere.centre) - bounds.sphere.radius,
-                    centre - glm::dot(glm::abs(plane.normal), bounds.box.half));
+    if (test == BoxTest::Length) return plane.distance(bounds.box.centre) - glm::length(bounds.box.half);
+    return farthestOutside(plane, bounds);
 }
 
 class FrustumCulling final : public Strategy {

@@ -9,16 +9,21 @@
 
 namespace cullscope {
 
-/// A box that a strategy tests as one thing.
+/// A box that a strategy tests as one thing: that of an object, or of a group of them.
 struct InsideNode {
-    int32_t parent = -1;  ///< index into Inside::nodes; -1: a root
-    uint32_t instance = 0;
-    Box3 box;  ///< world coordinates
+    static constexpr uint32_t kGroup = 0xFFFFFFFF;
+
+    int32_t parent = -1;    ///< index into Inside::nodes; -1: a root
+    uint32_t instance = 0;  ///< kGroup: of no single one
+    uint32_t objects = 1;   ///< how many it holds
+    Box3 box;               ///< world coordinates
     uint64_t triangles = 0;
     bool culled = false;
     Cause cause = Cause::OutsideFrustum;  ///< where culled
     Containment containment = Containment::Straddles;
     std::optional<FrustumPlane> rejectedBy;  ///< where a plane culled it
+
+    [[nodiscard]] bool isGroup() const { return instance == kGroup; }
 };
 
 /// What a strategy shows of its inside after a cull, as plain data.

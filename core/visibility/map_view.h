@@ -27,9 +27,17 @@ struct MapView {
         cornerDirections{};   ///< from the eye to the near plane's corners: bottom-left, bottom-right, top-right, top-left
     bool beyondNear = false;  ///< the whole sphere lies behind the near plane, so that nothing of it is cut off
     double pixelReach = 0.0;  ///< how far in map units a point moves, at most, that moves by one pixel
+
+    /// The frustum's planes on points of the map: normal · p + offset is the distance in world units; normals are of any length.
+    std::array<Plane, 6> planesOnMap{};
+    double slack = 0.0;       ///< of distances from them (geometry/frustum.h, conservativeSlack)
+    bool eyeKnown = false;    ///< false: the object is flat, and no point of the map is the eye's
+    double unevenness = 1.0;  ///< the longest over the shortest image of a length of the map
+    double pixelSlope = 0.0;  ///< a pixel's width over its distance
 };
 
 /// Outside is never said of a sphere that reaches into the frustum (bound: geometry/frustum.h, conservativeSlack).
-[[nodiscard]] MapView mapView(const Scene& scene, uint32_t instance, const SphericalMaps& maps, const View& view);
+/// `sphere`: the mesh's bounding sphere, relative to its origin.
+[[nodiscard]] MapView mapView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
 
 }  // namespace cullscope

@@ -4,6 +4,7 @@
 #include "core/visibility/baselines.h"
 #include "core/visibility/frustum_culling.h"
 #include "core/visibility/spherical_culling.h"
+#include "core/visibility/spherical_lossless.h"
 
 namespace cullscope {
 
@@ -14,6 +15,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         {frustumInfo(), makeFrustum},
         {sphericalInfo(), makeSpherical},
         {sphericalHorizonInfo(), makeSphericalHorizon},
+        {sphericalLosslessInfo(), makeSphericalLossless},
     };
     return kStrategies;
 }

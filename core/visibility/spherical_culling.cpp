@@ -168,7 +168,7 @@ private:
             SphericalDecision& decision = decided[i].decision;
             decision.instance = i;
             if (!mesh.maps) return;
-            const MapView seen = decided[i].seen = mapView(scene(), i, *mesh.maps, view);
+            const MapView seen = decided[i].seen = mapView(scene(), i, mesh.maps->sphere(), view);
             decision.relation = seen.relation;
             decision.eye = seen.eye;
             decideByRelation(mesh, seen, decision, traced);

@@ -5,8 +5,11 @@
 #include <optional>
 #include <vector>
 
-#include "core/spatial/spherical_maps.h"
+#include "core/spatial/cell_tree.h"
+#include "core/spatial/inner_kernel.h"
 #include "core/spatial/spherical_search.h"
+#include "core/visibility/cause.h"
+#include "core/visibility/maps_on_request.h"
 
 namespace cullscope {
 
@@ -82,6 +85,29 @@ struct ContourBands {
     [[nodiscard]] uint32_t sectorOf(double beta) const;
 };
 
+/// Triangles in a strategy's order, by their places.
+struct PlaceRun {
+    uint32_t first = 0, count = 0;
+
+    bool operator==(const PlaceRun&) const = default;
+};
+
+/// A node of a CellTree at which a walk ended.
+struct JudgedCell {
+    uint32_t node = 0;
+    std::optional<Cause> cause;  ///< why it was left out; none: it is drawn
+};
+
+/// What `spherical-lossless` decided about one object's cells.
+struct CellWalk {
+    bool cones = false, horizon = false;         ///< which tests held for the object in this view, besides the frustum's
+    std::vector<PlaceRun> drawn;                 ///< ascending, disjoint
+    std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
+    uint64_t nodesVisited = 0;
+    std::vector<JudgedCell> judged;  ///< only in a traced cull: ascending, disjoint
+    std::vector<Vec3> outline;       ///< only in a traced cull, with `horizon`: the kernel's outline as the eye sees it
+};
+
 /// What a spherical strategy decided about one object, and why.
 struct SphericalDecision {
     uint32_t instance = 0;
@@ -91,17 +117,21 @@ struct SphericalDecision {
     std::optional<VisibleRegion> region;  ///< with Cut, of `spherical`
     std::optional<ContourBands> bands;    ///< where something was tested by bands
     std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are given to OpenGL
+    std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;
 };
 
 /// One object's decision with the maps that it was made on.
 struct InsideMap {
-    SphericalMapsPointer maps;
+    MapsOnRequest maps;
     SphericalDecision decision;
+    CellTreePointer tree{};  ///< of `spherical-lossless`, which decides on it; the maps only show what became of the triangles
+    InnerKernelPointer kernel{};  ///< of the same
 };
 
-/// What became of a cell of the centroid map.
-enum class CellState : uint8_t { Empty, Drawn, OutsideFrustum, Hidden };
+/// What became of a cell of the centroid map. Of `spherical-lossless`, whose cells are others: of its triangles, the last one
+/// of this list that is any's.
+enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Drawn };
 /// By cell number.
 [[nodiscard]] std::vector<CellState> cellStates(const InsideMap& map);
 

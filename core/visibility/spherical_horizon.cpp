@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/triangle.h"
+
 namespace cullscope {
 namespace {
 
@@ -210,14 +212,6 @@ SphericalGrid surfaceGrid(const SphericalGrid& maps, size_t triangles) {
     uint32_t fine = std::max(1u, uint32_t(maps.rows() / std::max(rows, 1.0)));
     while (fine > 1 && (maps.rows() % fine != 0 || maps.columns() % fine != 0 || maps.rows() < 2 * fine)) --fine;
     return SphericalGrid(maps.columns() / fine, maps.rows() / fine);
-}
-
-/// The solid angle of a triangle from the origin, negative where it turns clockwise: van Oosterom & Strackee 1983.
-double solidAngle(const std::array<Vec3, 3>& corners) {
-    const auto& [a, b, c] = corners;
-    const double la = glm::length(a), lb = glm::length(b), lc = glm::length(c);
-    const double turned = glm::dot(a, glm::cross(b, c));
-    return 2.0 * std::atan2(turned, la * lb * lc + glm::dot(a, b) * lc + glm::dot(b, c) * la + glm::dot(c, a) * lb);
 }
 
 }  // namespace

@@ -38,11 +38,19 @@ struct Stage {
     double milliseconds = 0.0;
 };
 
+/// One of a strategy's tests, and what it did in one `cull`.
+struct CullPart {
+    std::string name;      ///< English, marked for translation
+    uint64_t objects = 0;  ///< for which it held and was made
+    uint64_t culledTriangles = 0;
+};
+
 /// The answer to one `cull`.
 struct Verdict {
     DrawList drawList;
     uint64_t consideredTriangles = 0;                     ///< given to OpenGL
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; what OpenGL culls itself (back faces) is not known here
+    std::vector<CullPart> parts;  ///< of strategies that put several tests together: what each of them left out
     uint64_t nodesVisited = 0;
     uint64_t bytesTouched = 0;  ///< of the strategy's structures
     int caseNumber = 0;         ///< 1 to 3: of Han & Hong's cases, of the first object that the frustum cuts; 0: none

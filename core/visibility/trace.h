@@ -3,18 +3,10 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/geometry/frustum.h"
+#include "core/visibility/cause.h"
 #include "core/visibility/spherical_decision.h"
 
 namespace cullscope {
-
-/// Why something is not drawn.
-enum class Cause { OutsideFrustum, BackFacing, Hidden, TooSmall };
-inline constexpr size_t kCauseCount = 4;
-/// English, marked for translation.
-[[nodiscard]] const char* causeName(Cause cause);
-/// "left plane", …: English, marked for translation.
-[[nodiscard]] const char* planeName(FrustumPlane plane);
 
 /// One decision of one `cull`.
 struct TraceEvent {
@@ -33,9 +25,28 @@ struct TraceEvent {
     double bound = 0.0;  ///< of a plane test: outside only where distance < −bound (geometry/frustum.h, conservativeSlack)
 };
 
+/// What became of one node of a hierarchy over instances that a `cull` visited.
+struct TestedGroup {
+    uint32_t node = 0;  ///< of the strategy's InstanceOctree
+    Containment containment = Containment::Straddles;
+    FrustumPlane plane = FrustumPlane::Left;  ///< where outside: the plane that it lies outside of
+    double distance = 0.0;                    ///< where outside: signed, of the box's p-vertex, scene units
+    double bound = 0.0;                       ///< where outside: said only because distance < −bound
+    bool wholly = false;                      ///< all its objects were decided with it, and nothing below it was visited
+};
+
+/// Triangles of one object that are left out for one cause: places in the draw list's order.
+struct CulledRun {
+    uint32_t instance = 0;
+    PlaceRun places;
+    Cause cause = Cause::OutsideFrustum;
+};
+
 /// The decisions of one `cull`, in the order they were made.
 struct Trace {
     std::vector<TraceEvent> events;
+    std::vector<TestedGroup> groups;           ///< of strategies with a hierarchy over instances: parents before their children
+    std::vector<CulledRun> culledRuns;         ///< of strategies that leave out parts of objects for more than one cause
     std::vector<SphericalDecision> spherical;  ///< of strategies with maps of directions: one an object
 };
 

@@ -1,5 +1,6 @@
 #include "core/visibility/why.h"
 
+#include <algorithm>
 #include <cstdio>
 
 #include "core/scene/eye_triangle.h"
@@ -64,6 +65,43 @@ std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_
     return std::nullopt;
 }
 
+const InsideNode* parentOf(const InsideNode& node, const Inside& inside) {
+    return node.parent < 0 ? nullptr : &inside.nodes[size_t(node.parent)];
+}
+
+/// The group with which the object was decided: the outermost that lies wholly outside or inside, else its leaf. Null: none.
+const InsideNode* decidingGroup(const Inside& inside, uint32_t instance) {
+    const auto own =
+        std::find_if(inside.nodes.begin(), inside.nodes.end(), [&](const InsideNode& node) { return node.instance == instance; });
+    if (own == inside.nodes.end()) return nullptr;
+    const InsideNode* group = parentOf(*own, inside);
+    if (group == nullptr || !group->isGroup()) return nullptr;
+    // Below the group that decided, all show its verdict; above it, all straddle.
+    for (const InsideNode* next = group; next != nullptr && next->containment != Containment::Straddles;
+         next = parentOf(*next, inside))
+        group = next;
+    return group;
+}
+
+/// Which group the object was tested with, where that says more than its own box does.
+std::optional<WhyStep> groupStep(const Inside& inside, uint32_t instance) {
+    const InsideNode* group = decidingGroup(inside, instance);
+    if (group == nullptr || group->objects < 2) return std::nullopt;
+    const std::string count = std::to_string(group->objects);
+    Message sentence{CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the "
+                                  "frustum, so that its objects were tested one by one."),
+                     {count}};
+    if (group->culled && group->rejectedBy)
+        sentence = {CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: outside the %2."),
+                    {count, planeName(*group->rejectedBy)}};
+    else if (group->containment == Containment::Inside)
+        sentence = {
+            CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: wholly inside the frustum, so that "
+                         "nothing of it was tested again."),
+            {count}};
+    return WhyStep{std::move(sentence), {}, {}, {}, group->containment};
+}
+
 bool submits(const DrawList& list, const Scene& scene, uint32_t instance, uint64_t triangle) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     return std::any_of(list.ranges.begin(), list.ranges.end(), [&](const DrawRange& range) {
@@ -92,6 +130,7 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
     std::vector<WhyStep> steps;
     const Inside inside = strategy.inside(trace);
     if (auto box = boxStep(scene, inside, instance)) steps.push_back(std::move(*box));
+    if (auto group = groupStep(inside, instance)) steps.push_back(std::move(*group));
     for (const TraceEvent& event : trace.events)
         if (event.instance == instance) steps.push_back(step(event));
     if (const InsideMap* map = inside.mapOf(instance)) addMapSteps(*map, uint32_t(own), steps);

@@ -61,6 +61,9 @@ TEST_F(CullbenchOverlay, unknownOneIsDrawn) {
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "\"frustum\" has no such overlay");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "index-map"}), "\"frustum\" has no index map");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "bands"}), "\"frustum\" has no contour bands");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "kernel"}), "\"frustum\" has no quadtree and no inner kernel");
+    expectRefusal(render(sphere, "spherical", "a.png", {"--overlay", "kernel"}), "\"spherical\" has no quadtree");
+    expectRefusal(render(sphere, "spherical-lossless", "a.png", {"--overlay", "bands"}), "has no contour bands");
     expectRefusal(render(sphere, "all", "a.png", {"--overlay", "boxes"}), "tests no boxes");
     expectRefusal(render(sphere, "frustum", "a.png", {"--drawn-only"}), "--overlay verdicts");
     expectRefusal(render(sphere, "frustum", "a.png", {"--view-eye", "1,2"}), "--view-eye");
@@ -81,6 +84,53 @@ TEST_F(CullbenchOverlay, whatCannotBeShownIsDrawn) {
     refused(close, "is cut by the frustum, and only one inside the frustum has contour bands");
     refused({"--overlay", "bands", "--eye", "0,0,9", "--target", "0,0,20"}, "is outside the frustum");
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CullbenchOverlay, kernelThatIsNotThereIsDrawn) {
+    const auto refused = [&](const std::string& scene, const std::vector<std::string>& more, const std::string& mentions) {
+        expectRefusal(render(scene, "spherical-lossless", "a.png", more), mentions);
+    };
+    const std::vector<std::string> kernel{"--overlay", "kernel"};
+    refused("knot:triangles=4000", kernel, "the centre of the bounding sphere lies outside the solid");
+    refused("knot:triangles=4000", {"--overlay", "index-map", "--map-colouring", "kernel"}, "--map-colouring kernel: the object");
+    refused("bowl:triangles=4000", kernel, "\"bowl\" has no inner kernel");
+    refused("sphere:triangles=200", kernel, "too few triangles");
+    refused("sphere:triangles=4000", {"--overlay", "kernel", "-p", "horizon=false"}, "horizon is off");
+    refused("sphere:triangles=4000", {"--overlay", "kernel", "--eye", "0,0,9", "--target", "0,0,20"}, "is outside the frustum");
+    expectRefusal(render("sphere:triangles=200", "spherical", "a.png", {"--below", "index-map", "--map-colouring", "level"}),
+                  "--map-colouring level: the strategy \"spherical\" has no quadtree");
+    EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+}
+
+TEST_F(CullbenchOverlay, pictureOfTheQuadtreeOrTheKernelIsMissing) {
+    const std::vector<std::vector<std::string>> figures{{},
+                                                        {"--overlay", "boxes"},
+                                                        {"--overlay", "kernel"},
+                                                        {"--overlay", "kernel", "--overlay", "boxes"},
+                                                        {"--overlay", "index-map", "--map-colouring", "state"},
+                                                        {"--overlay", "index-map", "--map-colouring", "level"},
+                                                        {"--overlay", "index-map", "--map-colouring", "kernel"}};
+    std::vector<std::vector<uint8_t>> pictures;
+    for (size_t i = 0; i < figures.size(); ++i) {
+        const std::string name = std::to_string(i) + ".png";
+        const ProcessResult result = render("star:seed=3,triangles=20000", "spherical-lossless", name, figures[i]);
+        ASSERT_EQ(result.exitStatus, 0) << result.err;
+        pictures.push_back(readPicture(file(name)).rgba);
+        if (i > 0) {
+            EXPECT_THAT(result.out,
+                        testing::ContainsRegex("is inside the frustum; [1-9][0-9]* nodes visited; planes: 0 outside the "
+                                               "frustum; cones: [1-9][0-9]* back-facing; horizon: [0-9]+ hidden"));
+        }
+    }
+    for (size_t i = 0; i < pictures.size(); ++i)
+        for (size_t j = i + 1; j < pictures.size(); ++j) EXPECT_NE(pictures[i], pictures[j]) << i << " " << j;
+    using Pair = std::pair<std::string, std::string>;
+    EXPECT_THAT(readPicture(file("3.png")).metadata, testing::Contains(Pair("cullscope:overlay", "boxes,kernel")));
+    EXPECT_THAT(readPicture(file("5.png")).metadata, testing::Contains(Pair("cullscope:map_colouring", "level")));
+    // Of an open mesh nothing is known to be hidden or turned away.
+    EXPECT_THAT(
+        render("bowl:triangles=4000", "spherical-lossless", "a.png", {"--overlay", "boxes", "-p", "facing=two-sided"}).out,
+        HasSubstr("cones: not used; horizon: not used"));
 }
 
 TEST_F(CullbenchOverlay, figureOfThePaperIsMissing) {

@@ -84,7 +84,8 @@ TEST(CellColours, moreEntriesOrLargerRadiusStandOutLess) {
 }
 
 TEST(MapColouringId, isNotReadBack) {
-    for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Radius, MapColouring::State})
+    for (const MapColouring colouring :
+         {MapColouring::Entries, MapColouring::Radius, MapColouring::State, MapColouring::Level, MapColouring::Kernel})
         EXPECT_EQ(mapColouringFromId(mapColouringId(colouring)), colouring);
     EXPECT_THROW((void)mapColouringFromId("R"), Error);
 }

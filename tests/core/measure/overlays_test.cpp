@@ -100,6 +100,40 @@ TEST(SphereOverlay, regionOrRayLiesElsewhere) {
     }
 }
 
+TEST(GroupOverlay, groupThatWasNotTestedHasABoxOrAnotherHasNone) {
+    Seen seen(sphereMap());
+    const auto node = [](int32_t parent, uint32_t instance, double size, Containment containment) {
+        InsideNode made;
+        made.parent = parent;
+        made.instance = instance;
+        made.box = {Vec3(-size), Vec3(size)};
+        made.containment = containment;
+        made.culled = containment == Containment::Outside;
+        return made;
+    };
+    using enum Containment;
+    constexpr uint32_t kGroup = InsideNode::kGroup;
+    // A root that straddles; below it a group outside and one inside, each with a group that was decided with it.
+    seen.inside.nodes = {node(4, 0, 1, Outside),      node(5, 1, 2, Inside),       node(-1, kGroup, 10, Straddles),
+                         node(2, kGroup, 8, Outside), node(3, kGroup, 7, Outside), node(6, kGroup, 5, Inside),
+                         node(2, kGroup, 6, Inside)};
+    const OverlayContext context = seen.context();
+    const auto colours = [&](const OverlayLines& overlay, double size) {
+        std::vector<Vec3f> found;
+        for (const LineSegment& line : overlay.lines)
+            if (std::abs(line.from.x) == size) found.push_back(line.colour);
+        return found;
+    };
+    const auto twelve = [&](TriangleState state) { return std::vector<Vec3f>(12, context.palette[size_t(state)].colour); };
+    const OverlayLines groups = groupOverlay(context, seen.inside), boxes = boxOverlay(context, seen.inside);
+    EXPECT_EQ(groups.lines.size(), 36u);
+    EXPECT_EQ(colours(groups, 10), twelve(TriangleState::Visible));
+    EXPECT_EQ(colours(groups, 8), twelve(TriangleState::OutsideFrustum));
+    EXPECT_EQ(colours(groups, 6), twelve(TriangleState::Visible));
+    EXPECT_EQ(boxes.lines.size(), 24u) << "of the objects, and of them only";
+    EXPECT_EQ(colours(boxes, 1), twelve(TriangleState::OutsideFrustum));
+}
+
 TEST(BandOverlay, circleLiesAtAnotherAngle) {
     const Seen seen(bandedMap(directionOf(50, 70)));
     const ContourBands& bands = *seen.inside.maps[0].decision.bands;

@@ -91,6 +91,7 @@ TEST(TriangleStates, randomViewOfAStrategyIsNoPartition) {
                               reference.visibleTriangles.size());
                 }
                 EXPECT_EQ(count(states, TriangleState::OutsideFrustum) + count(states, TriangleState::Hidden) +
+                              verdict.culledTriangles[size_t(Cause::BackFacing)] +
                               visibleNotSubmitted(reference, verdict.drawList, *scene).size() + verdict.consideredTriangles,
                           scene->triangleCount());
             }

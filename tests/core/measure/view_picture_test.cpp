@@ -5,6 +5,7 @@
 #include "core/visibility/registry.h"
 #include "tests/core/gpu/gl_environment.h"
 #include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/grouped_frustum.h"
 
 namespace cullscope::test {
 namespace {
@@ -233,6 +234,38 @@ TEST(ViewPicture, boxOfAnObjectIsMissing) {
     }
     EXPECT_GT(culled, 1000u);
     EXPECT_LT(culled, 2025u);
+}
+
+TEST(ViewPicture, boxOfAGroupIsMissing) {
+    const ScenePointer scene = field(20);
+    const View culling(inTheField(), {320, 240});
+    Camera camera = above();
+    camera.eye = {0, 70, 1};
+    camera.farDistance = 1000;
+    const View observer(camera, {900, 900});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    GroupedFrustum strategy;
+    strategy.build(*scene);
+    Trace trace;
+    const Verdict verdict = strategy.cull(culling, &trace);
+    Framebuffer target(observer.viewport());
+    drawViewPicture(GlEnvironment::renderer(), buffers, strategy, culling, observer, verdict, trace, nullptr, {.boxes = true},
+                    kLight, target);
+    const Shown look{target.readColour(), target.readDepth(), observer.viewport()};
+    std::array<int, 2> seen{};
+    for (const TestedGroup& group : trace.groups) {
+        const bool culled = group.containment == Containment::Outside;
+        const auto colour =
+            verdictPalette(kLight.background)[size_t(culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
+        // Between the first object and the second along the upper edge, where only groups have lines; and of those that lie
+        // within each other the inner one's is seen.
+        const InstanceOctree::Node& node = strategy.octree().nodes()[group.node];
+        if (node.box.max.x - node.box.min.x < 4 || (!group.wholly && !node.leaf())) continue;
+        EXPECT_TRUE(look.near(observer, {node.box.min.x + 2.25, node.box.max.y, node.box.max.z}, colour)) << group.node;
+        ++seen[culled ? 1 : 0];
+    }
+    EXPECT_GT(seen[0], 3);
+    EXPECT_GT(seen[1], 3);
 }
 
 TEST(ViewPicture, frustumIsNotWhereTheCameraLooks) {

@@ -219,10 +219,16 @@ TEST(Trace, triangleIsNotSubmittedWithoutACause) {
                 std::vector<uint64_t> submitted(scene->instances().size(), 0);
                 for (const DrawRange& range : verdict.drawList.ranges) submitted[range.instance] += range.indexCount / 3;
                 std::array<uint64_t, kCauseCount> named{};
-                std::vector<bool> culled(submitted.size(), false);
+                std::vector<bool> culled(submitted.size(), false), inRuns(submitted.size(), false);
+                for (const CulledRun& run : trace.culledRuns) {
+                    inRuns[run.instance] = true;
+                    named[size_t(run.cause)] += run.places.count;
+                }
                 for (const TraceEvent& event : trace.events) {
                     if (event.kind != TraceEvent::Kind::Culled && event.kind != TraceEvent::Kind::PartlyDrawn) continue;
                     culled[event.instance] = true;
+                    // Runs say it more exactly.
+                    if (inRuns[event.instance]) continue;
                     named[size_t(event.cause)] += scene->meshOf(event.instance).triangleCount() - submitted[event.instance];
                 }
                 for (size_t instance = 0; instance < submitted.size(); ++instance) {

@@ -1,4 +1,4 @@
-#include "core/visibility/trace.h"
+#include "core/visibility/cause.h"
 
 #include "core/base/message.h"
 

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <concepts>
+#include <memory>
+#include <mutex>
+
+#include "core/spatial/spherical_maps.h"
+
+namespace cullscope {
+
+/// A mesh's spherical maps, for looking at. A strategy that works on them has them ready; of one that works on something else
+/// they are made, at the paper's resolution, when somebody first looks at them, which takes about half a microsecond a triangle.
+/// May be asked from several threads.
+class MapsOnRequest {
+public:
+    MapsOnRequest() = default;
+    template <std::convertible_to<SphericalMapsPointer> Pointer>
+    MapsOnRequest(const Pointer& ready) : m_mesh(&ready->mesh()), m_ready(ready) {}  // NOLINT: ready maps are maps
+    explicit MapsOnRequest(MeshPointer mesh) : m_mesh(mesh.get()), m_made(std::make_shared<Made>(std::move(mesh))) {}
+
+    [[nodiscard]] const TriangleMesh& mesh() const { return *m_mesh; }
+    [[nodiscard]] const Sphere& sphere() const { return m_mesh->localSphere(); }
+    [[nodiscard]] const SphericalMaps& operator*() const;
+    [[nodiscard]] const SphericalMaps* operator->() const { return &**this; }
+
+    bool operator==(const MapsOnRequest&) const = default;
+
+private:
+    struct Made {
+        explicit Made(MeshPointer ofMesh) : mesh(std::move(ofMesh)) {}
+
+        std::once_flag once;
+        MeshPointer mesh;
+        SphericalMapsPointer maps;
+    };
+
+    const TriangleMesh* m_mesh = nullptr;
+    SphericalMapsPointer m_ready;
+    std::shared_ptr<Made> m_made;
+};
+
+}  // namespace cullscope

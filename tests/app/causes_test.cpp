@@ -1,0 +1,62 @@
+// What cullbench says of the causes for which strategies leave triangles out, and of the structures behind them.
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/process.h"
+
+namespace {
+
+using cullscope::test::ProcessResult;
+using cullscope::test::runProcess;
+using nlohmann::json;
+using testing::HasSubstr;
+
+ProcessResult cullbench(std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), CULLBENCH);
+    return runProcess(arguments);
+}
+
+TEST(CullbenchCauses, causesDoNotAddUp) {
+    const ProcessResult result = cullbench({"measure", "star:seed=3,triangles=20000", "-s", "frustum,spherical-lossless",
+                                            "--path", "case-2", "--size", "64x48", "--repeat", "1", "--json", "-"});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    const json root = json::parse(result.out);
+    const json &frustum = root["runs"][0]["frames"], &lossless = root["runs"][1]["frames"];
+    uint64_t outside = 0, backFacing = 0;
+    for (size_t i = 0; i < lossless.size(); ++i) {
+        for (const json& frame : {frustum[i], lossless[i]}) {
+            uint64_t sum = frame["considered_triangles"];
+            for (const char* field : {"culled_outside_frustum", "culled_back_facing", "culled_hidden", "culled_too_small"})
+                sum += frame[field].get<uint64_t>();
+            EXPECT_EQ(sum, root["scene"]["triangles"].get<uint64_t>());
+        }
+        EXPECT_EQ(frustum[i]["culled_back_facing"], 0);
+        outside += lossless[i]["culled_outside_frustum"].get<uint64_t>();
+        backFacing += lossless[i]["culled_back_facing"].get<uint64_t>();
+    }
+    EXPECT_GT(outside, 0u);
+    EXPECT_GT(backFacing, 0u);
+    EXPECT_THAT(result.err,
+                testing::ContainsRegex("spherical-lossless culled by cause: outside the frustum [0-9.]+ %, back-facing"));
+    EXPECT_THAT(result.err, testing::Not(HasSubstr("frustum culled by cause"))) << "the table says all";
+}
+
+TEST(CullbenchCauses, inspectDoesNotTellOfTheKernels) {
+    const ProcessResult words = cullbench({"inspect", "knot:triangles=4000", "-s", "spherical-lossless"});
+    EXPECT_THAT(words.out, HasSubstr("layout octahedral"));
+    EXPECT_THAT(words.out, HasSubstr("inner kernel of 1 mesh: the centre of the bounding sphere lies outside the solid"));
+    const json root = json::parse(cullbench({"inspect", "field:mesh=star:triangles=4000,n=3", "-s", "spherical-lossless", "-p",
+                                             "layout=latitude-longitude", "--json", "-"})
+                                      .out);
+    EXPECT_EQ(root["layout"], "latitude-longitude");
+    EXPECT_EQ(root["kernels"], json::parse(R"([{"state": "filled", "meshes": 1}])")) << "nine objects, one mesh";
+    const ProcessResult other = cullbench({"inspect", "sphere:triangles=200", "-s", "spherical"});
+    EXPECT_EQ(other.exitStatus, 0);
+    EXPECT_THAT(other.out, testing::Not(HasSubstr("layout")));
+    EXPECT_EQ(cullbench({"inspect", "sphere:triangles=200", "-s", "spherical-lossless", "--hide", "0"}).exitStatus, 0);
+}
+
+}  // namespace

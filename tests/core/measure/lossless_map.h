@@ -1,0 +1,33 @@
+#pragma once
+
+#include "core/scene/camera_path.h"
+#include "core/visibility/registry.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+
+/// What `spherical-lossless` shows of one mesh in one view. The world is the mesh's.
+struct LosslessMap {
+    LosslessMap(MeshPointer mesh, MapLayout layout, const Vec3& eye, const Vec3& target = Vec3(0.0), double fovyDegrees = 45.0)
+        : scene(sceneOf({std::move(mesh)}, {Mat4(1.0)})),
+          view(Camera{eye, target, {0.1, 0.9, 0.2}, Angle::fromDegrees(fovyDegrees), 0.05, 100.0}, {320, 240}) {
+        ParameterSet parameters(findStrategy("spherical-lossless").info.parameters);
+        parameters.set("layout", std::string(mapLayoutId(layout)));
+        strategy = makeStrategy("spherical-lossless", parameters);
+        strategy->build(*scene);
+        Trace trace;
+        (void)strategy->cull(view, &trace);
+        inside = strategy->inside(trace);
+    }
+
+    [[nodiscard]] const InsideMap& map() const { return inside.maps.front(); }
+
+    ScenePointer scene;
+    View view;
+    StrategyPointer strategy;
+    Inside inside;
+};
+
+inline constexpr std::array kLayouts{MapLayout::LatitudeLongitude, MapLayout::Octahedral};
+
+}  // namespace cullscope::test

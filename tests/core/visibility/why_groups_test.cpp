@@ -1,0 +1,76 @@
+// What is said of the groups that objects were tested with.
+
+#include "core/geometry/random.h"
+#include "core/mesh/parametric.h"
+#include "core/visibility/why.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/grouped_frustum.h"
+
+namespace cullscope::test {
+namespace {
+
+ScenePointer field() {
+    std::vector<Mat4> places;
+    // No power of two: groups of one are among them.
+    for (int i = 0; i < 13; ++i)
+        for (int j = 0; j < 17; ++j) places.push_back(translation({(i - 6) * 2.5, 0.1 * i, (j - 8) * 2.5}));
+    return copiesOf(sphereMesh(80), places);
+}
+
+std::vector<View> views() {
+    std::vector<View> views;
+    Random random(31);
+    for (int i = 0; i < 15; ++i) {
+        const Vec3 eye(random.between(-9, 9), random.between(-3, 3), random.between(-9, 9));
+        const Angle field = Angle::fromDegrees(random.between(40, 110));
+        views.push_back(View({eye, eye + random.direction(), {0, 1, 0}, field, 0.01, 60}, {200, 150}));
+    }
+    return views;
+}
+
+/// By instance, the group that was visited last of those that hold it: nothing was tested below it.
+std::vector<TestedGroup> decidingGroups(const InstanceOctree& octree, const Trace& trace, size_t instances) {
+    std::vector<TestedGroup> groups(instances);
+    for (const TestedGroup& group : trace.groups)
+        for (const uint32_t instance : octree.instancesOf(octree.nodes()[group.node])) groups[instance] = group;
+    return groups;
+}
+
+std::string sentenceAbout(const TestedGroup& group, uint32_t objects) {
+    const std::string begin = "It lies in a group of " + std::to_string(objects) + " objects, whose box was tested first: ";
+    if (group.containment == Containment::Outside) return begin + "outside the " + planeName(group.plane) + ".";
+    if (group.containment == Containment::Inside)
+        return begin + "wholly inside the frustum, so that nothing of it was tested again.";
+    return begin + "it reaches over the edge of the frustum, so that its objects were tested one by one.";
+}
+
+TEST(WhyOfGroups, levelThatDecidedNothingIsNamedOrTheOtherIsNot) {
+    const ScenePointer scene = field();
+    GroupedFrustum strategy;
+    strategy.build(*scene);
+    std::array<int, 4> seen{};  ///< by containment; the last: alone
+    for (const View& view : views()) {
+        Trace trace;
+        const Verdict verdict = strategy.cull(view, &trace);
+        const auto groups = decidingGroups(strategy.octree(), trace, scene->instances().size());
+        for (uint32_t i = 0; i < groups.size(); ++i) {
+            const uint32_t objects = strategy.octree().nodes()[groups[i].node].count;
+            std::vector<std::string> said;
+            for (const WhyStep& step : why(*scene, view, strategy, verdict.drawList, trace, scene->firstTriangle(i))) {
+                EXPECT_THAT(step.sentence.english(), testing::Not(testing::HasSubstr("%")));
+                if (step.sentence.english().find("group") == std::string::npos) continue;
+                said.push_back(step.sentence.english());
+                EXPECT_EQ(step.containment, groups[i].containment);
+            }
+            // A group of one is the object itself, whose own tests are told.
+            const auto expected =
+                objects < 2 ? std::vector<std::string>{} : std::vector<std::string>{sentenceAbout(groups[i], objects)};
+            EXPECT_EQ(said, expected) << "instance " << i;
+            ++seen[objects < 2 ? 3 : size_t(groups[i].containment)];
+        }
+    }
+    for (const int count : seen) EXPECT_GT(count, 20);
+}
+
+}  // namespace
+}  // namespace cullscope::test
