@@ -55,7 +55,7 @@ TEST(MapCells, nothingIsLostInASmallPicture) {
 TEST(MapCells, entriesAndReachGrowWithTheTone) {
     const InsideMap map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
     const SphericalMaps& maps = *map.maps;
-    const CellTones entries = cellTones(maps, MapColouring::Entries), reach = cellTones(maps, MapColouring::Radius);
+    const CellTones entries = cellTones(map, MapColouring::Entries), reach = cellTones(map, MapColouring::Radius);
     EXPECT_EQ(entries.least, 1.0);
     for (uint32_t a = 0; a < maps.grid().cellCount(); ++a) {
         EXPECT_EQ(entries.tones[a] == 0, maps.triangles(a).empty());

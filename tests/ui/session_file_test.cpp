@@ -49,7 +49,7 @@ ViewSetup anySetup(Random& random) {
     if (random.unit() < 0.5) setup.cullingSize = Viewport{1 + int(below(random, 16384)), 1 + int(below(random, 16384))};
     setup.upload = oneOf(random, {Upload::Vbo, Upload::VertexArray});
     const auto any = [&] { return random.unit() < 0.5; };
-    setup.look = {oneOf(random, {Colouring::Shaded, Colouring::Verdicts}), any(), any(), any(), any(), any()};
+    setup.look = {oneOf(random, {Colouring::Shaded, Colouring::Verdicts}), any(), any(), any(), any(), any(), any()};
     setup.wipe = {
         oneOf(random, {Wipe::Mode::None, Wipe::Mode::Truth, Wipe::Mode::Loss, Wipe::Mode::OtherView, Wipe::Mode::Difference}),
         int(below(random, 8)), random.unit()};
@@ -216,6 +216,7 @@ TEST(SessionText, whatIsWrongIsSaidWithItsPlace) {
         {"/views/2/upload", 1, "\"views[2].upload\" must be one of these words: vbo, vertex-array."},
         {"/views/2/look/boxes", 1, "\"views[2].look.boxes\" must be true or false."},
         {"/views/2/look/bands", "x", "\"views[2].look.bands\" must be true or false."},
+        {"/views/2/look/kernel", 0, "\"views[2].look.kernel\" must be true or false."},
         {"/views/2/look/spherical_model", 1, "\"views[2].look.spherical_model\" must be true or false."},
         {"/views/2/wipe/position", 1.5, "\"views[2].wipe.position\" must be a number between 0 and 1."},
         {"/views/2/viewing/up", {0, 0, 0}, "\"views[2].viewing\": The camera's up vector is zero"},

@@ -74,7 +74,7 @@ void ScreenshotDialog::makeWidgets() {
     m_background->addItem(tr("White"), int(Behind::White));
     m_background->addItem(tr("Black"), int(Behind::Black));
     m_background->addItem(tr("Transparent"), int(Behind::Transparent));
-    m_overlays = new QCheckBox(tr("&Overlays: frustum, boxes, bands, wipe and marks"), this);
+    m_overlays = new QCheckBox(tr("&Overlays: frustum, boxes, bands, kernel, wipe and marks"), this);
     m_legend = new QCheckBox(tr("&Legend of the colours, with counts"), this);
     m_caption = new QCheckBox(tr("&Caption"), this);
     m_captionText = new QLineEdit(this);

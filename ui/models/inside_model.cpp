@@ -16,7 +16,9 @@ size_t place(int64_t node) { return size_t(node + 1); }
 
 bool sameBoxes(const Inside& a, const Inside& b) {
     return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
-                      [](const InsideNode& x, const InsideNode& y) { return x.parent == y.parent && x.instance == y.instance; });
+                      [](const InsideNode& x, const InsideNode& y) {
+                          return x.parent == y.parent && x.instance == y.instance && x.objects == y.objects;
+                      });
 }
 
 TriangleState stateOf(const InsideNode& node) { return node.culled ? stateOfCause(node.cause) : TriangleState::Visible; }
@@ -46,7 +48,7 @@ void InsideModel::setStates(const std::shared_ptr<const TriangleStates>& states)
 }
 
 std::optional<TriangleState> InsideModel::stateAgainstTruth(const InsideNode& node, size_t number) const {
-    if (!m_states || node.culled || childCount(place(int64_t(number))) > 0) return std::nullopt;
+    if (!m_states || node.culled || holdsOthers(number)) return std::nullopt;
     const std::optional<ObjectVerdicts::Verdict> verdict = m_verdicts.of(node.instance);
     return verdict ? std::optional(verdict->state) : std::nullopt;
 }
@@ -65,13 +67,17 @@ void InsideModel::layOut() {
     for (size_t node = 0; node < count; ++node)
         m_children[m_firstChild[place(m_inside->nodes[node].parent)] + m_rowOfNode[node]] = uint32_t(node);
     for (size_t node = count; node-- > 0;)
-        if (childCount(place(int64_t(node))) == 0) m_nodeOfInstance[m_inside->nodes[node].instance] = int64_t(node);
+        if (!holdsOthers(node)) m_nodeOfInstance[m_inside->nodes[node].instance] = int64_t(node);
+}
+
+bool InsideModel::holdsOthers(size_t node) const {
+    return m_inside->nodes[node].isGroup() || childCount(place(int64_t(node))) > 0;
 }
 
 QModelIndex InsideModel::indexOfNode(size_t node) const { return createIndex(int(m_rowOfNode[node]), 0, quintptr(node)); }
 
 std::optional<uint32_t> InsideModel::instanceAt(const QModelIndex& index) const {
-    if (!index.isValid() || childCount(place(int64_t(nodeOf(index)))) > 0) return std::nullopt;
+    if (!index.isValid() || holdsOthers(nodeOf(index))) return std::nullopt;
     return m_inside->nodes[nodeOf(index)].instance;
 }
 
@@ -102,14 +108,16 @@ int InsideModel::columnCount(const QModelIndex& /*parent*/) const { return Colum
 QString InsideModel::text(const InsideNode& node, size_t number, int column) const {
     switch (column) {
         case Name:
-            if (childCount(place(int64_t(number))) > 0) return tr("Node %1", "of a tree of boxes").arg(number);
+            if (node.isGroup())
+                return node.objects == 1 ? tr("Group of one object") : tr("Group of %1 objects").arg(countText(node.objects));
+            if (holdsOthers(number)) return tr("Node %1", "of a tree of boxes").arg(number);
             return QString::fromStdString(m_scene->instances()[node.instance].name);
         case Triangles:
             return countText(node.triangles);
         case Verdict:
             if (node.culled) return translated(causeName(node.cause));
             if (const auto state = stateAgainstTruth(node, number)) return translated(triangleStateName(*state));
-            return childCount(place(int64_t(number))) > 0 ? tr("kept", "a box that holds others") : tr("submitted");
+            return holdsOthers(number) ? tr("kept", "a box that holds others") : tr("submitted");
         case Plane:
             return node.rejectedBy ? translated(planeName(*node.rejectedBy)) : QString();
         default:

@@ -48,6 +48,8 @@ public:
 
 private:
     [[nodiscard]] size_t childCount(size_t place) const { return m_firstChild[place + 1] - m_firstChild[place]; }
+    /// Stands for no single object.
+    [[nodiscard]] bool holdsOthers(size_t node) const;
     [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
     /// Of a box of one object that was kept; none: not known.
     [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const InsideNode& node, size_t number) const;

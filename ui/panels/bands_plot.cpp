@@ -121,6 +121,8 @@ QString BandsPlot::emptySentence() const {
     if (const QString words = absenceWords(m_absence); m_shown.empty() && !words.isEmpty()) return words;
     if (m_shown.empty())
         return tr("This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.");
+    if (m_shown.map().tree)
+        return tr("This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.");
     return tr("%1 is %2: its bands are not tested. Bring all of it into the picture to see them.",
               "object, how it lies to the frustum")
         .arg(m_shown.name(), translated(relationName(m_shown.decision().relation)));

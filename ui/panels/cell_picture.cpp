@@ -45,7 +45,9 @@ void CellPicture::setContents(const MapContents& contents) {
     const ShownMap &before = m_contents.shown, &now = contents.shown;
     const bool sameDecision = now == before;
     const bool sameMaps = !now.empty() && !before.empty() && now.map().maps == before.map().maps;
-    const bool sameCells = m_colouring == MapColouring::State ? sameDecision && contents.truth == m_contents.truth : sameMaps;
+    const bool sameCells = m_colouring == MapColouring::State   ? sameDecision && contents.truth == m_contents.truth
+                           : m_colouring == MapColouring::Level ? sameDecision
+                                                                : sameMaps;
     m_contents = contents;
     if (!sameCells) forgetCells();
     if (!sameDecision) m_veil = {};
@@ -60,7 +62,7 @@ void CellPicture::setColouring(MapColouring colouring) {
 const CellTones& CellPicture::tones() const {
     if (!m_tones)
         m_tones = m_colouring == MapColouring::State ? stateTones(m_contents.shown, m_contents.truth.get())
-                                                     : cellTones(m_contents.shown.maps(), m_colouring);
+                                                     : cellTones(m_contents.shown.map(), m_colouring);
     return *m_tones;
 }
 

@@ -12,6 +12,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr std::array kWidths{0, 64, 146, 92};  // of the columns in order; the name takes what is left of 400 pixels
+constexpr int kFirstRows = 24;                 // of a tree when it is first shown
 
 }  // namespace
 
@@ -34,6 +35,7 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
     connect(&session, &Session::figuresChanged, this, &InsideTree::refresh);
     connect(&session, &Session::pickChanged, this, &InsideTree::followPick);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &InsideTree::pickSelected);
+    connect(m_model, &InsideModel::modelReset, m_view, [this] { m_view->expandFirstLevels(kFirstRows); });
     retranslate();
     refresh();
 }
@@ -57,7 +59,9 @@ void InsideTree::refresh() {
     // The Tab key does not get past a panel whose proxy is hidden.
     setFocusProxy(m_model->empty() ? nullptr : m_view);
     m_empty->setVisible(m_model->empty());
-    followPick();
+    // A selected group is not what is picked, and stays selected until something else is picked.
+    const QModelIndexList rows = m_view->selectionModel()->selectedRows();
+    if (rows.isEmpty() || m_model->instanceAt(rows.front())) followPick();
 }
 
 std::shared_ptr<const TriangleStates> InsideTree::statesOfTruth() const {

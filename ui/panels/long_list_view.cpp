@@ -13,6 +13,21 @@ LongListView::LongListView(QWidget* parent) : QTreeView(parent) {
     header()->setStretchLastSection(false);
 }
 
+void LongListView::expandFirstLevels(int rows) {
+    QModelIndexList level{rootIndex()};
+    for (int shown = 0; !level.isEmpty();) {
+        QModelIndexList next;
+        for (const QModelIndex& parent : level) {
+            const int count = model()->rowCount(parent);
+            shown += count;
+            if (shown > rows) return;
+            for (int row = 0; row < count; ++row) next.push_back(model()->index(row, 0, parent));
+        }
+        for (const QModelIndex& parent : level) expand(parent);
+        level = next;
+    }
+}
+
 void LongListView::dataChanged(const QModelIndex& topLeft, const QModelIndex& bottomRight, const QList<int>& roles) {
     if (topLeft == bottomRight)
         QTreeView::dataChanged(topLeft, bottomRight, roles);

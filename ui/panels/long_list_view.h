@@ -12,6 +12,9 @@ class LongListView : public QTreeView {
 public:
     explicit LongListView(QWidget* parent = nullptr);
 
+    /// Opens as many whole levels of a tree as make no more than `rows` rows.
+    void expandFirstLevels(int rows);
+
     void dataChanged(const QModelIndex& topLeft, const QModelIndex& bottomRight, const QList<int>& roles = {}) override;
 };
 

@@ -34,6 +34,7 @@ std::vector<Cells> cellsUnder(uint32_t pixels, uint32_t cells) {
 
 TriangleState stateOf(CellState state) {
     if (state == CellState::Drawn) return TriangleState::Visible;
+    if (state == CellState::BackFacing) return TriangleState::BackFacing;
     return state == CellState::Hidden ? TriangleState::Hidden : TriangleState::OutsideFrustum;
 }
 
@@ -53,8 +54,8 @@ uint8_t CellTones::toneOf(TriangleState state) {
     return uint8_t(1 + (std::find(kByStrength.begin(), kByStrength.end(), state) - kByStrength.begin()));
 }
 
-CellTones cellTones(const SphericalMaps& maps, MapColouring colouring) {
-    const CellShares scale = cellShares(maps, colouring);
+CellTones cellTones(const InsideMap& map, MapColouring colouring) {
+    const CellShares scale = cellShares(map, colouring);
     CellTones made{std::vector<uint8_t>(scale.shares.size()), scale.least, scale.most};
     std::transform(scale.shares.begin(), scale.shares.end(), made.tones.begin(),
                    [](float share) { return share < 0.0F ? uint8_t(0) : toneAt(share); });

@@ -22,8 +22,8 @@ struct CellTones {
     [[nodiscard]] static uint8_t toneOf(TriangleState state);
 };
 
-/// Of Entries and Radius.
-[[nodiscard]] CellTones cellTones(const SphericalMaps& maps, MapColouring colouring);
+/// Of a colouring but State.
+[[nodiscard]] CellTones cellTones(const InsideMap& map, MapColouring colouring);
 /// Of State. `truth`, where known, are the states of the shown scene's triangles: a cell is as the worst triangle that it owns
 /// (wrongly culled before visible before drawn in vain); null: drawn cells count as visible. A cell that owns none but is touched
 /// by some is as the cell that owns the farthest-out of those.

@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/measure/judged_cells.h"
 #include "core/measure/map_picture.h"
 #include "ui/panels/map_edges.h"
 
@@ -19,6 +20,7 @@ constexpr double kLeastContourStep = 15.0;  // degrees between drawn ones
 constexpr double kNumberDistance = 15.0;
 constexpr double kLeastWalkedSize = 2.0;
 constexpr double kLeastCellSize = 3.0;  // of what must be seen, in pixels
+constexpr double kLeastOutlined = 4.0;  // of a cell whose border does not cover it
 
 QRectF atLeast(const QRectF& rect, double size) {
     const double across = std::max(0.0, size - rect.width()) / 2, down = std::max(0.0, size - rect.height()) / 2;
@@ -96,6 +98,7 @@ void MapOverlay::paint(const InsideMap& map) const {
     m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
     m_painter.setRenderHint(QPainter::Antialiasing);
     if (map.decision.bands) paintBands(*map.decision.bands);
+    if (map.decision.walk) paintWalk(map);
     if (map.decision.region) {
         paintWalked(map);
         paintRegion(map.maps->grid(), *map.decision.region);
@@ -174,6 +177,17 @@ void MapOverlay::paintBands(const ContourBands& bands) const {
     const SphericalPoint start = sphericalPoint(bands.axis), end = sphericalPoint(-bands.axis);
     paintMarker(m_painter, m_layout.placeOf({start.theta, start.phi}), MapSymbol::Start, m_colours);
     paintMarker(m_painter, m_layout.placeOf({end.theta, end.phi}), MapSymbol::End, m_colours);
+}
+
+void MapOverlay::paintWalk(const InsideMap& map) const {
+    QPainterPath cells;
+    for (const std::vector<Vec2>& outline : cellOutlines(map, kLeastOutlined * kTurn / m_layout.area.width()))
+        cells.addPath(wrapped(outline, false));
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(linePen(MapSymbol::JudgedCell, m_colours));
+    m_painter.drawPath(cells);
+    if (const std::vector<Vec2> horizon = horizonLine(map); !horizon.empty())
+        strokeOver(m_painter, wrapped(horizon, false), linePen(MapSymbol::Horizon, m_colours), m_colours.ground);
 }
 
 void MapOverlay::paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,

@@ -49,13 +49,33 @@ std::vector<MapLegend::Entry> bandSymbols(double step, const std::optional<uint3
     return entries;
 }
 
-/// The states that the words are kept room for, which is more than most maps have.
-std::vector<MapLegend::Entry> usualStates(bool bands) {
-    using enum TriangleState;
-    std::vector<MapLegend::Entry> entries;
-    for (const TriangleState state : {Visible, InVain, bands ? Hidden : OutsideFrustum, WronglyCulled})
-        entries.push_back({MapSymbol::Cells, stateWords(state, true), {}});
+std::vector<MapLegend::Entry> walkSymbols(bool horizon) {
+    std::vector<MapLegend::Entry> entries = symbols({MapSymbol::JudgedCell});
+    if (horizon) append(entries, symbols({MapSymbol::Horizon}));
     return entries;
+}
+
+std::vector<MapLegend::Entry> stateEntries(const std::vector<TriangleState>& states, bool truthKnown) {
+    std::vector<MapLegend::Entry> entries;
+    for (const TriangleState state : states) entries.push_back({MapSymbol::Cells, stateWords(state, truthKnown), {}});
+    return entries;
+}
+
+/// What a map may have at once, for which room is kept: of states more than most have.
+std::vector<std::vector<MapLegend::Entry>> fullLegends(bool states, bool tree) {
+    using enum TriangleState;
+    if (tree) {
+        std::vector<MapLegend::Entry> walk;
+        if (states) walk = stateEntries({Visible, InVain, OutsideFrustum, BackFacing, Hidden}, true);
+        append(walk, walkSymbols(true));
+        return {walk};
+    }
+    std::vector<MapLegend::Entry> region, bands;
+    if (states) region = stateEntries({Visible, InVain, OutsideFrustum, WronglyCulled}, true);
+    bands = states ? stateEntries({Visible, InVain, Hidden, WronglyCulled}, true) : stateEntries({Hidden}, false);
+    append(region, regionSymbols());
+    append(bands, bandSymbols(kUsualStep, kUsualSector));
+    return {region, bands};
 }
 
 QRectF inner(const QRectF& place) { return place.adjusted(kMargin, 0, -kMargin, 0); }
@@ -70,15 +90,20 @@ double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) cons
 double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const {
     const bool states = colouring() == MapColouring::State;
     double most = 0.0;
-    for (const bool bands : {false, true}) {
-        std::vector<MapLegend::Entry> entries;
-        if (states) entries = usualStates(bands);
-        if (!states && bands) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), {}});
-        append(entries, bands ? bandSymbols(kUsualStep, kUsualSector) : regionSymbols());
+    const bool tree = !contents().shown.empty() && contents().shown.map().tree;
+    for (std::vector<MapLegend::Entry>& entries : fullLegends(states, tree)) {
         entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
         most = std::max(most, MapLegend(std::move(entries), metrics).heightFor(width));
     }
-    return most + (states ? 0.0 : lineHeight(metrics));
+    return most + (states ? 0.0 : lineHeight(metrics)) + wordsHeight(metrics);
+}
+
+double MapPainter::wordsHeight(const QFontMetricsF& metrics) const {
+    const ShownMap& shown = contents().shown;
+    if (shown.empty() || !shown.map().tree) return 0.0;
+    // Why there is no kernel may take two lines.
+    const bool filled = shown.map().kernel && shown.map().kernel->filled();
+    return (filled ? 2 : 3) * lineHeight(metrics);
 }
 
 std::vector<MapLegend::Entry> MapPainter::statesShown(const QPalette& palette) const {
@@ -103,6 +128,7 @@ MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palet
     const SphericalDecision& decision = contents().shown.decision();
     if (decision.bands) append(entries, bandSymbols(contourStep(*decision.bands), contents().sector));
     if (decision.region) append(entries, regionSymbols());
+    if (decision.walk) append(entries, walkSymbols(!decision.walk->outline.empty()));
     if (contents().picked) entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
     return {std::move(entries), metrics};
 }
@@ -147,6 +173,8 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
         paintScale(painter, below, palette);
         below.setTop(below.top() + lineHeight(metrics));
     }
+    paintWords(painter, below, colours);
+    below.setTop(below.top() + wordsHeight(metrics));
     legend(metrics, palette).paint(painter, below, colours);
     painter.restore();
 }
@@ -164,6 +192,19 @@ void MapPainter::paintCaption(QPainter& painter, const QRectF& place, const MapC
     painter.drawText(line, Qt::AlignLeft,
                      QFontMetricsF(bold).elidedText(decisionWords(contents().shown), Qt::ElideRight, line.width()));
     painter.setFont(plain);
+}
+
+void MapPainter::paintWords(QPainter& painter, const QRectF& place, const MapColours& colours) const {
+    const QFontMetricsF metrics(painter.font());
+    QRectF line(place.left(), place.top(), place.width(), metrics.height());
+    painter.setPen(colours.text);
+    const QStringList words = walkWords(contents().shown);
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        // The last one has what room is left.
+        if (i + 1 == words.size()) line.setBottom(place.top() + wordsHeight(metrics));
+        painter.drawText(line, Qt::AlignLeft | Qt::TextWordWrap, words[i]);
+        line.translate(0, lineHeight(metrics));
+    }
 }
 
 void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours) {
@@ -203,7 +244,10 @@ void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalet
     const QFontMetricsF metrics(painter.font());
     const QList<QRgb> colours = toneColours(colouring(), palette);
     const auto value = [this](double number) {
-        return colouring() == MapColouring::Radius ? lengthText(number) : countText(uint64_t(number));
+        if (colouring() == MapColouring::Radius) return lengthText(number);
+        if (colouring() == MapColouring::Kernel)
+            return percentText(number / contents().shown.map().maps.sphere().radius) + QStringLiteral(" %");
+        return countText(uint64_t(number));
     };
     const QString least = value(m_cells.tones().least), most = value(m_cells.tones().most);
     QPointF at = place.topLeft();

@@ -34,6 +34,9 @@ public:
 private:
     void paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const;
     static void paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours);
+    /// What stands between the scale and the legend of a map with a quadtree.
+    [[nodiscard]] double wordsHeight(const QFontMetricsF& metrics) const;
+    void paintWords(QPainter& painter, const QRectF& place, const MapColours& colours) const;
     void paintScale(QPainter& painter, const QRectF& place, const QPalette& palette) const;
     /// What stands below map and scale.
     [[nodiscard]] MapLegend legend(const QFontMetricsF& metrics, const QPalette& palette) const;

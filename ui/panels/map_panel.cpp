@@ -14,7 +14,10 @@ namespace cullscope::ui {
 namespace {
 
 constexpr QSize kFileSize{960, 560};
-constexpr std::array kColourings{MapColouring::Entries, MapColouring::Radius, MapColouring::State};
+constexpr std::array kColourings{MapColouring::Entries, MapColouring::Radius, MapColouring::State, MapColouring::Level,
+                                 MapColouring::Kernel};
+/// What every map has.
+constexpr size_t kUsualColourings = 3;
 
 /// What a cell's repeated picks go through.
 std::vector<uint32_t> pickOrder(const SphericalMaps& maps, uint32_t cell) {
@@ -38,7 +41,8 @@ MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
       m_map(new MapWidget(this)),
       m_pictures(new PictureMenu(session, *m_map, kFileSize)) {
     layOut();
-    connect(m_colouring, &QComboBox::activated, this, [this](int index) { m_map->setColouring(kColourings[size_t(index)]); });
+    connect(m_colouring, &QComboBox::activated, this,
+            [this] { m_map->setColouring(MapColouring(m_colouring->currentData().toInt())); });
     connect(m_map, &MapWidget::cellChosen, this, &MapPanel::pickIn);
     followShownMap(session, reader, this, [this] { refresh(); });
     followMapAbsence(session, this, [this] { showSentence(); });
@@ -50,7 +54,7 @@ MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
 void MapPanel::layOut() {
     m_sentence->setForegroundRole(QPalette::PlaceholderText);
     m_colouringLabel->setBuddy(m_colouring);
-    for (const MapColouring colouring : kColourings) m_colouring->addItem(QString(), int(colouring));
+    for (size_t i = 0; i < kUsualColourings; ++i) m_colouring->addItem(QString(), int(kColourings[i]));
     leaveWheelUnlessFocused(*m_colouring);
     m_colouring->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_map->setBackgroundRole(QPalette::Base);
@@ -73,6 +77,7 @@ void MapPanel::refresh() {
 }
 
 void MapPanel::showMap(const ShownMap& shown) {
+    if (!shown.empty()) offerColourings(shown);
     m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown), sectorOf(shown)});
     m_choices->setVisible(!shown.empty());
     m_map->setVisible(!shown.empty());
@@ -80,6 +85,17 @@ void MapPanel::showMap(const ShownMap& shown) {
     // The Tab key does not get past a panel whose proxy is hidden.
     setFocusProxy(shown.empty() ? nullptr : m_map);
     showSentence();
+}
+
+void MapPanel::offerColourings(const ShownMap& shown) {
+    for (const MapColouring colouring : kColourings) {
+        const int index = m_colouring->findData(int(colouring));
+        const bool has = hasColouring(shown.map(), colouring);
+        if (has && index < 0) m_colouring->addItem(colouringWords(colouring), int(colouring));
+        if (!has && index >= 0) m_colouring->removeItem(index);
+    }
+    if (!hasColouring(shown.map(), m_map->colouring())) m_map->setColouring(MapColouring::Entries);
+    m_colouring->setCurrentIndex(m_colouring->findData(int(m_map->colouring())));
 }
 
 void MapPanel::showSentence() {
@@ -125,7 +141,8 @@ void MapPanel::pickIn(uint32_t cell) {
 
 void MapPanel::retranslate() {
     m_colouringLabel->setText(tr("&Colours of the map:"));
-    for (int i = 0; i < m_colouring->count(); ++i) m_colouring->setItemText(i, colouringWords(kColourings[size_t(i)]));
+    for (int i = 0; i < m_colouring->count(); ++i)
+        m_colouring->setItemText(i, colouringWords(MapColouring(m_colouring->itemData(i).toInt())));
     showSentence();
 }
 

@@ -37,6 +37,8 @@ private:
     void refresh();
     void retranslate();
     void showSentence();
+    /// The colourings that the map has; where it does not have the present one, its entries.
+    void offerColourings(const ShownMap& shown);
     [[nodiscard]] std::shared_ptr<const TriangleStates> truth() const;
     /// Of the shown map's mesh; none: nothing of it is picked.
     [[nodiscard]] std::optional<uint32_t> pickedTriangle(const ShownMap& shown) const;

@@ -42,6 +42,8 @@ MapColours::MapColours(const QPalette& palette) {
     walked = plot.dark ? QColor(0x2BD4A4) : QColor(0x00805A);
     contour = plot.dark ? QColor(0xFF9A4D) : QColor(0xC44E00);
     picked = plot.dark ? QColor(0xFF6AD5) : QColor(0xC0008A);
+    quadtree = plot.text;
+    quadtree.setAlphaF(0.35F);
     veil = verdictColour(TriangleState::Hidden, palette);
     veil.setAlphaF(0.4F);
 }
@@ -70,6 +72,8 @@ QPen linePen(MapSymbol symbol, const MapColours& colours) {
     }
     if (symbol == MapSymbol::Box) return {colours.text, 1.2};
     if (symbol == MapSymbol::Sector) return {colours.text, 1.6, Qt::DashLine, Qt::FlatCap, Qt::RoundJoin};
+    if (symbol == MapSymbol::JudgedCell) return {colours.quadtree, 0.8};
+    if (symbol == MapSymbol::Horizon) return {colours.region, 2.0};
     if (symbol == MapSymbol::RightAngle) return {colours.contour, 2.2};
     return {symbol == MapSymbol::Picked ? colours.picked : colours.contour, symbol == MapSymbol::Picked ? 2.0 : 1.2};
 }
@@ -124,14 +128,15 @@ void paintSymbol(QPainter& painter, const QRectF& place, MapSymbol symbol, const
             break;
     }
     QPainterPath path;
-    if (symbol == MapSymbol::Box || symbol == MapSymbol::Picked) {
+    if (symbol == MapSymbol::Box || symbol == MapSymbol::JudgedCell || symbol == MapSymbol::Picked) {
         path.addRect(QRectF(centre.x() - 7.0, centre.y() - 4.0, 14.0, 8.0));
     } else {
         path.moveTo(place.left(), centre.y());
         path.lineTo(place.right(), centre.y());
     }
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(linePen(symbol, colours));
+    // Alone, a line as thin and pale as on the map would hardly be seen.
+    painter.setPen(symbol == MapSymbol::JudgedCell ? QPen(colours.faintText, 1.2) : linePen(symbol, colours));
     painter.drawPath(path);
 }
 

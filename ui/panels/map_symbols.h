@@ -14,10 +14,11 @@ struct MapColours {
     QColor ground;
     QColor text;
     QColor faintText;
-    QColor region;  ///< the visible region's red
+    QColor region;  ///< the visible region's red, and the horizon's
     QColor walked;
     QColor contour;
     QColor picked;
+    QColor quadtree;
     QColor veil;  ///< over cells that are hidden, half transparent
 
     /// As it looks over a colour.
@@ -25,7 +26,22 @@ struct MapColours {
 };
 
 /// What is drawn over a map, in its legend as on it.
-enum class MapSymbol { Region, Box, CornerHit, CornerMiss, Walked, Contour, RightAngle, Sector, Start, End, Picked, Cells };
+enum class MapSymbol {
+    Region,
+    Box,
+    CornerHit,
+    CornerMiss,
+    Walked,
+    Contour,
+    RightAngle,
+    Sector,
+    Start,
+    End,
+    JudgedCell,
+    Horizon,
+    Picked,
+    Cells
+};
 
 /// A line that is seen on every cell: in its colour on a wider one of the ground's.
 void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const QColor& ground);

@@ -65,6 +65,7 @@ int MapWidget::neededHeight(int width) const {
 QString MapWidget::description() const {
     const MapContents& contents = m_painter.contents();
     QStringList lines{objectWords(contents.shown), decisionWords(contents.shown)};
+    lines << walkWords(contents.shown);
     if (m_cursor) lines << cellWords(contents.shown, contents.truth.get(), *m_cursor);
     lines << tr("The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.");
     return lines.join(QLatin1Char('\n'));

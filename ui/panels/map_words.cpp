@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/measure/judged_cells.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -35,6 +36,34 @@ QString rangeWords(double from, double to) {
     return MapWords::tr("%1 to %2", "a range of numbers").arg(degreesText(from), degreesText(to));
 }
 
+QString countOrUnused(bool used, uint64_t count) { return used ? countText(count) : MapWords::tr("not used", "a test"); }
+
+QString kernelWords(const InsideMap& map) {
+    if (!map.kernel) return MapWords::tr("No kernel: the horizon is switched off, or the mesh is too small for one");
+    if (!map.kernel->filled()) return MapWords::tr("No kernel: %1").arg(translated(InnerKernel::stateName(map.kernel->state())));
+    if (map.decision.walk->horizon)
+        return MapWords::tr("Kernel filled to R %1 at least").arg(lengthText(map.kernel->leastRadius()));
+    if (map.decision.relation == SphereRelation::AroundEye)
+        return MapWords::tr("Horizon not used: the eye is inside the bounding sphere");
+    return MapWords::tr("Horizon not used: at the near plane, or too far away");
+}
+
+/// What became of the quadtree's cell under a direction.
+QString judgedWords(const InsideMap& map, const Vec3& direction) {
+    const JudgedCell* judged = judgedCellAt(map, direction);
+    if (!judged) return {};
+    const CellTree::Node& node = map.tree->nodes()[judged->node];
+    const QString verdict = judged->cause ? translated(causeName(*judged->cause)) : MapWords::tr("drawn");
+    return MapWords::tr("Quadtree: level %1, triangles: %2, %3", "level of a cell, how many it has, what became of it")
+        .arg(QString::number(node.level), countText(node.count), verdict);
+}
+
+Vec3 middleOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) {
+    const double theta = (grid.thetaOf(cell.row) + grid.thetaOf(cell.row + 1)) / 2;
+    const double phi = (grid.phiOf(cell.column) + grid.phiOf(cell.column + 1)) / 2;
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
 /// Of the triangles that the cell owns; none: it owns none.
 QString stateOfCell(const ShownMap& shown, const TriangleStates* truth, uint32_t cell) {
     const uint8_t tone = stateTone(shown, truth, cell);
@@ -46,12 +75,24 @@ QString stateOfCell(const ShownMap& shown, const TriangleStates* truth, uint32_t
 }  // namespace
 
 QString colouringWords(MapColouring colouring) {
-    if (colouring == MapColouring::Entries) return MapWords::tr("Entries a cell");
-    return colouring == MapColouring::Radius ? MapWords::tr("Farthest R") : MapWords::tr("State");
+    switch (colouring) {
+        case MapColouring::Entries:
+            return MapWords::tr("Entries a cell");
+        case MapColouring::Radius:
+            return MapWords::tr("Farthest R");
+        case MapColouring::Level:
+            return MapWords::tr("Level", "of a quadtree");
+        case MapColouring::Kernel:
+            return MapWords::tr("Kernel");
+        default:
+            return MapWords::tr("State");
+    }
 }
 
 QString scaleWords(MapColouring colouring) {
     if (colouring == MapColouring::Radius) return MapWords::tr("farthest R, mesh units");
+    if (colouring == MapColouring::Level) return MapWords::tr("level where the walk ended");
+    if (colouring == MapColouring::Kernel) return MapWords::tr("R of the kernel, of the sphere's");
     return MapWords::tr("triangles a cell, logarithmic");
 }
 
@@ -67,11 +108,21 @@ QString decisionWords(const ShownMap& shown) {
     const SphericalDecision& decision = shown.decision();
     if (decision.relation == SphereRelation::Outside) return MapWords::tr("Nothing of it is drawn.");
     if (decision.region) return caseWords(decision.region->caseNumber);
-    const QString drawn = countText(decision.drawnTriangles), all = countText(shown.maps().mesh().triangleCount());
+    const QString drawn = countText(decision.drawnTriangles), all = countText(shown.map().maps.mesh().triangleCount());
     if (decision.bands)
         return MapWords::tr("Bands of %1; drawn: %2 of %3 triangles").arg(degreesText(decision.bands->width), drawn, all);
-    if (decision.relation == SphereRelation::AroundEye) return MapWords::tr("Everything of it is drawn.");
+    if (decision.relation == SphereRelation::AroundEye && !decision.walk) return MapWords::tr("Everything of it is drawn.");
     return MapWords::tr("Drawn: %1 of %2 triangles").arg(drawn, all);
+}
+
+QStringList walkWords(const ShownMap& shown) {
+    const std::optional<CellWalk>& walk = shown.decision().walk;
+    if (!walk) return {};
+    const auto culled = [&](Cause cause) { return walk->culled[size_t(cause)]; };
+    return {MapWords::tr("Culled: frustum %1 · cones %2 · horizon %3", "by which test, triangles")
+                .arg(countText(culled(Cause::OutsideFrustum)), countOrUnused(walk->cones, culled(Cause::BackFacing)),
+                     countOrUnused(walk->horizon, culled(Cause::Hidden))),
+            kernelWords(shown.map())};
 }
 
 QString cellWords(const ShownMap& shown, const TriangleStates* truth, const SphericalGrid::Cell& cell) {
@@ -87,6 +138,7 @@ QString cellWords(const ShownMap& shown, const TriangleStates* truth, const Sphe
                           .arg(countText(maps.triangles(number).size()), countText(maps.centroids(number).size()))};
     if (!extent.empty())
         lines << MapWords::tr("R %1 to %2 mesh units").arg(lengthText(extent.nearest), lengthText(extent.farthest));
+    if (const QString judged = judgedWords(shown.map(), middleOf(grid, cell)); !judged.isEmpty()) lines << judged;
     lines << stateOfCell(shown, truth, number);
     return lines.join(QLatin1Char('\n'));
 }
@@ -127,6 +179,10 @@ QString symbolWords(MapSymbol symbol) {
             return MapWords::tr("nearest to the eye");
         case MapSymbol::End:
             return MapWords::tr("opposite");
+        case MapSymbol::JudgedCell:
+            return MapWords::tr("cell of the quadtree");
+        case MapSymbol::Horizon:
+            return MapWords::tr("horizon of the kernel");
         default:
             return MapWords::tr("picked");
     }

@@ -16,6 +16,9 @@ namespace cullscope::ui {
 [[nodiscard]] QString objectWords(const ShownMap& shown);
 /// What follows from that: the case, the bands, or why nothing is decided by direction.
 [[nodiscard]] QString decisionWords(const ShownMap& shown);
+/// Of a map with a quadtree: which tests held and what each culled, one line; then what the kernel is good for, or why there is
+/// none. Empty: nothing was walked.
+[[nodiscard]] QStringList walkWords(const ShownMap& shown);
 /// Row, column, angles, entries, triangles, R and state of a cell, several lines.
 [[nodiscard]] QString cellWords(const ShownMap& shown, const TriangleStates* truth, const SphericalGrid::Cell& cell);
 /// What the corner ray with that index found.

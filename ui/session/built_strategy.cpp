@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "core/gpu/context.h"
+#include "core/measure/overlays.h"
 
 namespace cullscope::ui {
 
@@ -13,7 +14,7 @@ Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace) {
 }
 
 ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
-    if (!look.boxes && !look.bands) return look;
+    if (!look.boxes && !look.bands && !look.kernel) return look;
     const std::lock_guard lock(built.mutex);
     Trace trace;
     (void)built.strategy->cull(view, &trace);
@@ -21,6 +22,7 @@ ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
     look.boxes = look.boxes && !(inside.nodes.empty() && inside.maps.empty());
     look.bands =
         look.bands && std::ranges::any_of(inside.maps, [](const InsideMap& map) { return map.decision.bands.has_value(); });
+    look.kernel = look.kernel && std::ranges::any_of(inside.maps, hasKernel);
     return look;
 }
 

@@ -25,7 +25,7 @@ using BuiltStrategyPointer = std::shared_ptr<BuiltStrategy>;
 /// One cull of a strategy that several threads share.
 [[nodiscard]] Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace);
 
-/// A look without the boxes and bands that the strategy does not have at this view.
+/// A look without the boxes, bands and kernels that the strategy does not have at this view.
 [[nodiscard]] ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look);
 
 /// core's renderFrame for a strategy that several threads share. Waiting for the others is not part of the time.

@@ -60,6 +60,7 @@ QStringList lookWords(const ViewLook& look) {
     add(look.boxes, QStringLiteral("boxes"));
     add(look.frustum, QStringLiteral("frustum"));
     add(look.bands, QStringLiteral("bands"));
+    add(look.kernel, QStringLiteral("kernel"));
     if (verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
     return words;
 }

@@ -23,7 +23,7 @@ struct PictureRequest {
     std::optional<Camera> observer;       ///< the camera that looks; none: the culling camera
     std::optional<Viewport> cullingSize;  ///< of the culling camera's picture; none: `size`
     Viewport size;
-    ViewLook look;    ///< with boxes and bands only where the strategy has some
+    ViewLook look;    ///< with boxes, bands and kernel only where the strategy has some
     DrawStyle style;  ///< of 8 bits a channel
 };
 

@@ -12,6 +12,18 @@ constexpr int kPause = 100;  // ms between two culls' beginnings
 
 }  // namespace
 
+size_t placeOfMap(const Inside& inside, const std::optional<uint32_t>& instance) {
+    const std::vector<InsideMap>& maps = inside.maps;
+    const auto place = [&](const auto& matches) {
+        return size_t(std::find_if(maps.begin(), maps.end(), matches) - maps.begin());
+    };
+    size_t found = maps.size();
+    if (instance) found = place([&](const InsideMap& map) { return map.decision.instance == *instance; });
+    if (found == maps.size())
+        found = place([](const InsideMap& map) { return map.decision.relation != SphereRelation::Outside; });
+    return found == maps.size() ? 0 : found;
+}
+
 InsideReader::InsideReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause);
@@ -99,6 +111,12 @@ void InsideReader::start() {
         }
         if (stop.stop_requested()) return Background::Delivery();
         reading->inside = known ? known : std::make_shared<const Inside>(strategy.inside(trace));
+        if (!reading->inside->maps.empty()) {
+            std::optional<uint32_t> picked;
+            if (request.triangle) picked = uint32_t(request.strategy->scene->instanceOf(*request.triangle));
+            reading->map = placeOfMap(*reading->inside, picked);
+            (void)*reading->inside->maps[reading->map].maps;
+        }
         if (request.triangle)
             reading->why = why(*request.strategy->scene, view, strategy, verdict.drawList, trace, *request.triangle);
         return Background::Delivery(

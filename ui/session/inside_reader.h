@@ -18,15 +18,21 @@ struct InsideReading {
     Camera culling;
     Viewport size;
     std::shared_ptr<const Inside> inside;  ///< never null; the same pointer as long as strategy, camera and size are the same
+    size_t map = 0;                        ///< its place in `inside` where there are maps: the one that was made to be looked at
     std::optional<uint64_t> triangle;      ///< what `why` is about; none: nothing picked, or its object is hidden
     std::vector<WhyStep> why;
 };
+
+/// The place of the map that is worth looking at: of that instance; none: of the first that is not outside the frustum, else of
+/// the first. There is at least one.
+[[nodiscard]] size_t placeOfMap(const Inside& inside, const std::optional<uint32_t>& instance);
 
 using InsideReadingPointer = std::shared_ptr<const InsideReading>;
 
 /// Reads what the strategy decided whose verdicts the active view shows: culls with a trace beside the window whenever strategy,
 /// culling camera, render size, scene or pick change, at most ten times a second and one at a time. Only a reading of the present
-/// state is ever delivered. Nothing is read while none of the widgets that want it is visible.
+/// state is ever delivered. What is read is ready to be shown: the map of the picked object is made here, not where it is
+/// painted. Nothing is read while none of the widgets that want it is visible.
 class InsideReader : public QObject {
     Q_OBJECT
 

@@ -19,7 +19,7 @@ void ObjectVerdicts::set(const ScenePointer& scene, const std::shared_ptr<const 
     for (const InsideNode& node : inside->nodes)
         if (node.parent >= 0) holdsOthers[size_t(node.parent)] = true;
     for (size_t node = inside->nodes.size(); node-- > 0;)
-        if (!holdsOthers[node]) m_nodes[inside->nodes[node].instance] = int64_t(node);
+        if (!holdsOthers[node] && !inside->nodes[node].isGroup()) m_nodes[inside->nodes[node].instance] = int64_t(node);
 }
 
 TriangleState ObjectVerdicts::fromStates(uint32_t instance) const {

@@ -14,7 +14,7 @@ struct ScreenshotOptions {
 
     std::optional<Viewport> size;  ///< of the file's picture, in pixels; none: as in the window
     bool grid = false;             ///< all shown views as they are arranged; false: one view
-    bool overlays = true;          ///< frustum, boxes, bands, wipe and marks, and a line about each view of a grid
+    bool overlays = true;          ///< frustum, boxes, bands, kernel, wipe and marks, and a line about each view of a grid
     bool legend = true;            ///< what the colours mean, with counts
     bool caption = true;           ///< a line about scene, strategy and figures
     QString captionText;           ///< in its place; empty: made from scene, strategy and figures

@@ -97,7 +97,8 @@ ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) 
     part.overlays = overlays;
     part.request = *shown;
     if (overlays) return part;
-    part.request.look.frustum = part.request.look.boxes = part.request.look.bands = false;
+    ViewLook& look = part.request.look;
+    look.frustum = look.boxes = look.bands = look.kernel = false;
     part.request.wipe = Wipe::Mode::None;
     return part;
 }

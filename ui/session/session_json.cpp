@@ -47,6 +47,7 @@ Json jsonOf(const ViewLook& look) {
             {"frustum", look.frustum},
             {"boxes", look.boxes},
             {"bands", look.bands},
+            {"kernel", look.kernel},
             {"spherical_model", look.sphericalModel}};
 }
 
@@ -57,6 +58,7 @@ ViewLook readLook(const JsonField& field) {
     read(field, "frustum", look.frustum);
     read(field, "boxes", look.boxes);
     read(field, "bands", look.bands);
+    read(field, "kernel", look.kernel);
     read(field, "spherical_model", look.sphericalModel);
     return look;
 }
@@ -150,13 +152,14 @@ SessionState::View readView(const JsonField& field) {
     SessionState::View view;
     const JsonField strategy = field.at("strategy");
     view.strategy = strategy.text();
+    // Before its parameters, which an unknown strategy would make wrong too.
+    strategy.checked([&] { (void)parametersOf(view); });
     view.setup = readSetup(field);
     if (const auto parameters = field.find("parameters"))
         parameters->forEach([&](const std::string& key, const JsonField& value) {
             view.parameters.emplace(key, value.text());
             value.checked([&] { (void)parametersOf(view); });
         });
-    strategy.checked([&] { (void)parametersOf(view); });
     return view;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "ui/panels/wheel_guard.h"
 #include "ui/statistics/flow_layout.h"
+#include "ui/statistics/run_fronts.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -39,6 +40,8 @@ ExperimentBar::ExperimentBar(QWidget* parent)
       m_size(new QComboBox(this)),
       m_repetitions(new QSpinBox(this)),
       m_start(new QPushButton(this)),
+      m_sweep(new QToolButton(this)),
+      m_sweeps(new QMenu(this)),
       m_progress(new QProgressBar(this)) {
     auto* layout = new FlowLayout(this, kSpacing);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -54,8 +57,10 @@ ExperimentBar::ExperimentBar(QWidget* parent)
         leaveWheelUnlessFocused(*field);
     }
     layout->addWidget(m_start);
+    layout->addWidget(m_sweep);
     layout->addWidget(m_progress);
     connect(m_path, &QComboBox::activated, this, &ExperimentBar::choosePath);
+    setUpSweeps();
     connect(m_start, &QPushButton::clicked, this, [this] { m_running ? emit cancelRequested() : start(); });
     retranslate();
 }
@@ -135,6 +140,15 @@ void ExperimentBar::setUpSizes() {
     m_size->setCurrentIndex(chosen);
 }
 
+void ExperimentBar::setUpSweeps() {
+    m_sweep->setPopupMode(QToolButton::InstantPopup);
+    m_sweep->setFocusPolicy(Qt::StrongFocus);
+    m_sweep->setMenu(m_sweeps);
+    m_sweeps->addAction({}, this, [this] { start(fronts()); });
+    m_sweeps->addSeparator();
+    for (const Front& front : fronts()) m_sweeps->addAction({}, this, [this, front] { start({front}); });
+}
+
 CameraPath ExperimentBar::chosenPath() const {
     const QString id = m_path->itemData(m_chosen).toString();
     if (id == kRecorded) return *m_recorded;
@@ -143,7 +157,7 @@ CameraPath ExperimentBar::chosenPath() const {
     return cameraPath(name.toStdString(), *m_scene);
 }
 
-void ExperimentBar::start() {
+void ExperimentBar::start(const std::vector<Front>& fronts) {
     if (!m_scene || m_running) return;
     ExperimentSettings settings;
     try {
@@ -155,6 +169,7 @@ void ExperimentBar::start() {
     const QSize size = m_size->currentData().toSize();
     settings.size = {size.width(), size.height()};
     settings.repetitions = m_repetitions->value();
+    settings.fronts = fronts;
     emit startRequested(settings);
 }
 
@@ -179,6 +194,10 @@ void ExperimentBar::refresh() {
     m_start->setEnabled(m_scene != nullptr);
     m_start->setText(m_running ? tr("Cancel") : tr("Start"));
     m_start->setToolTip(m_scene ? QString() : tr("Open a scene first"));
+    m_sweep->setEnabled(m_scene && !m_running);
+    m_sweep->setToolTip(m_scene
+                            ? tr("Measures strategies at several values of a parameter and joins their points in the Pareto plot")
+                            : tr("Open a scene first"));
     m_progress->setVisible(m_running);
 }
 
@@ -192,6 +211,11 @@ void ExperimentBar::retranslate() {
     m_repetitions->setToolTip(m_repetitions->accessibleName());
     m_repetitions->setSpecialValueText(tr("repeat until steady"));
     m_repetitions->setPrefix(tr("repetitions: "));
+    m_sweep->setText(tr("Sweep"));
+    const QList<QAction*> sweeps = m_sweeps->actions();
+    sweeps.front()->setText(tr("All of these", "sweeps over parameters"));
+    // The separator is one of them.
+    for (size_t i = 0; i < fronts().size(); ++i) sweeps[qsizetype(i) + 2]->setText(frontWords(fronts()[i]));
     m_progress->setAccessibleName(tr("Progress of the experiment"));
     setUpSizes();
     fillPaths();

@@ -1,13 +1,16 @@
 #pragma once
 
 #include <QComboBox>
+#include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
+#include <QToolButton>
 #include <QWidget>
 #include <optional>
 
 #include "core/base/message.h"
+#include "core/measure/fronts.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene.h"
 
@@ -17,10 +20,12 @@ namespace cullscope::ui {
 struct ExperimentSettings {
     CameraPath path;
     Viewport size;
-    int repetitions = 0;  ///< of each frame; 0: until the median is steady
+    int repetitions = 0;        ///< of each frame; 0: until the median is steady
+    std::vector<Front> fronts;  ///< what is measured; empty: the shown views' strategies
 };
 
-/// Where an experiment is set up, started and cancelled: the camera path, the size of the picture, the repetitions.
+/// Where an experiment is set up, started and cancelled: the camera path, the size of the picture, the repetitions;
+/// and what: the shown views' strategies, or the ready-made fronts.
 class ExperimentBar : public QWidget {
     Q_OBJECT
 
@@ -39,7 +44,9 @@ public:
     void setProgress(double share, const QString& stage);
 
     /// Emits `startRequested`, or `failed` where the path cannot be made.
-    void start();
+    void start(const std::vector<Front>& fronts = {});
+    /// All ready-made fronts, then each of them.
+    [[nodiscard]] QMenu& sweeps() { return *m_sweeps; }
 
 signals:
     void startRequested(const cullscope::ui::ExperimentSettings& settings);
@@ -53,6 +60,7 @@ private:
     void fillPaths();
     void choosePath(int row);
     void setUpSizes();
+    void setUpSweeps();
     void refresh();
     void retranslate();
     [[nodiscard]] CameraPath chosenPath() const;
@@ -66,6 +74,8 @@ private:
     QComboBox* m_size;
     QSpinBox* m_repetitions;
     QPushButton* m_start;
+    QToolButton* m_sweep;
+    QMenu* m_sweeps;
     QProgressBar* m_progress;
     int m_chosen = 0;           ///< row of m_path, never that of "Open a path file…"
     bool m_pathChosen = false;  ///< by the user

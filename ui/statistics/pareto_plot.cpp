@@ -5,7 +5,6 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "ui/statistics/chart_parts.h"
 #include "ui/statistics/point_labels.h"
@@ -23,12 +22,6 @@ constexpr double kMarkerSize = 11.0;
 PlotMarker markerOf(const RunFigures& run, const QColor& colour, const PlotColours& colours) {
     const QColor grey = run.id == QLatin1String("all") ? colours.baselineCull : colours.ground;
     return {run.promise, run.baseline() ? grey : colour, QPen(colours.text, 1.2)};
-}
-
-/// The ids where they tell the runs apart, as they are shorter; else with parameters.
-QString shortLabel(const std::vector<RunFigures>& runs, const RunFigures& run) {
-    const auto same = std::count_if(runs.begin(), runs.end(), [&](const RunFigures& other) { return other.id == run.id; });
-    return same > 1 ? run.label : run.id;
 }
 
 /// The axis of speeds: every run's interval and 1 in it.
@@ -87,6 +80,7 @@ void ParetoPlot::setRuns(const std::vector<RunFigures>& runs) {
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(m_runs),
                  [](const RunFigures& run) { return run.missedPpm.has_value(); });
     m_lossUnknown = m_runs.empty() && !runs.empty();
+    m_fronts = runFronts(m_runs);
     contentsChanged();
 }
 
@@ -128,9 +122,54 @@ QString ParetoPlot::zeroLabel() const {
     return tr("0 (< 3/%1)").arg(views);
 }
 
+const RunFront* ParetoPlot::frontOf(size_t run) const {
+    const auto found = std::find_if(m_fronts.begin(), m_fronts.end(), [&](const RunFront& front) {
+        return std::find(front.runs.begin(), front.runs.end(), run) != front.runs.end();
+    });
+    return found == m_fronts.end() ? nullptr : &*found;
+}
+
+QString ParetoPlot::shortLabel(size_t run) const {
+    QStringList values;
+    for (const RunFront& front : m_fronts)
+        for (size_t i = 0; i < front.runs.size(); ++i)
+            if (front.runs[i] == run) values << front.values[qsizetype(i)];
+    if (!values.isEmpty()) return values.join(QStringLiteral(" · "));
+    // Ids are shorter; they do where they tell the runs apart.
+    const auto same =
+        std::count_if(m_runs.begin(), m_runs.end(), [&](const RunFigures& other) { return other.id == m_runs[run].id; });
+    return same > 1 ? m_runs[run].label : m_runs[run].id;
+}
+
+std::vector<QColor> ParetoPlot::runColours(const PlotColours& colours) const {
+    std::vector<QColor> ofRuns;
+    size_t single = m_fronts.size();
+    for (size_t run = 0; run < m_runs.size(); ++run) {
+        const RunFront* front = frontOf(run);
+        if (front)
+            ofRuns.push_back(colours.series(size_t(front - m_fronts.data())));
+        else
+            ofRuns.push_back(m_runs[run].baseline() ? colours.faintText : colours.series(single++));
+    }
+    return ofRuns;
+}
+
+void ParetoPlot::addFronts(QChart& chart, const PlotColours& colours) const {
+    for (size_t number = 0; number < m_fronts.size(); ++number) {
+        auto* line = new QLineSeries;
+        line->setPen(QPen(colours.series(number), 1.4));
+        for (const size_t run : m_fronts[number].runs) line->append(m_runs[run].speedup, height(*m_runs[run].missedPpm));
+        addSeries(chart, line);
+    }
+}
+
 PlotLegend ParetoPlot::legend(const PlotColours& colours, const QFont& font) const {
-    std::vector<PlotLegend::Entry> entries = runStyles(m_runs, colours);
-    for (size_t i = 0; i < m_runs.size(); ++i) entries[i].marker = markerOf(m_runs[i], entries[i].colour, colours);
+    std::vector<PlotLegend::Entry> entries;
+    const std::vector<QColor> ofRuns = runColours(colours);
+    for (size_t i = 0; i < m_runs.size(); ++i)
+        if (!frontOf(i)) entries.push_back({m_runs[i].label, ofRuns[i], Qt::SolidLine, markerOf(m_runs[i], ofRuns[i], colours)});
+    for (size_t i = 0; i < m_fronts.size(); ++i)
+        entries.push_back({frontName(m_fronts[i].id, m_fronts[i].key), colours.series(i), Qt::SolidLine, {}});
     for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})
         if (std::any_of(m_runs.begin(), m_runs.end(), [&](const RunFigures& run) { return run.promise == promise; }))
             entries.push_back({tr("shape: %1").arg(promiseWord(promise)), colours.faintText, Qt::SolidLine,
@@ -143,13 +182,13 @@ int ParetoPlot::neededHeight(int width) const {
 }
 
 void ParetoPlot::paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours, const PlaceOf& placeOf) const {
-    const std::vector<PlotLegend::Entry> styles = runStyles(m_runs, colours);
+    const std::vector<QColor> ofRuns = runColours(colours);
     std::vector<PointLabel> labels;
     for (size_t i = 0; i < m_runs.size(); ++i) {
         const QPointF centre = placeOf({m_runs[i].speedup, height(*m_runs[i].missedPpm)});
         const QRectF place(centre - QPointF(kMarkerSize, kMarkerSize) / 2, QSizeF(kMarkerSize, kMarkerSize));
-        drawPlotMarker(painter, place, markerOf(m_runs[i], styles[i].colour, colours));
-        labels.push_back({centre, shortLabel(m_runs, m_runs[i])});
+        drawPlotMarker(painter, place, markerOf(m_runs[i], ofRuns[i], colours));
+        labels.push_back({centre, shortLabel(i)});
     }
     paintLabels(painter, labels, bounds, kMarkerSize, colours.text);
 }
@@ -165,21 +204,15 @@ void ParetoPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalett
     addAxis(*chart, lossAxis(lowest, highestDecade(), zeroLabel()), Qt::AlignLeft, painter.font(), colours);
     addZeroBand(*chart, lowest - 1.5, lowest - 0.5, speeds->max(), colours);
     addRule(*chart, {1.0, lowest - 1.5}, {1.0, highestDecade() + 0.2}, QPen(colours.faintText, 1.0, Qt::DashLine));
-    const std::vector<PlotLegend::Entry> styles = runStyles(m_runs, colours);
-    std::map<QString, QLineSeries*> sweeps;
-    for (size_t i = 0; i < m_runs.size(); ++i) {
-        QLineSeries*& sweep = sweeps[m_runs[i].id];
-        if (!sweep) {
-            sweep = new QLineSeries;
-            sweep->setPen(QPen(styles[i].colour, 1.2));
-            addSeries(*chart, sweep);
-        }
-        sweep->append(m_runs[i].speedup, height(*m_runs[i].missedPpm));
-    }
+    addFronts(*chart, colours);
+    const std::vector<QColor> ofRuns = runColours(colours);
     for (size_t i = 0; i < m_runs.size(); ++i) {
         const double y = height(*m_runs[i].missedPpm);
         const auto [least, most] = m_runs[i].speedupCi95;
-        addRule(*chart, {least, y}, {most, y}, QPen(styles[i].colour, 1.5));
+        // Paler than the fronts, which run the same way where nothing is missed.
+        QColor pale = ofRuns[i];
+        pale.setAlphaF(0.5F);
+        addRule(*chart, {least, y}, {most, y}, QPen(pale, 1.5));
     }
     const QString caption = tr("Upwards: missed per million; to the right: speed against backface");
     const QRectF chartPlace = takeCaption(painter, inner, caption, colours);

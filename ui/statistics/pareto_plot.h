@@ -1,17 +1,18 @@
 #pragma once
 
+#include <QChart>
 #include <functional>
 
 #include "ui/statistics/plot_widget.h"
-#include "ui/statistics/run_figures.h"
+#include "ui/statistics/run_fronts.h"
 
 namespace cullscope::ui {
 
 class PlotLegend;
 
 /// What speed costs in accuracy: speed against `backface` to the right, missed parts per million upwards on a logarithmic scale,
-/// nothing missed on a band of its own. Each point has its strategy's name beside it; its shape is the promise; runs of one
-/// strategy are joined by a line.
+/// nothing missed on a band of its own. Each point has its strategy's name beside it; its shape is the promise. Runs of one
+/// strategy that differ in one parameter are joined by a line and have that parameter's value beside them.
 class ParetoPlot : public PlotWidget {
     Q_OBJECT
 
@@ -43,8 +44,16 @@ private:
     void paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours,
                      const std::function<QPointF(const QPointF&)>& placeOf) const;
     [[nodiscard]] PlotLegend legend(const PlotColours& colours, const QFont& font) const;
+    /// By run: its front's where it lies on one.
+    [[nodiscard]] std::vector<QColor> runColours(const PlotColours& colours) const;
+    /// What stands beside a run's point.
+    [[nodiscard]] QString shortLabel(size_t run) const;
+    /// None: the run lies on no front. Of a run on several the first.
+    [[nodiscard]] const RunFront* frontOf(size_t run) const;
+    void addFronts(QChart& chart, const PlotColours& colours) const;
 
     std::vector<RunFigures> m_runs;
+    std::vector<RunFront> m_fronts;
     bool m_lossUnknown = false;  ///< there are runs, but none whose loss was measured
 };
 

@@ -15,7 +15,15 @@ PlotWidget::PlotWidget(QWidget* parent) : QWidget(parent) {
     setAutoFillBackground(true);
 }
 
-QString PlotWidget::emptySentence() const { return tr("Nothing is measured yet. Choose a camera path above and press Start."); }
+void PlotWidget::setMeasuring(bool measuring) {
+    m_measuring = measuring;
+    contentsChanged();
+}
+
+QString PlotWidget::emptySentence() const {
+    if (m_measuring) return tr("Being measured…");
+    return tr("Nothing is measured yet. Choose a camera path above and press Start.");
+}
 
 void PlotWidget::contentsChanged() {
     setAccessibleName(title());

@@ -14,6 +14,9 @@ class PlotWidget : public QWidget {
 public:
     explicit PlotWidget(QWidget* parent = nullptr);
 
+    /// While an experiment runs, an empty plot says so.
+    void setMeasuring(bool measuring);
+
     /// What it is, in the user's language: its accessible name and the title of what is exported.
     [[nodiscard]] virtual QString title() const = 0;
     [[nodiscard]] virtual bool empty() const = 0;
@@ -33,6 +36,9 @@ protected:
     [[nodiscard]] virtual QString description() const = 0;
     /// To be called after its contents changed.
     virtual void contentsChanged();
+
+private:
+    bool m_measuring = false;
 };
 
 }  // namespace cullscope::ui

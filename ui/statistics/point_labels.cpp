@@ -2,6 +2,7 @@
 
 #include <QFontMetricsF>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace cullscope::ui {
@@ -10,12 +11,14 @@ namespace {
 
 constexpr double kGap = 2.0;
 constexpr int kMostRows = 8;  // that words may be away from their point
+// How far to the side, pixels, that they may be moved.
+constexpr std::array kAside{0.0, 14.0, -14.0, 28.0, -28.0, 42.0, -42.0};
 
-/// Words centred so many rows above the point, below where negative, and moved sideways into the bounds.
-QRectF placeAt(const QPointF& point, const QSizeF& size, int row, const QRectF& bounds, double marker) {
+/// Words so many rows above the point, below where negative, and so many pixels aside; moved sideways into the bounds.
+QRectF placeAt(const QPointF& point, const QSizeF& size, int row, double aside, const QRectF& bounds, double marker) {
     const double away = marker / 2 + kGap + (std::abs(row) - 1) * size.height();
     const double top = row > 0 ? point.y() - away - size.height() : point.y() + away;
-    const double left = std::max(bounds.left(), std::min(point.x() - size.width() / 2, bounds.right() - size.width()));
+    const double left = std::max(bounds.left(), std::min(point.x() + aside - size.width() / 2, bounds.right() - size.width()));
     return {QPointF(left, top), size};
 }
 
@@ -32,10 +35,15 @@ std::vector<QRectF> placeLabels(const std::vector<PointLabel>& labels, const QFo
             return place.top() >= bounds.top() && place.bottom() <= bounds.bottom() &&
                    std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); });
         };
-        QRectF place = placeAt(label.point, size, 1, bounds, marker);
-        for (int distance = 1; distance <= kMostRows && !isFree(place); ++distance)
-            for (const int row : {distance, -distance})
-                if (!isFree(place)) place = placeAt(label.point, size, row, bounds, marker);
+        const auto freePlace = [&] {
+            for (int distance = 1; distance <= kMostRows; ++distance)
+                for (const double aside : kAside)
+                    for (const int row : {distance, -distance})
+                        if (const QRectF place = placeAt(label.point, size, row, aside, bounds, marker); isFree(place))
+                            return place;
+            return placeAt(label.point, size, 1, 0.0, bounds, marker);
+        };
+        const QRectF place = freePlace();
         taken.push_back(place);
         places.push_back(place);
     }
@@ -49,7 +57,7 @@ void paintLabels(QPainter& painter, const std::vector<PointLabel>& labels, const
         const QPointF& point = labels[i].point;
         const QPointF nearest(std::clamp(point.x(), places[i].left(), places[i].right()),
                               point.y() > places[i].center().y() ? places[i].bottom() : places[i].top());
-        if (std::abs(nearest.y() - point.y()) > marker) {
+        if (std::hypot(nearest.x() - point.x(), nearest.y() - point.y()) > marker) {
             painter.setPen(QPen(colour, 0.6));
             painter.drawLine(point, nearest);
         }

@@ -13,8 +13,8 @@ struct PointLabel {
     QString words;
 };
 
-/// Where the words stand: above or below their points, inside `bounds` where there is room, and over no other words or point, of
-/// which each takes `marker` pixels in both directions.
+/// Where the words stand: above or below their points or a little to the side of that, inside `bounds` where there is room, and
+/// over no other words or point, of which each takes `marker` pixels in both directions.
 [[nodiscard]] std::vector<QRectF> placeLabels(const std::vector<PointLabel>& labels, const QFontMetricsF& metrics,
                                               const QRectF& bounds, double marker);
 

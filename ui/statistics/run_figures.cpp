@@ -46,6 +46,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         RunFigures figures;
         figures.label = runLabel(run.strategy);
         figures.id = QString::fromStdString(run.strategy.id);
+        figures.parameters = run.strategy.parameters;
         figures.promise = run.promise;
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;
         figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;

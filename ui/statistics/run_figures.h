@@ -22,6 +22,7 @@ struct PoseFigures {
 struct RunFigures {
     QString label;  ///< the strategy's id, and its parameters where they differ from the defaults
     QString id;
+    ParameterSet parameters;
     Promise promise = Promise::Approximate;
     double frameMilliseconds = 0.0;  ///< mean over poses
     double cullMilliseconds = 0.0;   ///< mean over poses

@@ -110,7 +110,10 @@ void StatisticsPanel::setUpBars() {
     layout->addWidget(m_bar);
     layout->addWidget(second);
     layout->addWidget(m_pages, 1);
-    connect(m_bar, &ExperimentBar::startRequested, this, &StatisticsPanel::startRequested);
+    connect(m_bar, &ExperimentBar::startRequested, this, [this](const ExperimentSettings& settings) {
+        if (!settings.fronts.empty()) showTab(Pareto);
+        emit startRequested(settings);
+    });
     connect(m_bar, &ExperimentBar::cancelRequested, this, &StatisticsPanel::cancelRequested);
     connect(m_bar, &ExperimentBar::failed, this, &StatisticsPanel::failed);
     connect(m_source, &QComboBox::activated, this, &StatisticsPanel::refresh);
@@ -152,10 +155,12 @@ void StatisticsPanel::setUpTable() {
 }
 
 void StatisticsPanel::setUpPlots() {
-    for (PlotWidget* plot : std::initializer_list<PlotWidget*>{m_times, m_strip, m_path, m_pareto, m_sphere}) addPage(plot);
+    for (PlotWidget* plot : plots()) addPage(plot);
     for (const PosePlot* plot : std::initializer_list<PosePlot*>{m_strip, m_sphere})
         connect(plot, &PosePlot::poseChosen, this, &StatisticsPanel::poseChosen);
 }
+
+std::array<PlotWidget*, 5> StatisticsPanel::plots() const { return {m_times, m_strip, m_path, m_pareto, m_sphere}; }
 
 void StatisticsPanel::addPage(PlotWidget* plot) {
     auto* scroll = new QScrollArea(this);
@@ -190,7 +195,9 @@ void StatisticsPanel::setResult(const MeasureResult& result) {
 
 void StatisticsPanel::setRunning(bool running) {
     m_bar->setRunning(running);
-    if (!running) return;
+    m_running = running;
+    for (PlotWidget* plot : plots()) plot->setMeasuring(running);
+    if (!running) return refreshTablePage();
     m_result.reset();
     m_source->setCurrentIndex(1);
     refresh();
@@ -228,7 +235,8 @@ void StatisticsPanel::refresh() {
 }
 
 void StatisticsPanel::refreshTablePage() {
-    m_tableEmpty->setText(!m_scene            ? tr("Open a scene: its figures appear here.")
+    m_tableEmpty->setText(!m_scene                         ? tr("Open a scene: its figures appear here.")
+                          : showsExperiment() && m_running ? tr("Being measured…")
                           : showsExperiment() ? tr("Nothing is measured yet. Choose a camera path above and press Start.")
                                               : tr("The views' figures appear here as soon as they are measured."));
     if (m_model->rowCount() > 0)

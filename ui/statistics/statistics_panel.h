@@ -8,6 +8,7 @@
 #include <QTableView>
 #include <QTimer>
 #include <QToolButton>
+#include <array>
 #include <filesystem>
 #include <optional>
 
@@ -78,6 +79,7 @@ private:
     void setUpPlots();
     void setUpMenu();
     void addPage(PlotWidget* plot);
+    [[nodiscard]] std::array<PlotWidget*, 5> plots() const;
     void retranslate();
 
     /// Shows what came in now, or as soon as a tenth of a second has passed since the last time.
@@ -116,6 +118,7 @@ private:
     ResultExporter* m_exporter;
     QTimer m_pause;
     bool m_waiting = false;
+    bool m_running = false;
 
     ScenePointer m_scene;
     SceneOrigin m_origin;

@@ -79,14 +79,7 @@ void Experiments::start(const ExperimentSettings& settings) {
     request.path = settings.path;
     request.size = settings.size;
     request.repetitions = settings.repetitions;
-    for (const int view : m_session.measuredViews()) {
-        const StrategySlot& slot = m_session.slot(view);
-        const bool known =
-            std::any_of(request.strategies.begin(), request.strategies.end(), [&](const StrategyRequest& strategy) {
-                return strategy.id == slot.id() && strategy.parameters == slot.parameters();
-            });
-        if (!known) request.strategies.push_back({slot.id(), slot.parameters()});
-    }
+    request.strategies = settings.fronts.empty() ? shownStrategies() : contestants(settings.fronts);
     m_path = settings.path;
     // What the window measures beside it would be in the experiment's times.
     m_session.setMeasuring(false);
@@ -94,6 +87,18 @@ void Experiments::start(const ExperimentSettings& settings) {
     m_result.reset();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(true);
     m_runner->start(request);
+}
+
+std::vector<StrategyRequest> Experiments::shownStrategies() const {
+    std::vector<StrategyRequest> shown;
+    for (const int view : m_session.measuredViews()) {
+        const StrategySlot& slot = m_session.slot(view);
+        const bool known = std::any_of(shown.begin(), shown.end(), [&](const StrategyRequest& strategy) {
+            return strategy.id == slot.id() && strategy.parameters == slot.parameters();
+        });
+        if (!known) shown.push_back({slot.id(), slot.parameters()});
+    }
+    return shown;
 }
 
 void Experiments::end() {

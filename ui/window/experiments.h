@@ -10,8 +10,8 @@
 
 namespace cullscope::ui {
 
-/// Experiments over the shown views' strategies, one at a time, and the present camera's figures: whatever statistics panels are
-/// in the window show the same.
+/// Experiments over the shown views' strategies or over ready-made fronts, one at a time, and the present camera's figures:
+/// whatever statistics panels are in the window show the same.
 class Experiments : public QObject {
     Q_OBJECT
 
@@ -27,6 +27,8 @@ public:
 private:
     void wire();
     void start(const ExperimentSettings& settings);
+    /// Of the shown views, each once.
+    [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
     void show(const MeasureResult& result);
     void goToPose(int pose);

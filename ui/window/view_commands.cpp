@@ -46,6 +46,8 @@ void ViewCommands::wire() {
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.boxes = on; }); });
     connect(m_actions.bands, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.bands = on; }); });
+    connect(m_actions.kernel, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.kernel = on; }); });
     connect(m_actions.sphericalModel, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.sphericalModel = on; }); });
     connect(m_actions.truth, &QAction::triggered, this,
@@ -79,6 +81,7 @@ void ViewCommands::refresh() {
     m_actions.frustum->setChecked(setup.look.frustum);
     m_actions.boxes->setChecked(setup.look.boxes);
     m_actions.bands->setChecked(setup.look.bands);
+    m_actions.kernel->setChecked(setup.look.kernel);
     m_actions.sphericalModel->setChecked(setup.look.sphericalModel);
     m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
     m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);

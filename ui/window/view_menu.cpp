@@ -85,6 +85,7 @@ void ViewMenu::addLook() {
            [](ViewSetup& setup) { setup.look.frustum = !setup.look.frustum; });
     change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
     change(*menu, tr("Contour bands"), look.bands, [](ViewSetup& setup) { setup.look.bands = !setup.look.bands; });
+    change(*menu, tr("Inner kernel and horizon"), look.kernel, [](ViewSetup& setup) { setup.look.kernel = !setup.look.kernel; });
     for (QAction* action : menu->actions()) needsCameraPicture(action);
     change(*menu, tr("Model in spherical coordinates"), look.sphericalModel,
            [](ViewSetup& setup) { setup.look.sphericalModel = !setup.look.sphericalModel; });

@@ -82,6 +82,7 @@ void WindowActions::makePicture() {
     frustum = toggle({});
     boxes = toggle({});
     bands = toggle({});
+    kernel = toggle({});
     sphericalModel = toggle({});
     truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
     loss = toggle(Qt::Key_M);
@@ -149,7 +150,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, bands, sphericalModel, axes});
+    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, bands, kernel, sphericalModel, axes});
     m_pictureMenu->setToolTipsVisible(true);
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
@@ -269,6 +270,9 @@ void WindowActions::retranslatePicture() {
     say(bands, tr("&Contour bands"),
         tr("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines "
            "from the axis are each band's S"));
+    say(kernel, tr("Inner &kernel and horizon"),
+        tr("Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it "
+           "is left out by the lossless spherical strategy"));
     say(sphericalModel, tr("Model in &spherical coordinates"),
         tr("Show what was drawn of one object over azimuth and zenith angle in the active view"));
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));

@@ -1,0 +1,102 @@
+// Groups of objects in the tree of boxes.
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+
+#include "tests/ui/test_scene.h"
+#include "ui/models/inside_model.h"
+#include "ui/panels/long_list_view.h"
+
+namespace cullscope::ui {
+namespace {
+
+constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
+constexpr const char* kField = "field:mesh=sphere:triangles=80,n=4";
+
+InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
+    InsideNode node;
+    node.parent = parent;
+    node.instance = instance;
+    node.triangles = 80;
+    node.culled = culled;
+    if (culled) node.rejectedBy = FrustumPlane::Top;
+    return node;
+}
+
+/// Objects 0 … 15 in four groups of four under one, the last group culled; as a strategy lists them: objects first.
+std::shared_ptr<Inside> groupedInside() {
+    auto inside = std::make_shared<Inside>();
+    for (uint32_t i = 0; i < 16; ++i) inside->nodes.push_back(node(int32_t(17 + i / 4), i, i >= 12));
+    for (int32_t group = 0; group < 5; ++group) {
+        inside->nodes.push_back(node(group == 0 ? -1 : 16, InsideNode::kGroup, group == 4));
+        inside->nodes.back().objects = group == 0 ? 16 : 4;
+    }
+    return inside;
+}
+
+TEST(InsideModel, groupStandsForAnObjectOrHasNoVerdict) {
+    const ScenePointer scene = openScene(kField).scene;
+    InsideModel model;
+    const QAbstractItemModelTester tester(&model, kFatal);
+    model.setInside(scene, groupedInside());
+    ASSERT_TRUE(model.nested());
+    const QModelIndex root = model.index(0, 0);
+    EXPECT_EQ(root.data().toString(), QStringLiteral("Group of 16 objects"));
+    ASSERT_EQ(model.rowCount(root), 4);
+    const QModelIndex culled = model.index(3, 0, root);
+    EXPECT_EQ(culled.data().toString(), QStringLiteral("Group of 4 objects"));
+    EXPECT_EQ(culled.siblingAtColumn(InsideModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
+    EXPECT_EQ(culled.siblingAtColumn(InsideModel::Plane).data().toString(), QStringLiteral("top plane"));
+    EXPECT_EQ(root.siblingAtColumn(InsideModel::Verdict).data().toString(), QStringLiteral("kept"));
+    EXPECT_FALSE(model.instanceAt(root) || model.instanceAt(culled));
+    for (uint32_t i = 0; i < 16; ++i) {
+        const QModelIndex index = model.indexOfInstance(i);
+        ASSERT_TRUE(index.isValid());
+        EXPECT_EQ(model.instanceAt(index), i);
+        EXPECT_EQ(model.parent(index), model.index(int(i / 4), 0, root));
+    }
+    auto alone = std::make_shared<Inside>();
+    alone->nodes = {node(1, 5), node(-1, InsideNode::kGroup)};
+    model.setInside(scene, alone);
+    EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("Group of one object"));
+    alone = std::make_shared<Inside>();
+    alone->nodes = {node(-1, InsideNode::kGroup)};
+    model.setInside(scene, alone);
+    EXPECT_FALSE(model.instanceAt(model.index(0, 0))) << "a group stays one without rows below it";
+}
+
+TEST(ObjectVerdicts, groupsVerdictIsTakenForAnObjects) {
+    const ScenePointer scene = openScene(kField).scene;
+    auto reading = std::make_shared<InsideReading>();
+    const std::shared_ptr<Inside> inside = groupedInside();
+    inside->nodes[1].culled = true;
+    reading->inside = inside;
+    ObjectVerdicts verdicts;
+    verdicts.set(scene, nullptr, reading);
+    for (uint32_t i = 0; i < 16; ++i) {
+        ASSERT_TRUE(verdicts.of(i));
+        EXPECT_EQ(verdicts.of(i)->state, i == 1 || i >= 12 ? TriangleState::OutsideFrustum : TriangleState::Visible) << i;
+    }
+}
+
+TEST(LongListView, firstLevelsOfATreeAreClosedOrAllAreOpen) {
+    const ScenePointer scene = openScene(kField).scene;
+    InsideModel model;
+    model.setInside(scene, groupedInside());
+    LongListView view;
+    view.setModel(&model);
+    const QModelIndex root = model.index(0, 0), group = model.index(3, 0, root);
+    view.expandFirstLevels(20);
+    EXPECT_TRUE(view.isExpanded(root));
+    EXPECT_FALSE(view.isExpanded(group)) << "with them there are 21 rows";
+    view.scrollTo(model.indexOfInstance(13));
+    EXPECT_TRUE(view.isExpanded(group)) << "what is picked is not seen";
+    EXPECT_FALSE(view.isExpanded(model.index(0, 0, root)));
+    view.collapseAll();
+    view.expandFirstLevels(21);
+    EXPECT_TRUE(view.isExpanded(root) && view.isExpanded(group) && view.isExpanded(model.index(0, 0, root)));
+}
+
+}  // namespace
+}  // namespace cullscope::ui

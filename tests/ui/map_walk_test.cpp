@@ -1,0 +1,196 @@
+// What the panels show of `spherical-lossless`: quadtree, kernel, horizon.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/measure/judged_cells.h"
+#include "tests/ui/test_scene.h"
+#include "ui/panels/bands_plot.h"
+#include "ui/panels/map_panel.h"
+#include "ui/panels/map_words.h"
+#include "ui/session/built_strategy.h"
+#include "ui/session/cullbench_command.h"
+#include "ui/session/navigation.h"
+#include "ui/session/object_pick.h"
+#include "ui/statistics/plot_file.h"
+
+namespace cullscope::ui {
+namespace {
+
+/// A panel that reads the strategy on a scene.
+struct WalkMap : ::testing::Test {
+    void SetUp() override {
+        session.slot(1).choose("spherical-lossless");
+        session.setViewport(0, {160, 120});
+        session.setViewport(1, {160, 120});
+        open(QStringLiteral("star:seed=7,triangles=4000"));
+        reader.readFor(&panel);
+        panel.resize(420, 460);
+        panel.show();
+        ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
+        settle();
+    }
+
+    void open(const QString& scene) { openAndWait(session, scene); }
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.figuresSettled(); }));
+        QApplication::processEvents();
+    }
+    void choose(MapColouring colouring) {
+        const int index = panel.colouring().findData(int(colouring));
+        ASSERT_GE(index, 0);
+        panel.colouring().setCurrentIndex(index);
+        emit panel.colouring().activated(index);
+    }
+    [[nodiscard]] bool offers(MapColouring colouring) { return panel.colouring().findData(int(colouring)) >= 0; }
+    [[nodiscard]] const ShownMap& shown() { return panel.map().contents().shown; }
+    [[nodiscard]] QString words() { return QString::fromUtf8(plotSvg(panel.map(), {960, 560})); }
+
+    Session session{sessionOptions(true)};
+    InsideReader reader{session};
+    MapPanel panel{session, reader};
+};
+
+TEST_F(WalkMap, levelAndKernelAreOfferedAndGivenUpWithTheStrategy) {
+    EXPECT_TRUE(offers(MapColouring::Level));
+    EXPECT_TRUE(offers(MapColouring::Kernel));
+    choose(MapColouring::Kernel);
+    EXPECT_EQ(panel.map().colouring(), MapColouring::Kernel);
+    EXPECT_TRUE(words().contains(QStringLiteral("R of the kernel"))) << "no scale";
+    choose(MapColouring::Level);
+    EXPECT_TRUE(words().contains(QStringLiteral("level where the walk ended")));
+    session.slot(1).choose("spherical");
+    settle();
+    EXPECT_FALSE(offers(MapColouring::Level));
+    EXPECT_FALSE(offers(MapColouring::Kernel));
+    EXPECT_EQ(panel.map().colouring(), MapColouring::Entries);
+    EXPECT_EQ(panel.colouring().currentData().toInt(), int(MapColouring::Entries));
+    choose(MapColouring::State);
+    session.slot(1).choose("spherical-lossless");
+    settle();
+    EXPECT_EQ(panel.map().colouring(), MapColouring::State) << "what every map has stays";
+}
+
+TEST_F(WalkMap, aMeshWithoutAKernelSaysWhyAndHasNoKernelColours) {
+    choose(MapColouring::Kernel);
+    open(QStringLiteral("bowl:triangles=4000"));
+    settle();
+    EXPECT_TRUE(offers(MapColouring::Level));
+    EXPECT_FALSE(offers(MapColouring::Kernel));
+    EXPECT_EQ(panel.map().colouring(), MapColouring::Entries);
+    const QStringList said = walkWords(shown());
+    ASSERT_EQ(said.size(), 2);
+    EXPECT_TRUE(said[1].startsWith(QStringLiteral("No kernel: "))) << said[1].toStdString();
+    EXPECT_TRUE(said[1].contains(QString::fromLatin1(InnerKernel::stateName(shown().map().kernel->state()))));
+    EXPECT_TRUE(said[0].contains(QStringLiteral("horizon not used")));
+}
+
+TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
+    const CellWalk& walk = *shown().decision().walk;
+    ASSERT_TRUE(walk.cones && walk.horizon);
+    ASSERT_GT(walk.culled[size_t(Cause::BackFacing)], 0U);
+    const QStringList said = walkWords(shown());
+    ASSERT_EQ(said.size(), 2);
+    EXPECT_TRUE(said[0].contains(QLocale().toString(qulonglong(walk.culled[size_t(Cause::BackFacing)]))))
+        << said[0].toStdString();
+    EXPECT_FALSE(said[0].contains(QStringLiteral("not used")));
+    EXPECT_TRUE(said[1].startsWith(QStringLiteral("Kernel filled to R ")));
+    EXPECT_TRUE(panel.map().accessibleDescription().contains(said[0]));
+    ParameterSet without = session.slot(1).parameters();
+    without.set("cones", false);
+    without.set("horizon", false);
+    session.slot(1).setParameters(without);
+    settle();
+    EXPECT_EQ(walkWords(shown())[0].count(QStringLiteral("not used")), 2);
+    EXPECT_TRUE(walkWords(shown())[1].startsWith(QStringLiteral("No kernel")));
+}
+
+TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
+    const InsideMap& map = shown().map();
+    const SphericalGrid& grid = shown().grid();
+    bool drawn = false, backFacing = false;
+    for (uint32_t row = 0; row < grid.rows(); row += 3)
+        for (uint32_t column = 0; column < grid.columns(); column += 3) {
+            const double theta = (grid.thetaOf(row) + grid.thetaOf(row + 1)) / 2;
+            const double phi = (grid.phiOf(column) + grid.phiOf(column + 1)) / 2;
+            const JudgedCell* judged =
+                judgedCellAt(map, {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
+            const QString said = cellWords(shown(), nullptr, {row, column});
+            ASSERT_EQ(said.contains(QStringLiteral("Quadtree: level")), judged != nullptr) << said.toStdString();
+            if (!judged) continue;
+            const CellTree::Node& node = map.tree->nodes()[judged->node];
+            const char* verdict = judged->cause ? causeName(*judged->cause) : "drawn";
+            EXPECT_TRUE(said.contains(QStringLiteral("level %1, triangles: %2, %3")
+                                          .arg(int(node.level))
+                                          .arg(node.count)
+                                          .arg(QString::fromLatin1(verdict))))
+                << said.toStdString();
+            drawn = drawn || !judged->cause;
+            backFacing = backFacing || judged->cause == Cause::BackFacing;
+        }
+    EXPECT_TRUE(drawn && backFacing);
+}
+
+TEST_F(WalkMap, legendHasCellsAndHorizonAndTheStatesThatThereAre) {
+    EXPECT_TRUE(words().contains(QStringLiteral("cell of the quadtree")));
+    EXPECT_TRUE(words().contains(QStringLiteral("horizon of the kernel")));
+    choose(MapColouring::State);
+    EXPECT_TRUE(words().contains(QStringLiteral(">back-facing<")));
+    session.slot(1).choose("spherical");
+    settle();
+    EXPECT_FALSE(words().contains(QStringLiteral("quadtree")));
+    EXPECT_FALSE(words().contains(QStringLiteral("horizon of the kernel")));
+}
+
+TEST_F(WalkMap, roomDoesNotChangeWithTheDecision) {
+    const int before = panel.map().neededHeight(400);
+    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(50.0), {}));
+    settle();
+    EXPECT_EQ(panel.map().neededHeight(400), before);
+}
+
+TEST_F(WalkMap, aPickedObjectOfAnotherMeshIsShownOnlyWhenItsMapIsMade) {
+    open(QStringLiteral("split:mesh=torus:triangles=4000,by=clusters,triangles=1000"));
+    settle();
+    const size_t before = shown().place;
+    const auto other = uint32_t(before == 0 ? 1 : 0);
+    ASSERT_FALSE(shown().inside->maps[other].maps == shown().map().maps);
+    pickObject(session, shown().inside->maps[other].decision.instance);
+    EXPECT_EQ(shown().place, before) << "its map would be made in the window's thread";
+    settle();
+    EXPECT_EQ(shown().place, size_t(other));
+    EXPECT_EQ(reader.reading()->map, size_t(other));
+    EXPECT_TRUE(panel.map().contents().picked);
+}
+
+TEST_F(WalkMap, aCellPicksATriangleAndThePickMarksItsCells) {
+    uint32_t cell = 0;
+    while (shown().maps().centroids(cell).empty()) ++cell;
+    panel.pickIn(cell);
+    ASSERT_TRUE(session.pick());
+    EXPECT_EQ(session.pick()->triangle, shown().maps().centroids(cell).back());
+    settle();
+    EXPECT_EQ(panel.map().contents().picked, uint32_t(session.pick()->triangle));
+}
+
+TEST_F(WalkMap, bandsAreNotMissedButNotUsed) {
+    BandsPlot plot;
+    plot.setShown(shown());
+    EXPECT_TRUE(plot.empty());
+    EXPECT_THAT(plot.accessibleDescription().toStdString(), ::testing::StartsWith("This strategy uses no contour bands"));
+}
+
+TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {
+    const View view(session.camera(), {160, 120});
+    const ViewLook wanted{.kernel = true};
+    EXPECT_TRUE(shownLook(*session.slot(1).built(), view, wanted).kernel);
+    PictureRequest request;
+    request.scene = "bunny";
+    request.look = wanted;
+    EXPECT_TRUE(cullbenchArguments(request, {}).join(QLatin1Char(' ')).contains(QStringLiteral("--overlay kernel")));
+    session.slot(1).choose("spherical");
+    settle();
+    EXPECT_FALSE(shownLook(*session.slot(1).built(), view, wanted).kernel);
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,173 @@
+// Sweeps over parameters: what the Pareto plot joins, and how they are started, shown and stopped.
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include "tests/ui/made_up_result.h"
+#include "ui/session/experiment_runner.h"
+#include "ui/statistics/pareto_plot.h"
+#include "ui/statistics/plot_file.h"
+#include "ui/statistics/statistics_panel.h"
+
+namespace cullscope::ui {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+/// A run with one parameter set.
+RunMeasurement swept(const std::string& id, const std::string& key, const std::string& value, double milliseconds,
+                     uint64_t missed) {
+    RunMeasurement made = run(id, milliseconds, {missed, missed});
+    made.strategy.parameters.setFromText(key, value);
+    return made;
+}
+
+/// Two fronts of `spherical` that cross at its defaults, one of `spherical-lossless` with its own choice first, and `frustum`.
+MeasureResult sweptResult() {
+    MeasureResult result = madeUpResult();
+    result.runs = {run("all", 10.0, {0, 0}),
+                   run("backface", 8.0, {0, 0}),
+                   run("frustum", 6.0, {0, 0}),
+                   swept("spherical", "rows", "360", 5.0, 3),
+                   swept("spherical", "rows", "45", 4.0, 90),
+                   swept("spherical", "rows", "180", 4.5, 20),
+                   swept("spherical", "band", "2.5", 5.5, 9),
+                   swept("spherical", "band", "20", 3.5, 400),
+                   swept("spherical-lossless", "level", "0", 3.0, 0),
+                   swept("spherical-lossless", "level", "8", 3.4, 0),
+                   swept("spherical-lossless", "level", "6", 3.6, 0)};
+    return result;
+}
+
+/// All words of a plot as it is exported.
+QStringList wordsOf(const PlotWidget& plot) {
+    QXmlStreamReader reader(plotSvg(plot, {960, 420}));
+    QStringList words;
+    while (!reader.atEnd())
+        if (reader.readNext() == QXmlStreamReader::Characters && !reader.text().trimmed().isEmpty())
+            words << reader.text().trimmed().toString();
+    return words;
+}
+
+TEST(RunFronts, runsThatDifferInOneParameterAreOneFront) {
+    const std::vector<RunFront> fronts = runFronts(runFigures(sweptResult()));
+    ASSERT_EQ(fronts.size(), 3U);
+    EXPECT_EQ(fronts[0].key, "rows");
+    EXPECT_EQ(fronts[0].runs, (std::vector<size_t>{4, 5, 3})) << "not by value";
+    EXPECT_EQ(fronts[0].values, QStringList({"45", "180", "360"}));
+    EXPECT_EQ(fronts[1].key, "band");
+    EXPECT_EQ(fronts[1].runs, (std::vector<size_t>{6, 5, 7})) << "without the run at which it crosses the other";
+    EXPECT_EQ(fronts[1].values, QStringList({"2.5°", "5°", "20°"}));
+    EXPECT_EQ(fronts[2].id, QStringLiteral("spherical-lossless"));
+    EXPECT_EQ(fronts[2].values, QStringList({"6", "8", "auto"})) << "the strategy's own choice is not the least value";
+}
+
+TEST(RunFronts, runsThatDifferInTwoParametersAreNone) {
+    MeasureResult result = madeUpResult();
+    result.runs = {swept("spherical", "rows", "45", 5.0, 3), swept("spherical", "band", "20", 4.0, 90)};
+    EXPECT_TRUE(runFronts(runFigures(result)).empty());
+}
+
+TEST(ParetoFronts, pointsHaveTheirValuesAndTheLegendTheFronts) {
+    ParetoPlot plot;
+    plot.setRuns(runFigures(sweptResult()));
+    const QStringList words = wordsOf(plot);
+    for (const char* expected : {"45", "360", "180 · 5°", "2.5°", "20°", "6", "8", "auto", "spherical by rows",
+                                 "spherical by band", "spherical-lossless by level", "0 (< 3/2)"})
+        EXPECT_EQ(words.count(QString::fromUtf8(expected)), 1) << expected << " in " << words.join('|').toStdString();
+    EXPECT_EQ(words.count(QStringLiteral("frustum")), 2) << "at its point and in the legend, as it lies on no front";
+}
+
+TEST(ParetoFronts, everyFrontIsALineOfItsColour) {
+    ParetoPlot plot;
+    plot.resize(900, 300);
+    plot.setRuns(runFigures(sweptResult()));
+    const QByteArray svg = plotSvg(plot, {900, 300});
+    const PlotColours colours(plot.palette());
+    for (size_t front = 0; front < 3; ++front) EXPECT_TRUE(svg.contains(colours.series(front).name().toLatin1())) << front;
+}
+
+TEST(ExperimentBar, sweepsAreOfferedWithTheirValuesAndStarted) {
+    StatisticsPanel panel;
+    std::vector<ExperimentSettings> asked;
+    QObject::connect(&panel, &StatisticsPanel::startRequested,
+                     [&](const ExperimentSettings& settings) { asked.push_back(settings); });
+    const QList<QAction*> offers = panel.bar().sweeps().actions();
+    ASSERT_EQ(offers.size(), qsizetype(fronts().size()) + 2) << "all of them, a separator, and each";
+    EXPECT_EQ(offers[2]->text(), QStringLiteral("spherical by rows: 45, 90, 180, 360"));
+    EXPECT_EQ(offers[4]->text(), QStringLiteral("spherical-lossless by level: 4, 5, 6, 7, 8, auto"));
+    offers[2]->trigger();
+    EXPECT_TRUE(asked.empty()) << "there is no scene";
+    panel.setScene(madeUpResult().request.scene);
+    offers[2]->trigger();
+    ASSERT_EQ(asked.size(), 1U);
+    ASSERT_EQ(asked[0].fronts.size(), 1U);
+    EXPECT_EQ(asked[0].fronts[0].key, "rows");
+    offers[0]->trigger();
+    EXPECT_EQ(asked.back().fronts.size(), fronts().size());
+    panel.bar().start();
+    EXPECT_TRUE(asked.back().fronts.empty()) << "Start measures the shown views";
+}
+
+TEST(ExperimentBar, sweepShowsItsPlot) {
+    StatisticsPanel panel;
+    panel.resize(926, 260);
+    panel.setScene(madeUpResult().request.scene);
+    panel.show();
+    auto* plot = panel.findChild<ParetoPlot*>();
+    ASSERT_NE(plot, nullptr);
+    EXPECT_FALSE(plot->isVisible());
+    panel.bar().sweeps().actions()[0]->trigger();
+    panel.setRunning(true);
+    EXPECT_TRUE(plot->isVisible());
+    EXPECT_EQ(plot->accessibleDescription(), QStringLiteral("Being measured…"));
+    panel.setRunning(false);
+    EXPECT_TRUE(plot->accessibleDescription().startsWith(QStringLiteral("Nothing is measured yet")));
+}
+
+/// A sweep on nine small bodies.
+ExperimentRunner::Request sweepRequest(const std::string& path) {
+    const MeasureRequest small = test::smallExperiment({});
+    ExperimentRunner::Request request;
+    request.scene = small.scene;
+    request.strategies = contestants(fronts());
+    request.path = cameraPath(path, *small.scene);
+    request.size = small.size;
+    request.repetitions = 1;
+    return request;
+}
+
+TEST(Sweep, everyValueIsARunBesideTheBaselines) {
+    ExperimentRunner runner;
+    std::optional<MeasureResult> result;
+    QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& finished) { result = finished; });
+    const ExperimentRunner::Request request = sweepRequest("walk:2");
+    runner.start(request);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return result.has_value(); }, kPatience));
+    ASSERT_EQ(result->runs.size(), request.strategies.size() + 2);
+    EXPECT_EQ(result->runs.back().strategy.id, "backface");
+    const std::vector<RunFront> measured = runFronts(runFigures(*result));
+    ASSERT_EQ(measured.size(), fronts().size());
+    for (size_t i = 0; i < measured.size(); ++i) EXPECT_EQ(measured[i].runs.size(), fronts()[i].values.size()) << i;
+}
+
+TEST(Sweep, pointsAppearWhileItRunsAndCancellingKeepsThem) {
+    ExperimentRunner runner;
+    std::optional<MeasureResult> partial, result;
+    QObject::connect(&runner, &ExperimentRunner::partial, [&](const MeasureResult& some) { partial = some; });
+    QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& finished) { result = finished; });
+    runner.start(sweepRequest("walk:3000"));
+    ASSERT_TRUE(QTest::qWaitFor([&] { return partial.has_value(); }, kPatience));
+    EXPECT_FALSE(result);
+    ParetoPlot plot;
+    plot.setRuns(runFigures(*partial));
+    EXPECT_TRUE(wordsOf(plot).contains(QStringLiteral("spherical-lossless by level")));
+    runner.cancel();
+    ASSERT_TRUE(QTest::qWaitFor([&] { return result.has_value(); }, kPatience));
+    EXPECT_TRUE(result->interrupted);
+    EXPECT_EQ(runFronts(runFigures(*result)).size(), fronts().size());
+}
+
+}  // namespace
+}  // namespace cullscope::ui
