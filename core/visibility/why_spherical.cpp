@@ -80,12 +80,71 @@ WhyStep slopeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
         Containment::Outside);
 }
 
+/// The node at which the walk ended for a place in the order; null: it is not known.
+const JudgedCell* judgedAt(const CellTree& tree, const CellWalk& walk, uint32_t place) {
+    const auto found = std::ranges::find_if(walk.judged, [&](const JudgedCell& judged) {
+        const CellTree::Node& node = tree.nodes()[judged.node];
+        return node.first <= place && place < node.first + node.count;
+    });
+    return found == walk.judged.end() ? nullptr : &*found;
+}
+
+Message judgedSentence(const std::optional<Cause>& cause) {
+    if (!cause) return {CULLSCOPE_TR("No test left the cell out: its triangles are drawn."), {}};
+    if (*cause == Cause::BackFacing)
+        return {CULLSCOPE_TR("All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's "
+                             "snapping could undo."),
+                {}};
+    if (*cause == Cause::Hidden)
+        return {CULLSCOPE_TR("All sight lines to the cell pass through the solid's inner kernel first."), {}};
+    return {CULLSCOPE_TR("The box around the cell's triangles lies outside one plane of the frustum."), {}};
+}
+
+/// Why a test was not made of the object's cells; none: it was.
+std::optional<Message> conesLeftOut(const CellWalk& walk) {
+    if (walk.cones) return std::nullopt;
+    return Message{CULLSCOPE_TR("Normal cones are not used: both sides of the triangles are drawn, or the test is switched off."),
+                   {}};
+}
+
+std::optional<Message> horizonLeftOut(const InsideMap& map) {
+    if (map.decision.walk->horizon) return std::nullopt;
+    if (map.kernel && !map.kernel->filled())
+        return Message{CULLSCOPE_TR("The kernel's horizon is not used: %1."), {InnerKernel::stateName(map.kernel->state())}};
+    return Message{
+        CULLSCOPE_TR("The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too "
+                     "small in the picture, or the test is switched off."),
+        {}};
+}
+
+void addWalkSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>& steps) {
+    if (!map.tree->divided()) {
+        Message small{CULLSCOPE_TR("The object has too few triangles to be divided: it is one cell."), {}};
+        steps.push_back(said(std::move(small)));
+        return;
+    }
+    for (const std::optional<Message>& reason : {conesLeftOut(*map.decision.walk), horizonLeftOut(map)})
+        if (reason) steps.push_back(said(*reason));
+    const std::span<const uint32_t> order = map.tree->triangleOrder();
+    const auto place = uint32_t(std::ranges::find(order, triangle) - order.begin());
+    const JudgedCell* judged = judgedAt(*map.tree, *map.decision.walk, place);
+    if (judged == nullptr) return;
+    const CellTree::Node& node = map.tree->nodes()[judged->node];
+    steps.push_back(said({CULLSCOPE_TR("The walk over the map ended at a cell of level %1, which holds %2 triangles."),
+                          {std::to_string(node.level), std::to_string(node.count)}}));
+    steps.push_back(said(judgedSentence(judged->cause), judged->cause ? Containment::Outside : Containment::Inside));
+}
+
 }  // namespace
 
 void addMapSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>& steps) {
     const SphericalDecision& decision = map.decision;
     steps.push_back(said({CULLSCOPE_TR("The object's bounding sphere: %1."), {relationName(decision.relation)}}));
     if (decision.relation == SphereRelation::Outside) return;
+    if (map.tree) {
+        if (decision.walk) addWalkSteps(map, triangle, steps);
+        return;
+    }
     const SphericalGrid& grid = map.maps->grid();
     const SphericalGrid::Cell cell = grid.cellOf(centroidOf(*map.maps, triangle));
     const uint32_t number = grid.number(cell);

@@ -274,6 +274,10 @@
         <source>Model in spherical coordinates</source>
         <translation>구좌표계로 나타낸 모델</translation>
     </message>
+    <message>
+        <source>Inner kernel and horizon</source>
+        <translation>내부 커널과 지평선</translation>
+    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -1729,6 +1733,138 @@
         <source>Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than triangles. 0: as many cells a triangle as in the paper.</source>
         <translation>맵의 행 수, 2 이상. 열은 그 두 배입니다. 메시의 셀은 삼각형보다 많지 않습니다. 0: 논문과 같은 삼각형당 셀 수.</translation>
     </message>
+    <message>
+        <source>order of the triangles</source>
+        <translation>삼각형의 순서</translation>
+    </message>
+    <message>
+        <source>bounds of the cells</source>
+        <translation>셀의 경계</translation>
+    </message>
+    <message>
+        <source>There is no layout of the map "%1". Known: %2.</source>
+        <translation>"%1"이라는 맵 배치는 없습니다. 있는 것: %2.</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>채워져 있음</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed or not consistently oriented</source>
+        <translation>메시가 닫혀 있지 않거나 방향이 일관되지 않습니다</translation>
+    </message>
+    <message>
+        <source>the centre of the bounding sphere lies outside the solid</source>
+        <translation>경계구의 중심이 입체 밖에 있습니다</translation>
+    </message>
+    <message>
+        <source>the surface comes too near to the centre of the bounding sphere</source>
+        <translation>표면이 경계구의 중심에 너무 가깝습니다</translation>
+    </message>
+    <message>
+        <source>meshes of more than five million triangles are not asked whether they are closed</source>
+        <translation>삼각형이 5백만 개를 넘는 메시는 닫혀 있는지 검사하지 않습니다</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>셀</translation>
+    </message>
+    <message>
+        <source>cells against the frustum</source>
+        <translation>절두체에 대한 셀 검사</translation>
+    </message>
+    <message>
+        <source>normal cones</source>
+        <translation>법선 원뿔</translation>
+    </message>
+    <message>
+        <source>horizon of the kernel</source>
+        <translation>커널의 지평선</translation>
+    </message>
+    <message>
+        <source>groups of objects</source>
+        <translation>물체 그룹</translation>
+    </message>
+    <message>
+        <source>Spherical coordinates, lossless</source>
+        <translation>구좌표, 무손실</translation>
+    </message>
+    <message>
+        <source>Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by the horizon of the solid's inner kernel: loses nothing on any mesh.</source>
+        <translation>방향 맵의 셀을 큰 것에서 작은 것으로 절두체, 법선 원뿔, 입체 내부 커널의 지평선으로 검사합니다. 어떤 메시에서도 아무것도 잃지 않습니다.</translation>
+    </message>
+    <message>
+        <source>How directions are laid out on the map.</source>
+        <translation>방향을 맵에 펼치는 방식.</translation>
+    </message>
+    <message>
+        <source>an octahedron unfolded: no poles, no trigonometry</source>
+        <translation>펼친 팔면체: 극도 삼각함수도 없음</translation>
+    </message>
+    <message>
+        <source>rows of zenith angle and columns of azimuth, as in the paper</source>
+        <translation>논문처럼 고도각의 행과 방위각의 열</translation>
+    </message>
+    <message>
+        <source>How often the map is quartered: 2^level cells a side; 0: down to some four dozen triangles a cell. An object of fewer than a thousand is one cell.</source>
+        <translation>맵을 네 등분하는 횟수: 한 변에 2^level개의 셀. 0: 셀마다 삼각형이 약 48개가 될 때까지. 천 개 미만인 물체는 셀 하나입니다.</translation>
+    </message>
+    <message>
+        <source>Whether cells whose triangles all face away are left out (where only front sides are drawn).</source>
+        <translation>모든 삼각형이 등을 돌린 셀을 제외할지 여부(앞면만 그릴 때).</translation>
+    </message>
+    <message>
+        <source>Whether cells behind the solid's inner kernel are left out (where the mesh is closed).</source>
+        <translation>입체의 내부 커널 뒤에 있는 셀을 제외할지 여부(메시가 닫혀 있을 때).</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the frustum, so that its objects were tested one by one.</source>
+        <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 절두체의 경계에 걸쳐 있어 물체를 하나씩 검사합니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: outside the %2.</source>
+        <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: %2 밖에 있습니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: wholly inside the frustum, so that nothing of it was tested again.</source>
+        <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 절두체 안에 완전히 들어 있어 그 안의 어떤 것도 다시 검사하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>No test left the cell out: its triangles are drawn.</source>
+        <translation>어떤 검사도 이 셀을 제외하지 않았으므로 삼각형을 그립니다.</translation>
+    </message>
+    <message>
+        <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's snapping could undo.</source>
+        <translation>셀의 모든 법선이 눈을 등진 원뿔 안에 있으며, 그 정도가 그림의 격자 맞춤으로 뒤집힐 수 있는 것보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>All sight lines to the cell pass through the solid's inner kernel first.</source>
+        <translation>셀에 이르는 모든 시선이 먼저 입체의 내부 커널을 지납니다.</translation>
+    </message>
+    <message>
+        <source>The box around the cell's triangles lies outside one plane of the frustum.</source>
+        <translation>셀의 삼각형을 둘러싼 상자가 절두체의 한 평면 밖에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Normal cones are not used: both sides of the triangles are drawn, or the test is switched off.</source>
+        <translation>법선 원뿔을 쓰지 않습니다: 삼각형의 양면을 그리거나 검사가 꺼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>The kernel's horizon is not used: %1.</source>
+        <translation>커널의 지평선을 쓰지 않습니다: %1.</translation>
+    </message>
+    <message>
+        <source>The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
+        <translation>여기서는 커널의 지평선을 쓰지 않습니다: 근평면이 경계구를 자르거나, 물체가 그림에서 너무 작거나, 검사가 꺼져 있습니다.</translation>
+    </message>
+    <message>
+        <source>The object has too few triangles to be divided: it is one cell.</source>
+        <translation>물체의 삼각형이 적어 나누지 않습니다: 셀 하나입니다.</translation>
+    </message>
+    <message>
+        <source>The walk over the map ended at a cell of level %1, which holds %2 triangles.</source>
+        <translation>맵의 순회가 레벨 %1의 셀에서 끝났으며, 이 셀에는 삼각형이 %2개 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1862,6 +1998,10 @@ OpenGL %2
     <message>
         <source>hidden in some sectors</source>
         <translation>일부 구역에서 가려짐</translation>
+    </message>
+    <message>
+        <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
+        <translation>이 전략은 등고선 띠를 쓰지 않고 사분 트리의 셀을 검사합니다. 그 결과는 맵에 나타납니다.</translation>
     </message>
 </context>
 <context>
@@ -2012,6 +2152,19 @@ OpenGL %2
         <source>repetitions: </source>
         <translation>반복: </translation>
     </message>
+    <message>
+        <source>Measures strategies at several values of a parameter and joins their points in the Pareto plot</source>
+        <translation>매개변수의 여러 값에서 전략을 측정하고 파레토 그래프에서 그 점들을 잇습니다</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>매개변수 훑기</translation>
+    </message>
+    <message>
+        <source>All of these</source>
+        <comment>sweeps over parameters</comment>
+        <translation>아래 전부</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::FigureModel</name>
@@ -2116,6 +2269,24 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::FrontWords</name>
+    <message>
+        <source>auto</source>
+        <comment>a parameter's value that a strategy chooses</comment>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <extracomment>A strategy and the parameter that is varied, as in "spherical by rows".</extracomment>
+        <translation>%1, %2별</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what is varied, its values</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::GenerateDialog</name>
     <message>
         <source>Generate a scene: %1</source>
@@ -2164,6 +2335,14 @@ OpenGL %2
     <message>
         <source>Rejected by</source>
         <translation>탈락시킨 평면</translation>
+    </message>
+    <message>
+        <source>Group of one object</source>
+        <translation>물체 1개의 그룹</translation>
+    </message>
+    <message>
+        <source>Group of %1 objects</source>
+        <translation>물체 %1개의 그룹</translation>
     </message>
 </context>
 <context>
@@ -2835,6 +3014,66 @@ OpenGL %2
         <source>The strategy could not be built. Choose another one, or other parameters.</source>
         <translation>전략을 만들 수 없었습니다. 다른 전략이나 다른 매개변수를 선택하십시오.</translation>
     </message>
+    <message>
+        <source>not used</source>
+        <comment>a test</comment>
+        <translation>사용 안 함</translation>
+    </message>
+    <message>
+        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
+        <translation>커널 없음: 지평선이 꺼져 있거나 메시가 너무 작습니다</translation>
+    </message>
+    <message>
+        <source>No kernel: %1</source>
+        <translation>커널 없음: %1</translation>
+    </message>
+    <message>
+        <source>Kernel filled to R %1 at least</source>
+        <translation>커널은 적어도 R %1까지 차 있음</translation>
+    </message>
+    <message>
+        <source>Horizon not used: the eye is inside the bounding sphere</source>
+        <translation>지평선 사용 안 함: 눈이 경계구 안에 있음</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, or too far away</source>
+        <translation>지평선 사용 안 함: 근평면에 걸리거나 너무 멉니다</translation>
+    </message>
+    <message>
+        <source>Quadtree: level %1, triangles: %2, %3</source>
+        <comment>level of a cell, how many it has, what became of it</comment>
+        <translation>사분 트리: 레벨 %1, 삼각형: %2, %3</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <comment>of a quadtree</comment>
+        <translation>레벨</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>커널</translation>
+    </message>
+    <message>
+        <source>level where the walk ended</source>
+        <translation>순회가 끝난 레벨</translation>
+    </message>
+    <message>
+        <source>R of the kernel, of the sphere's</source>
+        <translation>커널의 R, 구의 R에 대한 비율</translation>
+    </message>
+    <message>
+        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
+        <comment>by which test, triangles</comment>
+        <translation>제거: 절두체 %1 · 법선 원뿔 %2 · 지평선 %3</translation>
+    </message>
+    <message>
+        <source>cell of the quadtree</source>
+        <translation>사분 트리의 셀</translation>
+    </message>
+    <message>
+        <source>horizon of the kernel</source>
+        <translation>커널의 지평선</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::MessageBar</name>
@@ -3067,6 +3306,10 @@ OpenGL %2
     <message>
         <source>Nothing is measured yet. Choose a camera path above and press Start.</source>
         <translation>아직 측정한 것이 없습니다. 위에서 카메라 경로를 고르고 시작을 누르십시오.</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>측정하는 중…</translation>
     </message>
 </context>
 <context>
@@ -3492,8 +3735,8 @@ snapping</source>
         <translation>화면 저장 폴더</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, bands, wipe and marks</source>
-        <translation>덧그림(&amp;O): 절두체, 상자, 등고선 띠, 경계선, 표시</translation>
+        <source>&amp;Overlays: frustum, boxes, bands, kernel, wipe and marks</source>
+        <translation>덧그림(&amp;O): 절두체, 상자, 등고선 띠, 커널, 경계선, 표시</translation>
     </message>
 </context>
 <context>
@@ -3677,6 +3920,10 @@ snapping</source>
     <message>
         <source>Report as HTML…</source>
         <translation>보고서를 HTML로…</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>측정하는 중…</translation>
     </message>
 </context>
 <context>
@@ -4299,6 +4546,14 @@ snapping</source>
     <message>
         <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines from the axis are each band's S</source>
         <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다. 축에서 뻗은 가는 선은 각 띠의 S입니다</translation>
+    </message>
+    <message>
+        <source>Inner &amp;kernel and horizon</source>
+        <translation>내부 커널과 지평선(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
+        <translation>활성 뷰에 입체의 내부 커널과 컬링 카메라가 본 그 윤곽을 표시합니다. 그 뒤에 있는 것은 무손실 구좌표 전략이 제외합니다</translation>
     </message>
 </context>
 </TS>

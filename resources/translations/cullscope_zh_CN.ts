@@ -274,6 +274,10 @@
         <source>Model in spherical coordinates</source>
         <translation>球坐标中的模型</translation>
     </message>
+    <message>
+        <source>Inner kernel and horizon</source>
+        <translation>内核与地平线</translation>
+    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -1729,6 +1733,138 @@
         <source>Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than triangles. 0: as many cells a triangle as in the paper.</source>
         <translation>图的行数，至少 2；列数为其两倍。网格的单元不多于三角形。0：每个三角形的单元数与论文相同。</translation>
     </message>
+    <message>
+        <source>order of the triangles</source>
+        <translation>三角形的顺序</translation>
+    </message>
+    <message>
+        <source>bounds of the cells</source>
+        <translation>单元的边界</translation>
+    </message>
+    <message>
+        <source>There is no layout of the map "%1". Known: %2.</source>
+        <translation>没有名为“%1”的图布局。可用：%2。</translation>
+    </message>
+    <message>
+        <source>filled</source>
+        <translation>已填充</translation>
+    </message>
+    <message>
+        <source>the mesh is not closed or not consistently oriented</source>
+        <translation>网格不封闭，或朝向不一致</translation>
+    </message>
+    <message>
+        <source>the centre of the bounding sphere lies outside the solid</source>
+        <translation>包围球的中心位于实体之外</translation>
+    </message>
+    <message>
+        <source>the surface comes too near to the centre of the bounding sphere</source>
+        <translation>表面离包围球的中心太近</translation>
+    </message>
+    <message>
+        <source>meshes of more than five million triangles are not asked whether they are closed</source>
+        <translation>超过五百万个三角形的网格不检查是否封闭</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>单元</translation>
+    </message>
+    <message>
+        <source>cells against the frustum</source>
+        <translation>单元与视锥体的测试</translation>
+    </message>
+    <message>
+        <source>normal cones</source>
+        <translation>法线锥</translation>
+    </message>
+    <message>
+        <source>horizon of the kernel</source>
+        <translation>核的地平线</translation>
+    </message>
+    <message>
+        <source>groups of objects</source>
+        <translation>对象组</translation>
+    </message>
+    <message>
+        <source>Spherical coordinates, lossless</source>
+        <translation>球坐标，无损</translation>
+    </message>
+    <message>
+        <source>Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by the horizon of the solid's inner kernel: loses nothing on any mesh.</source>
+        <translation>由大到小测试方向图的单元：与视锥体比较，用法线锥，并用实体内核的地平线；在任何网格上都不丢失内容。</translation>
+    </message>
+    <message>
+        <source>How directions are laid out on the map.</source>
+        <translation>方向在图上的布局方式。</translation>
+    </message>
+    <message>
+        <source>an octahedron unfolded: no poles, no trigonometry</source>
+        <translation>展开的八面体：没有极点，没有三角函数</translation>
+    </message>
+    <message>
+        <source>rows of zenith angle and columns of azimuth, as in the paper</source>
+        <translation>如论文所述，以天顶角为行、方位角为列</translation>
+    </message>
+    <message>
+        <source>How often the map is quartered: 2^level cells a side; 0: down to some four dozen triangles a cell. An object of fewer than a thousand is one cell.</source>
+        <translation>图被四等分的次数：每边 2^level 个单元；0：细分到每个单元约四十八个三角形。不足一千个三角形的对象为一个单元。</translation>
+    </message>
+    <message>
+        <source>Whether cells whose triangles all face away are left out (where only front sides are drawn).</source>
+        <translation>是否略去所有三角形都背向的单元（仅绘制正面时）。</translation>
+    </message>
+    <message>
+        <source>Whether cells behind the solid's inner kernel are left out (where the mesh is closed).</source>
+        <translation>是否略去实体内核之后的单元（网格封闭时）。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the frustum, so that its objects were tested one by one.</source>
+        <translation>它属于一个有 %1 个对象的组，先测试了该组的包围盒：跨越视锥体的边界，因此对其中的对象逐一测试。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: outside the %2.</source>
+        <translation>它属于一个有 %1 个对象的组，先测试了该组的包围盒：位于%2之外。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: wholly inside the frustum, so that nothing of it was tested again.</source>
+        <translation>它属于一个有 %1 个对象的组，先测试了该组的包围盒：完全位于视锥体之内，因此组内不再逐一测试。</translation>
+    </message>
+    <message>
+        <source>No test left the cell out: its triangles are drawn.</source>
+        <translation>没有测试略去该单元：绘制其三角形。</translation>
+    </message>
+    <message>
+        <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's snapping could undo.</source>
+        <translation>该单元的所有法线都位于背向视点的锥内，其程度超过图像取整所能改变的范围。</translation>
+    </message>
+    <message>
+        <source>All sight lines to the cell pass through the solid's inner kernel first.</source>
+        <translation>到该单元的所有视线都先穿过实体的内核。</translation>
+    </message>
+    <message>
+        <source>The box around the cell's triangles lies outside one plane of the frustum.</source>
+        <translation>该单元三角形的包围盒位于视锥体某一平面之外。</translation>
+    </message>
+    <message>
+        <source>Normal cones are not used: both sides of the triangles are drawn, or the test is switched off.</source>
+        <translation>未使用法线锥：绘制三角形的两面，或该测试已关闭。</translation>
+    </message>
+    <message>
+        <source>The kernel's horizon is not used: %1.</source>
+        <translation>未使用核的地平线：%1。</translation>
+    </message>
+    <message>
+        <source>The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
+        <translation>此处未使用核的地平线：近平面切过包围球，对象在图像中太小，或该测试已关闭。</translation>
+    </message>
+    <message>
+        <source>The object has too few triangles to be divided: it is one cell.</source>
+        <translation>该对象的三角形太少，不再划分：它是一个单元。</translation>
+    </message>
+    <message>
+        <source>The walk over the map ended at a cell of level %1, which holds %2 triangles.</source>
+        <translation>对图的遍历止于层级 %1 的单元，其中有 %2 个三角形。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -1862,6 +1998,10 @@ OpenGL %2
     <message>
         <source>hidden in some sectors</source>
         <translation>在部分扇区被遮挡</translation>
+    </message>
+    <message>
+        <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
+        <translation>该策略不使用等高线环带，而是测试四叉树的单元。结果显示在图上。</translation>
     </message>
 </context>
 <context>
@@ -2012,6 +2152,19 @@ OpenGL %2
         <source>repetitions: </source>
         <translation>重复：</translation>
     </message>
+    <message>
+        <source>Measures strategies at several values of a parameter and joins their points in the Pareto plot</source>
+        <translation>在一个参数的多个取值下测量策略，并在帕累托图中连接各点</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>参数扫描</translation>
+    </message>
+    <message>
+        <source>All of these</source>
+        <comment>sweeps over parameters</comment>
+        <translation>以下全部</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::FigureModel</name>
@@ -2116,6 +2269,24 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::FrontWords</name>
+    <message>
+        <source>auto</source>
+        <comment>a parameter's value that a strategy chooses</comment>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <extracomment>A strategy and the parameter that is varied, as in "spherical by rows".</extracomment>
+        <translation>%1，按 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what is varied, its values</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::GenerateDialog</name>
     <message>
         <source>Generate a scene: %1</source>
@@ -2164,6 +2335,14 @@ OpenGL %2
     <message>
         <source>Rejected by</source>
         <translation>被何平面排除</translation>
+    </message>
+    <message>
+        <source>Group of one object</source>
+        <translation>1 个对象的组</translation>
+    </message>
+    <message>
+        <source>Group of %1 objects</source>
+        <translation>%1 个对象的组</translation>
     </message>
 </context>
 <context>
@@ -2835,6 +3014,66 @@ OpenGL %2
         <source>The strategy could not be built. Choose another one, or other parameters.</source>
         <translation>无法构建该策略。请选择其他策略或其他参数。</translation>
     </message>
+    <message>
+        <source>not used</source>
+        <comment>a test</comment>
+        <translation>未使用</translation>
+    </message>
+    <message>
+        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
+        <translation>没有核：地平线已关闭，或网格太小</translation>
+    </message>
+    <message>
+        <source>No kernel: %1</source>
+        <translation>没有核：%1</translation>
+    </message>
+    <message>
+        <source>Kernel filled to R %1 at least</source>
+        <translation>核至少填充到 R %1</translation>
+    </message>
+    <message>
+        <source>Horizon not used: the eye is inside the bounding sphere</source>
+        <translation>未使用地平线：视点在包围球内</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, or too far away</source>
+        <translation>未使用地平线：碰到近平面，或距离太远</translation>
+    </message>
+    <message>
+        <source>Quadtree: level %1, triangles: %2, %3</source>
+        <comment>level of a cell, how many it has, what became of it</comment>
+        <translation>四叉树：层级 %1，三角形：%2，%3</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <comment>of a quadtree</comment>
+        <translation>层级</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>核</translation>
+    </message>
+    <message>
+        <source>level where the walk ended</source>
+        <translation>遍历结束的层级</translation>
+    </message>
+    <message>
+        <source>R of the kernel, of the sphere's</source>
+        <translation>核的 R，占球半径的比例</translation>
+    </message>
+    <message>
+        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
+        <comment>by which test, triangles</comment>
+        <translation>剔除：视锥体 %1 · 法线锥 %2 · 地平线 %3</translation>
+    </message>
+    <message>
+        <source>cell of the quadtree</source>
+        <translation>四叉树单元</translation>
+    </message>
+    <message>
+        <source>horizon of the kernel</source>
+        <translation>核的地平线</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::MessageBar</name>
@@ -3067,6 +3306,10 @@ OpenGL %2
     <message>
         <source>Nothing is measured yet. Choose a camera path above and press Start.</source>
         <translation>尚未测量。请在上方选择相机路径并按“开始”。</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>正在测量…</translation>
     </message>
 </context>
 <context>
@@ -3492,8 +3735,8 @@ snapping</source>
         <translation>截图文件夹</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, bands, wipe and marks</source>
-        <translation>叠加层(&amp;O)：视锥体、包围盒、等高线环带、分界线和标记</translation>
+        <source>&amp;Overlays: frustum, boxes, bands, kernel, wipe and marks</source>
+        <translation>叠加层(&amp;O)：视锥体、包围盒、等高线环带、内核、分界线和标记</translation>
     </message>
 </context>
 <context>
@@ -3677,6 +3920,10 @@ snapping</source>
     <message>
         <source>Report as HTML…</source>
         <translation>将报告存为 HTML…</translation>
+    </message>
+    <message>
+        <source>Being measured…</source>
+        <translation>正在测量…</translation>
     </message>
 </context>
 <context>
@@ -4299,6 +4546,14 @@ snapping</source>
     <message>
         <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines from the axis are each band's S</source>
         <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带；从轴引出的细线是各环带的 S</translation>
+    </message>
+    <message>
+        <source>Inner &amp;kernel and horizon</source>
+        <translation>内核与地平线(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
+        <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略略去</translation>
     </message>
 </context>
 </TS>

@@ -19,6 +19,7 @@ namespace cullscope::benchmark {
 namespace {
 
 constexpr std::array kFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
+constexpr size_t kLeastTimed = 90'000;
 constexpr int kBuilds = 3;
 constexpr double kMostBytes = 14e6;
 constexpr double kMostTimesEmbree = 1.5;
@@ -129,11 +130,11 @@ private:
     std::vector<uint32_t> m_indices;
 };
 
-std::vector<LogPoint> points(const std::vector<BuildSample>& samples, const std::string& mesh, auto value,
+std::vector<LogPoint> points(const std::vector<BuildSample>& samples, const std::string& mesh, auto value, size_t least = 0,
                              size_t most = kFaces.back()) {
     std::vector<LogPoint> points;
     for (const BuildSample& sample : samples)
-        if (sample.mesh == mesh && sample.faces <= most && value(sample) > 0.0)
+        if (sample.mesh == mesh && sample.faces >= least && sample.faces <= most && value(sample) > 0.0)
             points.push_back({double(sample.faces), value(sample)});
     return points;
 }
@@ -152,7 +153,7 @@ void writeGrowth(const std::filesystem::path& folder, const std::vector<BuildSam
     });
     LogPlot bytes{"Bytes of spherical-lossless by faces", "faces", "bytes", {}};
     LogPlot times{
-        "Build time of spherical-lossless by faces (above five million nobody asks whether a mesh is closed)", "faces", "ms", {}};
+        "Build time of spherical-lossless by faces (above five million without closedness and kernel)", "faces", "ms", {}};
     for (const char* mesh : {"sphere", "star"}) {
         const auto add = [&](LogPlot& plot, const char* name, auto value) {
             plot.lines.push_back({std::string(mesh) + ": " + name, points(samples, mesh, value)});
@@ -166,16 +167,17 @@ void writeGrowth(const std::filesystem::path& folder, const std::vector<BuildSam
     writeFileAtomically(folder / "spherical-lossless-growth.svg", [&](std::ostream& out) { out << logPlotsSvg({bytes, times}); });
 }
 
-/// Whether a mesh's structures grow linearly; says so. Time: as far as the same is built.
+/// Whether a mesh's structures grow at most linearly; says so. Small meshes are left out of the times, in which what the kernel
+/// costs at any size counts most, and the largest out of the sum, for which less is built.
 bool linear(const std::vector<BuildSample>& samples, const std::string& mesh) {
     const double bytes = exponentOf(points(samples, mesh, bytesOf));
-    const double time = exponentOf(points(samples, mesh, timeOfAll, kOptionalAnalysisLimit));
-    const double tree = exponentOf(points(samples, mesh, timeOfTree));
+    const double time = exponentOf(points(samples, mesh, timeOfAll, kLeastTimed, kOptionalAnalysisLimit));
+    const double tree = exponentOf(points(samples, mesh, timeOfTree, kLeastTimed));
     std::printf(
-        "%s: bytes grow with faces^%.3f, build time up to 3 million faces with faces^%.3f, the cell tree's with faces^%.3f\n",
+        "%s: bytes grow with faces^%.3f; from 100,000 faces on build time up to 3 million with faces^%.3f, the cell tree's up to "
+        "10 million with faces^%.3f\n",
         mesh.c_str(), bytes, time, tree);
-    return std::abs(bytes - 1.0) <= kBytesTolerance && std::abs(time - 1.0) <= kTimeTolerance &&
-           std::abs(tree - 1.0) <= kTimeTolerance;
+    return std::abs(bytes - 1.0) <= kBytesTolerance && time <= 1.0 + kTimeTolerance && tree <= 1.0 + kTimeTolerance;
 }
 
 void printBuild(const std::vector<double>& ours, const std::vector<double>& theirs, const BuildSample& sample,
