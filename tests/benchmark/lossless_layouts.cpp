@@ -35,6 +35,7 @@ struct LayoutSample {
     std::string mesh, path;
     MapLayout layout = MapLayout::Octahedral;
     uint32_t level = 0;
+    Facing facing = Facing::TwoSided;
     double buildMilliseconds = 0.0, bytes = 0.0, cellRatio = 1.0;
     size_t nodes = 0, leaves = 0;
     double visited = 0.0, cullMilliseconds = 0.0, considered = 0.0, framesOfBackface = 0.0;
@@ -81,6 +82,7 @@ LayoutSample sampleOf(const Contestant& from, const std::string& mesh, const std
     sample.path = path;
     sample.layout = from.layout;
     sample.level = from.level;
+    sample.facing = from.strategy->facing();
     sample.buildMilliseconds = from.buildMilliseconds;
     sample.bytes = double(from.strategy->structure().bytes);
     sample.nodes = from.nodes;
@@ -138,12 +140,15 @@ private:
 
 std::string levelText(uint32_t level) { return level == 0 ? "auto" : std::to_string(level); }
 
+const char* facingText(Facing facing) { return facing == Facing::Front ? "front" : "two-sided"; }
+
 void print(const LayoutSample& s) {
     std::printf(
-        "%-7s %-6s %-18s %4s: build %6.1f ms, %5.1f MB, %6zu nodes, cells %7.1f : 1; %6.0f visited, cull %.3f ms, considered "
+        "%-7s %-9s %-6s %-18s %4s: build %6.1f ms, %5.1f MB, %6zu nodes, cells %7.1f : 1; %6.0f visited, cull %.3f ms, "
+        "considered "
         "%4.1f %%, outside %4.1f, back-facing %4.1f, hidden %4.1f; frame %.2f x backface\n",
-        s.mesh.c_str(), s.path.c_str(), mapLayoutId(s.layout), levelText(s.level).c_str(), s.buildMilliseconds, 1e-6 * s.bytes,
-        s.nodes, s.cellRatio, s.visited, s.cullMilliseconds, 100.0 * s.considered,
+        s.mesh.c_str(), facingText(s.facing), s.path.c_str(), mapLayoutId(s.layout), levelText(s.level).c_str(),
+        s.buildMilliseconds, 1e-6 * s.bytes, s.nodes, s.cellRatio, s.visited, s.cullMilliseconds, 100.0 * s.considered,
         100.0 * s.culled[size_t(Cause::OutsideFrustum)], 100.0 * s.culled[size_t(Cause::BackFacing)],
         100.0 * s.culled[size_t(Cause::Hidden)], s.framesOfBackface);
     std::fflush(stdout);
@@ -164,13 +169,14 @@ void addMesh(const MeshPointer& mesh, std::vector<LayoutSample>& all) {
 
 void writeTable(const std::filesystem::path& file, const std::vector<LayoutSample>& samples) {
     writeFileAtomically(file, [&](std::ostream& out) {
-        out << "mesh,path,layout,level,build_ms,bytes,nodes,leaves,largest_to_smallest_cell,nodes_visited,cull_ms,considered_"
+        out << "mesh,facing,path,layout,level,build_ms,bytes,nodes,leaves,largest_to_smallest_cell,nodes_visited,cull_ms,"
+               "considered_"
                "share,"
                "outside_share,back_facing_share,hidden_share,frame_to_backface\n";
         for (const LayoutSample& s : samples)
-            out << s.mesh << ',' << s.path << ',' << mapLayoutId(s.layout) << ',' << levelText(s.level) << ','
-                << s.buildMilliseconds << ',' << uint64_t(s.bytes) << ',' << s.nodes << ',' << s.leaves << ',' << s.cellRatio
-                << ',' << s.visited << ',' << s.cullMilliseconds << ',' << s.considered << ','
+            out << s.mesh << ',' << facingText(s.facing) << ',' << s.path << ',' << mapLayoutId(s.layout) << ','
+                << levelText(s.level) << ',' << s.buildMilliseconds << ',' << uint64_t(s.bytes) << ',' << s.nodes << ','
+                << s.leaves << ',' << s.cellRatio << ',' << s.visited << ',' << s.cullMilliseconds << ',' << s.considered << ','
                 << s.culled[size_t(Cause::OutsideFrustum)] << ',' << s.culled[size_t(Cause::BackFacing)] << ','
                 << s.culled[size_t(Cause::Hidden)] << ',' << s.framesOfBackface << '\n';
     });
@@ -181,7 +187,8 @@ void writePlots(const std::filesystem::path& file, const std::vector<LayoutSampl
     std::vector<LogPlot> plots;
     for (const LayoutSample& s : samples) {
         if (s.level == 0) continue;
-        const std::string title = s.mesh + ": what is considered against what culling costs, levels 5 to 8";
+        const std::string title = s.mesh + (s.facing == Facing::Front ? "" : ", both sides drawn") +
+                                  ": share of the faces considered against what culling costs, levels 5 to 8";
         if (plots.empty() || plots.back().title != title) plots.push_back({title, "ms a cull", "share", {}});
         const std::string name = (s.layout == MapLayout::Octahedral ? "octahedral, " : "latitude-longitude, ") + s.path;
         std::vector<LogLine>& lines = plots.back().lines;
