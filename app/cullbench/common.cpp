@@ -128,8 +128,18 @@ Vec3 vectorFromText(const std::string& option, const std::string& text) {
 
 std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
                                                 const std::vector<std::string>& parameters) {
+    // A comma stands between strategies and, as in scenes, between one's parameters: A:key=value,key=value,B.
+    std::vector<std::string> texts;
+    for (std::string name : names) {
+        std::ranges::replace(name, ',', ':');
+        const size_t equals = name.find('=');
+        if (!texts.empty() && equals != std::string::npos && equals < name.find(':'))
+            texts.back() += ":" + name;
+        else
+            texts.push_back(std::move(name));
+    }
     std::vector<StrategyRequest> requests;
-    for (const std::string& name : names) requests.push_back(strategyFromText(name));
+    for (const std::string& text : texts) requests.push_back(strategyFromText(text));
     for (const std::string& parameter : parameters) apply(parameter, requests);
     return requests;
 }

@@ -84,6 +84,7 @@ void printStrategies() {
         for (const ParameterDeclaration& parameter : strategy.info.parameters) {
             std::string range;
             for (const auto& choice : parameter.choices) range += (range.empty() ? "" : " | ") + choice.id;
+            if (parameter.type == ParameterType::Boolean) range = "true | false";
             if (range.empty()) range = fmt::format("{} … {} {}", parameter.minimum, parameter.maximum, parameter.unit);
             fmt::print("    {} = {} (default {}): {}\n", parameter.key, range, toText(parameter.defaultValue),
                        parameter.description);

@@ -134,7 +134,9 @@ void addMeasureCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("measure", "Times strategies side by side and counts what each one lost");
     auto options = std::make_shared<Options>();
     addSceneOptions(*command, options->scene);
-    command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,B")->required()->delimiter(',');
+    command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,key=value,B")
+        ->required()
+        ->delimiter(',');
     command
         ->add_option("-p,--parameter", options->parameters, "parameter: A.key=value, or key=value for every strategy that has it")
         ->allow_extra_args(false);

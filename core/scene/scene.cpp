@@ -66,6 +66,13 @@ size_t Scene::instanceOf(uint64_t triangle) const {
     return static_cast<size_t>(after - m_firstTriangle.begin()) - 1;
 }
 
+std::vector<bool> Scene::shownMeshes() const {
+    std::vector<bool> shown(m_meshes.size(), false);
+    for (const Instance& instance : m_instances)
+        if (m_meshes[instance.mesh]->triangleCount() > 0) shown[instance.mesh] = true;
+    return shown;
+}
+
 std::string Scene::sha256() const {
     Sha256 hash;
     for (const MeshPointer& mesh : m_meshes) {

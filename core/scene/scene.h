@@ -42,6 +42,9 @@ public:
     /// A sphere around the scene: the camera paths' R.
     [[nodiscard]] const Sphere& boundingSphere() const { return m_sphere; }
 
+    /// By mesh: whether it has triangles and an instance.
+    [[nodiscard]] std::vector<bool> shownMeshes() const;
+
     /// Hash of everything that is drawn (positions, indices, transforms): lower-case hexadecimal SHA-256. Computed when asked
     /// for.
     [[nodiscard]] std::string sha256() const;

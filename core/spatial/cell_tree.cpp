@@ -222,7 +222,9 @@ void CellTree::boundInner(Node& node) const {
     double angle = 0.0, slack = -std::numeric_limits<double>::infinity();
     for (const Node& child : children) {
         if (!hasNormals(child)) continue;
-        const double apart = std::acos(std::clamp(glm::dot(axis, Vec3(child.coneAxis)), -1.0, 1.0));
+        // Of the chord, which keeps its digits for small angles; float axes are not quite of unit length.
+        const double chord = glm::length(axis - glm::normalize(Vec3(child.coneAxis)));
+        const double apart = 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + kFloatError;
         angle = std::max(angle, apart + std::acos(std::min(1.0, double(child.coneCosine))));
         slack = std::max(slack, child.planeSlack + largestAlong(child, middle - middleOf(child)));
     }

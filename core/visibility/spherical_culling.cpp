@@ -45,10 +45,7 @@ public:
 
     [[nodiscard]] Facing facing() const override { return m_facing; }
     [[nodiscard]] Inside inside(const Trace& trace) const override {
-        std::vector<std::optional<FrustumPlane>> rejectedBy(scene().instances().size());
-        for (const TraceEvent& event : trace.events)
-            if (event.kind == TraceEvent::Kind::TestedPlane && event.containment == Containment::Outside)
-                rejectedBy[event.instance] = event.plane;
+        const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
         Inside result;
         for (const SphericalDecision& decision : trace.spherical) {
             result.nodes.push_back(nodeOf(decision));
@@ -72,11 +69,9 @@ protected:
         m_facing = resolveFacing(parameters(), scene);
         m_meshes.clear();
         m_meshes.resize(scene.meshes().size());
-        std::vector<char> shown(m_meshes.size(), 0);
-        for (const Instance& instance : scene.instances())
-            if (scene.meshes()[instance.mesh]->triangleCount() > 0) shown[instance.mesh] = 1;
+        const std::vector<bool> shown = scene.shownMeshes();
         for (size_t i = 0; i < m_meshes.size(); ++i) {
-            if (shown[i] == 0) continue;
+            if (!shown[i]) continue;
             const Progress part = progress.part(double(i) / double(m_meshes.size()), double(i + 1) / double(m_meshes.size()));
             m_meshes[i].maps = std::make_shared<SphericalMaps>(scene.meshes()[i], gridFor(*scene.meshes()[i]), part);
             m_meshes[i].bandCells = std::make_unique<BandCells>(*m_meshes[i].maps);

@@ -40,10 +40,7 @@ public:
     [[nodiscard]] Facing facing() const override { return m_facing; }
 
     [[nodiscard]] Inside inside(const Trace& trace) const override {
-        std::vector<std::optional<FrustumPlane>> rejectedBy(scene().instances().size());
-        for (const TraceEvent& event : trace.events)
-            if (event.kind == TraceEvent::Kind::TestedPlane && event.containment == Containment::Outside)
-                rejectedBy[event.instance] = event.plane;
+        const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
         Inside result;
         for (const SphericalDecision& decision : trace.spherical) {
             const MeshCells& mesh = cellsOf(decision.instance);
@@ -59,11 +56,9 @@ protected:
     void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
         m_facing = resolveFacing(parameters(), scene);
         m_meshes.assign(scene.meshes().size(), {});
-        std::vector<char> shown(m_meshes.size(), 0);
-        for (const Instance& instance : scene.instances())
-            if (scene.meshes()[instance.mesh]->triangleCount() > 0) shown[instance.mesh] = 1;
+        const std::vector<bool> shown = scene.shownMeshes();
         for (size_t i = 0; i < m_meshes.size(); ++i) {
-            if (shown[i] == 0) continue;
+            if (!shown[i]) continue;
             const Progress part = progress.part(double(i) / double(m_meshes.size()), double(i + 1) / double(m_meshes.size()));
             const MeshPointer& mesh = scene.meshes()[i];
             m_meshes[i].tree = std::make_shared<CellTree>(mesh, m_options, part);

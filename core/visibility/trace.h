@@ -50,4 +50,7 @@ struct Trace {
     std::vector<SphericalDecision> spherical;  ///< of strategies with maps of directions: one an object
 };
 
+/// By instance: the last plane that a trace names as having rejected it.
+[[nodiscard]] std::vector<std::optional<FrustumPlane>> rejectingPlanes(const Trace& trace, size_t instances);
+
 }  // namespace cullscope

@@ -50,6 +50,23 @@ WhyStep step(const TraceEvent& event) {
     return {{CULLSCOPE_TR("The strategy keeps the object."), {}}, {}, {}, {}, Containment::Straddles};
 }
 
+/// Triangles of an object that are left out, by cause, where the trace tells them apart.
+std::array<uint64_t, kCauseCount> culledInPart(const Trace& trace, uint32_t instance) {
+    std::array<uint64_t, kCauseCount> counts{};
+    for (const CulledRun& run : trace.culledRuns)
+        if (run.instance == instance) counts[size_t(run.cause)] += run.places.count;
+    return counts;
+}
+
+void addCauses(const std::array<uint64_t, kCauseCount>& counts, std::vector<WhyStep>& steps) {
+    for (size_t cause = 0; cause < kCauseCount; ++cause) {
+        if (counts[cause] == 0) continue;
+        Message sentence{CULLSCOPE_TR("The strategy draws the object in part; %1 of its triangles are left out: %2."),
+                         {std::to_string(counts[cause]), causeName(static_cast<Cause>(cause))}};
+        steps.push_back({std::move(sentence), {}, {}, {}, Containment::Straddles});
+    }
+}
+
 /// Which box stands for the object, where the strategy has boxes.
 std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_t instance) {
     for (const InsideNode& node : inside.nodes)
@@ -131,8 +148,15 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
     const Inside inside = strategy.inside(trace);
     if (auto box = boxStep(scene, inside, instance)) steps.push_back(std::move(*box));
     if (auto group = groupStep(inside, instance)) steps.push_back(std::move(*group));
-    for (const TraceEvent& event : trace.events)
-        if (event.instance == instance) steps.push_back(step(event));
+    const std::array<uint64_t, kCauseCount> inPart = culledInPart(trace, instance);
+    for (const TraceEvent& event : trace.events) {
+        if (event.instance != instance) continue;
+        const bool several = std::ranges::count_if(inPart, [](uint64_t count) { return count > 0; }) > 1;
+        if (event.kind == TraceEvent::Kind::PartlyDrawn && several)
+            addCauses(inPart, steps);
+        else
+            steps.push_back(step(event));
+    }
     if (const InsideMap* map = inside.mapOf(instance)) addMapSteps(*map, uint32_t(own), steps);
     const bool given = submits(list, scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;

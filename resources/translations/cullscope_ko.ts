@@ -1865,6 +1865,10 @@
         <source>The walk over the map ended at a cell of level %1, which holds %2 triangles.</source>
         <translation>맵의 순회가 레벨 %1의 셀에서 끝났으며, 이 셀에는 삼각형이 %2개 있습니다.</translation>
     </message>
+    <message>
+        <source>The strategy draws the object in part; %1 of its triangles are left out: %2.</source>
+        <translation>전략이 물체의 일부를 그립니다. 삼각형 %1개는 제외합니다: %2.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2337,12 +2341,14 @@ OpenGL %2
         <translation>탈락시킨 평면</translation>
     </message>
     <message>
-        <source>Group of one object</source>
-        <translation>물체 1개의 그룹</translation>
+        <source>1 object</source>
+        <comment>a group of one</comment>
+        <translation>물체 1개</translation>
     </message>
     <message>
-        <source>Group of %1 objects</source>
-        <translation>물체 %1개의 그룹</translation>
+        <source>%1 objects</source>
+        <comment>a group of so many</comment>
+        <translation>물체 %1개</translation>
     </message>
 </context>
 <context>

@@ -1865,6 +1865,10 @@
         <source>The walk over the map ended at a cell of level %1, which holds %2 triangles.</source>
         <translation>对图的遍历止于层级 %1 的单元，其中有 %2 个三角形。</translation>
     </message>
+    <message>
+        <source>The strategy draws the object in part; %1 of its triangles are left out: %2.</source>
+        <translation>策略绘制该对象的一部分；其中 %1 个三角形被略去：%2。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2337,12 +2341,14 @@ OpenGL %2
         <translation>被何平面排除</translation>
     </message>
     <message>
-        <source>Group of one object</source>
-        <translation>1 个对象的组</translation>
+        <source>1 object</source>
+        <comment>a group of one</comment>
+        <translation>1 个对象</translation>
     </message>
     <message>
-        <source>Group of %1 objects</source>
-        <translation>%1 个对象的组</translation>
+        <source>%1 objects</source>
+        <comment>a group of so many</comment>
+        <translation>%1 个对象</translation>
     </message>
 </context>
 <context>

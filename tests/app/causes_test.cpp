@@ -59,4 +59,18 @@ TEST(CullbenchCauses, inspectDoesNotTellOfTheKernels) {
     EXPECT_EQ(cullbench({"inspect", "sphere:triangles=200", "-s", "spherical-lossless", "--hide", "0"}).exitStatus, 0);
 }
 
+TEST(CullbenchCauses, secondParameterWasTakenForAStrategy) {
+    const ProcessResult result =
+        cullbench({"measure", "sphere:triangles=2000", "-s", "spherical-lossless:facing=front,level=4,backface", "--size",
+                   "32x32", "--repeat", "1", "--json", "-"});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    const json runs = json::parse(result.out)["runs"];
+    ASSERT_EQ(runs.size(), 2u);
+    EXPECT_EQ(runs[0]["parameters"]["level"], 4);
+    EXPECT_EQ(runs[0]["parameters"]["facing"], "front");
+    EXPECT_EQ(runs[1]["strategy"], "backface");
+    const ProcessResult alone = cullbench({"measure", "sphere:triangles=2000", "-s", "level=4"});
+    EXPECT_EQ(alone.exitStatus, 2);
+}
+
 }  // namespace

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::array kFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
 constexpr size_t kLeastTimed = 90'000;
-constexpr int kBuilds = 3;
+constexpr int kBuilds = 5;
 constexpr double kMostBytes = 14e6;
 constexpr double kMostTimesEmbree = 1.5;
 constexpr double kBytesTolerance = 0.05;
@@ -66,21 +66,25 @@ BuildTimes buildTimes(const TriangleMesh& mesh, BuildSample& sample) {
     return times;
 }
 
-BuildTimes mediansOf(const std::vector<BuildTimes>& builds) {
-    const auto median = [&](double BuildTimes::*part) {
+double leastOf(const std::vector<double>& values) { return *std::ranges::min_element(values); }
+
+/// One time for each part, of several builds.
+BuildTimes reduced(const std::vector<BuildTimes>& builds, double (*reduce)(const std::vector<double>&)) {
+    const auto part = [&](double BuildTimes::*which) {
         std::vector<double> values;
-        for (const BuildTimes& build : builds) values.push_back(build.*part);
-        return medianOf(values);
+        for (const BuildTimes& build : builds) values.push_back(build.*which);
+        return reduce(values);
     };
-    return {median(&BuildTimes::all), median(&BuildTimes::sphere), median(&BuildTimes::topology), median(&BuildTimes::tree),
-            median(&BuildTimes::kernel)};
+    return {part(&BuildTimes::all), part(&BuildTimes::sphere), part(&BuildTimes::topology), part(&BuildTimes::tree),
+            part(&BuildTimes::kernel)};
 }
 
+/// The best times: other programs on the machine only ever add to them.
 BuildSample sampleOf(const TriangleMesh& mesh) {
     BuildSample sample{mesh.name(), mesh.triangleCount(), 0, 0, {}};
     std::vector<BuildTimes> builds;
     for (int i = 0; i < kBuilds; ++i) builds.push_back(buildTimes(mesh, sample));
-    sample.times = mediansOf(builds);
+    sample.times = reduced(builds, leastOf);
     const BuildTimes& t = sample.times;
     std::printf(
         "%-8s %9zu faces, %7zu cells: %.1f bytes a face, %.2f ms (sphere %.2f, closedness %.2f, cell tree %.2f, kernel %.2f)\n",
@@ -185,7 +189,7 @@ void printBuild(const std::vector<double>& ours, const std::vector<double>& thei
     std::printf("%s, %zu faces, %d threads, %zu rounds in turns\n", sample.mesh.c_str(), sample.faces,
                 tbb::this_task_arena::max_concurrency(), ours.size());
     const auto row = [](const char* name, const std::vector<double>& times) {
-        std::printf("%-20s best %8.2f ms, median %8.2f ms\n", name, *std::ranges::min_element(times), medianOf(times));
+        std::printf("%-20s best %8.2f ms, median %8.2f ms\n", name, leastOf(times), medianOf(times));
     };
     row("spherical-lossless", ours);
     row("Embree", theirs);
@@ -211,11 +215,11 @@ int buildBesideEmbree(const std::string& specification, int rounds) {
         theirs.push_back(0.5 * (first + second));
         ratios.push_back(ours.back() / theirs.back());
     }
-    printBuild(ours, theirs, sample, mediansOf(parts));
+    printBuild(ours, theirs, sample, reduced(parts, medianOf));
     const double ratio = medianOf(ratios);
     std::printf("%.2f x Embree's time, half of the rounds within %.2f to %.2f, all within %.2f to %.2f (at most %.1f wanted)\n",
-                ratio, quantile(ratios, 0.25), quantile(ratios, 0.75), *std::ranges::min_element(ratios),
-                *std::ranges::max_element(ratios), kMostTimesEmbree);
+                ratio, quantile(ratios, 0.25), quantile(ratios, 0.75), leastOf(ratios), *std::ranges::max_element(ratios),
+                kMostTimesEmbree);
     std::printf("%llu bytes in %zu cells (at most %.0f wanted)\n", static_cast<unsigned long long>(sample.bytes), sample.cells,
                 kMostBytes);
     return ratio <= kMostTimesEmbree && double(sample.bytes) <= kMostBytes ? 0 : 1;

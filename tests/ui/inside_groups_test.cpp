@@ -42,10 +42,10 @@ TEST(InsideModel, groupStandsForAnObjectOrHasNoVerdict) {
     model.setInside(scene, groupedInside());
     ASSERT_TRUE(model.nested());
     const QModelIndex root = model.index(0, 0);
-    EXPECT_EQ(root.data().toString(), QStringLiteral("Group of 16 objects"));
+    EXPECT_EQ(root.data().toString(), QStringLiteral("16 objects"));
     ASSERT_EQ(model.rowCount(root), 4);
     const QModelIndex culled = model.index(3, 0, root);
-    EXPECT_EQ(culled.data().toString(), QStringLiteral("Group of 4 objects"));
+    EXPECT_EQ(culled.data().toString(), QStringLiteral("4 objects"));
     EXPECT_EQ(culled.siblingAtColumn(InsideModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
     EXPECT_EQ(culled.siblingAtColumn(InsideModel::Plane).data().toString(), QStringLiteral("top plane"));
     EXPECT_EQ(root.siblingAtColumn(InsideModel::Verdict).data().toString(), QStringLiteral("kept"));
@@ -59,7 +59,7 @@ TEST(InsideModel, groupStandsForAnObjectOrHasNoVerdict) {
     auto alone = std::make_shared<Inside>();
     alone->nodes = {node(1, 5), node(-1, InsideNode::kGroup)};
     model.setInside(scene, alone);
-    EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("Group of one object"));
+    EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("1 object"));
     alone = std::make_shared<Inside>();
     alone->nodes = {node(-1, InsideNode::kGroup)};
     model.setInside(scene, alone);

@@ -109,7 +109,8 @@ QString InsideModel::text(const InsideNode& node, size_t number, int column) con
     switch (column) {
         case Name:
             if (node.isGroup())
-                return node.objects == 1 ? tr("Group of one object") : tr("Group of %1 objects").arg(countText(node.objects));
+                return node.objects == 1 ? tr("1 object", "a group of one")
+                                         : tr("%1 objects", "a group of so many").arg(countText(node.objects));
             if (holdsOthers(number)) return tr("Node %1", "of a tree of boxes").arg(number);
             return QString::fromStdString(m_scene->instances()[node.instance].name);
         case Triangles:
