@@ -45,6 +45,21 @@ std::string culledByCause(const RunMeasurement& run, const Scene& scene) {
     return others ? text : std::string();
 }
 
+/// In how many poses which of a strategy's tests held for some object: "a in 16 of 16 poses, b in 3, c in none"; empty: it has
+/// only one.
+std::string usedParts(const RunMeasurement& run) {
+    std::string text;
+    if (run.frames.empty()) return text;
+    for (size_t part = 0; part < run.frames.front().parts.size(); ++part) {
+        const auto uses = [&](const FrameMeasurement& frame) { return frame.parts[part].objects > 0; };
+        const auto poses = std::count_if(run.frames.begin(), run.frames.end(), uses);
+        const std::string times = poses > 0 ? std::to_string(poses) : std::string("none");
+        text += fmt::format("{}{} in {}{}", text.empty() ? "" : ", ", run.frames.front().parts[part].name, times,
+                            text.empty() ? fmt::format(" of {} poses", run.frames.size()) : "");
+    }
+    return text;
+}
+
 void printTable(const MeasureResult& result, FILE* out) {
     const Scene& scene = *result.request.scene;
     fmt::print(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
@@ -68,6 +83,8 @@ void printTable(const MeasureResult& result, FILE* out) {
                    s.speedupVsBackface, s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
                    result.request.accuracy ? std::to_string(missed) : "-", result.request.accuracy ? std::to_string(hole) : "-");
     }
+    for (const RunMeasurement& run : result.runs)
+        if (const std::string used = usedParts(run); !used.empty()) fmt::print(out, "{} used {}\n", nameOf(run.strategy), used);
     for (const RunMeasurement& run : result.runs)
         if (const std::string culled = culledByCause(run, scene); !culled.empty())
             fmt::print(out, "{} culled by cause: {}\n", nameOf(run.strategy), culled);

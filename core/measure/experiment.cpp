@@ -143,6 +143,7 @@ private:
             frame.stages = verdict.stages;
             frame.consideredTriangles = verdict.consideredTriangles;
             frame.culledTriangles = verdict.culledTriangles;
+            frame.parts = verdict.parts;
             frame.caseNumber = verdict.caseNumber;
             if (m_request.accuracy && contestant.askedFor) {
                 std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];

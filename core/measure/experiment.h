@@ -50,6 +50,7 @@ struct FrameMeasurement {
     int repetitions = 0;
     uint64_t consideredTriangles = 0;                     ///< of one window
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (Verdict::culledTriangles)
+    std::vector<CullPart> parts;                          ///< of one window (Verdict::parts)
     int caseNumber = 0;                                   ///< of Han & Hong's cases (Verdict::caseNumber); 0: none
     std::optional<Accuracy> accuracy;
     uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy

@@ -44,6 +44,9 @@ Json frameJson(const FrameMeasurement& frame) {
     json["missed_beyond_snapping"] = frame.accuracy ? Json(frame.missedBeyondSnapping) : Json(nullptr);
     json["stages_ms"] = Json::object();
     for (const Stage& stage : frame.stages) json["stages_ms"][stage.name] = stage.milliseconds;
+    json["parts"] = Json::object();
+    for (const CullPart& part : frame.parts)
+        json["parts"][part.name] = {{"objects", part.objects}, {"culled_triangles", part.culledTriangles}};
     json["case"] = frame.caseNumber > 0 ? Json(frame.caseNumber) : Json(nullptr);
     return json;
 }

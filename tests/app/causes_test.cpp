@@ -73,4 +73,21 @@ TEST(CullbenchCauses, secondParameterWasTakenForAStrategy) {
     EXPECT_EQ(alone.exitStatus, 2);
 }
 
+TEST(CullbenchCauses, partThatDoesNotHoldIsSaidToBeUsed) {
+    const auto measured = [](const char* facing) {
+        const ProcessResult result = cullbench({"measure", "torus:triangles=8000", "-s", facing, "--path", "orbit:3", "--size",
+                                                "32x32", "--repeat", "1", "--json", "-"});
+        EXPECT_EQ(result.exitStatus, 0) << result.err;
+        return result;
+    };
+    const ProcessResult both = measured("spherical-lossless:facing=two-sided"),
+                        front = measured("spherical-lossless:facing=front");
+    EXPECT_THAT(both.err,
+                HasSubstr("used cells against the frustum in 3 of 3 poses, normal cones in none, horizon of the kernel in none"));
+    EXPECT_THAT(front.err, HasSubstr("normal cones in 3, horizon of the kernel in none")) << "a torus's centre lies outside it";
+    const json parts = json::parse(front.out)["runs"][0]["frames"][0]["parts"];
+    EXPECT_EQ(parts["normal cones"]["objects"], 1);
+    EXPECT_EQ(parts["horizon of the kernel"]["objects"], 0);
+}
+
 }  // namespace
