@@ -51,8 +51,9 @@ struct EyeBox {
 /// How far a plane test leans outward so that it never culls what a picture shows, for a bound whose farthest point lies
 /// `magnitude` from the eye. Two errors stand behind it: the test's own rounding in double (below 2^-49 of the magnitude), and
 /// the picture's: OpenGL gets float matrices and positions, so a vertex is misplaced by up to 8 roundings of 2^-24 = 2^-21 of its
-/// distance. A side plane has half a pixel of room besides (samples lie at pixel centres); near and far planes have none.
-/// What it costs: objects within a millionth of their distance outside a plane are kept.
+/// distance. (Of a mesh that lies away from the zero of its coordinates by more: Scene::pictureRounding, in its bounds.) A side
+/// plane has half a pixel of room besides (samples lie at pixel centres); near and far planes have none. What it costs: objects
+/// within a millionth of their distance outside a plane are kept.
 [[nodiscard]] constexpr double conservativeSlack(double magnitude) { return magnitude * 0x1p-20; }
 
 /// How a box lies to one plane. Conservative both ways: `Outside` and `Inside` are said only where they hold with `slack` to

@@ -1,19 +1,13 @@
 #pragma once
 
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "core/scene/scene.h"
+#include "tests/long_mode.h"
 
 namespace cullscope::test {
-
-/// Whether tests with many views take all of them (packaging/test --long) or their fixed sample.
-inline bool longMode() {
-    const char* value = std::getenv("CULLSCOPE_LONG");
-    return value != nullptr && std::string(value) == "1";
-}
 
 /// A mesh from positions and indices, its float coordinates about `origin`.
 inline MeshPointer meshOf(std::vector<Vec3f> positions, std::vector<uint32_t> indices, const Vec3& origin = Vec3(0.0)) {

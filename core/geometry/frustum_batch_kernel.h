@@ -1,0 +1,150 @@
+#pragma once
+
+#include "core/geometry/frustum_batch_planes.h"
+
+// The arithmetic of all batch tests, once for every instruction set: `Lanes` says how it computes with Lanes::kWidth doubles at a
+// time. It has the same operations in the same order on every one, so that their verdicts are the same bits. Included by one
+// source an instruction set, hence the anonymous namespace; see frustum_batch_planes.h for what must not stand here.
+
+namespace cullscope {
+namespace {
+
+/// A block's rows of boxes. `at` points to the lanes' place in the first row.
+template <typename Lanes>
+struct Boxes {
+    using Vector = typename Lanes::Vector;
+    static constexpr size_t kRows = kBoxRows;
+
+    /// |centre − eye| + half extent of every axis is the larger distance of its two sides from the eye.
+    static Vector magnitude(const double* at, const BatchPlanes& frustum) {
+        return axis(at, frustum, 0) + axis(at, frustum, 1) + axis(at, frustum, 2);
+    }
+    static Vector distance(const double* at, const BatchPlane& plane) { return corner(at, plane, plane.inner); }
+    static Vector withReach(Vector distance, const double* /*at*/) { return distance; }
+    static Vector outer(const double* at, const BatchPlane& plane) { return corner(at, plane, plane.outer); }
+
+private:
+    static Vector axis(const double* at, const BatchPlanes& frustum, size_t axis) {
+        const Vector eye = Lanes::spread(frustum.eye[axis]);
+        return Lanes::max(eye - Lanes::load(at + axis * kBatchBlock), Lanes::load(at + (3 + axis) * kBatchBlock) - eye);
+    }
+    static Vector corner(const double* at, const BatchPlane& plane, const size_t (&rows)[3]) {
+        return Lanes::spread(plane.normal[0]) * Lanes::load(at + rows[0]) +
+               Lanes::spread(plane.normal[1]) * Lanes::load(at + rows[1]) +
+               Lanes::spread(plane.normal[2]) * Lanes::load(at + rows[2]) + Lanes::spread(plane.offset);
+    }
+};
+
+template <typename Lanes>
+struct Spheres {
+    using Vector = typename Lanes::Vector;
+    static constexpr size_t kRows = kSphereRows;
+
+    static Vector magnitude(const double* at, const BatchPlanes& frustum) {
+        return axis(at, frustum, 0) + axis(at, frustum, 1) + axis(at, frustum, 2) + radius(at);
+    }
+    static Vector distance(const double* at, const BatchPlane& plane) {
+        return Lanes::spread(plane.normal[0]) * Lanes::load(at) + Lanes::spread(plane.normal[1]) * Lanes::load(at + kBatchBlock) +
+               Lanes::spread(plane.normal[2]) * Lanes::load(at + 2 * kBatchBlock) + Lanes::spread(plane.offset);
+    }
+    static Vector withReach(Vector distance, const double* at) { return distance + radius(at); }
+    static Vector outer(const double* at, const BatchPlane& plane) { return distance(at, plane) - radius(at); }
+
+private:
+    static Vector radius(const double* at) { return Lanes::load(at + 3 * kBatchBlock); }
+    static Vector axis(const double* at, const BatchPlanes& frustum, size_t axis) {
+        return Lanes::abs(Lanes::load(at + axis * kBatchBlock) - Lanes::spread(frustum.eye[axis]));
+    }
+};
+
+template <typename Lanes, typename Shape>
+typename Lanes::Vector slackOf(const double* at, const BatchPlanes& frustum) {
+    return Shape::magnitude(at, frustum) * Lanes::spread(frustum.slackOfMagnitude) + Lanes::spread(frustum.slackOfEye);
+}
+
+struct Bits {
+    uint64_t outside = 0;
+    uint64_t inside = 0;
+};
+
+/// Calls body(0) … body(kCount − 1), written out at every level of optimisation, so that arrays indexed by it stay in registers.
+template <size_t kCount, typename Body>
+[[gnu::always_inline]] inline void repeat(const Body& body) {
+    if constexpr (kCount > 0) {
+        repeat<kCount - 1>(body);
+        body(kCount - 1);
+    }
+}
+
+/// Tests kVectors · kWidth objects that follow each other from the first of a block on.
+template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
+[[gnu::always_inline]] inline Bits testGroup(const double* block, const BatchPlanes& frustum) {
+    using Vector = typename Lanes::Vector;
+    constexpr uint64_t kAll = ~uint64_t{0} >> (64 - kVectors * Lanes::kWidth);
+    const auto at = [&](size_t vector) __attribute__((always_inline)) {
+        const size_t object = vector * Lanes::kWidth;
+        return block + object / kBatchBlock * (Shape::kRows * kBatchBlock) + object % kBatchBlock;
+    };
+    Vector slack[kVectors], least[kVectors];
+    typename Lanes::Mask inside[kVectors];
+    repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
+        slack[v] = slackOf<Lanes, Shape>(at(v), frustum);
+        least[v] = Lanes::spread(__builtin_huge_val());
+        inside[v] = Lanes::all();
+    });
+    Bits bits;
+    for (size_t p = 0; p < 6; p += Lanes::kPlanesBetweenLooks) {
+        repeat<Lanes::kPlanesBetweenLooks>([&](size_t next) __attribute__((always_inline)) {
+            const BatchPlane& plane = frustum.planes[p + next];
+            repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
+                // The second where the first is NaN, which thus decides nothing.
+                least[v] = Lanes::min(Shape::distance(at(v), plane), least[v]);
+                if constexpr (kInside) inside[v] = Lanes::both(inside[v], Lanes::less(slack[v], Shape::outer(at(v), plane)));
+            });
+        });
+        bits.outside = 0;
+        repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
+            // The least of the sums is the sum of the least, as rounding keeps the order.
+            const auto outside = Lanes::less(Shape::withReach(least[v], at(v)), -slack[v]);
+            bits.outside |= Lanes::bits(outside) << (v * Lanes::kWidth);
+        });
+        if (bits.outside == kAll) return bits;
+    }
+    if constexpr (kInside)
+        repeat<kVectors>([&](size_t v)
+                             __attribute__((always_inline)) { bits.inside |= Lanes::bits(inside[v]) << (v * Lanes::kWidth); });
+    return bits;
+}
+
+template <typename Lanes, typename Shape, bool kInside>
+void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
+    constexpr size_t kGroup = Lanes::kVectors * Lanes::kWidth;
+    for (; blockCount > 0; ++outside) {
+        const size_t wordBlocks = blockCount < 64 / kBatchBlock ? blockCount : 64 / kBatchBlock;
+        Bits word;
+        for (size_t object = 0; object < wordBlocks * kBatchBlock;) {
+            const double* at = blocks + object / kBatchBlock * (Shape::kRows * kBatchBlock) + object % kBatchBlock;
+            const bool whole = kGroup <= kBatchBlock || wordBlocks * kBatchBlock - object >= kGroup;
+            const Bits bits = whole ? testGroup<Lanes, Shape, kInside, Lanes::kVectors>(at, frustum)
+                                    : testGroup<Lanes, Shape, kInside, kBatchBlock / Lanes::kWidth>(at, frustum);
+            word.outside |= bits.outside << object;
+            word.inside |= bits.inside << object;
+            object += whole ? kGroup : kBatchBlock;
+        }
+        *outside = word.outside;
+        if constexpr (kInside) *inside++ = word.inside;
+        blocks += wordBlocks * Shape::kRows * kBatchBlock;
+        blockCount -= wordBlocks;
+    }
+}
+
+template <typename Lanes, typename Shape>
+void testAll(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
+    if (inside == nullptr)
+        testBlocks<Lanes, Shape, false>(blocks, blockCount, frustum, outside, nullptr);
+    else
+        testBlocks<Lanes, Shape, true>(blocks, blockCount, frustum, outside, inside);
+}
+
+}  // namespace
+}  // namespace cullscope

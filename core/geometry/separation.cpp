@@ -1,0 +1,172 @@
+#include "core/geometry/separation.h"
+
+#include <cmath>
+
+namespace cullscope {
+namespace {
+
+/// Below this squared length an axis is left out: its products might underflow, and no bound on their rounding would hold.
+constexpr double kLeastSquare = 1e-200;
+
+double sumOfSizes(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
+
+/// A frustum in camera coordinates (along right, up, forward), where all of it is four numbers. What a point's coordinates are
+/// is said by dot products with the basis, as the planes and the clip matrix say it: nothing here asks that the basis be
+/// orthonormal to the last digit.
+class CameraFrustum {
+public:
+    /// Cut where it can meet nothing that lies within `farthest` of the eye: a far plane at 1e9 makes 1e-7 of a rounding.
+    CameraFrustum(const Frustum& frustum, double farthest)
+        : m_right(frustum.right),
+          m_up(frustum.up),
+          m_forward(frustum.forward),
+          m_tanHalfWidth(frustum.tanHalfWidth),
+          m_tanHalfHeight(frustum.tanHalfHeight),
+          m_near(frustum.nearDistance),
+          m_far(std::max(frustum.nearDistance, std::min(frustum.farDistance, farthest))) {}
+
+    [[nodiscard]] Vec3 coordinates(const Vec3& eyeRelative) const {
+        return {glm::dot(m_right, eyeRelative), glm::dot(m_up, eyeRelative), glm::dot(m_forward, eyeRelative)};
+    }
+    [[nodiscard]] Vec3 world(const Vec3& camera) const { return m_right * camera.x + m_up * camera.y + m_forward * camera.z; }
+
+    /// Whether the interval centre ± reach lies beyond the frustum's along `axis` (camera coordinates) by more than `room`.
+    [[nodiscard]] bool apart(const Vec3& axis, double centre, double reach, double room) const {
+        const double aside = m_tanHalfWidth * std::abs(axis.x) + m_tanHalfHeight * std::abs(axis.y);
+        const double most = axis.z + aside;
+        const double least = axis.z - aside;
+        return centre - reach - most * (most > 0.0 ? m_far : m_near) > room ||
+               least * (least < 0.0 ? m_far : m_near) - (centre + reach) > room;
+    }
+
+    /// The point nearest to `from`, both in camera coordinates.
+    [[nodiscard]] Vec3 nearestPoint(const Vec3& from) const {
+        const double x = std::abs(from.x);
+        const double y = std::abs(from.y);
+        const double depth = std::min(std::max(nearestDepth(x, y, from.z), m_near), m_far);
+        return {std::copysign(std::min(x, m_tanHalfWidth * depth), from.x),
+                std::copysign(std::min(y, m_tanHalfHeight * depth), from.y), depth};
+    }
+
+    /// Directions of the edges; the near and far rectangles' edges are parallel.
+    [[nodiscard]] std::array<Vec3, 6> edges() const {
+        const double w = m_tanHalfWidth;
+        const double h = m_tanHalfHeight;
+        return {Vec3(w, h, 1), Vec3(-w, h, 1), Vec3(w, -h, 1), Vec3(-w, -h, 1), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    }
+
+private:
+    /// Where max(0, x − w·d)² + max(0, y − h·d)² + (z − d)² is least. It is convex in d and quadratic piece by piece; each of the
+    /// four pieces has its minimum tried. This one number tells faces, edges and corners apart.
+    [[nodiscard]] double nearestDepth(double x, double y, double z) const {
+        const double w = m_tanHalfWidth;
+        const double h = m_tanHalfHeight;
+        if (x <= w * z && y <= h * z) return z;
+        const double besideWidth = (z + w * x) / (1.0 + w * w);
+        if (x >= w * besideWidth && y <= h * besideWidth) return besideWidth;
+        const double besideHeight = (z + h * y) / (1.0 + h * h);
+        if (x <= w * besideHeight && y >= h * besideHeight) return besideHeight;
+        return (z + w * x + h * y) / (1.0 + w * w + h * h);
+    }
+
+    Vec3 m_right, m_up, m_forward;
+    double m_tanHalfWidth, m_tanHalfHeight, m_near, m_far;
+};
+
+/// A parallelepiped in camera coordinates.
+struct CameraBox {
+    Vec3 centre;
+    std::array<Vec3, 3> halves;  ///< half edges
+    std::array<Vec3, 3> edges;   ///< directions of the edges, about unit length; 0 where unknown
+    double room;                 ///< how far beyond the frustum it must lie, per unit of an axis
+};
+
+bool apartAlong(const Vec3& axis, const CameraFrustum& frustum, const CameraBox& box) {
+    const double square = glm::dot(axis, axis);
+    if (!(square > kLeastSquare)) return false;
+    const double reach = std::abs(glm::dot(axis, box.halves[0])) + std::abs(glm::dot(axis, box.halves[1])) +
+                         std::abs(glm::dot(axis, box.halves[2]));
+    return frustum.apart(axis, glm::dot(axis, box.centre), reach, box.room * std::sqrt(square));
+}
+
+bool separatedBox(const CameraFrustum& frustum, const CameraBox& box) {
+    for (size_t i = 0; i < 3; ++i)
+        if (apartAlong(glm::cross(box.edges[i], box.edges[(i + 1) % 3]), frustum, box)) return true;
+    for (const Vec3& frustumEdge : frustum.edges())
+        for (const Vec3& boxEdge : box.edges)
+            if (apartAlong(glm::cross(frustumEdge, boxEdge), frustum, box)) return true;
+    return false;
+}
+
+/// What stands for rounding in the header's first comment.
+double rounding(double farthest) { return farthest * 0x1p-47; }
+
+double farthestOf(const EyeBox& box) { return sumOfSizes(box.centre) + sumOfSizes(box.half); }
+
+CameraBox inCamera(const Frustum& frustum, const CameraFrustum& camera, const EyeBox& box, double slack) {
+    CameraBox result;
+    result.centre = camera.coordinates(box.centre);
+    for (int axis = 0; axis < 3; ++axis) {
+        const Vec3 edge(frustum.right[axis], frustum.up[axis], frustum.forward[axis]);
+        result.edges[size_t(axis)] = edge;
+        result.halves[size_t(axis)] = edge * box.half[axis];
+    }
+    result.room = slack + rounding(farthestOf(box));
+    return result;
+}
+
+}  // namespace
+
+bool separated(const Frustum& frustum, const EyeBox& box, double slack) {
+    const CameraFrustum camera(frustum, farthestOf(box));
+    return separatedBox(camera, inCamera(frustum, camera, box, slack));
+}
+
+bool separated(const Frustum& frustum, const OrientedBox& box, double slack) {
+    double farthest = sumOfSizes(box.centre) + box.room;
+    for (const Vec3& axis : box.axes) farthest += sumOfSizes(axis);
+    const CameraFrustum camera(frustum, farthest);
+    CameraBox result;
+    result.centre = camera.coordinates(box.centre);
+    for (size_t axis = 0; axis < 3; ++axis) {
+        const Vec3 half = camera.coordinates(box.axes[axis]);
+        const double length = glm::length(half);
+        result.halves[axis] = half;
+        result.edges[axis] = length > 0.0 ? half / length : Vec3(0.0);
+    }
+    result.room = slack + box.room + rounding(farthest);
+    return separatedBox(camera, result);
+}
+
+bool separated(const Frustum& frustum, const Sphere& eyeSphere, double slack) {
+    const double farthest = sumOfSizes(eyeSphere.centre) + eyeSphere.radius;
+    const CameraFrustum camera(frustum, farthest);
+    const Vec3 centre = camera.coordinates(eyeSphere.centre);
+    const Vec3 direct = centre - camera.nearestPoint(centre);
+    const double x = std::copysign(frustum.tanHalfWidth, centre.x);
+    const double y = std::copysign(frustum.tanHalfHeight, centre.y);
+    // The difference of two points leans by their rounding, the more so the wider the view. Where the nearest point lies on a
+    // side or on the edge of two, the axis stands at a right angle to it.
+    const Vec3 ray(x, y, 1.0);
+    for (const Vec3& axis : {direct, Vec3(std::copysign(1.0, x), 0.0, -frustum.tanHalfWidth),
+                             Vec3(0.0, std::copysign(1.0, y), -frustum.tanHalfHeight),
+                             direct - ray * (glm::dot(direct, ray) / glm::dot(ray, ray))}) {
+        if (!(glm::dot(axis, axis) > kLeastSquare)) continue;
+        // In world coordinates a sphere is one whatever the basis is like.
+        const double length = glm::length(camera.world(axis));
+        if (camera.apart(axis, glm::dot(axis, centre), eyeSphere.radius * length, (slack + rounding(farthest)) * length))
+            return true;
+    }
+    return false;
+}
+
+bool meetsNearRectangle(const Frustum& frustum, const EyeBox& box, double slack) {
+    Frustum rectangle = frustum;
+    rectangle.farDistance = frustum.nearDistance;
+    const EyeBox grown{box.centre, box.half + slack};
+    const CameraFrustum camera(rectangle, farthestOf(grown));
+    const CameraBox object = inCamera(rectangle, camera, grown, 0.0);
+    return !apartAlong(Vec3(0, 0, 1), camera, object) && !separatedBox(camera, object);
+}
+
+}  // namespace cullscope
