@@ -71,31 +71,30 @@ VertexInput::~VertexInput() {
     glDisableVertexAttribArray(kNormal);
 }
 
-void VertexInput::bindMesh(uint32_t meshIndex) {
-    if (m_bound == meshIndex) return;
-    m_bound = meshIndex;
-    const TriangleMesh& mesh = *m_buffers.scene().meshes()[meshIndex];
+void VertexInput::bindMesh(uint32_t mesh, Indices indices) {
+    if (m_bound != mesh) bindVertices(mesh);
+    if (m_bound != mesh || m_boundIndices != indices) bindIndices(mesh, indices);
+    m_bound = mesh;
+    m_boundIndices = indices;
+}
+
+void VertexInput::bindVertices(uint32_t meshIndex) {
     if (client()) {
+        const TriangleMesh& mesh = *m_buffers.scene().meshes()[meshIndex];
         glVertexAttribPointer(kPosition, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), mesh.positions().data());
         glVertexAttribPointer(kNormal, 3, GL_FLOAT, GL_FALSE, sizeof(Vec3f), mesh.normals().data());
-        bindIndices(meshIndex);
         return;
     }
     const SceneBuffers::MeshBuffers& gpu = m_buffers.mesh(meshIndex);
     glVertexArrayVertexBuffer(m_vertexArray, kPosition, gpu.vertices, 0, sizeof(Vec3f));
     glVertexArrayVertexBuffer(m_vertexArray, kNormal, gpu.vertices, static_cast<GLintptr>(gpu.normalsOffset), sizeof(Vec3f));
-    bindIndices(meshIndex);
 }
 
-void VertexInput::bindIndices(uint32_t mesh) {
-    const std::span<const uint32_t> ordered = m_order ? m_order->meshes[mesh].indices : std::span<const uint32_t>();
-    m_indices = nullptr;
-    if (client())
-        m_indices =
-            reinterpret_cast<const char*>((ordered.empty() ? m_buffers.scene().meshes()[mesh]->indices() : ordered).data());
-    else
-        glVertexArrayElementBuffer(m_vertexArray,
-                                   ordered.empty() ? m_buffers.mesh(mesh).indices : m_buffers.order(m_order, mesh).indices);
+void VertexInput::bindIndices(uint32_t mesh, Indices indices) {
+    m_indices = indices == Indices::Whole ? m_buffers.mesh(mesh).whole
+                : m_order                 ? m_buffers.ordered(m_order, mesh)
+                                          : m_buffers.ownOrder(mesh);
+    if (!client()) glVertexArrayElementBuffer(m_vertexArray, m_indices.buffer);
 }
 
 namespace {
@@ -119,9 +118,9 @@ void setInstanceUniforms(const View& view, const Instance& instance, const Trian
 
 }  // namespace
 
-void VertexInput::bind(const View& view, uint32_t number) {
+void VertexInput::bind(const View& view, uint32_t number, Indices indices) {
     const Instance& instance = m_buffers.scene().instances()[number];
-    bindMesh(instance.mesh);
+    bindMesh(instance.mesh, indices);
     setInstanceUniforms(view, instance, *m_buffers.scene().meshes()[instance.mesh]);
 }
 

@@ -58,6 +58,12 @@ void clearTo(const DrawStyle& style);
 /// Binds one mesh after the other as vertex input and hands out index addresses.
 class VertexInput {
 public:
+    /// Which of a mesh's index buffers is drawn from.
+    enum class Indices {
+        Whole,   ///< all triangles, in whichever order is fastest
+        InOrder  ///< ranges of them, in the list's order
+    };
+
     /// For ranges in `order`; null: in the meshes' own.
     VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order);
     ~VertexInput();
@@ -65,24 +71,26 @@ public:
     VertexInput& operator=(const VertexInput&) = delete;
 
     /// Makes an instance's mesh the vertex input and sets its uniforms and its winding.
-    void bind(const View& view, uint32_t instance);
+    void bind(const View& view, uint32_t instance, Indices indices);
     [[nodiscard]] const void* indexAddress(uint32_t firstIndex) const {
-        return m_indices + size_t{firstIndex} * sizeof(uint32_t);
+        return m_indices.client + size_t{firstIndex} * m_indices.bytes;
     }
+    [[nodiscard]] GLenum indexType() const { return m_indices.bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT; }
 
     /// Makes a mesh the vertex input and sets nothing else.
-    void bindMesh(uint32_t mesh);
+    void bindMesh(uint32_t mesh, Indices indices);
 
 private:
     [[nodiscard]] bool client() const { return m_buffers.upload() == Upload::VertexArray; }
-    /// The indices of a mesh in the order.
-    void bindIndices(uint32_t mesh);
+    void bindVertices(uint32_t mesh);
+    void bindIndices(uint32_t mesh, Indices indices);
 
     const SceneBuffers& m_buffers;
     unsigned m_vertexArray;
     TriangleOrderPointer m_order;
     uint32_t m_bound = UINT32_MAX;
-    const char* m_indices = nullptr;
+    Indices m_boundIndices = Indices::Whole;
+    GpuIndices m_indices;
 };
 
 /// A line as OpenGL takes it, relative to the eye.

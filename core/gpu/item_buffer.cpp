@@ -36,20 +36,18 @@ void requireNumbers(const Scene& scene) {
 /// One draw a range with the triangles' numbers, as the item shader takes them.
 void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
     const Scene& scene = buffers.scene();
-    submit(buffers, view, list, vertexArray,
-           [&](std::span<const DrawRange> ranges, const std::vector<GLsizei>& counts, const std::vector<const void*>& addresses) {
-               const uint32_t mesh = scene.instances()[ranges.front().instance].mesh;
-               const bool ordered = !list.orderOf(mesh).triangles.empty();
-               if (ordered)
-                   glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, buffers.numberedOrder(list.order, mesh).triangles);
-               for (size_t i = 0; i < ranges.size(); ++i) {
-                   const GLuint place = ranges[i].firstIndex / 3;
-                   const auto first = static_cast<GLuint>(scene.firstTriangle(ranges[i].instance));
-                   glUniform1ui(kFirstTriangle, ordered ? first : first + place);
-                   glUniform1i(kFirstPlace, ordered ? static_cast<GLint>(place) : -1);
-                   glDrawElements(GL_TRIANGLES, counts[i], GL_UNSIGNED_INT, addresses[i]);
-               }
-           });
+    submit(buffers, view, list, vertexArray, true, [&](const SubmittedRun& run) {
+        const uint32_t mesh = scene.instances()[run.ranges.front().instance].mesh;
+        const bool ordered = !list.orderOf(mesh).triangles.empty();
+        if (ordered) glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, buffers.orderNumbers(list.order, mesh));
+        for (size_t i = 0; i < run.ranges.size(); ++i) {
+            const GLuint place = run.ranges[i].firstIndex / 3;
+            const auto first = static_cast<GLuint>(scene.firstTriangle(run.ranges[i].instance));
+            glUniform1ui(kFirstTriangle, ordered ? first : first + place);
+            glUniform1i(kFirstPlace, ordered ? static_cast<GLint>(place) : -1);
+            glDrawElements(GL_TRIANGLES, run.counts[i], run.indexType, run.addresses[i]);
+        }
+    });
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, 0);
     glBindBuffer(GL_SHADER_STORAGE_BUFFER, 0);
 }

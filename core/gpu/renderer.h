@@ -101,6 +101,23 @@ public:
     [[nodiscard]] std::optional<PickedTriangle> pick(const SceneBuffers& buffers, const View& view, const DrawList& list, int x,
                                                      int y);
 
+    /// Which boxes OpenGL's selection mode hits with all of the picture as the pick region (Cho et al., chapter 3.2).
+    struct SelectedBoxes {
+        std::vector<uint32_t> hits;  ///< places in the span, which were the boxes' names, ascending
+        size_t bufferWords = 0;      ///< of the hit buffer that held all records; four words a hit
+        int overflows = 0;           ///< how often a smaller one did not
+    };
+    /// Draws the faces of boxes relative to the eye, both sides, in GL_SELECT with a hit buffer of `bufferWords` (at least 1),
+    /// and again with twice as many where they did not do (glRenderMode gives −1). A box that holds the whole frustum is not
+    /// hit. Throws Error(OpenGl) where there is no compatibility profile.
+    [[nodiscard]] SelectedBoxes selectBoxes(const View& view, std::span<const EyeBox> boxes, size_t bufferWords);
+
+    /// Which boxes relative to the eye cover a sample of the picture: an occlusion query each
+    /// (GL_ANY_SAMPLES_PASSED_CONSERVATIVE), without depth test, both sides, depth clamped in place of clipped. Waits for the
+    /// answers. A box that holds the whole frustum covers none, nor does what lies behind the eye; what lies beyond near or far
+    /// does. Places in the span, ascending.
+    [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes);
+
     /// Clears `target` and draws every triangle of the scene as `view` sees it, coloured by palette[stateOfTriangle[number]],
     /// nearly flat (Lambert ± 10 %). Halo and hatch of marked triangles are made for the style's background. Throws
     /// Error(OpenGl) where this OpenGL cannot hold a byte a triangle in one buffer.

@@ -6,9 +6,49 @@
 
 #include "core/base/error.h"
 #include "core/gpu/context.h"
+#include "core/mesh/vertex_cache.h"
 
 namespace cullscope {
 namespace {
+
+constexpr size_t kMostVerticesOf16Bits = size_t{1} << 16;
+
+void forgetErrors() {
+    while (glGetError() != GL_NO_ERROR) {
+    }
+}
+
+unsigned newBuffer(const void* data, size_t bytes) {
+    unsigned buffer = 0;
+    glCreateBuffers(1, &buffer);
+    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(bytes), data, 0);
+    return buffer;
+}
+
+/// Of an order of triangles. Throws Error(OpenGl) where memory runs out.
+unsigned newOrderBuffer(const void* data, size_t bytes) {
+    forgetErrors();
+    const unsigned buffer = newBuffer(data, bytes);
+    if (glGetError() != GL_OUT_OF_MEMORY) return buffer;
+    glDeleteBuffers(1, &buffer);
+    throwOpenGl(CULLSCOPE_TR("The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client "
+                             "vertex arrays or a smaller scene."),
+                {std::to_string(bytes)});
+}
+
+GpuIndices newIndices(std::span<const uint32_t> indices, size_t vertices, unsigned (*make)(const void* data, size_t bytes)) {
+    if (vertices > kMostVerticesOf16Bits) return {make(indices.data(), indices.size_bytes()), nullptr, 4};
+    const std::vector<uint16_t> narrow(indices.begin(), indices.end());
+    return {make(narrow.data(), narrow.size() * sizeof(uint16_t)), nullptr, 2};
+}
+
+GpuIndices inMemory(std::span<const uint32_t> indices) { return {0, reinterpret_cast<const char*>(indices.data()), 4}; }
+
+/// The fastest order for all of a mesh's triangles.
+std::vector<uint32_t> fastOrder(const TriangleMesh& mesh) {
+    if (mesh.triangleCount() <= kOptionalAnalysisLimit) return inVertexCacheOrder(mesh.indices(), mesh.vertexCount());
+    return {mesh.indices().begin(), mesh.indices().end()};
+}
 
 SceneBuffers::MeshBuffers uploaded(const TriangleMesh& mesh) {
     SceneBuffers::MeshBuffers buffers;
@@ -21,29 +61,8 @@ SceneBuffers::MeshBuffers uploaded(const TriangleMesh& mesh) {
     glNamedBufferSubData(buffers.vertices, 0, static_cast<GLsizeiptr>(positions.size_bytes()), positions.data());
     glNamedBufferSubData(buffers.vertices, static_cast<GLintptr>(buffers.normalsOffset),
                          static_cast<GLsizeiptr>(normals.size_bytes()), normals.data());
-    glCreateBuffers(1, &buffers.indices);
-    glNamedBufferStorage(buffers.indices, static_cast<GLsizeiptr>(mesh.indices().size_bytes()), mesh.indices().data(), 0);
+    buffers.whole = newIndices(fastOrder(mesh), mesh.vertexCount(), newBuffer);
     return buffers;
-}
-
-unsigned uploaded(std::span<const uint32_t> numbers) {
-    while (glGetError() != GL_NO_ERROR) {
-    }
-    unsigned buffer = 0;
-    glCreateBuffers(1, &buffer);
-    glNamedBufferStorage(buffer, static_cast<GLsizeiptr>(numbers.size_bytes()), numbers.data(), 0);
-    if (glGetError() != GL_OUT_OF_MEMORY) return buffer;
-    glDeleteBuffers(1, &buffer);
-    throwOpenGl(CULLSCOPE_TR("The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client "
-                             "vertex arrays or a smaller scene."),
-                {std::to_string(numbers.size_bytes())});
-}
-
-void deleteBuffers(const std::vector<SceneBuffers::OrderBuffers>& meshes) {
-    for (const SceneBuffers::OrderBuffers& mesh : meshes) {
-        glDeleteBuffers(1, &mesh.indices);
-        glDeleteBuffers(1, &mesh.triangles);
-    }
 }
 
 }  // namespace
@@ -52,15 +71,12 @@ SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload)
     : m_scene(std::move(scene)), m_upload(upload), m_uploaded(std::make_shared<Uploaded>()) {
     std::vector<MeshBuffers>& meshes = m_uploaded->meshes;
     meshes.resize(m_scene->meshes().size());
+    m_uploaded->own.resize(meshes.size());
     if (upload == Upload::VertexArray) {
-        if (!requireOpenGl45().compatibilityProfile)
-            throwOpenGl(
-                CULLSCOPE_TR("Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use "
-                             "buffer objects (vbo)."));
+        useClientArrays();
         return;
     }
-    while (glGetError() != GL_NO_ERROR) {
-    }
+    forgetErrors();
     for (size_t i = 0; i < meshes.size(); ++i)
         if (m_scene->meshes()[i]->triangleCount() > 0) meshes[i] = uploaded(*m_scene->meshes()[i]);
     if (glGetError() == GL_OUT_OF_MEMORY)
@@ -69,48 +85,78 @@ SceneBuffers::SceneBuffers(ScenePointer scene, Upload upload)
             {std::to_string(m_scene->bytes())});
 }
 
+void SceneBuffers::useClientArrays() {
+    if (!requireOpenGl45().compatibilityProfile)
+        throwOpenGl(
+            CULLSCOPE_TR("Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use "
+                         "buffer objects (vbo)."));
+    for (size_t i = 0; i < m_uploaded->meshes.size(); ++i) {
+        m_uploaded->clientOrders.push_back(fastOrder(*m_scene->meshes()[i]));
+        m_uploaded->meshes[i].whole = inMemory(m_uploaded->clientOrders[i]);
+        m_uploaded->own[i] = inMemory(m_scene->meshes()[i]->indices());
+    }
+}
+
 SceneBuffers::SceneBuffers(ScenePointer scene, const SceneBuffers& sameMeshes)
     : m_scene(std::move(scene)), m_upload(sameMeshes.m_upload), m_uploaded(sameMeshes.m_uploaded) {
     assert(m_scene->meshes() == sameMeshes.m_scene->meshes());
+}
+
+void SceneBuffers::deleteBuffers(const UploadedOrder& order) {
+    for (const OrderBuffers& mesh : order.meshes) {
+        glDeleteBuffers(1, &mesh.indices.buffer);
+        glDeleteBuffers(1, &mesh.numbers);
+    }
 }
 
 SceneBuffers::OrderBuffers& SceneBuffers::Uploaded::ofOrder(const TriangleOrderPointer& order, uint32_t mesh) {
     for (UploadedOrder& known : orders)
         if (known.order.lock() == order) return known.meshes[mesh];
     std::erase_if(orders, [](const UploadedOrder& old) {
-        if (old.order.expired()) deleteBuffers(old.meshes);
+        if (old.order.expired()) deleteBuffers(old);
         return old.order.expired();
     });
     return orders.emplace_back(order, std::vector<OrderBuffers>(order->meshes.size())).meshes[mesh];
 }
 
-SceneBuffers::OrderBuffers SceneBuffers::order(const TriangleOrderPointer& order, uint32_t mesh) const {
-    OrderBuffers& buffers = m_uploaded->ofOrder(order, mesh);
-    const std::span<const uint32_t> indices = order->meshes[mesh].indices;
-    if (buffers.indices == 0 && m_upload == Upload::Vbo && !indices.empty()) buffers.indices = uploaded(indices);
-    return buffers;
+GpuIndices SceneBuffers::ownOrder(uint32_t mesh) const {
+    GpuIndices& own = m_uploaded->own[mesh];
+    const TriangleMesh& source = *m_scene->meshes()[mesh];
+    if (own.buffer == 0 && m_upload == Upload::Vbo && source.triangleCount() > 0)
+        own = newIndices(source.indices(), source.vertexCount(), newOrderBuffer);
+    return own;
 }
 
-SceneBuffers::OrderBuffers SceneBuffers::numberedOrder(const TriangleOrderPointer& order, uint32_t mesh) const {
-    static_cast<void>(this->order(order, mesh));
-    OrderBuffers& buffers = m_uploaded->ofOrder(order, mesh);
-    const std::span<const uint32_t> triangles = order->meshes[mesh].triangles;
+GpuIndices SceneBuffers::ordered(const TriangleOrderPointer& order, uint32_t mesh) const {
+    const std::span<const uint32_t> indices = order->meshes[mesh].indices;
+    if (indices.empty()) return ownOrder(mesh);
+    if (m_upload == Upload::VertexArray) return inMemory(indices);
+    GpuIndices& ordered = m_uploaded->ofOrder(order, mesh).indices;
+    if (ordered.buffer == 0) ordered = newIndices(indices, m_scene->meshes()[mesh]->vertexCount(), newOrderBuffer);
+    return ordered;
+}
+
+unsigned SceneBuffers::orderNumbers(const TriangleOrderPointer& order, uint32_t mesh) const {
+    const std::span<const uint32_t> numbers = order->meshes[mesh].triangles;
+    if (numbers.empty()) return 0;
     GLint64 most = 0;
     glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &most);
-    if (static_cast<GLint64>(triangles.size_bytes()) > most)
+    if (static_cast<GLint64>(numbers.size_bytes()) > most)
         throwOpenGl(CULLSCOPE_TR("The numbers of the triangles in this strategy's order need %1 bytes in one buffer and this "
                                  "OpenGL gives %2: choose a strategy that keeps the mesh's order, or a part of the scene."),
-                    {std::to_string(triangles.size_bytes()), std::to_string(most)});
-    if (buffers.triangles == 0 && !triangles.empty()) buffers.triangles = uploaded(triangles);
-    return buffers;
+                    {std::to_string(numbers.size_bytes()), std::to_string(most)});
+    unsigned& buffer = m_uploaded->ofOrder(order, mesh).numbers;
+    if (buffer == 0) buffer = newOrderBuffer(numbers.data(), numbers.size_bytes());
+    return buffer;
 }
 
 SceneBuffers::Uploaded::~Uploaded() {
     for (const MeshBuffers& mesh : meshes) {
         glDeleteBuffers(1, &mesh.vertices);
-        glDeleteBuffers(1, &mesh.indices);
+        glDeleteBuffers(1, &mesh.whole.buffer);
     }
-    for (const UploadedOrder& order : orders) deleteBuffers(order.meshes);
+    for (const GpuIndices& indices : own) glDeleteBuffers(1, &indices.buffer);
+    for (const UploadedOrder& order : orders) deleteBuffers(order);
 }
 
 }  // namespace cullscope

@@ -14,13 +14,22 @@ enum class Upload {
     VertexArray  ///< client memory, sent with every draw (the papers' "vertex array"); needs a compatibility profile
 };
 
+/// The indices of a mesh's triangles, as OpenGL takes them: 16 bits each where the mesh has no more than 65,536 vertices.
+struct GpuIndices {
+    unsigned buffer = 0;           ///< 0 with Upload::VertexArray
+    const char* client = nullptr;  ///< where they lie in memory, with Upload::VertexArray
+    unsigned bytes = 4;            ///< each: 2 or 4
+};
+
 /// A scene's meshes as OpenGL takes them. Buffer objects are shared within a share group.
+/// A mesh that is drawn whole is drawn in vertex-cache order (meshes of up to kOptionalAnalysisLimit triangles): the picture is
+/// the same, and each vertex is worked out once where the file's order may have it worked out six times.
 class SceneBuffers {
 public:
     struct MeshBuffers {
-        unsigned vertices = 0;  ///< positions, then normals; 0 with Upload::VertexArray
-        unsigned indices = 0;
+        unsigned vertices = 0;     ///< positions, then normals; 0 with Upload::VertexArray
         size_t normalsOffset = 0;  ///< bytes
+        GpuIndices whole;          ///< all triangles, in whichever order OpenGL draws them fastest
     };
 
     /// Uploads every mesh once. Throws Error(OpenGl) where memory runs out or client arrays are asked of a core profile.
@@ -36,29 +45,35 @@ public:
     [[nodiscard]] Upload upload() const { return m_upload; }
     [[nodiscard]] const MeshBuffers& mesh(size_t index) const { return m_uploaded->meshes[index]; }
 
-    /// A mesh's triangles in a strategy's order.
-    struct OrderBuffers {
-        unsigned indices = 0;    ///< 0 with Upload::VertexArray, and for a mesh in its own order
-        unsigned triangles = 0;  ///< the mesh's numbers; 0 until somebody asks for them
-    };
-    /// Uploaded when it is first asked for, and kept as long as somebody else holds the order. Throws Error(OpenGl) where memory
-    /// runs out.
-    [[nodiscard]] OrderBuffers order(const TriangleOrderPointer& order, uint32_t mesh) const;
-    /// The same with `triangles`.
-    [[nodiscard]] OrderBuffers numberedOrder(const TriangleOrderPointer& order, uint32_t mesh) const;
+    /// A mesh's triangles in its own order. Uploaded when first asked for. Throws Error(OpenGl) where memory runs out.
+    [[nodiscard]] GpuIndices ownOrder(uint32_t mesh) const;
+    /// A mesh's triangles in a strategy's order; in its own where the order has none for it. Uploaded when first asked for, and
+    /// kept as long as somebody else holds the order. Throws Error(OpenGl) where memory runs out.
+    [[nodiscard]] GpuIndices ordered(const TriangleOrderPointer& order, uint32_t mesh) const;
+    /// The mesh's numbers of the triangles in a strategy's order, as a buffer; 0 where the order has none for it. The same.
+    [[nodiscard]] unsigned orderNumbers(const TriangleOrderPointer& order, uint32_t mesh) const;
 
 private:
+    struct OrderBuffers {
+        GpuIndices indices;
+        unsigned numbers = 0;
+    };
     struct UploadedOrder {
         std::weak_ptr<const TriangleOrder> order;
         std::vector<OrderBuffers> meshes;
     };
     struct Uploaded {
         std::vector<MeshBuffers> meshes;
+        std::vector<std::vector<uint32_t>> clientOrders;  ///< by mesh, with Upload::VertexArray: what `whole` points to
+        std::vector<GpuIndices> own;                      ///< by mesh; as yet without what nobody has asked for
         std::vector<UploadedOrder> orders;
 
         ~Uploaded();
         OrderBuffers& ofOrder(const TriangleOrderPointer& order, uint32_t mesh);
     };
+
+    void useClientArrays();
+    static void deleteBuffers(const UploadedOrder& order);
 
     ScenePointer m_scene;
     Upload m_upload;

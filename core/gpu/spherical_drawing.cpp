@@ -34,10 +34,10 @@ void Renderer::drawSpherical(const SceneBuffers& buffers, const View& view, cons
                 float(area.height));
     glUniform3fv(kRamp, static_cast<GLsizei>(model.ramp.size()), glm::value_ptr(model.ramp.front()));
     VertexInput input(buffers, m_programs->vertexArray, list.order);
-    input.bindMesh(buffers.scene().instances()[model.instance].mesh);
+    input.bindMesh(buffers.scene().instances()[model.instance].mesh, VertexInput::Indices::InOrder);
     for (const DrawRange& range : list.ranges)
         if (range.instance == model.instance)
-            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.indexCount), GL_UNSIGNED_INT,
+            glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.indexCount), input.indexType(),
                            input.indexAddress(range.firstIndex));
     // What is at a pixel lies elsewhere than a camera would see it there.
     glClear(GL_DEPTH_BUFFER_BIT);

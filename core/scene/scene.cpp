@@ -26,6 +26,14 @@ Sphere absoluteSphere(const TriangleMesh& mesh) {
     return sphere;
 }
 
+/// A box and a sphere, both grown alike.
+void grow(Box3& box, Sphere& sphere, double by) {
+    sphere.radius += by;
+    if (box.empty()) return;
+    box.min -= by;
+    box.max += by;
+}
+
 Sphere around(const std::vector<Sphere>& spheres, const Box3& bounds) {
     if (bounds.empty()) return {};
     if (spheres.size() == 1) return spheres.front();
@@ -46,18 +54,29 @@ Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Inst
         meshSpheres.push_back(absoluteSphere(*mesh));
     }
     m_firstTriangle.push_back(0);
+    std::vector<Sphere> exactSpheres;
     for (const Instance& instance : m_instances) {
         assert(instance.mesh < m_meshes.size());
         m_firstTriangle.push_back(m_firstTriangle.back() + m_meshes[instance.mesh]->triangleCount());
         m_instanceBoxes.push_back(transformed(meshBoxes[instance.mesh], instance.worldFromMesh));
         m_instanceSpheres.push_back(transformed(meshSpheres[instance.mesh], instance.worldFromMesh));
         m_bounds.add(m_instanceBoxes.back());
+        exactSpheres.push_back(m_instanceSpheres.back());
+        grow(m_instanceBoxes.back(), m_instanceSpheres.back(), pictureRounding(instance));
     }
-    m_sphere = around(m_instanceSpheres, m_bounds);
+    m_sphere = around(exactSpheres, m_bounds);
     if (sameSurface == nullptr) return;
     assert(triangleCount() == sameSurface->triangleCount());
     m_bounds = sameSurface->m_bounds;
     m_sphere = sameSurface->m_sphere;
+}
+
+double Scene::pictureRounding(const Instance& instance) const {
+    const Sphere& sphere = m_meshes[instance.mesh]->localSphere();
+    const Mat3 linear(instance.worldFromMesh);
+    double stretch = 0.0;
+    for (int column = 0; column < 3; ++column) stretch = std::max(stretch, glm::length(linear[column]));
+    return 0x1p-19 * std::max(0.0, glm::length(linear * sphere.centre) - 0.5 * stretch * sphere.radius);
 }
 
 size_t Scene::instanceOf(uint64_t triangle) const {

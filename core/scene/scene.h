@@ -35,7 +35,13 @@ public:
     /// The instance that owns a triangle number.
     [[nodiscard]] size_t instanceOf(uint64_t triangle) const;
 
-    /// World bounds of one instance and of everything; hold every vertex.
+    /// How far the floats of a picture may misplace an instance's vertices beyond what conservativeSlack (geometry/frustum.h)
+    /// holds, which goes by the distance from the eye: a mesh that lies away from the zero of its float coordinates is rounded by
+    /// its distance from there. Scene units; 0 for a mesh around its zero.
+    [[nodiscard]] double pictureRounding(const Instance& instance) const;
+
+    /// World bounds of one instance, which hold every vertex, also where a picture's floats put it (pictureRounding), and of
+    /// everything.
     [[nodiscard]] const Box3& instanceBox(size_t instance) const { return m_instanceBoxes[instance]; }
     [[nodiscard]] const Sphere& instanceSphere(size_t instance) const { return m_instanceSpheres[instance]; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; }

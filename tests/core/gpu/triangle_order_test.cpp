@@ -77,11 +77,11 @@ TEST(TriangleOrder, itsBuffersStayAfterItIsGone) {
     const ScenePointer scene = twoObjects();
     const SceneBuffers buffers(scene, Upload::Vbo);
     TriangleOrderPointer order = backward(*scene);
-    const unsigned first = buffers.order(order, 0).indices;
+    const unsigned first = buffers.ordered(order, 0).buffer;
     ASSERT_TRUE(glIsBuffer(first));
-    EXPECT_EQ(buffers.order(order, 0).indices, first);
+    EXPECT_EQ(buffers.ordered(order, 0).buffer, first);
     order = backward(*scene);
-    const unsigned next = buffers.order(order, 0).indices;
+    const unsigned next = buffers.ordered(order, 0).buffer;
     EXPECT_TRUE(glIsBuffer(next));
     // The name may be given out again; no more than one order's buffers are left.
     EXPECT_TRUE(next == first || !glIsBuffer(first));

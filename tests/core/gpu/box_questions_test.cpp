@@ -1,0 +1,100 @@
+#include "core/base/error.h"
+#include "core/geometry/random.h"
+#include "tests/core/gpu/gl_environment.h"
+
+// OpenGL asked about boxes; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1,
+// near 0.1, far 10 unless said.
+
+namespace cullscope::test {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+View standardView(const Viewport& size = {100, 100}) {
+    return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, size};
+}
+
+EyeBox box(const Vec3& min, const Vec3& max) { return {0.5 * (min + max), 0.5 * (max - min)}; }
+
+/// In view; left, right, above, below; before near; behind the eye; beyond far; cut by a side; and a flat one seen edge-on.
+const std::vector<EyeBox> kAround{
+    box({-1, -1, -6}, {1, 1, -4}), box({-9, -1, -6}, {-7, 1, -4}),  box({7, -1, -6}, {9, 1, -4}),
+    box({-1, 7, -6}, {1, 9, -4}),  box({-1, -9, -6}, {1, -7, -4}),  box({-.01, -.01, -.06}, {.01, .01, -.05}),
+    box({-1, -1, 4}, {1, 1, 6}),   box({-1, -1, -16}, {1, 1, -14}), box({4, -1, -6}, {9, 1, -4})};
+
+TEST(BoxSelection, boxInViewIsNotHitOrOneBesideItIs) {
+    const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), kAround, 1000);
+    EXPECT_THAT(selected.hits, ElementsAre(0, 8));
+    EXPECT_EQ(selected.overflows, 0);
+    EXPECT_EQ(selected.bufferWords, 1000u);
+}
+
+TEST(BoxQueries, boxInViewCoversNoSampleOrOneBesideItDoes) {
+    // Clamped depth: what lies before near or beyond far covers samples; what is behind the eye does not.
+    EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), kAround), ElementsAre(0, 5, 7, 8));
+}
+
+TEST(BoxSelection, case25HitBufferOverflowsUnseen) {
+    std::vector<EyeBox> boxes;
+    Random random(400);
+    for (int i = 0; i < 400; ++i) {
+        const Vec3 centre(random.between(-3, 3), random.between(-3, 3), random.between(-9, -5));
+        boxes.push_back({centre, Vec3(0.05)});
+    }
+    for (const size_t words : {size_t{1600}, size_t{1596}, size_t{1}}) {
+        const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), boxes, words);
+        EXPECT_EQ(selected.hits.size(), 400u) << words;
+        EXPECT_EQ(selected.overflows, words == 1600 ? 0 : words == 1596 ? 1 : 11) << words;
+        EXPECT_EQ(selected.bufferWords, words << selected.overflows);
+        for (uint32_t i = 0; i < selected.hits.size(); ++i) EXPECT_EQ(selected.hits[i], i);
+    }
+}
+
+TEST(BoxSelection, boxAroundTheFrustumIsHit) {
+    // Why a box that reaches the near rectangle must not be asked about (stability case 26).
+    const std::vector<EyeBox> around{{Vec3(0.0), Vec3(50.0)}};
+    EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), around, 100).hits, IsEmpty());
+}
+
+TEST(BoxQuestions, noBoxesAreAskedAbout) {
+    EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), {}, 0).hits, IsEmpty());
+    EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), {}), IsEmpty());
+}
+
+TEST(BoxQuestions, pictureOfOnePixelOrOneRowHitsNothing) {
+    for (const Viewport size : {Viewport{1, 1}, Viewport{16384, 1}, Viewport{1, 4096}}) {
+        const View view = standardView(size);
+        const Vec3 middle = view.direction(0.5, 0.5) * 5.0;
+        const std::vector<EyeBox> boxes{{middle, Vec3(6.0)}};
+        EXPECT_THAT(GlEnvironment::renderer().selectBoxes(view, boxes, 100).hits, ElementsAre(0)) << size.width;
+        EXPECT_THAT(GlEnvironment::renderer().queryBoxes(view, boxes), ElementsAre(0)) << size.width;
+    }
+}
+
+TEST(BoxQuestions, stateThatTheyChangeStays) {
+    (void)GlEnvironment::renderer().selectBoxes(standardView(), kAround, 4);
+    (void)GlEnvironment::renderer().queryBoxes(standardView(), kAround);
+    GLint value = -1;
+    for (const GLenum binding : {GL_VERTEX_ARRAY_BINDING, GL_CURRENT_PROGRAM, GL_ARRAY_BUFFER_BINDING,
+                                 GL_ELEMENT_ARRAY_BUFFER_BINDING, GL_DRAW_FRAMEBUFFER_BINDING, GL_READ_FRAMEBUFFER_BINDING}) {
+        glGetIntegerv(binding, &value);
+        EXPECT_EQ(value, 0) << std::hex << binding;
+    }
+    glGetIntegerv(GL_CLIP_DEPTH_MODE, &value);
+    EXPECT_EQ(value, GL_NEGATIVE_ONE_TO_ONE);
+    glGetIntegerv(GL_RENDER_MODE, &value);
+    EXPECT_EQ(value, GL_RENDER);
+    glGetIntegerv(GL_MATRIX_MODE, &value);
+    EXPECT_EQ(value, GL_MODELVIEW);
+    for (const GLenum depth : {GL_PROJECTION_STACK_DEPTH, GL_MODELVIEW_STACK_DEPTH}) {
+        glGetIntegerv(depth, &value);
+        EXPECT_EQ(value, 1);
+    }
+    for (const GLenum capability : {GL_DEPTH_TEST, GL_CULL_FACE, GL_DEPTH_CLAMP, GL_VERTEX_ARRAY})
+        EXPECT_FALSE(glIsEnabled(capability)) << std::hex << capability;
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+}  // namespace
+}  // namespace cullscope::test
