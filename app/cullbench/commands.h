@@ -52,6 +52,9 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 [[nodiscard]] std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
                                                               const std::vector<std::string>& parameters);
 
+/// Throws Error(OpenGl) with one sentence where an OpenGL cannot do what a strategy asks of it.
+void requireAvailable(const StrategyRequest& request, const GlInfo& gl);
+
 /// Refuses a place that cannot be written before the work, not after it; empty paths and "-" pass. Throws Error(Usage).
 void checkOutputPlaces(const std::vector<std::string>& paths);
 

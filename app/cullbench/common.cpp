@@ -10,6 +10,7 @@
 #include "app/cullbench/commands.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/measure/strategy_text.h"
 #include "core/scene/hidden.h"
 
 namespace cullscope::cullbench {
@@ -26,29 +27,6 @@ void drawBar(double share, std::string_view stage) {
 bool parse(std::string_view text, double& number) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
     return error == std::errc() && end == text.data() + text.size() && std::isfinite(number);
-}
-
-/// Splits "key=value"; throws where there is no '='.
-std::pair<std::string, std::string> keyAndValue(const std::string& text) {
-    const size_t equals = text.find('=');
-    if (equals == std::string::npos || equals == 0) throwUsage(CULLSCOPE_TR("\"%1\" is not of the form key=value."), {text});
-    return {text.substr(0, equals), text.substr(equals + 1)};
-}
-
-StrategyRequest strategyFromText(const std::string& text) {
-    size_t colon = text.find(':');
-    StrategyRequest request;
-    request.id = text.substr(0, colon);
-    request.parameters = ParameterSet(findStrategy(request.id).info.parameters);
-    if (request.parameters.declarations().empty() && colon != std::string::npos)
-        throwUsage(CULLSCOPE_TR("The strategy \"%1\" has no parameters."), {request.id});
-    while (colon != std::string::npos) {
-        const size_t next = text.find(':', colon + 1);
-        const auto [key, value] = keyAndValue(text.substr(colon + 1, next == std::string::npos ? next : next - colon - 1));
-        request.parameters.setFromText(key, value);
-        colon = next;
-    }
-    return request;
 }
 
 bool declares(const StrategyRequest& request, const std::string& key) {
@@ -142,6 +120,10 @@ std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& 
     for (const std::string& text : texts) requests.push_back(strategyFromText(text));
     for (const std::string& parameter : parameters) apply(parameter, requests);
     return requests;
+}
+
+void requireAvailable(const StrategyRequest& request, const GlInfo& gl) {
+    if (const std::optional<Message> why = unavailable(findStrategy(request.id).info, gl)) throw Error(ErrorKind::OpenGl, *why);
 }
 
 void checkOutputPlaces(const std::vector<std::string>& paths) {

@@ -29,6 +29,18 @@ const char* typeName(ParameterType type) {
     return "choice";
 }
 
+const char* asksId(Asks asks) {
+    switch (asks) {
+        case Asks::Nothing:
+            return "nothing";
+        case Asks::OpenGl:
+            return "opengl";
+        case Asks::CompatibilityProfile:
+            break;
+    }
+    return "compatibility-profile";
+}
+
 Json parameterJson(const ParameterDeclaration& parameter) {
     Json json{{"key", parameter.key}, {"type", typeName(parameter.type)}};
     std::visit([&](const auto& value) { json["default"] = value; }, parameter.defaultValue);
@@ -53,6 +65,7 @@ Json strategiesJson() {
                         {"name", strategy.info.name},
                         {"description", strategy.info.description},
                         {"source", strategy.info.source},
+                        {"asks", asksId(strategy.info.asks)},
                         {"parameters", parameters}});
     }
     return list;
@@ -81,6 +94,8 @@ void printStrategies() {
     fmt::print("Strategies (-s ID, -p key=value)\n");
     for (const RegisteredStrategy& strategy : strategies()) {
         fmt::print("  {:<12} {}\n", strategy.info.id, strategy.info.description);
+        if (strategy.info.asks == Asks::OpenGl) fmt::print("    needs OpenGL to decide\n");
+        if (strategy.info.asks == Asks::CompatibilityProfile) fmt::print("    needs OpenGL's compatibility profile to decide\n");
         for (const ParameterDeclaration& parameter : strategy.info.parameters) {
             std::string range;
             for (const auto& choice : parameter.choices) range += (range.empty() ? "" : " | ") + choice.id;

@@ -139,6 +139,8 @@ void run(const Options& options, Context& context) {
     checkOutputs(options);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
+    for (const StrategyRequest& strategy : strategiesFromText(options.strategies, options.parameters))
+        requireAvailable(strategy, gl.info());
     const MeasureResult result = measure(requestOf(options, opened), terminalProgress(context));
     clearProgress();
     report(options, result);

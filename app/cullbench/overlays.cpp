@@ -121,6 +121,12 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
         "--map-colouring", options.mapColouring,
         "of the index map: entries (triangles by cell, the default), radius, state, or of spherical-lossless level (of the "
         "judged cells) or kernel (its radius)");
+    command
+        .add_option(
+            "--box-colouring", options.boxColouring,
+            "of --overlay boxes: verdict (the default), or plane (of the frustum, that rejected them; with --overlay frustum "
+            "its planes have the same colours)")
+        ->check(CLI::IsMember({boxColouringId(BoxColouring::Verdict), boxColouringId(BoxColouring::Plane)}));
     command.add_option("--view-eye", options.eye, "eye of an observer, x,y,z (default: the culling camera's)");
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
@@ -149,6 +155,9 @@ OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strat
     choice.look.culledToo = !options.drawnOnly;
     if (options.drawnOnly && choice.look.colouring != Colouring::Verdicts)
         throwUsage(CULLSCOPE_TR("--drawn-only says what --overlay verdicts shows: give both."));
+    if (!options.boxColouring.empty() && !choice.look.boxes)
+        throwUsage(CULLSCOPE_TR("--box-colouring says what --overlay boxes shows: give both."));
+    if (options.boxColouring == boxColouringId(BoxColouring::Plane)) choice.look.boxColouring = BoxColouring::Plane;
     if (options.mapColouring.empty()) return choice;
     if (choice.map)
         choice.map = mapColouringFromId(options.mapColouring);

@@ -14,6 +14,7 @@ struct OverlayOptions {
     std::vector<std::string> names;
     std::string below;         ///< what stands below the picture; empty: nothing
     std::string mapColouring;  ///< empty: by entries
+    std::string boxColouring;  ///< empty: by verdict
     std::string eye, target, up;
     std::string cullingSize;
     double fovy = 0.0;                             ///< degrees; 0: the culling camera's

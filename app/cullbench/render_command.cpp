@@ -109,11 +109,11 @@ std::string describedMap(const InsideMap& map, const Scene& scene) {
 }
 
 /// Draws the picture with its overlays.
-Drawn drawPicture(Strategy& strategy, const std::string& id, const ScenePointer& scene, const View& culling, const View& viewing,
-                  const OverlayChoice& choice, const DrawStyle& style) {
+Drawn drawPicture(Renderer& renderer, Strategy& strategy, const std::string& id, const ScenePointer& scene, const View& culling,
+                  const View& viewing, const OverlayChoice& choice, const DrawStyle& style) {
     Trace trace;
     Drawn drawn;
-    drawn.verdict = strategy.cull(culling, choice.needsTrace() ? &trace : nullptr);
+    drawn.verdict = strategy.cull(culling, choice.needsTrace() ? &trace : nullptr, &renderer);
     const Inside inside = choice.needsTrace() ? strategy.inside(trace) : Inside{};
     requireOverlays(choice, id, inside, *scene);
     if (!inside.maps.empty()) drawn.sphere = describedMap(*shownMap(inside), *scene);
@@ -121,7 +121,6 @@ Drawn drawPicture(Strategy& strategy, const std::string& id, const ScenePointer&
         drawn.rgba = mapPicture(*shownMap(inside), *choice.map, viewing.viewport(), style);
         return drawn;
     }
-    Renderer renderer;
     const SceneBuffers buffers(scene, Upload::Vbo);
     Framebuffer target(viewing.viewport());
     const bool verdicts = choice.look.colouring == Colouring::Verdicts;
@@ -136,8 +135,7 @@ Drawn drawPicture(Strategy& strategy, const std::string& id, const ScenePointer&
 }
 
 /// Depth and triangles of what the strategy drew, whatever lies over it.
-void addDepth(Picture& picture, const ScenePointer& scene, const View& viewing, const DrawList& drawn) {
-    Renderer renderer;
+void addDepth(Renderer& renderer, Picture& picture, const ScenePointer& scene, const View& viewing, const DrawList& drawn) {
     Renderer::ItemBuffer items = renderer.drawItemBuffer(SceneBuffers(scene, Upload::Vbo), viewing, drawn);
     picture.depth = forwardDistances(items.depth, viewing);
     picture.triangle = std::move(items.triangle);
@@ -157,15 +155,17 @@ void run(const Options& options, const Context& context) {
     const View view(camera, cullingSize(options.overlays, size));
     const View viewingView(viewing, size);
     const HeadlessContext gl;
+    requireAvailable(request, gl.info());
     const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
     strategy->build(*opened.scene, terminalProgress(context));
     clearProgress();
     terminalProgress(context).check();
-    Drawn drawn = drawPicture(*strategy, request.id, opened.scene, view, viewingView, choice, style);
+    Renderer renderer;
+    Drawn drawn = drawPicture(renderer, *strategy, request.id, opened.scene, view, viewingView, choice, style);
     if (below) {
         const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
         // Rows count from the bottom: what stands below comes first.
-        Drawn second = drawPicture(*strategy, request.id, opened.scene, view, side, below->overlays, style);
+        Drawn second = drawPicture(renderer, *strategy, request.id, opened.scene, view, side, below->overlays, style);
         drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
         if (drawn.sphere.empty()) drawn.sphere = std::move(second.sphere);
     }
@@ -175,7 +175,7 @@ void run(const Options& options, const Context& context) {
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
     Picture picture{whole, rgba, std::move(metadata)};
     if (keepsDepth(options.output) && !choice.replacesScene() && !below)
-        addDepth(picture, opened.scene, viewingView, verdict.drawList);
+        addDepth(renderer, picture, opened.scene, viewingView, verdict.drawList);
     writePicture(options.output, picture);
     // Where the picture went to standard output, the words go beside it.
     std::FILE* words = options.output == "-" ? stderr : stdout;

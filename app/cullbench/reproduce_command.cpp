@@ -5,6 +5,7 @@
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
 #include "core/gpu/context.h"
+#include "core/measure/line_plot.h"
 #include "core/measure/paper_tables.h"
 
 namespace cullscope::cullbench {
@@ -13,7 +14,7 @@ namespace {
 constexpr const char* kAll = "all";
 
 struct Options {
-    std::string experiment, json;
+    std::string experiment, json, svg;
     int repeat = 0;
 };
 
@@ -49,11 +50,51 @@ int statusOf(const std::vector<PaperTable>& tables) {
     return tables.back().interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
 }
 
+/// Refuses a plot where none of the experiments has one.
+void checkPlots(const std::vector<const PaperExperiment*>& experiments) {
+    const auto has = [](const PaperExperiment& experiment) { return !experiment.plots.empty(); };
+    if (std::any_of(experiments.begin(), experiments.end(), [&](const PaperExperiment* each) { return has(*each); })) return;
+    std::string known;
+    for (const PaperExperiment& experiment : paperExperiments())
+        if (has(experiment)) known += (known.empty() ? "" : ", ") + experiment.id;
+    throwUsage(CULLSCOPE_TR("--svg: %1 has a table and no plot. With a plot: %2."), {experiments.front()->id, known});
+}
+
+void checkOutputs(const Options& options, const std::vector<const PaperExperiment*>& experiments) {
+    if (!options.svg.empty()) checkPlots(experiments);
+    if (options.json == "-" && options.svg == "-")
+        throwUsage(CULLSCOPE_TR("--json and --svg cannot both go to standard output: name a file for one of them."));
+    checkOutputPlaces({options.json, options.svg});
+}
+
+std::vector<LinePlot> plotsOf(const std::vector<PaperTable>& tables) {
+    std::vector<LinePlot> plots;
+    for (const PaperTable& table : tables) plots.insert(plots.end(), table.plots.begin(), table.plots.end());
+    return plots;
+}
+
+/// A file that cannot be written any more must not take the other one along.
+void write(const Options& options, const std::vector<PaperTable>& tables) {
+    std::optional<Error> failure;
+    const auto writeTo = [&](const std::string& path, const auto& textOf) {
+        if (path.empty()) return;
+        try {
+            writeText(path, textOf());
+        } catch (const Error& error) {
+            failure = error;
+        }
+    };
+    writeTo(options.json, [&] { return paperTablesJson(tables); });
+    if (const std::vector<LinePlot> plots = plotsOf(tables); !plots.empty())
+        writeTo(options.svg, [&] { return linePlotsSvg(plots); });
+    if (failure) throw *failure;
+}
+
 void run(const Options& options, Context& context) {
     const std::vector<const PaperExperiment*> experiments = chosen(options.experiment);
-    checkOutputPlaces({options.json});
+    checkOutputs(options, experiments);
     // Where standard output carries data, the tables go beside it.
-    FILE* out = options.json == "-" ? stderr : stdout;
+    FILE* out = options.json == "-" || options.svg == "-" ? stderr : stdout;
     std::vector<PaperTable> tables;
     std::optional<Error> failure;
     try {
@@ -61,7 +102,7 @@ void run(const Options& options, Context& context) {
     } catch (const Error& error) {
         failure = error;
     }
-    if (!options.json.empty() && !tables.empty()) writeText(options.json, paperTablesJson(tables));
+    if (!tables.empty()) write(options, tables);
     if (failure) throw *failure;
     context.exitStatus = statusOf(tables);
 }
@@ -75,6 +116,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));
     command->add_option("--json", options->json, "result file; - is standard output");
+    command->add_option("--svg", options->svg, "the plots of experiments that have one; - is standard output");
     command->callback([options, &context] { run(*options, context); });
 }
 

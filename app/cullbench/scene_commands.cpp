@@ -2,10 +2,12 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
+#include "core/geometry/frustum_planes.h"
 #include "core/mesh/save.h"
 #include "core/scene/camera_path.h"
 
@@ -55,6 +57,22 @@ CellFigures cellFigures(Strategy& strategy, const Scene& scene) {
     return figures;
 }
 
+/// How far the overview camera's planes, taken from its matrix, lie from those that culling uses.
+struct PlaneFigures {
+    PlaneDifference byRows, byCorners;
+};
+
+/// None for a strategy that tests no planes.
+std::optional<PlaneFigures> planeFigures(std::string_view id, const Scene& scene) {
+    if (!id.starts_with("frustum")) return std::nullopt;
+    const View view(overviewCamera(scene, 1.0), {640, 480});
+    const FrustumPlanes& used = view.frustum().planes;
+    const auto rows = planesFromRows(view.clipFromEyeRelative(), ClipDepth::ReversedZeroToOne);
+    const auto corners = planesFromCorners(view.clipFromEyeRelative(), ClipDepth::ReversedZeroToOne);
+    if (!rows || !corners) return std::nullopt;
+    return PlaneFigures{largestDifference(*rows, used), largestDifference(*corners, used)};
+}
+
 void runInspect(const InspectOptions& options, const Context& context) {
     const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
     const OpenedScene opened = openSceneForCommand(options.scene, context);
@@ -63,7 +81,10 @@ void runInspect(const InspectOptions& options, const Context& context) {
     clearProgress();
     const StructureReport& structure = strategy->structure();
     const Scene& scene = *opened.scene;
-    const CellFigures cells = cellFigures(*strategy, scene);
+    // What asks OpenGL has no cells, and there is no context here to cull with.
+    const bool asks = findStrategy(request.id).info.asks != Asks::Nothing;
+    const CellFigures cells = asks ? CellFigures{} : cellFigures(*strategy, scene);
+    const std::optional<PlaneFigures> planes = asks ? std::nullopt : planeFigures(request.id, scene);
     const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
     if (!options.json.empty()) {
         nlohmann::ordered_json json{{"scene",
@@ -78,6 +99,9 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                     {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
         if (!cells.layout.empty()) json["layout"] = cells.layout;
+        if (planes)
+            for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
+                json["planes"][way] = {{"degrees", difference.angle.degrees()}, {"offset", difference.offset}};
         for (const auto& [state, meshes] : cells.meshesByKernel)
             json["kernels"].push_back({{"state", state}, {"meshes", meshes}});
         writeText(options.json, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
@@ -88,6 +112,10 @@ void runInspect(const InspectOptions& options, const Context& context) {
     fmt::print("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
                structure.buildMilliseconds, structure.bytes);
     for (const StructureReport::Figure& figure : structure.figures) fmt::print("  {} {}\n", figure.name, figure.value);
+    if (planes)
+        for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
+            fmt::print("  planes from the matrix's {} differ by at most {:.2g} degrees, {:.2g} in offset\n", way,
+                       difference.angle.degrees(), difference.offset);
     if (!cells.layout.empty()) fmt::print("  layout {}\n", cells.layout);
     for (const auto& [state, meshes] : cells.meshesByKernel)
         fmt::print("  inner kernel of {}: {}\n", meshes == 1 ? "1 mesh" : fmt::format("{} meshes", meshes), state);

@@ -35,6 +35,7 @@ public:
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
         const double step = kBuilding / double(std::max<size_t>(request.strategies.size(), 1));
         for (const StrategyRequest& strategy : request.strategies) {
+            if (leftOut(strategy.id)) continue;
             const double from = step * double(m_contestants.size());
             add(strategy, true, m_progress.part(from, from + step));
         }
@@ -61,6 +62,7 @@ private:
         Contestant contestant;
         contestant.request = request;
         contestant.askedFor = askedFor;
+        requireAvailable(findStrategy(request.id).info, m_gl);
         contestant.strategy = makeStrategy(request.id, request.parameters);
         contestant.strategy->build(*m_request.scene, progress);
         contestant.run.strategy = request;
@@ -69,6 +71,14 @@ private:
         contestant.run.referenceFacing = contestant.strategy->referenceFacing();
         contestant.run.structure = contestant.strategy->structure();
         m_contestants.push_back(std::move(contestant));
+    }
+
+    /// Whether this OpenGL cannot do a strategy that may be left out; notes why.
+    bool leftOut(const std::string& id) {
+        const std::optional<Message> why = unavailable(findStrategy(id).info, m_gl);
+        if (!why || !m_request.leaveOutUnavailable) return false;
+        m_leftOut.push_back(*why);
+        return true;
     }
 
     /// The first contestant of an id; their number where there is none.
@@ -83,7 +93,7 @@ private:
         const auto start = Clock::now();
         double cull = 0.0;
         for (const auto& target : m_targets) {
-            const Verdict verdict = contestant.strategy->cull(view);
+            const Verdict verdict = contestant.strategy->cull(view, nullptr, &m_renderer);
             cull += verdict.cullMilliseconds;
             m_renderer.draw(m_buffers, view, verdict.drawList, *target);
         }
@@ -139,7 +149,7 @@ private:
             frame.repetitions = static_cast<int>(contestant.frameTimes.size());
             if (m_progress.stopRequested()) return false;
             if (contestant.strategy->promiseAt(view) == Promise::Approximate) contestant.run.promise = Promise::Approximate;
-            const Verdict verdict = contestant.strategy->cull(view);
+            const Verdict verdict = contestant.strategy->cull(view, nullptr, &m_renderer);
             frame.stages = verdict.stages;
             frame.consideredTriangles = verdict.consideredTriangles;
             frame.culledTriangles = verdict.culledTriangles;
@@ -174,6 +184,7 @@ private:
         MeasureResult result;
         result.request = m_request;
         result.gl = m_gl;
+        result.leftOut = m_leftOut;
         result.interrupted = m_contestants.front().run.frames.size() < m_request.path.poses.size();
         for (const Contestant& contestant : m_contestants) {
             if (!contestant.askedFor) continue;
@@ -226,6 +237,7 @@ private:
     SceneBuffers m_buffers;
     std::vector<std::unique_ptr<Framebuffer>> m_targets;
     std::vector<Contestant> m_contestants;
+    std::vector<Message> m_leftOut;
 };
 
 }  // namespace

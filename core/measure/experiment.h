@@ -39,6 +39,7 @@ struct MeasureRequest {
     Upload upload = Upload::Vbo;
     TimingProtocol timing;
     bool accuracy = true;
+    bool leaveOutUnavailable = false;  ///< strategies that this OpenGL cannot do are left out, else they fail
 };
 
 /// One strategy at one pose.
@@ -87,7 +88,8 @@ struct MeasureResult {
     MeasureRequest request;
     GlInfo gl;
     std::vector<RunMeasurement> runs;
-    bool interrupted = false;  ///< stopped early: the poses measured so far are here
+    std::vector<Message> leftOut;  ///< why strategies that were asked for are not among the runs
+    bool interrupted = false;      ///< stopped early: the poses measured so far are here
 };
 
 /// Gets what makes a result of the poses measured so far. That costs a copy and the bootstrap: to be called only where the result

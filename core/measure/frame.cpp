@@ -8,7 +8,7 @@ FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strateg
                         Framebuffer& target, const DrawStyle& style) {
     const auto start = std::chrono::steady_clock::now();
     FrameResult result;
-    result.verdict = strategy.cull(view);
+    result.verdict = strategy.cull(view, nullptr, &renderer);
     renderer.draw(buffers, view, result.verdict.drawList, target, style);
     waitForGpu();
     result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 
+#include "core/measure/paper_rows.h"
 #include "core/scene/frustum_share.h"
 #include "core/spatial/spherical_maps.h"
 
@@ -11,7 +12,7 @@ namespace cullscope {
 namespace {
 
 using Origin = PaperColumn::Origin;
-using Cells = std::map<std::string, PaperValue>;
+using Cells = PaperCells;
 
 constexpr const char* kSource = "Han & Hong 2008";
 constexpr const char* kBunny = "mesh:bunny,triangles=144046";
@@ -140,18 +141,6 @@ PaperValue casesFound(const RunMeasurement& run) {
     return words.empty() ? PaperValue() : PaperValue(words);
 }
 
-void addLosses(Cells& cells, const RunMeasurement& run) {
-    double missed = 0.0, hole = 0.0;
-    for (const FrameMeasurement& frame : run.frames) {
-        if (!frame.accuracy) return;
-        missed += double(frame.accuracy->missedPixels);
-        hole = std::max(hole, double(frame.accuracy->largestHolePixels));
-    }
-    cells["missed_pixels"] = missed;
-    cells["largest_hole_px"] = hole;
-    if (run.summary.missedPixelRate) cells["missed_pixel_rate"] = *run.summary.missedPixelRate;
-}
-
 /// Faces that are truly in the frustum, back faces too: the mean over the poses measured.
 double facesInFrustum(const MeasureResult& result) {
     const MeasureRequest& request = result.request;
@@ -165,23 +154,12 @@ void addRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult
     if (result.runs.empty() || result.runs.front().frames.empty()) return;
     const double inFrustum = facesInFrustum(result);
     for (const RunMeasurement& run : result.runs) {
-        Cells cells = setting.labels;
-        if (const auto stated = setting.paper.find(run.strategy.id); stated != setting.paper.end())
-            cells.insert(stated->second.begin(), stated->second.end());
-        const Summary& summary = run.summary;
+        Cells cells = rowCells(setting, run);
         double considered = 0.0;
         for (const FrameMeasurement& frame : run.frames) considered += double(frame.consideredTriangles);
-        cells["strategy"] = run.strategy.id;
-        cells["poses"] = double(run.frames.size());
         cells["considered_triangles"] = considered / double(run.frames.size());
         cells["triangles_in_frustum"] = inFrustum;
         cells["cases"] = casesFound(run);
-        cells["fps_max"] = summary.fpsMax;
-        cells["fps_min"] = summary.fpsMin;
-        cells["fps_mean"] = summary.fpsMean;
-        cells["speedup_vs_all"] = RatioEstimate{summary.speedupVsAll, summary.speedupVsAllCi95};
-        cells["speedup_vs_backface"] = RatioEstimate{summary.speedupVsBackface, summary.speedupVsBackfaceCi95};
-        addLosses(cells, run);
         table.addRow(cells);
     }
 }
@@ -200,7 +178,7 @@ std::vector<PaperColumn> timedColumns(std::vector<PaperColumn> setting, const st
                                             {"speedup_vs_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
                                             {"speedup_vs_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
                                             {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
-                                            {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, true},
+                                            {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
                                             {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
     setting.insert(setting.end(), measured.begin(), measured.end());
     return setting;

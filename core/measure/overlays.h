@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/gpu/renderer.h"
+#include "core/measure/plane_colours.h"
 #include "core/measure/triangle_states.h"
 #include "core/visibility/inside.h"
 
@@ -16,6 +17,7 @@ struct OverlayContext {
     const DrawStyle& style;
     std::array<PaletteEntry, kTriangleStateCount> palette;  ///< by TriangleState
     Vec3f contrast;                                         ///< to the style's background
+    std::array<Vec3f, kFrustumPlaneCount> planes{};         ///< by FrustumPlane
 };
 
 /// Lines of one width that are drawn together; widths are in units (DrawStyle::unit).
@@ -35,6 +37,21 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
 
 /// A frustum, its far plane cut to the scene, and its eye as a mark.
 [[nodiscard]] std::vector<OverlayLines> frustumOverlay(const OverlayContext& context, const View& culling);
+
+/// A frustum's corners as they are shown: the far plane cut to the scene.
+[[nodiscard]] Frustum shownFrustum(const View& culling, const Scene& scene);
+
+/// The planes of a frustum as borders within its faces, each in its colour.
+[[nodiscard]] OverlayLines planeOverlay(const OverlayContext& context, const View& culling);
+
+/// The twelve edges of a box.
+void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour);
+
+/// Whether a group was tested: one within a group that was decided as a whole was not.
+[[nodiscard]] bool wasTested(const InsideNode& group, const Inside& inside);
+
+/// The boxes of objects and tested groups: those that a plane rejected in its colour, stronger; the others by verdict.
+[[nodiscard]] std::vector<OverlayLines> boxOverlayByPlane(const OverlayContext& context, const Inside& inside);
 
 /// The boxes of the objects, coloured by verdict.
 [[nodiscard]] OverlayLines boxOverlay(const OverlayContext& context, const Inside& inside);

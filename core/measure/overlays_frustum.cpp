@@ -25,9 +25,7 @@ double cutDistance(const Frustum& frustum, const Vec3& eye, const Box3& bounds) 
 }
 
 std::vector<LineSegment> frustumLines(const View& culling, const Scene& scene, const Vec3f& colour) {
-    Frustum frustum = culling.frustum();
-    frustum.farDistance = cutDistance(frustum, culling.eye(), scene.bounds());
-    const std::array<Vec3, 8> corners = frustum.corners();
+    const std::array<Vec3, 8> corners = shownFrustum(culling, scene).corners();
     std::vector<LineSegment> lines;
     const auto add = [&](size_t a, size_t b) {
         lines.push_back({culling.eye() + corners[a], culling.eye() + corners[b], colour});
@@ -41,6 +39,12 @@ std::vector<LineSegment> frustumLines(const View& culling, const Scene& scene, c
 }
 
 }  // namespace
+
+Frustum shownFrustum(const View& culling, const Scene& scene) {
+    Frustum frustum = culling.frustum();
+    frustum.farDistance = cutDistance(frustum, culling.eye(), scene.bounds());
+    return frustum;
+}
 
 std::vector<OverlayLines> frustumOverlay(const OverlayContext& context, const View& culling) {
     OverlayLines eye{{}, {kEyeWidth, false}, true};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "core/measure/result_file.h"
 
@@ -12,15 +13,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kMillion = 1e6;
-
 const char* originId(PaperColumn::Origin origin) {
     if (origin == PaperColumn::Origin::Setting) return "setting";
     return origin == PaperColumn::Origin::Paper ? "paper" : "measured";
 }
 
 std::string numberText(const PaperColumn& column, double number) {
-    return fmt::format("{:.{}f}", column.perMillion ? number * kMillion : number, column.decimals);
+    return fmt::format("{:.{}f}", number * column.scale, column.decimals);
 }
 
 Json rowJson(const PaperTable& table, const std::vector<PaperValue>& row) {
@@ -38,6 +37,26 @@ Json rowJson(const PaperTable& table, const std::vector<PaperValue>& row) {
     return json;
 }
 
+Json axisJson(const PlotAxis& axis) {
+    return {{"title", axis.title}, {"scale", axis.scale == PlotScale::Linear ? "linear" : "logarithmic"}};
+}
+
+Json plotJson(const LinePlot& plot) {
+    Json json{{"title", plot.title},
+              {"x", axisJson(plot.x)},
+              {"y", axisJson(plot.y)},
+              {"lines", Json::array()},
+              {"references", Json::array()}};
+    for (const PlotLine& line : plot.lines) {
+        Json points = Json::array();
+        for (const PlotPoint& point : line.points) points.push_back({{"x", point.x}, {"y", point.y}});
+        json["lines"].push_back({{"name", line.name}, {"points", std::move(points)}});
+    }
+    for (const PlotReference& reference : plot.references)
+        json["references"].push_back({{"name", reference.name}, {"y", reference.y}});
+    return json;
+}
+
 Json tableJson(const PaperTable& table) {
     Json json{{"experiment", table.experiment},
               {"title", table.title},
@@ -47,11 +66,13 @@ Json tableJson(const PaperTable& table) {
               {"broken_promises", table.brokenPromises},
               {"notes", Json::array()},
               {"columns", Json::array()},
-              {"rows", Json::array()}};
+              {"rows", Json::array()},
+              {"plots", Json::array()}};
     for (const Message& note : table.notes) json["notes"].push_back(note.english());
     for (const PaperColumn& column : table.columns)
         json["columns"].push_back({{"key", column.key}, {"title", column.title}, {"from", originId(column.origin)}});
     for (const std::vector<PaperValue>& row : table.rows) json["rows"].push_back(rowJson(table, row));
+    for (const LinePlot& plot : table.plots) json["plots"].push_back(plotJson(plot));
     return json;
 }
 
@@ -67,6 +88,26 @@ std::string csvText(const PaperValue& value) {
     const auto* words = std::get_if<std::string>(&value);
     if (!words) return "";
     return words->find_first_of(",\"\n") == std::string::npos ? *words : '"' + *words + '"';
+}
+
+/// A row an x, a column a line.
+std::string plotCsv(const LinePlot& plot) {
+    std::string csv = csvText(plot.x.title);
+    std::set<double> places;
+    for (const PlotLine& line : plot.lines) {
+        csv += "," + csvText(line.name + ": " + plot.y.title);
+        for (const PlotPoint& point : line.points) places.insert(point.x);
+    }
+    csv += '\n';
+    for (const double x : places) {
+        csv += fmt::format("{}", x);
+        for (const PlotLine& line : plot.lines) {
+            const auto at = std::find_if(line.points.begin(), line.points.end(), [x](const PlotPoint& p) { return p.x == x; });
+            csv += at == line.points.end() ? std::string(",") : fmt::format(",{}", at->y);
+        }
+        csv += '\n';
+    }
+    return csv;
 }
 
 /// How many letters wide UTF-8 text is, all of one width.
@@ -132,6 +173,7 @@ std::string paperTableCsv(const PaperTable& table) {
         }
         csv += '\n';
     }
+    for (const LinePlot& plot : table.plots) csv += "\n" + plotCsv(plot);
     return csv;
 }
 

@@ -8,6 +8,7 @@
 #include "core/base/message.h"
 #include "core/gpu/context.h"
 #include "core/measure/experiment.h"
+#include "core/measure/line_plot.h"
 
 namespace cullscope {
 
@@ -20,8 +21,8 @@ struct PaperColumn {
     std::string key;    ///< field in JSON and CSV
     std::string title;  ///< English, marked for translation
     Origin origin = Origin::Measured;
-    int decimals = 0;         ///< of numbers on screen
-    bool perMillion = false;  ///< a share, shown as parts per million
+    int decimals = 0;    ///< of numbers on screen
+    double scale = 1.0;  ///< of numbers on screen: 100 for a share in per cent
 };
 
 /// A paper's table beside the same measured here, as plain data.
@@ -32,6 +33,7 @@ struct PaperTable {
     std::vector<Message> notes;
     std::vector<PaperColumn> columns;
     std::vector<std::vector<PaperValue>> rows;  ///< a value a column
+    std::vector<LinePlot> plots;                ///< what the paper has as figures
     std::string scene, sceneSha256;             ///< the newest scene measured; empty: none yet
     uint64_t triangles = 0;
     GlInfo gl;                                ///< of the timing; empty where nothing was timed
@@ -45,7 +47,8 @@ struct PaperTable {
 /// A cell as text: decimals and units as the column has them, no thousands separators; empty for nothing. Words stay as they are.
 [[nodiscard]] std::string paperText(const PaperColumn& column, const PaperValue& value);
 
-/// Tables as JSON, as CSV (a header line a table; intervals in columns of their own) and as text with aligned columns.
+/// Tables as JSON, as CSV (a header line; intervals in columns of their own; each plot after an empty line, a column a line) and
+/// as text with aligned columns, without plots.
 [[nodiscard]] std::string paperTablesJson(const std::vector<PaperTable>& tables);
 [[nodiscard]] std::string paperTableCsv(const PaperTable& table);
 [[nodiscard]] std::string paperTableText(const PaperTable& table);

@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/measure/cho_views.h"
 #include "core/measure/han_hong_tables.h"
+#include "core/measure/strategy_text.h"
 
 namespace cullscope {
 namespace {
@@ -32,6 +34,14 @@ void noteScene(PaperTable& table, const Scene& scene) {
     table.triangles = scene.triangleCount();
 }
 
+/// Why a strategy has no row, once a table.
+void noteLeftOut(PaperTable& table, const MeasureResult& result) {
+    for (const Message& why : result.leftOut) {
+        const auto same = [&](const Message& note) { return note.english() == why.english(); };
+        if (std::none_of(table.notes.begin(), table.notes.end(), same)) table.notes.push_back(why);
+    }
+}
+
 void runSetting(PaperTable& table, const PaperExperiment& experiment, const PaperSetting& setting, SceneKeeper& scenes,
                 int repetitions, const Progress& progress) {
     constexpr double kOpened = 0.05;
@@ -50,7 +60,11 @@ bool PaperExperiment::timed() const {
 }
 
 const std::vector<PaperExperiment>& paperExperiments() {
-    static const std::vector<PaperExperiment> kExperiments = hanHongTables();
+    static const std::vector<PaperExperiment> kExperiments = [] {
+        std::vector<PaperExperiment> experiments = hanHongTables();
+        experiments.push_back(choViews());
+        return experiments;
+    }();
     return kExperiments;
 }
 
@@ -70,14 +84,15 @@ PaperTable emptyTable(const PaperExperiment& experiment) {
     table.source = experiment.source;
     table.notes = experiment.notes;
     table.columns = experiment.columns;
+    table.plots = experiment.plots;
     return table;
 }
 
 MeasureRequest measureRequest(const PaperSetting& setting, const ScenePointer& scene, int repetitions) {
     MeasureRequest request;
     request.scene = scene;
-    for (const std::string& id : setting.strategies)
-        request.strategies.push_back({id, ParameterSet(findStrategy(id).info.parameters)});
+    for (const std::string& strategy : setting.strategies) request.strategies.push_back(strategyFromText(strategy));
+    request.leaveOutUnavailable = true;
     request.path = cameraPath(setting.path, *scene);
     request.size = setting.size;
     request.windows = setting.windows;
@@ -91,10 +106,12 @@ void addMeasured(PaperTable& table, const PaperExperiment& experiment, const Pap
     table.gl = result.gl;
     table.interrupted = table.interrupted || result.interrupted;
     experiment.addMeasured(table, setting, result);
+    if (experiment.plotMeasured != nullptr) experiment.plotMeasured(table, setting, result);
+    noteLeftOut(table, result);
     for (const RunMeasurement& run : result.runs) {
         std::vector<std::string>& broken = table.brokenPromises;
-        if (run.promiseBroken() && std::find(broken.begin(), broken.end(), run.strategy.id) == broken.end())
-            broken.push_back(run.strategy.id);
+        const std::string strategy = strategyText(run.strategy);
+        if (run.promiseBroken() && std::find(broken.begin(), broken.end(), strategy) == broken.end()) broken.push_back(strategy);
     }
 }
 

@@ -13,15 +13,15 @@ namespace cullscope {
 
 /// One thing that an experiment does: strategies timed over a path, or (without strategies) structures built for a scene.
 struct PaperSetting {
-    std::string scene;  ///< a specification
-    std::vector<std::string> strategies;
-    std::string shown;  ///< the strategy that an audience sees meanwhile
-    std::string path;   ///< built-in name
+    std::string scene;                    ///< a specification
+    std::vector<std::string> strategies;  ///< as `strategyFromText` reads them; what this OpenGL cannot do is left out
+    std::string shown;                    ///< the strategy that an audience sees meanwhile
+    std::string path;                     ///< built-in name
     Viewport size;
     int windows = 1;
     Upload upload = Upload::Vbo;
     std::map<std::string, PaperValue> labels;                        ///< by column
-    std::map<std::string, std::map<std::string, PaperValue>> paper;  ///< what the paper states, by strategy and column
+    std::map<std::string, std::map<std::string, PaperValue>> paper;  ///< what the paper states, by `strategyText` and column
 
     [[nodiscard]] bool timed() const { return !strategies.empty(); }
 };
@@ -33,9 +33,13 @@ struct PaperExperiment {
     std::string source;
     std::vector<Message> notes;  ///< where the paper is wrong or silent, and what is done here
     std::vector<PaperColumn> columns;
+    std::vector<LinePlot> plots;  ///< axes and the paper's levels; without lines
     std::vector<PaperSetting> settings;
     /// Adds the rows of a setting that was timed; those of the whole poses measured so far where it was stopped.
     void (*addMeasured)(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) = nullptr;
+    /// Puts the lines of a setting into the plots, of the whole poses measured so far, in place of those that were there; null
+    /// where there are no plots.
+    void (*plotMeasured)(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) = nullptr;
     /// Builds the structures of a setting that is not timed and adds its rows. Throws Error(Interrupted) on stop.
     void (*addBuilt)(PaperTable& table, const Scene& scene, const Progress& progress) = nullptr;
 

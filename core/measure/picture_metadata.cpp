@@ -50,6 +50,8 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (!(subject.cullingSize == subject.size)) add("culling_size", sizeText(subject.cullingSize));
     add("overlay", subject.map ? "index-map" : overlays(subject.look));
     if (subject.map) add("map_colouring", mapColouringId(*subject.map));
+    if (!subject.map && !subject.look.sphericalModel && subject.look.byPlane())
+        add("box_colouring", boxColouringId(subject.look.boxColouring));
     if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
     if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));

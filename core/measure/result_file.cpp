@@ -10,8 +10,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* facingId(Facing facing) { return facing == Facing::Front ? "front" : "two-sided"; }
-
 Json parametersJson(const ParameterSet& parameters) {
     Json json = Json::object();
     for (const ParameterDeclaration& declaration : parameters.declarations())
@@ -144,6 +142,8 @@ std::string resultCsv(const MeasureResult& result) {
         for (const FrameMeasurement& frame : run.frames) appendRow(csv, sceneHead(run), frameJson(frame), false);
     return csv;
 }
+
+const char* facingId(Facing facing) { return facing == Facing::Front ? CULLSCOPE_TR("front") : CULLSCOPE_TR("two-sided"); }
 
 ToolVersion toolVersion() { return {"cullscope", CULLSCOPE_VERSION, buildCommit()}; }
 

@@ -11,6 +11,9 @@ namespace cullscope {
 [[nodiscard]] std::string resultJson(const MeasureResult& result);
 [[nodiscard]] std::string resultCsv(const MeasureResult& result);
 
+/// "front" and "two-sided", as in files; English marked for translation.
+[[nodiscard]] const char* facingId(Facing facing);
+
 /// Program, version and commit it was built from.
 struct ToolVersion {
     std::string name, version, commit;

@@ -1,5 +1,8 @@
 #include "core/measure/view_picture.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/gpu/colour.h"
 #include "core/measure/overlays.h"
 #include "core/measure/spherical_model.h"
@@ -44,7 +47,21 @@ void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& ov
     renderer.drawLines(viewing, overlay.lines, line, target);
 }
 
+/// What the strategy tests. Strategies with maps test spheres, though their objects have boxes.
+std::vector<OverlayLines> boxesOf(const OverlayContext& context, const Inside& inside, BoxColouring colouring) {
+    std::vector<OverlayLines> overlays;
+    if (inside.maps.empty() && colouring == BoxColouring::Plane) return boxOverlayByPlane(context, inside);
+    overlays.push_back(groupOverlay(context, inside));
+    if (inside.maps.empty())
+        overlays.push_back(boxOverlay(context, inside));
+    else
+        std::ranges::move(sphereOverlay(context, inside), std::back_inserter(overlays));
+    return overlays;
+}
+
 }  // namespace
+
+const char* boxColouringId(BoxColouring colouring) { return colouring == BoxColouring::Plane ? "plane" : "verdict"; }
 
 VerdictPalette verdictPalette(const Vec3f& background) {
     const bool light = isLight(background);
@@ -76,22 +93,24 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     } else {
         renderer.draw(buffers, viewing, verdict.drawList, target, style);
     }
-    const OverlayContext context{buffers.scene(), viewing, style, palette, contrastTo(style.background)};
+    const OverlayContext context{
+        buffers.scene(), viewing, style, palette, contrastTo(style.background), planePalette(style.background)};
     const auto drawAll = [&](const std::vector<OverlayLines>& overlays) {
         for (const OverlayLines& overlay : overlays) drawOverlay(renderer, viewing, overlay, style, target);
     };
+    // Planes have colours where boxes have them; a strategy that tests no boxes has none.
+    bool byPlane = false;
     if (look.boxes || look.bands || look.kernel) {
         const Inside inside = strategy.inside(trace);
-        // Strategies with maps test spheres, though their objects have boxes.
-        if (look.boxes) {
-            drawAll({groupOverlay(context, inside)});
-            drawAll(inside.maps.empty() ? std::vector{boxOverlay(context, inside)} : sphereOverlay(context, inside));
-        }
+        if (look.boxes) drawAll(boxesOf(context, inside, look.boxColouring));
+        byPlane = look.byPlane() && !inside.nodes.empty();
         if (look.bands) drawAll(bandOverlay(context, inside));
         if (look.kernel) drawAll(kernelOverlay(context, inside));
     }
     // Seen from its own eye a frustum is the picture's border.
-    if (look.frustum && !(culling.camera() == viewing.camera())) drawAll(frustumOverlay(context, culling));
+    if (!look.frustum || culling.camera() == viewing.camera()) return;
+    if (byPlane) drawAll({planeOverlay(context, culling)});
+    drawAll(frustumOverlay(context, culling));
 }
 
 }  // namespace cullscope

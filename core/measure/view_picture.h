@@ -7,6 +7,14 @@ namespace cullscope {
 
 enum class Colouring { Shaded, Verdicts };
 
+/// What the colours of boxes tell.
+enum class BoxColouring {
+    Verdict,
+    Plane  ///< of the frustum, that rejected them; the frustum's planes have the same colours. Kept ones as with Verdict
+};
+/// "verdict", "plane": as in files and on the command line.
+[[nodiscard]] const char* boxColouringId(BoxColouring colouring);
+
 /// What a view shows besides what was drawn.
 struct ViewLook {
     Colouring colouring = Colouring::Shaded;
@@ -17,7 +25,10 @@ struct ViewLook {
     bool kernel = false;    ///< the inner kernels of the objects that are not outside the frustum, with the horizon
     /// In place of the scene and everything over it: what was drawn of one object, in spherical coordinates (spherical_model.h).
     bool sphericalModel = false;
+    BoxColouring boxColouring = BoxColouring::Verdict;  ///< with `boxes`
 
+    /// Whether boxes have the planes' colours, and with them the frustum; where the strategy tests any.
+    [[nodiscard]] bool byPlane() const { return boxes && boxColouring == BoxColouring::Plane; }
     bool operator==(const ViewLook&) const = default;
 };
 

@@ -4,8 +4,8 @@
 
 namespace cullscope {
 
-ParameterDeclaration facingParameter() {
-    return choiceParameter("facing", "auto",
+ParameterDeclaration facingParameter(std::string defaultId) {
+    return choiceParameter("facing", std::move(defaultId),
                            CULLSCOPE_TR("Which faces are drawn: both sides, or only those whose front is turned to the eye."),
                            {{"auto", CULLSCOPE_TR("front where every mesh is closed, else two-sided")},
                             {"two-sided", CULLSCOPE_TR("both sides")},

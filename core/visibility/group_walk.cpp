@@ -1,5 +1,8 @@
 #include "core/visibility/group_walk.h"
 
+#include <algorithm>
+
+#include "core/geometry/separation.h"
 #include "core/visibility/eye_bounds.h"
 
 namespace cullscope {
@@ -8,24 +11,36 @@ namespace {
 constexpr uint32_t kPlanes = 6;
 constexpr uint32_t kAllPlanes = (1u << kPlanes) - 1;
 
-/// What the planes of a mask say of something.
+/// What the planes of a mask, and the axes, say of something.
 struct MaskedTest {
     uint32_t planes = 0;  ///< of the mask, those that may cut it
     bool outside = false;
-    FrustumPlane plane = FrustumPlane::Left;  ///< where outside
-    double distance = 0.0;                    ///< the same
+    bool byPlane = false;                     ///< where outside; else an axis parts it from the frustum
+    FrustumPlane plane = FrustumPlane::Left;  ///< where outside by it
+    double distance = 0.0;                    ///< where outside a plane
     uint32_t tested = 0;
 };
 
-/// `inner` and `outer` give the signed distances of the points farthest inside and farthest outside a plane. NaN decides nothing.
+/// `inner` and `outer` give the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
+/// before the others, where it is a plane of the mask, and is set to the plane outside which it lies. NaN decides nothing.
 template <typename Inner, typename Outer>
-MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double slack, const Inner& inner, const Outer& outer) {
+MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double slack, uint8_t& first, const Inner& inner,
+                      const Outer& outer) {
     MaskedTest test{mask};
+    const auto isOutside = [&](uint32_t p) {
+        test.distance = inner(frustum.planes[p]);
+        ++test.tested;
+        return test.distance < -slack;
+    };
+    const auto outside = [&](uint32_t p) {
+        first = uint8_t(p);
+        return MaskedTest{mask, true, true, static_cast<FrustumPlane>(p), test.distance, test.tested};
+    };
+    const uint32_t asked = first;
+    if (asked < kPlanes && (mask >> asked & 1) != 0 && isOutside(asked)) return outside(asked);
     for (uint32_t p = 0; p < kPlanes; ++p) {
         if ((mask >> p & 1) == 0) continue;
-        const double distance = inner(frustum.planes[p]);
-        ++test.tested;
-        if (distance < -slack) return {mask, true, static_cast<FrustumPlane>(p), distance, test.tested};
+        if (p != asked && isOutside(p)) return outside(p);
         if (outer(frustum.planes[p]) > slack) test.planes &= ~(1u << p);
     }
     return test;
@@ -33,8 +48,14 @@ MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double slack, const
 
 class GroupWalk {
 public:
-    GroupWalk(const InstanceOctree& octree, const Scene& scene, const View& view, Trace* trace)
-        : m_octree(octree), m_scene(scene), m_frustum(view.frustum()), m_eye(view.eye()), m_trace(trace) {}
+    GroupWalk(const InstanceOctree& octree, const Scene& scene, const View& view, Trace* trace, const GroupWalkOptions& options)
+        : m_octree(octree),
+          m_scene(scene),
+          m_frustum(view.frustum()),
+          m_eye(view.eye()),
+          m_trace(trace),
+          m_memory(trace == nullptr ? options.memory : nullptr),
+          m_refine(options.refine) {}
 
     /// At most InstanceOctree::kMaxDepth calls deep.
     void visit(uint32_t number, uint32_t mask) {
@@ -42,10 +63,13 @@ public:
         ++figures.nodesVisited;
         const EyeBox box = relativeToEye(node.box, m_eye);
         const double slack = slackFromEye(node.box.centre(), box.centre, glm::length(box.half), m_eye);
-        const MaskedTest test = testPlanes(
-            m_frustum, mask, slack, [&](const Plane& plane) { return pVertexDistance(plane, box); },
+        uint8_t unknown = LastFailedPlanes::kNone;
+        MaskedTest test = testPlanes(
+            m_frustum, mask, slack, m_memory != nullptr ? m_memory->ofGroup(number) : unknown,
+            [&](const Plane& plane) { return pVertexDistance(plane, box); },
             [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.half); });
         figures.planesTested += test.tested;
+        if (partable(test)) test.outside = separated(m_frustum, box, slack);
         if (m_trace != nullptr) record(number, test, slack);
         if (test.outside)
             drop(node, test, slack);
@@ -61,17 +85,28 @@ public:
     GroupWalkFigures figures;
 
 private:
+    /// Whether axes are to be tested after the planes.
+    bool partable(const MaskedTest& test) {
+        if (!m_refine || test.outside || !mayBeSeparated(test.planes)) return false;
+        ++figures.axesTested;
+        return true;
+    }
+
     void testObject(uint32_t instance, uint32_t mask) {
         ++figures.objectsTested;
         const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
-        const MaskedTest test = testPlanes(
-            m_frustum, mask, bounds.slack, [&](const Plane& plane) { return farthestInside(plane, bounds); },
+        uint8_t unknown = LastFailedPlanes::kNone;
+        MaskedTest test = testPlanes(
+            m_frustum, mask, bounds.slack, m_memory != nullptr ? m_memory->ofObject(instance) : unknown,
+            [&](const Plane& plane) { return farthestInside(plane, bounds); },
             [&](const Plane& plane) { return farthestOutside(plane, bounds); });
         figures.planesTested += test.tested;
+        if (partable(test))
+            test.outside = separated(m_frustum, bounds.box, bounds.slack) || separated(m_frustum, bounds.sphere, bounds.slack);
         if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
         ++figures.objectsCulled;
         figures.trianglesCulled += m_scene.meshOf(instance).triangleCount();
-        if (m_trace != nullptr) reject(instance, test.plane, test.distance, bounds.slack);
+        if (m_trace != nullptr) reject(instance, test, bounds.slack);
     }
 
     void drop(const InstanceOctree::Node& node, const MaskedTest& test, double slack) {
@@ -80,21 +115,28 @@ private:
         if (m_trace == nullptr) return;
         for (const uint32_t instance : m_octree.instancesOf(node)) {
             const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
+            MaskedTest own = test;
             // The object lies in the group's box and is outside with it, whatever the last digits of its own distance or slack.
-            reject(instance, test.plane, std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance),
-                   std::min(bounds.slack, slack));
+            if (test.byPlane)
+                own.distance = std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance);
+            reject(instance, own, std::min(bounds.slack, slack));
         }
     }
 
-    void reject(uint32_t instance, FrustumPlane plane, double distance, double bound) {
-        m_trace->events.push_back(
-            {TraceEvent::Kind::TestedPlane, instance, plane, Containment::Outside, distance, Cause::OutsideFrustum, bound});
+    void reject(uint32_t instance, const MaskedTest& test, double bound) {
+        TraceEvent event{test.byPlane ? TraceEvent::Kind::TestedPlane : TraceEvent::Kind::TestedAxes, instance, test.plane};
+        event.containment = Containment::Outside;
+        event.distance = test.byPlane ? test.distance : 0.0;
+        event.bound = bound;
+        m_trace->events.push_back(event);
         m_trace->events.push_back({TraceEvent::Kind::Culled, instance});
     }
 
     void record(uint32_t number, const MaskedTest& test, double slack) {
-        if (test.outside)
+        if (test.outside && test.byPlane)
             m_trace->groups.push_back({number, Containment::Outside, test.plane, test.distance, slack, true});
+        else if (test.outside)
+            m_trace->groups.push_back({number, Containment::Outside, {}, 0.0, slack, true});
         else if (test.planes == 0)
             m_trace->groups.push_back({number, Containment::Inside, {}, 0.0, 0.0, true});
         else
@@ -106,6 +148,8 @@ private:
     const Frustum& m_frustum;
     Vec3 m_eye;
     Trace* m_trace;
+    LastFailedPlanes* m_memory;
+    bool m_refine;
 };
 
 InsideNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, const InsideNode* parent) {
@@ -129,17 +173,29 @@ InsideNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, 
 }  // namespace
 
 std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view, GroupWalkFigures* figures,
-                                    Trace* trace) {
-    GroupWalk walk(octree, scene, view, trace);
+                                    Trace* trace, const GroupWalkOptions& options) {
+    GroupWalk walk(octree, scene, view, trace, options);
     if (!octree.nodes().empty()) walk.visit(0, kAllPlanes);
     if (figures != nullptr) {
         figures->nodesVisited += walk.figures.nodesVisited;
         figures->objectsTested += walk.figures.objectsTested;
         figures->planesTested += walk.figures.planesTested;
+        figures->axesTested += walk.figures.axesTested;
         figures->objectsCulled += walk.figures.objectsCulled;
         figures->trianglesCulled += walk.figures.trianglesCulled;
     }
     return std::move(walk.kept);
+}
+
+void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const Vec3& eye) {
+    std::vector<std::pair<double, KeptObject>> byDistance;
+    byDistance.reserve(kept.size());
+    for (const KeptObject& object : kept) {
+        const Sphere& sphere = scene.instanceSphere(object.instance);
+        byDistance.emplace_back(glm::length(sphere.centre - eye) - sphere.radius, object);
+    }
+    std::ranges::stable_sort(byDistance, {}, &std::pair<double, KeptObject>::first);
+    std::ranges::transform(byDistance, kept.begin(), &std::pair<double, KeptObject>::second);
 }
 
 void addGroups(Inside& inside, const InstanceOctree& octree, const Scene& scene, const Trace& trace) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/visibility/eye_bounds.h"
+
 namespace cullscope {
 namespace {
 
@@ -36,8 +38,7 @@ EyeFromMap eyeFromMap(const Scene& scene, uint32_t instance, const Sphere& spher
     result.centre = centre - eye;
     const double reach = sphere.radius * result.stretch;
     // The subtraction's rounding counts in world coordinates, the picture's in distances from the eye.
-    result.slack =
-        conservativeSlack(glm::length(result.centre) + reach) + (glm::length(centre) + glm::length(eye) + reach) * 0x1p-49;
+    result.slack = slackFromEye(centre, result.centre, reach, eye) + scene.pictureRounding(scene.instances()[instance]);
     return result;
 }
 

@@ -102,6 +102,10 @@ ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std
     return declaration;
 }
 
+ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::string description) {
+    return {std::move(key), ParameterType::Boolean, defaultValue, 0.0, 0.0, "", std::move(description), {}};
+}
+
 ParameterSet::ParameterSet(const std::vector<ParameterDeclaration>& declarations) : m_declarations(declarations) {
     for (const ParameterDeclaration& each : m_declarations) m_values[each.key] = each.defaultValue;
 }

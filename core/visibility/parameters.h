@@ -30,6 +30,7 @@ struct ParameterDeclaration {
 
 [[nodiscard]] ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
                                                    std::vector<ParameterDeclaration::Choice> choices);
+[[nodiscard]] ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::string description);
 
 /// Values for declared parameters; complete and in range at any time.
 class ParameterSet {

@@ -2,7 +2,9 @@
 
 #include "core/base/error.h"
 #include "core/visibility/baselines.h"
+#include "core/visibility/frustum_asking.h"
 #include "core/visibility/frustum_culling.h"
+#include "core/visibility/frustum_octree.h"
 #include "core/visibility/spherical_culling.h"
 #include "core/visibility/spherical_lossless.h"
 
@@ -13,6 +15,9 @@ const std::vector<RegisteredStrategy>& strategies() {
         {allInfo(), makeAll},
         {backfaceInfo(), makeBackface},
         {frustumInfo(), makeFrustum},
+        {frustumOctreeInfo(), makeFrustumOctree},
+        {frustumSelectInfo(), makeFrustumSelect},
+        {frustumQueryInfo(), makeFrustumQuery},
         {sphericalInfo(), makeSpherical},
         {sphericalHorizonInfo(), makeSphericalHorizon},
         {sphericalLosslessInfo(), makeSphericalLossless},

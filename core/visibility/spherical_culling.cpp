@@ -295,12 +295,6 @@ private:
     bool m_starShaped = true;
 };
 
-ParameterDeclaration facingOfThePaper() {
-    ParameterDeclaration facing = facingParameter();
-    facing.defaultValue = std::string("two-sided");
-    return facing;
-}
-
 }  // namespace
 
 StrategyInfo sphericalInfo() {
@@ -309,7 +303,7 @@ StrategyInfo sphericalInfo() {
                       CULLSCOPE_TR("Looks up on a map of directions what four corner rays enclose; seen whole, compares contour "
                                    "bands by S. As published, with its losses."),
                       "Han & Hong 2008",
-                      {facingOfThePaper(), rowsParameter()}};
+                      {facingParameter("two-sided"), rowsParameter()}};
     std::ranges::move(bandParameters(5.0, 36), std::back_inserter(info.parameters));
     info.parameters.push_back(
         choiceParameter("joined", "chart", CULLSCOPE_TR("How the four hits are joined to the visible region."),

@@ -72,7 +72,7 @@ protected:
 
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
         std::vector<KeptObject> kept = keep(view, verdict, trace);
-        sortNearestFirst(kept, view.eye());
+        sortNearestFirst(kept, scene(), view.eye());
         std::vector<Decided> decided(kept.size());
         {
             const StageTimer stage(verdict, CULLSCOPE_TR("cells"));
@@ -151,18 +151,6 @@ private:
         verdict.nodesVisited += figures.nodesVisited + figures.objectsTested;
         verdict.bytesTouched += figures.nodesVisited * sizeof(InstanceOctree::Node) + figures.objectsTested * sizeof(Box3);
         return kept;
-    }
-
-    /// What is drawn first hides what comes after from the costly part of OpenGL's work.
-    void sortNearestFirst(std::vector<KeptObject>& kept, const Vec3& eye) const {
-        std::vector<std::pair<double, KeptObject>> byDistance;
-        byDistance.reserve(kept.size());
-        for (const KeptObject& object : kept) {
-            const Sphere& sphere = scene().instanceSphere(object.instance);
-            byDistance.emplace_back(glm::length(sphere.centre - eye) - sphere.radius, object);
-        }
-        std::ranges::stable_sort(byDistance, {}, &std::pair<double, KeptObject>::first);
-        std::ranges::transform(byDistance, kept.begin(), &std::pair<double, KeptObject>::second);
     }
 
     [[nodiscard]] Decided decideAbout(const KeptObject& object, const View& view, bool traced) const {
@@ -294,10 +282,6 @@ private:
     Facing m_facing = Facing::TwoSided;
 };
 
-ParameterDeclaration switchedOn(std::string key, std::string description) {
-    return {std::move(key), ParameterType::Boolean, true, 0.0, 0.0, "", std::move(description), {}};
-}
-
 }  // namespace
 
 StrategyInfo sphericalLosslessInfo() {
@@ -321,10 +305,12 @@ StrategyInfo sphericalLosslessInfo() {
               "How often the map is quartered: 2^level cells a side; 0: down to some four dozen triangles a cell. An object of "
               "fewer than a thousand is one cell."),
           {}},
-         switchedOn("cones", CULLSCOPE_TR("Whether cells whose triangles all face away are left out (where only front sides "
-                                          "are drawn).")),
-         switchedOn("horizon", CULLSCOPE_TR("Whether cells behind the solid's inner kernel are left out (where the mesh is "
-                                            "closed)."))}};
+         booleanParameter("cones", true,
+                          CULLSCOPE_TR("Whether cells whose triangles all face away are left out (where only front sides "
+                                       "are drawn).")),
+         booleanParameter("horizon", true,
+                          CULLSCOPE_TR("Whether cells behind the solid's inner kernel are left out (where the mesh is "
+                                       "closed)."))}};
 }
 
 StrategyPointer makeSphericalLossless(ParameterSet parameters) {

@@ -2,6 +2,8 @@
 
 #include <cassert>
 
+#include "core/base/error.h"
+
 namespace cullscope {
 namespace {
 
@@ -33,12 +35,32 @@ void Strategy::build(const Scene& scene, const Progress& progress) {
     m_structure.buildMilliseconds = millisecondsSince(start);
 }
 
-Verdict Strategy::cull(const View& view, Trace* trace) {
+std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl) {
+    if (info.asks != Asks::CompatibilityProfile || gl.compatibilityProfile) return std::nullopt;
+    return Message{
+        CULLSCOPE_TR("\"%1\" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL "
+                     "(%2) gives no compatibility profile: \"frustum-query\" asks the same without it."),
+        {info.id, gl.renderer}};
+}
+
+void requireAvailable(const StrategyInfo& info, const GlInfo& gl) {
+    if (const std::optional<Message> why = unavailable(info, gl)) throwOpenGl(why->text, why->arguments);
+}
+
+Renderer& Strategy::renderer() const {
+    if (m_renderer == nullptr)
+        throwOpenGl(CULLSCOPE_TR("This strategy asks OpenGL what is visible, and there is no OpenGL context here."));
+    return *m_renderer;
+}
+
+Verdict Strategy::cull(const View& view, Trace* trace, Renderer* renderer) {
     assert(m_scene != nullptr);
     Verdict verdict;
+    m_renderer = renderer;
     const Clock::time_point start = Clock::now();
     verdict.drawList.facing = facing();
     decide(view, verdict, trace);
+    m_renderer = nullptr;
     verdict.consideredTriangles = verdict.drawList.triangleCount();
     verdict.cullMilliseconds = millisecondsSince(start);
     return verdict;

@@ -3,10 +3,14 @@
 #include <array>
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/gpu/context.h"
+#include "core/gpu/renderer.h"
 #include "core/scene/camera.h"
 #include "core/scene/draw_list.h"
 #include "core/scene/scene.h"
@@ -24,6 +28,13 @@ enum class Promise {
 /// "exact", "conservative", "approximate": as in files.
 [[nodiscard]] const char* promiseId(Promise promise);
 
+/// What a strategy asks in order to decide.
+enum class Asks {
+    Nothing,              ///< the processor decides
+    OpenGl,               ///< `cull` needs a renderer, and its context current
+    CompatibilityProfile  ///< the same with features that only a compatibility profile has
+};
+
 /// What is known of a strategy before it is made.
 struct StrategyInfo {
     std::string id;           ///< on the command line and in files
@@ -31,7 +42,13 @@ struct StrategyInfo {
     std::string description;  ///< one English sentence, marked for translation
     std::string source;       ///< paper or textbook
     std::vector<ParameterDeclaration> parameters;
+    Asks asks = Asks::Nothing;
 };
+
+/// Why a strategy cannot be used with an OpenGL; nothing where it can.
+[[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl);
+/// Throws Error(OpenGl) saying it.
+void requireAvailable(const StrategyInfo& info, const GlInfo& gl);
 
 struct Stage {
     std::string name;  ///< English, marked for translation
@@ -87,7 +104,7 @@ struct StructureReport {
 };
 
 /// Decides what to draw. One object serves one scene at a time; `cull` may be called from one thread at a time.
-/// A strategy never draws and knows no window and no OpenGL renderer.
+/// A strategy never draws and knows no window; one that asks OpenGL (StrategyInfo::asks) asks through a renderer.
 class Strategy {
 public:
     explicit Strategy(ParameterSet parameters) : m_parameters(std::move(parameters)) {}
@@ -99,8 +116,9 @@ public:
 
     /// Prepares what culling this scene needs and times it. The scene must outlive the next build or the strategy.
     void build(const Scene& scene, const Progress& progress = {});
-    /// Needs a build before. `trace`, where given, gets every decision (slower).
-    [[nodiscard]] Verdict cull(const View& view, Trace* trace = nullptr);
+    /// Needs a build before. `trace`, where given, gets every decision (slower). `renderer` is what a strategy asks that asks
+    /// OpenGL; the others need none. Throws Error(OpenGl) where it asks for what is not there.
+    [[nodiscard]] Verdict cull(const View& view, Trace* trace = nullptr, Renderer* renderer = nullptr);
 
     /// What it promises for the built scene with its parameters.
     [[nodiscard]] virtual Promise promise() const = 0;
@@ -119,10 +137,13 @@ protected:
     /// Fills the draw list's ranges and the counters; facing, considered triangles and the total time are filled in by `cull`.
     virtual void decide(const View& view, Verdict& verdict, Trace* trace) = 0;
     [[nodiscard]] const Scene& scene() const { return *m_scene; }
+    /// What the `cull` under way may ask. Throws Error(OpenGl) where it was given none.
+    [[nodiscard]] Renderer& renderer() const;
 
 private:
     ParameterSet m_parameters;
     const Scene* m_scene = nullptr;
+    Renderer* m_renderer = nullptr;  ///< while `cull` runs
     StructureReport m_structure;
 };
 

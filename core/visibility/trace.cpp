@@ -10,4 +10,11 @@ std::vector<std::optional<FrustumPlane>> rejectingPlanes(const Trace& trace, siz
     return planes;
 }
 
+void addPlaneTest(Trace& trace, uint32_t instance, FrustumPlane plane, double inner, double outer, double bound) {
+    const Containment containment = inner < -bound  ? Containment::Outside
+                                    : outer > bound ? Containment::Inside
+                                                    : Containment::Straddles;
+    trace.events.push_back({TraceEvent::Kind::TestedPlane, instance, plane, containment, inner, Cause::OutsideFrustum, bound});
+}
+
 }  // namespace cullscope

@@ -35,6 +35,30 @@ Message planeSentence(const TraceEvent& test) {
 WhyStep step(const TraceEvent& event) {
     if (event.kind == TraceEvent::Kind::TestedPlane)
         return {planeSentence(event), event.plane, event.distance, event.bound, event.containment};
+    if (event.kind == TraceEvent::Kind::TestedAxes)
+        return {{CULLSCOPE_TR(
+                     "No single plane has the bounds outside, but an axis parts them from the frustum: they lie beside one of "
+                     "its edges or corners."),
+                 {}},
+                {},
+                {},
+                event.bound,
+                Containment::Outside};
+    if (event.kind == TraceEvent::Kind::MeetsNear)
+        return {{CULLSCOPE_TR("The box reaches the near rectangle of the view: it is visible without asking."), {}},
+                {},
+                {},
+                {},
+                Containment::Straddles};
+    if (event.kind == TraceEvent::Kind::AskedOpenGl)
+        return {{event.containment == Containment::Outside
+                     ? CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: nothing of it was hit.")
+                     : CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: it was hit."),
+                 {number(event.bound)}},
+                {},
+                {},
+                event.bound,
+                event.containment};
     if (event.kind == TraceEvent::Kind::Culled)
         return {{CULLSCOPE_TR("The strategy leaves the object out: %1."), {causeName(event.cause)}},
                 {},
@@ -108,7 +132,11 @@ std::optional<WhyStep> groupStep(const Inside& inside, uint32_t instance) {
     Message sentence{CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the "
                                   "frustum, so that its objects were tested one by one."),
                      {count}};
-    if (group->culled && group->rejectedBy)
+    if (group->culled && !group->rejectedBy)
+        sentence = {
+            CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum."),
+            {count}};
+    else if (group->culled)
         sentence = {CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: outside the %2."),
                     {count, planeName(*group->rejectedBy)}};
     else if (group->containment == Containment::Inside)

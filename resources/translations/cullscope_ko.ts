@@ -140,6 +140,11 @@
         <comment>heading of the legend's counts</comment>
         <translation>%1 × %2 픽셀에서의 삼각형 수:</translation>
     </message>
+    <message>
+        <source>box rejected by the %1</source>
+        <comment>name of a plane</comment>
+        <translation>상자를 제외한 면: %1</translation>
+    </message>
 </context>
 <context>
     <name>SphericalModel</name>
@@ -277,6 +282,10 @@
     <message>
         <source>Inner kernel and horizon</source>
         <translation>내부 커널과 지평선</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them</source>
+        <translation>제외한 평면별 상자</translation>
     </message>
 </context>
 <context>
@@ -1869,6 +1878,190 @@
         <source>The strategy draws the object in part; %1 of its triangles are left out: %2.</source>
         <translation>전략이 물체의 일부를 그립니다. 삼각형 %1개는 제외합니다: %2.</translation>
     </message>
+    <message>
+        <source>OpenGL's selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
+        <translation>OpenGL의 선택 모드는 코어 프로필에서 없어졌고 이 OpenGL에는 호환 프로필이 없습니다. 차폐 질의로 물어보십시오.</translation>
+    </message>
+    <message>
+        <source>The paper does not give its 40 viewpoints: here a walk on which the frustum leaves out about as much, 79 % on average.</source>
+        <translation>논문에는 40개 시점이 나와 있지 않습니다. 여기서는 절두체가 제외하는 몫이 논문과 거의 같은(평균 79 %) 경로를 걷습니다.</translation>
+    </message>
+    <message>
+        <source>Two-sided rows (solid lines) draw both sides of every face, as the paper does: compare them with all. Front rows (dashed) leave back faces to OpenGL: compare them with backface.</source>
+        <translation>양면인 행(실선)은 논문처럼 모든 면의 앞뒤를 그리므로 all과 비교하십시오. 앞면인 행(파선)은 뒷면을 OpenGL에 맡기므로 backface와 비교하십시오.</translation>
+    </message>
+    <message>
+        <source>The paper's method is frustum-select; frustum tests the same boxes on the processor. The paper's largest speed-up is its 33 fps over its 0.83.</source>
+        <translation>논문의 방법은 frustum-select이고, frustum은 같은 상자를 프로세서에서 검사합니다. 논문의 최대 배속은 33 fps를 0.83으로 나눈 값입니다.</translation>
+    </message>
+    <message>
+        <source>A few views with little in them raise the mean of the frames per second; "fps, all views" is views over their total time.</source>
+        <translation>보이는 것이 적은 몇 시점이 초당 프레임 수의 평균을 끌어올립니다. "fps, 모든 시점"은 시점 수를 총시간으로 나눈 값입니다.</translation>
+    </message>
+    <message>
+        <source>Culling saves work on triangles, not on pixels: where pixels take much of the frame, as in a software OpenGL, the gain is small.</source>
+        <translation>컬링은 삼각형에 드는 일을 줄일 뿐 픽셀에 드는 일은 줄이지 않습니다. 소프트웨어 OpenGL처럼 픽셀이 프레임의 큰 몫을 차지하면 이득이 작습니다.</translation>
+    </message>
+    <message>
+        <source>Where the walk leads through a bunny, a picture of both sides shows its inside, which backface does not draw: those are its missed pixels.</source>
+        <translation>경로가 토끼를 뚫고 지나는 곳에서는 양면 그림에 그 안쪽이 보이지만 backface는 그것을 그리지 않습니다. 그것이 backface가 놓친 픽셀입니다.</translation>
+    </message>
+    <message>
+        <source>The paper's machine was a Pentium III at 866 MHz with a GeForce3 Ti 200: compare the ratios, not the frames per second. The paper counts no lost pixels.</source>
+        <translation>논문의 기계는 GeForce3 Ti 200을 단 866 MHz Pentium III였습니다. 초당 프레임 수가 아니라 비율을 비교하십시오. 논문은 잃은 픽셀을 세지 않습니다.</translation>
+    </message>
+    <message>
+        <source>sides drawn</source>
+        <translation>그리는 면</translation>
+    </message>
+    <message>
+        <source>fps, all views</source>
+        <translation>fps, 모든 시점</translation>
+    </message>
+    <message>
+        <source>paper: × all, max</source>
+        <translation>논문: × all, 최대</translation>
+    </message>
+    <message>
+        <source>× all, max</source>
+        <translation>× all, 최대</translation>
+    </message>
+    <message>
+        <source>paper: culled, %</source>
+        <translation>논문: 제외, %</translation>
+    </message>
+    <message>
+        <source>culled, %</source>
+        <translation>제외, %</translation>
+    </message>
+    <message>
+        <source>culled max, %</source>
+        <translation>최대 제외, %</translation>
+    </message>
+    <message>
+        <source>paper: culling, % of the frame</source>
+        <translation>논문: 컬링, 프레임의 %</translation>
+    </message>
+    <message>
+        <source>culling, % of the frame</source>
+        <translation>컬링, 프레임의 %</translation>
+    </message>
+    <message>
+        <source>Frames per second by viewpoint</source>
+        <translation>시점별 초당 프레임 수</translation>
+    </message>
+    <message>
+        <source>viewpoint</source>
+        <translation>시점</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>초당 프레임 수</translation>
+    </message>
+    <message>
+        <source>paper, culled, at most:</source>
+        <translation>논문, 컬링, 최대:</translation>
+    </message>
+    <message>
+        <source>paper, culled, mean:</source>
+        <translation>논문, 컬링, 평균:</translation>
+    </message>
+    <message>
+        <source>paper, every bunny drawn:</source>
+        <translation>논문, 모두 그림:</translation>
+    </message>
+    <message>
+        <source>400 bunnies from 40 viewpoints: view-frustum culling</source>
+        <translation>40개 시점에서 본 토끼 400마리: 뷰 절두체 컬링</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>앞면</translation>
+    </message>
+    <message>
+        <source>two-sided</source>
+        <translation>양면</translation>
+    </message>
+    <message>
+        <source>"%1" is not of the form key=value.</source>
+        <translation>"%1"은(는) key=value 형식이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The strategy "%1" has no parameters.</source>
+        <translation>전략 "%1"에는 매개변수가 없습니다.</translation>
+    </message>
+    <message>
+        <source>boxes</source>
+        <translation>상자</translation>
+    </message>
+    <message>
+        <source>asking OpenGL</source>
+        <translation>OpenGL에 묻기</translation>
+    </message>
+    <message>
+        <source>View-frustum culling by selection</source>
+        <translation>선택 모드 절두체 컬링</translation>
+    </message>
+    <message>
+        <source>Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view.</source>
+        <translation>물체의 상자를 OpenGL 선택 모드로 그립니다. 히트 레코드가 시야 안의 물체를 알려 줍니다.</translation>
+    </message>
+    <message>
+        <source>Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the boxes are drawn again.</source>
+        <translation>처음 히트 버퍼의 워드 수(시야 안의 물체마다 넷). 넘치면 두 배로 늘려 상자를 다시 그립니다.</translation>
+    </message>
+    <message>
+        <source>View-frustum culling by queries</source>
+        <translation>질의 절두체 컬링</translation>
+    </message>
+    <message>
+        <source>Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
+        <translation>물체의 상자를 보이지 않게 그리고 상자마다 차폐 질의를 합니다. 샘플을 덮는 것이 시야 안에 있습니다.</translation>
+    </message>
+    <message>
+        <source>the mesh's own box, turned with the object, by its corner farthest inside</source>
+        <translation>물체와 함께 돌린 메시 자체의 상자를 가장 안쪽 꼭짓점으로</translation>
+    </message>
+    <message>
+        <source>View-frustum culling by groups</source>
+        <translation>그룹별 절두체 컬링</translation>
+    </message>
+    <message>
+        <source>Leaves out whole groups of objects by an octree over their boxes, and draws the rest nearest first.</source>
+        <translation>물체 상자의 옥트리로 그룹을 통째로 제외하고 나머지를 가까운 것부터 그립니다.</translation>
+    </message>
+    <message>
+        <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum's edges.</source>
+        <translation>여러 평면이 자르는 것을 분리축으로도 검사할지 여부. 절두체 모서리 옆에 있는 것까지 제외합니다.</translation>
+    </message>
+    <message>
+        <source>"%1" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: "frustum-query" asks the same without it.</source>
+        <translation>"%1"은(는) OpenGL 선택 모드로 그리는데, 이 모드는 코어 프로필에서 없어졌고 이 OpenGL(%2)에는 호환 프로필이 없습니다. "frustum-query"가 그것 없이 같은 것을 묻습니다.</translation>
+    </message>
+    <message>
+        <source>This strategy asks OpenGL what is visible, and there is no OpenGL context here.</source>
+        <translation>이 전략은 무엇이 보이는지 OpenGL에 묻는데 여기에는 OpenGL 컨텍스트가 없습니다.</translation>
+    </message>
+    <message>
+        <source>No single plane has the bounds outside, but an axis parts them from the frustum: they lie beside one of its edges or corners.</source>
+        <translation>어느 한 평면도 경계 전체를 바깥에 두지 않지만 한 축이 경계를 절두체와 갈라놓습니다. 절두체의 모서리나 꼭짓점 옆에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The box reaches the near rectangle of the view: it is visible without asking.</source>
+        <translation>상자가 시야의 근평면 사각형에 닿습니다. 묻지 않아도 보이는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about the box, grown by %1: nothing of it was hit.</source>
+        <translation>%1만큼 키운 상자를 OpenGL에 물었습니다. 걸린 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about the box, grown by %1: it was hit.</source>
+        <translation>%1만큼 키운 상자를 OpenGL에 물었습니다. 걸렸습니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum.</source>
+        <translation>물체 %1개의 그룹에 있으며 그 상자를 먼저 검사했습니다. 한 축이 상자를 절두체와 갈라놓습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2350,6 +2543,11 @@ OpenGL %2
         <comment>a group of so many</comment>
         <translation>물체 %1개</translation>
     </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <comment>an object or a group</comment>
+        <translation>%1: 삼각형 %2개</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::InsidePanel</name>
@@ -2703,6 +2901,13 @@ OpenGL %2
     <message>
         <source>Next: choose another strategy in the view's menu and compare the figures over the pictures.</source>
         <translation>다음: 뷰의 메뉴에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LinePlotWidget</name>
+    <message>
+        <source>Upwards: %1; to the right: %2</source>
+        <translation>위로: %1, 오른쪽으로: %2</translation>
     </message>
 </context>
 <context>
@@ -3281,6 +3486,28 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::PlaneLegend</name>
+    <message>
+        <source>no single plane</source>
+        <comment>rejected a box</comment>
+        <translation>한 평면이 아님</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <comment>a box</comment>
+        <translation>유지</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them, in objects:</source>
+        <translation>제외한 평면별 상자(물체 수):</translation>
+    </message>
+    <message>
+        <source>%1: %2 objects</source>
+        <comment>what became of a box</comment>
+        <translation>%1: 물체 %2개</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::PlaneTable</name>
     <message>
         <source>Plane</source>
@@ -3305,6 +3532,10 @@ OpenGL %2
     <message>
         <source>Plane tests</source>
         <translation>평면 검사</translation>
+    </message>
+    <message>
+        <source>The strategy did not test this plane for this object; it is worked out here.</source>
+        <translation>전략은 이 물체에 대해 이 평면을 검사하지 않았습니다. 여기서 계산한 값입니다.</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3636,10 @@ OpenGL %2
     <message>
         <source>The views show %1 at the view being measured; beside it, off the window, are measured: %2.</source>
         <translation>화면은 측정 중인 시점에서 %1을(를) 보여 주며, 창 밖에서 함께 측정하는 것: %2.</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>그래프</translation>
     </message>
 </context>
 <context>
@@ -4170,6 +4405,10 @@ snapping</source>
         <source>It was wrongly left out: the truth shows it.</source>
         <translation>잘못 제외되었습니다. 참값에는 보입니다.</translation>
     </message>
+    <message>
+        <source>In grey: not tested by the strategy for this object alone; worked out here from its own box.</source>
+        <translation>회색: 전략이 이 물체만으로는 검사하지 않은 평면으로, 물체 자신의 상자에서 여기서 계산했습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WindowActions</name>
@@ -4560,6 +4799,14 @@ snapping</source>
     <message>
         <source>Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
         <translation>활성 뷰에 입체의 내부 커널과 컬링 카메라가 본 그 윤곽을 표시합니다. 그 뒤에 있는 것은 무손실 구좌표 전략이 제외합니다</translation>
+    </message>
+    <message>
+        <source>Boxes by rejecting &amp;plane</source>
+        <translation>제외한 평면별 상자(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes have the same colours</source>
+        <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
     </message>
 </context>
 </TS>

@@ -140,6 +140,11 @@
         <comment>heading of the legend's counts</comment>
         <translation>%1 × %2 像素下的三角形数：</translation>
     </message>
+    <message>
+        <source>box rejected by the %1</source>
+        <comment>name of a plane</comment>
+        <translation>剔除该盒的平面：%1</translation>
+    </message>
 </context>
 <context>
     <name>SphericalModel</name>
@@ -277,6 +282,10 @@
     <message>
         <source>Inner kernel and horizon</source>
         <translation>内核与地平线</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them</source>
+        <translation>按剔除平面着色的盒</translation>
     </message>
 </context>
 <context>
@@ -1869,6 +1878,190 @@
         <source>The strategy draws the object in part; %1 of its triangles are left out: %2.</source>
         <translation>策略绘制该对象的一部分；其中 %1 个三角形被略去：%2。</translation>
     </message>
+    <message>
+        <source>OpenGL's selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
+        <translation>OpenGL 的选择模式已从核心配置文件中移除，而此 OpenGL 不提供兼容配置文件：请改用遮挡查询。</translation>
+    </message>
+    <message>
+        <source>The paper does not give its 40 viewpoints: here a walk on which the frustum leaves out about as much, 79 % on average.</source>
+        <translation>论文未给出其 40 个视点：这里走的是一条视锥体剔除比例相近的路径，平均 79 %。</translation>
+    </message>
+    <message>
+        <source>Two-sided rows (solid lines) draw both sides of every face, as the paper does: compare them with all. Front rows (dashed) leave back faces to OpenGL: compare them with backface.</source>
+        <translation>双面的行（实线）与论文一样绘制每个面的两侧，应与 all 比较；正面的行（虚线）把背面留给 OpenGL，应与 backface 比较。</translation>
+    </message>
+    <message>
+        <source>The paper's method is frustum-select; frustum tests the same boxes on the processor. The paper's largest speed-up is its 33 fps over its 0.83.</source>
+        <translation>论文的方法是 frustum-select；frustum 在处理器上测试同样的包围盒。论文的最大加速比为 33 fps 除以 0.83。</translation>
+    </message>
+    <message>
+        <source>A few views with little in them raise the mean of the frames per second; "fps, all views" is views over their total time.</source>
+        <translation>少数内容很少的视点会抬高每秒帧数的平均值；“fps，全部视点”是视点数除以总时间。</translation>
+    </message>
+    <message>
+        <source>Culling saves work on triangles, not on pixels: where pixels take much of the frame, as in a software OpenGL, the gain is small.</source>
+        <translation>剔除节省的是三角形的工作，而不是像素的工作：当像素占帧时间的大部分时（如软件 OpenGL），收益较小。</translation>
+    </message>
+    <message>
+        <source>Where the walk leads through a bunny, a picture of both sides shows its inside, which backface does not draw: those are its missed pixels.</source>
+        <translation>路径穿过兔子时，双面的图像会显示其内侧，而 backface 不绘制它：这就是它丢失的像素。</translation>
+    </message>
+    <message>
+        <source>The paper's machine was a Pentium III at 866 MHz with a GeForce3 Ti 200: compare the ratios, not the frames per second. The paper counts no lost pixels.</source>
+        <translation>论文的机器是 866 MHz 的 Pentium III 和 GeForce3 Ti 200：请比较比值，而不是每秒帧数。论文没有统计丢失的像素。</translation>
+    </message>
+    <message>
+        <source>sides drawn</source>
+        <translation>绘制的面</translation>
+    </message>
+    <message>
+        <source>fps, all views</source>
+        <translation>fps，全部视点</translation>
+    </message>
+    <message>
+        <source>paper: × all, max</source>
+        <translation>论文：× all，最大</translation>
+    </message>
+    <message>
+        <source>× all, max</source>
+        <translation>× all，最大</translation>
+    </message>
+    <message>
+        <source>paper: culled, %</source>
+        <translation>论文：剔除，%</translation>
+    </message>
+    <message>
+        <source>culled, %</source>
+        <translation>剔除，%</translation>
+    </message>
+    <message>
+        <source>culled max, %</source>
+        <translation>最大剔除，%</translation>
+    </message>
+    <message>
+        <source>paper: culling, % of the frame</source>
+        <translation>论文：剔除耗时，占帧 %</translation>
+    </message>
+    <message>
+        <source>culling, % of the frame</source>
+        <translation>剔除耗时，占帧 %</translation>
+    </message>
+    <message>
+        <source>Frames per second by viewpoint</source>
+        <translation>各视点的每秒帧数</translation>
+    </message>
+    <message>
+        <source>viewpoint</source>
+        <translation>视点</translation>
+    </message>
+    <message>
+        <source>frames per second</source>
+        <translation>每秒帧数</translation>
+    </message>
+    <message>
+        <source>paper, culled, at most:</source>
+        <translation>论文，剔除，最高：</translation>
+    </message>
+    <message>
+        <source>paper, culled, mean:</source>
+        <translation>论文，剔除，平均：</translation>
+    </message>
+    <message>
+        <source>paper, every bunny drawn:</source>
+        <translation>论文，全部绘制：</translation>
+    </message>
+    <message>
+        <source>400 bunnies from 40 viewpoints: view-frustum culling</source>
+        <translation>从 40 个视点看 400 只兔子：视锥体剔除</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>正面</translation>
+    </message>
+    <message>
+        <source>two-sided</source>
+        <translation>双面</translation>
+    </message>
+    <message>
+        <source>"%1" is not of the form key=value.</source>
+        <translation>“%1”不是 key=value 的形式。</translation>
+    </message>
+    <message>
+        <source>The strategy "%1" has no parameters.</source>
+        <translation>策略“%1”没有参数。</translation>
+    </message>
+    <message>
+        <source>boxes</source>
+        <translation>盒</translation>
+    </message>
+    <message>
+        <source>asking OpenGL</source>
+        <translation>询问 OpenGL</translation>
+    </message>
+    <message>
+        <source>View-frustum culling by selection</source>
+        <translation>选择模式视锥体剔除</translation>
+    </message>
+    <message>
+        <source>Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view.</source>
+        <translation>以 OpenGL 选择模式绘制对象的盒：命中记录给出视野内的对象。</translation>
+    </message>
+    <message>
+        <source>Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the boxes are drawn again.</source>
+        <translation>命中缓冲区的初始字数（视野内每个对象四个）：溢出时加倍，并重新绘制各盒。</translation>
+    </message>
+    <message>
+        <source>View-frustum culling by queries</source>
+        <translation>查询式视锥体剔除</translation>
+    </message>
+    <message>
+        <source>Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
+        <translation>不可见地绘制对象的盒，每个盒一次遮挡查询：覆盖采样点的即在视野内。</translation>
+    </message>
+    <message>
+        <source>the mesh's own box, turned with the object, by its corner farthest inside</source>
+        <translation>网格自身的盒随对象旋转，以其最靠内的角点判断</translation>
+    </message>
+    <message>
+        <source>View-frustum culling by groups</source>
+        <translation>分组视锥体剔除</translation>
+    </message>
+    <message>
+        <source>Leaves out whole groups of objects by an octree over their boxes, and draws the rest nearest first.</source>
+        <translation>用对象盒的八叉树整组剔除，其余由近及远绘制。</translation>
+    </message>
+    <message>
+        <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum's edges.</source>
+        <translation>是否对被多个平面切割者再用分离轴测试，从而剔除位于视锥体棱边旁的对象。</translation>
+    </message>
+    <message>
+        <source>"%1" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: "frustum-query" asks the same without it.</source>
+        <translation>“%1”使用 OpenGL 的选择模式，该模式已从核心配置文件中移除，而此 OpenGL（%2）不提供兼容配置文件：“frustum-query”无需它即可作同样的询问。</translation>
+    </message>
+    <message>
+        <source>This strategy asks OpenGL what is visible, and there is no OpenGL context here.</source>
+        <translation>此策略要向 OpenGL 询问可见内容，而这里没有 OpenGL 上下文。</translation>
+    </message>
+    <message>
+        <source>No single plane has the bounds outside, but an axis parts them from the frustum: they lie beside one of its edges or corners.</source>
+        <translation>没有单个平面使包围体全在外侧，但有一根轴将其与视锥体分开：它位于视锥体的某条棱或某个角旁。</translation>
+    </message>
+    <message>
+        <source>The box reaches the near rectangle of the view: it is visible without asking.</source>
+        <translation>盒触及视图的近平面矩形：无需询问即视为可见。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about the box, grown by %1: nothing of it was hit.</source>
+        <translation>就扩大 %1 的盒询问了 OpenGL：未命中任何部分。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about the box, grown by %1: it was hit.</source>
+        <translation>就扩大 %1 的盒询问了 OpenGL：已命中。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum.</source>
+        <translation>它属于一个 %1 个对象的组，该组的盒先被测试：有一根轴将其与视锥体分开。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2350,6 +2543,11 @@ OpenGL %2
         <comment>a group of so many</comment>
         <translation>%1 个对象</translation>
     </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <comment>an object or a group</comment>
+        <translation>%1：%2 个三角形</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::InsidePanel</name>
@@ -2703,6 +2901,13 @@ OpenGL %2
     <message>
         <source>Next: choose another strategy in the view's menu and compare the figures over the pictures.</source>
         <translation>下一步：在视图的菜单中选择另一种策略，比较图像上方的数据。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::LinePlotWidget</name>
+    <message>
+        <source>Upwards: %1; to the right: %2</source>
+        <translation>向上：%1；向右：%2</translation>
     </message>
 </context>
 <context>
@@ -3281,6 +3486,28 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::PlaneLegend</name>
+    <message>
+        <source>no single plane</source>
+        <comment>rejected a box</comment>
+        <translation>非单个平面</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <comment>a box</comment>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them, in objects:</source>
+        <translation>按剔除平面着色的盒（对象数）：</translation>
+    </message>
+    <message>
+        <source>%1: %2 objects</source>
+        <comment>what became of a box</comment>
+        <translation>%1：%2 个对象</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::PlaneTable</name>
     <message>
         <source>Plane</source>
@@ -3305,6 +3532,10 @@ OpenGL %2
     <message>
         <source>Plane tests</source>
         <translation>平面测试</translation>
+    </message>
+    <message>
+        <source>The strategy did not test this plane for this object; it is worked out here.</source>
+        <translation>策略没有对该对象测试这个平面；数值在此计算得出。</translation>
     </message>
 </context>
 <context>
@@ -3405,6 +3636,10 @@ OpenGL %2
     <message>
         <source>The views show %1 at the view being measured; beside it, off the window, are measured: %2.</source>
         <translation>各视图显示正在测量的视点下的 %1；同时在窗口之外测量的还有：%2。</translation>
+    </message>
+    <message>
+        <source>Plot</source>
+        <translation>曲线图</translation>
     </message>
 </context>
 <context>
@@ -4170,6 +4405,10 @@ snapping</source>
         <source>It was wrongly left out: the truth shows it.</source>
         <translation>它被误剔除：真值中可以看到它。</translation>
     </message>
+    <message>
+        <source>In grey: not tested by the strategy for this object alone; worked out here from its own box.</source>
+        <translation>灰色：策略没有单独对该对象测试；在此由其自身的盒计算得出。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::WindowActions</name>
@@ -4560,6 +4799,14 @@ snapping</source>
     <message>
         <source>Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
         <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略略去</translation>
+    </message>
+    <message>
+        <source>Boxes by rejecting &amp;plane</source>
+        <translation>按剔除平面着色的盒(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes have the same colours</source>
+        <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
     </message>
 </context>
 </TS>

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <limits>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -128,7 +129,7 @@ TEST_F(CullbenchContract, missingOpenGlIsNotStatus4) {
 TEST_F(CullbenchContract, interruptLosesWhatWasMeasured) {
     const ProcessResult result = cullbench({"measure", "sphere:triangles=20", "-s", "all", "--path", "fibonacci:1000000",
                                             "--size", "16x16", "--repeat", "1", "--json", file("partial.json")},
-                                           {}, 4.0);
+                                           {}, 8.0);
     EXPECT_EQ(result.exitStatus, 130) << result.err;
     const json root = json::parse(std::ifstream(file("partial.json")));
     EXPECT_EQ(root["interrupted"], true);
@@ -260,22 +261,32 @@ TEST_F(CullbenchContract, listHidesAStrategyOrScene) {
     EXPECT_THAT(strategies, testing::IsSupersetOf({"all", "backface", "frustum"}));
     EXPECT_THAT(scenes, testing::IsSupersetOf({"teapot", "sphere", "torus", "knot", "star", "bunny", "field", "mesh", "split"}));
     EXPECT_EQ(json::parse(cullbench({"list", "strategies", "--json"}).out).size(), 1u);
+    std::map<std::string, std::string> asks;
+    for (const json& strategy : root["strategies"]) asks[strategy["id"]] = strategy["asks"];
+    EXPECT_EQ(asks["frustum-octree"], "nothing");
+    EXPECT_EQ(asks["frustum-query"], "opengl");
+    EXPECT_EQ(asks["frustum-select"], "compatibility-profile");
+    EXPECT_THAT(cullbench({"list", "strategies"}).out, testing::HasSubstr("needs OpenGL's compatibility profile"));
 }
 
 TEST_F(CullbenchContract, listHidesAnExperiment) {
     const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
     std::vector<std::string> experiments;
     for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
-    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5"));
+    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "vfc-40-views"));
     const std::string text = cullbench({"list", "experiments"}).out;
     for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
 }
 
 TEST_F(CullbenchContract, reproduceTakesWhatIsNoExperiment) {
-    expectRefusal(cullbench({"reproduce", "table-9"}), 2, "Known: table-1, table-2, table-3, table-4, table-5.");
+    expectRefusal(cullbench({"reproduce", "table-9"}), 2, "Known: table-1, table-2, table-3, table-4, table-5, vfc-40-views.");
     expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
     expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
     expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");
+    expectRefusal(cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2, "no plot. With a plot: vfc-40-views.");
+    expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
+    expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", "-", "--json", "-"}), 2, "--json and --svg");
+    EXPECT_EQ(filesWritten(), 0u);
 }
 
 TEST_F(CullbenchContract, reproduceNeedsOpenGlForTheStructures) {
@@ -318,6 +329,24 @@ TEST_F(CullbenchContract, interruptLosesTheTable) {
     std::ifstream in(file("t.json"));
     const json table = json::parse(in)["experiments"][0];
     EXPECT_TRUE(table["interrupted"]);
+}
+
+/// All 40 views take a minute: a few of them are enough for the files. (What the rows and lines hold: cho_views_test.)
+TEST_F(CullbenchContract, interruptLosesTheFiguresViews) {
+    const ProcessResult result =
+        cullbench({"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg", file("f.svg")}, {}, 15.0);
+    EXPECT_EQ(result.exitStatus, 130) << result.err;
+    std::ifstream in(file("f.json"));
+    const json table = json::parse(in)["experiments"][0];
+    EXPECT_TRUE(table["interrupted"]);
+    ASSERT_EQ(table["plots"].size(), 1u);
+    for (const char* field : {"title", "x", "y", "lines", "references"}) EXPECT_TRUE(table["plots"][0].contains(field)) << field;
+    EXPECT_EQ(table["plots"][0]["references"].size(), 3u);
+    std::ifstream svg(file("f.svg"));
+    std::string text((std::istreambuf_iterator<char>(svg)), std::istreambuf_iterator<char>());
+    EXPECT_THAT(text, testing::StartsWith("<svg"));
+    EXPECT_THAT(text, HasSubstr("Frames per second by viewpoint"));
+    EXPECT_THAT(text, testing::EndsWith("</svg>\n"));
 }
 
 TEST_F(CullbenchContract, inspectHidesBytes) {

@@ -66,6 +66,8 @@ TEST_F(CullbenchOverlay, unknownOneIsDrawn) {
     expectRefusal(render(sphere, "spherical-lossless", "a.png", {"--overlay", "bands"}), "has no contour bands");
     expectRefusal(render(sphere, "all", "a.png", {"--overlay", "boxes"}), "tests no boxes");
     expectRefusal(render(sphere, "frustum", "a.png", {"--drawn-only"}), "--overlay verdicts");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--box-colouring", "plane"}), "--overlay boxes");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "boxes", "--box-colouring", "red"}), "--box-colouring");
     expectRefusal(render(sphere, "frustum", "a.png", {"--view-eye", "1,2"}), "--view-eye");
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }

@@ -9,10 +9,10 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/measure/experiment.h"
+#include "core/measure/line_plot.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
-#include "tests/benchmark/log_plot.h"
 #include "tests/benchmark/lossless_benchmark.h"
 
 namespace cullscope::benchmark {
@@ -134,9 +134,9 @@ private:
     std::vector<uint32_t> m_indices;
 };
 
-std::vector<LogPoint> points(const std::vector<BuildSample>& samples, const std::string& mesh, auto value, size_t least = 0,
-                             size_t most = kFaces.back()) {
-    std::vector<LogPoint> points;
+std::vector<PlotPoint> points(const std::vector<BuildSample>& samples, const std::string& mesh, auto value, size_t least = 0,
+                              size_t most = kFaces.back()) {
+    std::vector<PlotPoint> points;
     for (const BuildSample& sample : samples)
         if (sample.mesh == mesh && sample.faces >= least && sample.faces <= most && value(sample) > 0.0)
             points.push_back({double(sample.faces), value(sample)});
@@ -155,11 +155,11 @@ void writeGrowth(const std::filesystem::path& folder, const std::vector<BuildSam
                 << s.times.all << ',' << s.times.sphere << ',' << s.times.topology << ',' << s.times.tree << ',' << s.times.kernel
                 << '\n';
     });
-    LogPlot bytes{"Bytes of spherical-lossless by faces", "faces", "bytes", {}};
-    LogPlot times{
-        "Build time of spherical-lossless by faces (above five million without closedness and kernel)", "faces", "ms", {}};
+    LinePlot bytes = logPlot("Bytes of spherical-lossless by faces", "faces", "bytes");
+    LinePlot times =
+        logPlot("Build time of spherical-lossless by faces (above five million without closedness and kernel)", "faces", "ms");
     for (const char* mesh : {"sphere", "star"}) {
-        const auto add = [&](LogPlot& plot, const char* name, auto value) {
+        const auto add = [&](LinePlot& plot, const char* name, auto value) {
             plot.lines.push_back({std::string(mesh) + ": " + name, points(samples, mesh, value)});
         };
         add(bytes, "all", bytesOf);
@@ -168,7 +168,9 @@ void writeGrowth(const std::filesystem::path& folder, const std::vector<BuildSam
         add(times, "closedness", [](const BuildSample& s) { return s.times.topology; });
         add(times, "inner kernel", [](const BuildSample& s) { return s.times.topology > 0.0 ? s.times.kernel : 0.0; });
     }
-    writeFileAtomically(folder / "spherical-lossless-growth.svg", [&](std::ostream& out) { out << logPlotsSvg({bytes, times}); });
+    writeFileAtomically(folder / "spherical-lossless-growth.svg", [&](std::ostream& out) {
+        out << linePlotsSvg({bytes, times});
+    });
 }
 
 /// Whether a mesh's structures grow at most linearly; says so. Small meshes are left out of the times, in which what the kernel

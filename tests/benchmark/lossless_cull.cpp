@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "core/base/atomic_file.h"
+#include "core/measure/line_plot.h"
 #include "core/mesh/parametric.h"
-#include "tests/benchmark/log_plot.h"
 #include "tests/benchmark/lossless_benchmark.h"
 
 namespace cullscope::benchmark {
@@ -106,25 +106,25 @@ void addSamples(const MeshPointer& mesh, const std::vector<Views>& paths, std::v
     }
 }
 
-std::vector<LogPoint> points(const std::vector<CullSample>& samples, const std::string& path, size_t configuration,
-                             double CullSample::*value) {
-    std::vector<LogPoint> points;
+std::vector<PlotPoint> points(const std::vector<CullSample>& samples, const std::string& path, size_t configuration,
+                              double CullSample::*value) {
+    std::vector<PlotPoint> points;
     for (const CullSample& s : samples)
         if (s.path == path && s.configuration == configuration) points.push_back({double(s.faces), s.*value});
     return points;
 }
 
 /// What would grow with a power of the faces from a line's first point on.
-LogLine growing(const char* name, const std::vector<LogPoint>& from, double power) {
-    LogLine line{name, {}};
-    for (const LogPoint& point : from)
-        line.points.push_back({point.size, from.front().value * std::pow(point.size / from.front().size, power)});
+PlotLine growing(const char* name, const std::vector<PlotPoint>& from, double power) {
+    PlotLine line{name, {}};
+    for (const PlotPoint& point : from)
+        line.points.push_back({point.x, from.front().y * std::pow(point.x / from.front().x, power)});
     return line;
 }
 
-LogPlot plotOf(const std::vector<CullSample>& samples, const std::string& path, const std::string& title, const char* unit,
-               double CullSample::*value) {
-    LogPlot plot{title, "faces", unit, {}};
+LinePlot plotOf(const std::vector<CullSample>& samples, const std::string& path, const std::string& title, const char* unit,
+                double CullSample::*value) {
+    LinePlot plot = logPlot(title, "faces", unit);
     for (size_t i = 0; i < kConfigurations.size(); ++i)
         plot.lines.push_back({kConfigurations[i].name, points(samples, path, i, value)});
     plot.lines.push_back(growing("as the faces grow", plot.lines.front().points, 1.0));
@@ -143,12 +143,12 @@ void write(const std::filesystem::path& folder, const std::vector<CullSample>& s
                 << ',' << s.culled[size_t(Cause::BackFacing)] << ',' << s.culled[size_t(Cause::Hidden)] << '\n';
         }
     });
-    std::vector<LogPlot> plots;
+    std::vector<LinePlot> plots;
     for (const auto& [path, where] : kPaths) {
         plots.push_back(plotOf(samples, path, std::string("Nodes visited by one cull, ") + where, "nodes", &CullSample::nodes));
         plots.push_back(plotOf(samples, path, std::string("Time of one cull, ") + where, "ms", &CullSample::milliseconds));
     }
-    writeFileAtomically(folder / "spherical-lossless-cull.svg", [&](std::ostream& out) { out << logPlotsSvg(plots); });
+    writeFileAtomically(folder / "spherical-lossless-cull.svg", [&](std::ostream& out) { out << linePlotsSvg(plots); });
 }
 
 /// The cameras for all tessellations, and those of whole objects in a large picture too: what is smaller than its grid of 1/256

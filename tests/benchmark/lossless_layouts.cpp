@@ -6,9 +6,9 @@
 #include "core/base/atomic_file.h"
 #include "core/gpu/context.h"
 #include "core/measure/frame.h"
+#include "core/measure/line_plot.h"
 #include "core/spatial/cell_tree.h"
 #include "core/visibility/registry.h"
-#include "tests/benchmark/log_plot.h"
 #include "tests/benchmark/lossless_benchmark.h"
 
 namespace cullscope::benchmark {
@@ -184,18 +184,18 @@ void writeTable(const std::filesystem::path& file, const std::vector<LayoutSampl
 
 /// One plot a mesh; a line joins the levels of a layout over one path, coarse to fine, without auto.
 void writePlots(const std::filesystem::path& file, const std::vector<LayoutSample>& samples) {
-    std::vector<LogPlot> plots;
+    std::vector<LinePlot> plots;
     for (const LayoutSample& s : samples) {
         if (s.level == 0) continue;
         const std::string title = s.mesh + (s.facing == Facing::Front ? "" : ", both sides drawn") +
                                   ": share of the faces considered against what culling costs, levels 5 to 8";
-        if (plots.empty() || plots.back().title != title) plots.push_back({title, "ms a cull", "share", {}});
+        if (plots.empty() || plots.back().title != title) plots.push_back(logPlot(title, "ms a cull", "share"));
         const std::string name = (s.layout == MapLayout::Octahedral ? "octahedral, " : "latitude-longitude, ") + s.path;
-        std::vector<LogLine>& lines = plots.back().lines;
+        std::vector<PlotLine>& lines = plots.back().lines;
         if (lines.empty() || lines.back().name != name) lines.push_back({name, {}});
         lines.back().points.push_back({s.cullMilliseconds, std::max(s.considered, 1e-6)});
     }
-    writeFileAtomically(file, [&](std::ostream& out) { out << logPlotsSvg(plots); });
+    writeFileAtomically(file, [&](std::ostream& out) { out << linePlotsSvg(plots); });
 }
 
 }  // namespace

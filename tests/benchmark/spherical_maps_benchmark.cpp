@@ -12,11 +12,11 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
+#include "core/measure/line_plot.h"
 #include "core/mesh/load.h"
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
 #include "core/spatial/spherical_maps.h"
-#include "tests/benchmark/log_plot.h"
 
 namespace {
 
@@ -85,8 +85,8 @@ Series resampledMesh(const std::filesystem::path& file) {
     return series;
 }
 
-std::vector<LogPoint> points(const Series& series, double (*value)(const Sample&)) {
-    std::vector<LogPoint> points;
+std::vector<PlotPoint> points(const Series& series, double (*value)(const Sample&)) {
+    std::vector<PlotPoint> points;
     for (const Sample& sample : series.samples) points.push_back({double(sample.faces), value(sample)});
     return points;
 }
@@ -106,9 +106,9 @@ void writeCsv(const std::filesystem::path& file, const std::vector<Series>& all)
 }
 
 void writePlots(const std::filesystem::path& file, const std::vector<Series>& all) {
-    LogPlot bytes{"Bytes of the three maps by faces, resolution on auto", "faces", "bytes", {}};
-    LogPlot times{"Build time of the three maps by faces, resolution on auto", "faces", "ms", {}};
-    const auto add = [](LogPlot& plot, const Series& series, const std::string& name, double (*value)(const Sample&)) {
+    LinePlot bytes = logPlot("Bytes of the three maps by faces, resolution on auto", "faces", "bytes");
+    LinePlot times = logPlot("Build time of the three maps by faces, resolution on auto", "faces", "ms");
+    const auto add = [](LinePlot& plot, const Series& series, const std::string& name, double (*value)(const Sample&)) {
         plot.lines.push_back({series.mesh + ": " + name, points(series, value)});
     };
     for (const Series& series : all) {
@@ -121,7 +121,7 @@ void writePlots(const std::filesystem::path& file, const std::vector<Series>& al
         add(times, series, "index map", [](const Sample& s) { return s.times.indexMap; });
         add(times, series, "access map", [](const Sample& s) { return s.times.accessMap; });
     }
-    writeFileAtomically(file, [&](std::ostream& out) { out << logPlotsSvg({bytes, times}); });
+    writeFileAtomically(file, [&](std::ostream& out) { out << linePlotsSvg({bytes, times}); });
 }
 
 /// Whether both grow linearly; says so.

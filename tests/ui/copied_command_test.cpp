@@ -65,6 +65,12 @@ TEST_F(CopiedCommand, ofAnObserverWithVerdictsBoxesAndFrustum) {
     session.observe(1, 0);
     change(1, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, true, true, true}; });
     expectSame(second);
+    session.slot(0).choose("frustum-octree");
+    change(1, [](ViewSetup& setup) { showBoxesByPlane(setup.look, true); });
+    expectSame(second);
+    session.slot(0).choose("frustum-query");
+    settle();
+    expectSame(second);
     // A strategy without boxes shows none, and the command asks for none.
     session.slot(0).choose("backface");
     settle();

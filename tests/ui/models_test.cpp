@@ -26,7 +26,7 @@ Figures someFigures() {
 }
 
 TEST(Models, strategiesAreTheRegistrys) {
-    StrategyModel model;
+    StrategyModel model([](const StrategyInfo&) { return std::nullopt; });
     const QAbstractItemModelTester tester(&model, kFatal);
     ASSERT_EQ(model.rowCount(), int(strategies().size()));
     for (int row = 0; row < model.rowCount(); ++row) {

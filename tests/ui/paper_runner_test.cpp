@@ -194,6 +194,30 @@ TEST_F(Papers, structuresAreNotBuiltBesideTheWindow) {
     expectSessionIsBack();
 }
 
+TEST_F(Papers, pointsComeOnlyInTheEnd) {
+    PaperExperiment experiment = findPaperExperiment("vfc-40-views");
+    PaperSetting& setting = experiment.settings[0];
+    setting.scene = "field:mesh=star:triangles=500,n=3,spacing=2.5";
+    setting.path = "walk:60";
+    setting.size = {64, 64};
+    std::vector<size_t> points;
+    QObject::connect(&runner, &PaperRunner::plotsChanged, [&] {
+        EXPECT_TRUE(runner.table().rows.empty());
+        const std::vector<PlotLine>& lines = runner.table().plots.front().lines;
+        EXPECT_GE(lines.size(), 5u);
+        points.push_back(lines.front().points.size());
+    });
+    runner.start(experiment, 20);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    ASSERT_FALSE(points.empty());
+    EXPECT_LT(points.front(), 60u);
+    EXPECT_TRUE(std::is_sorted(points.begin(), points.end()));
+    EXPECT_EQ(runner.table().plots.front().lines.front().points.size(), 60u);
+    EXPECT_EQ(runner.table().rows.size(), runner.table().plots.front().lines.size());
+    expectSessionIsBack();
+    EXPECT_TRUE(messages.empty()) << messages.front();
+}
+
 TEST(PaperRunner, destroyedInTheMiddle) {
     const PaperExperiment experiment = smallTable("walk:5000");
     Session session{sessionOptions(true)};

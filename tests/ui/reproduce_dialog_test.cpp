@@ -141,6 +141,59 @@ TEST_F(Reproduce, closingTheDialogStopsTheExperiment) {
     ASSERT_TRUE(waitUntil([this] { return window.findChild<ReproduceDialog*>() == nullptr; }));
 }
 
+int indexOf(const std::string& id) {
+    for (size_t i = 0; i < paperExperiments().size(); ++i)
+        if (paperExperiments()[i].id == id) return int(i);
+    return -1;
+}
+
+TEST_F(Reproduce, plotIsShownWhereThereIsNone) {
+    for (size_t i = 0; i < paperExperiments().size(); ++i) {
+        dialog().choice().setCurrentIndex(int(i));
+        const bool plot = !paperExperiments()[i].plots.empty();
+        EXPECT_EQ(dialog().pages().tabBar()->isVisible(), plot) << paperExperiments()[i].id;
+        EXPECT_EQ(dialog().plot().empty(), !plot);
+        if (!plot) {
+            EXPECT_EQ(dialog().pages().currentWidget(), &dialog().table());
+        }
+    }
+    dialog().choice().setCurrentIndex(indexOf("vfc-40-views"));
+    dialog().pages().setCurrentWidget(&dialog().plot());
+    dialog().choice().setCurrentIndex(0);
+    EXPECT_TRUE(dialog().table().isVisible()) << "the plot of another table stays in front";
+}
+
+TEST_F(Reproduce, plotShowsNothingUntilTheEnd) {
+    const SessionState before = captureState(session);
+    dialog().choice().setCurrentIndex(indexOf("vfc-40-views"));
+    EXPECT_TRUE(dialog().plot().plot().lines.empty());
+    QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
+    EXPECT_TRUE(dialog().plot().isVisible()) << "rows come in the end, points before";
+    // The bunnies are there and the first views are measured.
+    ASSERT_TRUE(waitUntil([&] { return !dialog().plot().plot().lines.empty(); }));
+    expectDialogIsOnTheScreen();
+    EXPECT_FALSE(dialog().plot().plot().lines.front().points.empty());
+    QTest::mouseClick(&dialog().cancelButton(), Qt::LeftButton);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_EQ(captureState(session), before);
+    EXPECT_TRUE(dialog().exportButton().isEnabled());
+    expectDialogIsOnTheScreen();
+
+    const QTemporaryDir folder;
+    const QString svg = folder.filePath(QStringLiteral("plot.svg")), pdf = folder.filePath(QStringLiteral("plot.pdf"));
+    dialog().exportTo(ReproduceDialog::File::Svg, svg.toStdString());
+    dialog().exportTo(ReproduceDialog::File::Pdf, pdf.toStdString());
+    ASSERT_TRUE(waitUntil([&] { return QFile::exists(svg) && QFile::exists(pdf); }));
+    QFile written(svg);
+    ASSERT_TRUE(written.open(QIODevice::ReadOnly));
+    const QByteArray text = written.readAll();
+    for (const char* words : {"spherical-lossless", "0.83", "paper, culled, mean: 10"})
+        EXPECT_TRUE(text.contains(words)) << words;
+    QFile document(pdf);
+    ASSERT_TRUE(document.open(QIODevice::ReadOnly));
+    EXPECT_TRUE(document.readAll().startsWith("%PDF"));
+}
+
 TEST(PaperTableModel, breaksTheRulesOfModels) {
     PaperTableModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);

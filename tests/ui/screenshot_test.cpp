@@ -240,13 +240,13 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
 
         const View culling(request.culling, request.cullingSize);
         Trace trace;
-        const Verdict verdict = cullShared(*request.strategy, culling, &trace);
+        const Verdict verdict = cullShared(*request.strategy, culling, &trace, &renderer);
         const Reference truth =
             itemBufferReference(renderer, *request.buffers, culling, request.strategy->strategy->referenceFacing());
         request.states = std::make_shared<const TriangleStates>(
             triangleStates(request.buffers->scene(), culling, verdict.drawList, trace, &truth));
         EXPECT_EQ(result.states->counts, request.states->counts);
-        PictureDrawing whole(request);
+        PictureDrawing whole(request, renderer);
         Framebuffer target(request.size);
         whole.draw(renderer, target);
         const auto picture = whole.finish(2);

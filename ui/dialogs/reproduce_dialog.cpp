@@ -6,7 +6,9 @@
 #include <QScreen>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 
+#include "ui/statistics/plot_file.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -15,9 +17,19 @@ namespace {
 
 constexpr int kWidth = 960;
 constexpr int kHeight = 460;
+constexpr int kPlotHeight = 600;  // where there is a plot
 constexpr int kProgressSteps = 1000;
+constexpr QSize kPlotFile{960, 480};
 
 int stepsOf(double share) { return int(share * kProgressSteps); }
+
+bool ofPlot(ReproduceDialog::File file) { return file == ReproduceDialog::File::Svg || file == ReproduceDialog::File::Pdf; }
+
+QString endingOf(ReproduceDialog::File file) {
+    const std::array<QString, 4> endings{QStringLiteral("csv"), QStringLiteral("json"), QStringLiteral("svg"),
+                                         QStringLiteral("pdf")};
+    return endings[size_t(file)];
+}
 
 }  // namespace
 
@@ -30,6 +42,8 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
       m_source(new QLabel(this)),
       m_notes(new QLabel(this)),
       m_table(new QTableView(this)),
+      m_plot(new LinePlotWidget(this)),
+      m_pages(new QTabWidget(this)),
       m_progress(new QProgressBar(this)),
       m_start(new QPushButton(tr("&Start"), this)),
       m_cancel(new QPushButton(tr("&Cancel"), this)),
@@ -49,16 +63,14 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_progress->setRange(0, kProgressSteps);
     m_progress->setAccessibleName(tr("Progress"));
-    for (const File file : {File::Csv, File::Json})
-        m_files->addAction(file == File::Csv ? QStringLiteral("CSV…") : QStringLiteral("JSON…"), this,
-                           [this, file] { askWhereTo(file); });
-    m_export->setMenu(m_files);
+    makePages();
+    makeMenu();
     for (QPushButton* button : {m_cancel, m_export, m_close}) button->setAutoDefault(false);
     makeRows();
     chooseNewest();
     wire(session);
-    showChosen();
     resize(QSize(kWidth, kHeight).boundedTo(screen()->availableGeometry().size()));
+    showChosen();
 }
 
 /// What was measured is not lost with the dialog that it was measured in.
@@ -68,6 +80,19 @@ void ReproduceDialog::chooseNewest() {
         return experiment.id == m_runner.table().experiment;
     });
     if (newest != all.end()) m_choice->setCurrentIndex(int(newest - all.begin()));
+}
+
+void ReproduceDialog::makePages() {
+    m_pages->addTab(m_table, tr("Table"));
+    m_pages->addTab(m_plot, tr("Plot"));
+    m_pages->setDocumentMode(true);
+}
+
+void ReproduceDialog::makeMenu() {
+    for (const File file : {File::Csv, File::Json, File::Svg, File::Pdf})
+        m_files->addAction(endingOf(file).toUpper() + QStringLiteral("…"), this, [this, file] { askWhereTo(file); })
+            ->setData(ofPlot(file));
+    m_export->setMenu(m_files);
 }
 
 void ReproduceDialog::makeRows() {
@@ -84,7 +109,7 @@ void ReproduceDialog::makeRows() {
     auto* layout = new QVBoxLayout(this);
     layout->addLayout(top);
     layout->addWidget(m_source);
-    layout->addWidget(m_table, 1);
+    layout->addWidget(m_pages, 1);
     layout->addWidget(m_notes);
     layout->addLayout(bottom);
 }
@@ -99,6 +124,7 @@ void ReproduceDialog::wire(Session& session) {
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     connect(&m_runner, &PaperRunner::progressed, this, &ReproduceDialog::showProgress);
     connect(&m_runner, &PaperRunner::tableChanged, this, &ReproduceDialog::showTable);
+    connect(&m_runner, &PaperRunner::plotsChanged, this, [this] { showPlot(m_runner.table()); });
     connect(&m_runner, &PaperRunner::ended, this, [this] {
         showTable();
         makeWay();
@@ -114,6 +140,8 @@ const PaperExperiment& ReproduceDialog::chosen() const { return paperExperiments
 
 void ReproduceDialog::start() {
     m_runner.start(chosen());
+    // Rows come in the end, points view by view.
+    if (hasPlot()) m_pages->setCurrentWidget(m_plot);
     showState();
     makeWay();
 }
@@ -128,30 +156,61 @@ void ReproduceDialog::makeWay() {
     const QRect seen = parentWidget() ? parentWidget()->window()->frameGeometry().intersected(screenPlace) : QRect();
     const QRect place = seen.isEmpty() ? screenPlace : seen;
     const QSize frame = frameGeometry().size() - size();
-    const int most = m_runner.running() ? place.height() / 3 : std::min(kHeight + frame.height(), screenPlace.height());
+    // A plot needs more height than rows.
+    const int low = hasPlot() ? place.height() / 2 : place.height() / 3, high = hasPlot() ? kPlotHeight : kHeight;
+    const int most = m_runner.running() ? low : std::min(high + frame.height(), screenPlace.height());
     // Afterwards every column is to be seen: the losses are in the last ones.
-    const int beside = width() - m_table->viewport()->width();
+    const int beside = width() - m_pages->width() + m_table->width() - m_table->viewport()->width();
     const int wide = m_runner.running() ? kWidth : std::max(kWidth, m_table->horizontalHeader()->length() + beside);
     resize(std::min(wide, screenPlace.width() - frame.width()), most - frame.height());
     const QSize taken = size() + frame;
-    const int left = place.x() + (place.width() - taken.width()) / 2, top = place.bottom() + 1 - taken.height();
-    move(std::clamp(left, screenPlace.left(), std::max(screenPlace.left(), screenPlace.right() + 1 - taken.width())),
-         std::clamp(top, screenPlace.top(), std::max(screenPlace.top(), screenPlace.bottom() + 1 - taken.height())));
+    moveOnScreen({place.x() + (place.width() - taken.width()) / 2, place.bottom() + 1 - taken.height()});
+}
+
+/// Moves the frame's corner to a place, or as near as the screen lets all of the frame be seen.
+void ReproduceDialog::moveOnScreen(const QPoint& corner) {
+    const QRect place = screen()->availableGeometry();
+    const QSize taken = size() + frameGeometry().size() - geometry().size();
+    move(std::clamp(corner.x(), place.left(), std::max(place.left(), place.right() + 1 - taken.width())),
+         std::clamp(corner.y(), place.top(), std::max(place.top(), place.bottom() + 1 - taken.height())));
+}
+
+/// A plot and its notes need more height than rows.
+void ReproduceDialog::makeRoom() {
+    const int frame = frameGeometry().height() - height();
+    const int wanted = std::min(kPlotHeight, screen()->availableGeometry().height() - frame);
+    if (!hasPlot() || height() >= wanted) return;
+    resize(width(), wanted);
+    if (isVisible()) moveOnScreen(frameGeometry().topLeft());
 }
 
 void ReproduceDialog::showChosen() {
     const PaperTable& newest = m_runner.table();
     m_model->setTable(newest.experiment == chosen().id ? newest : emptyTable(chosen()));
-    QStringList notes;
-    for (const Message& note : chosen().notes) notes << QStringLiteral("• ") + translated(note);
-    m_notes->setText(notes.join(QLatin1Char('\n')));
+    showPlot(m_model->table());
+    showNotes();
     showState();
+    makeRoom();
+}
+
+void ReproduceDialog::showPlot(const PaperTable& table) {
+    m_pages->tabBar()->setVisible(hasPlot());
+    if (!hasPlot()) m_pages->setCurrentWidget(m_table);
+    m_plot->setPlot(hasPlot() ? table.plots.front() : LinePlot());
 }
 
 void ReproduceDialog::showTable() {
     m_model->setTable(m_runner.table());
+    showPlot(m_runner.table());
+    showNotes();
     if (m_runner.running()) m_table->scrollToBottom();
     showState();
+}
+
+void ReproduceDialog::showNotes() {
+    QStringList notes;
+    for (const Message& note : m_model->table().notes) notes << QStringLiteral("• ") + translated(note);
+    m_notes->setText(notes.join(QLatin1Char('\n')));
 }
 
 void ReproduceDialog::showProgress(double share, const QString& stage) {
@@ -166,6 +225,7 @@ void ReproduceDialog::showState() {
     m_start->setEnabled(!running);
     m_cancel->setEnabled(running);
     m_export->setEnabled(!running && !m_model->table().rows.empty());
+    for (QAction* action : m_files->actions()) action->setEnabled(hasPlot() || !action->data().toBool());
     showHeading();
     if (running) return;
     if (m_model->table().rows.empty()) return m_progress->reset();
@@ -189,7 +249,7 @@ void ReproduceDialog::showHeading() {
 }
 
 void ReproduceDialog::askWhereTo(File file) {
-    const QString ending = file == File::Csv ? QStringLiteral("csv") : QStringLiteral("json");
+    const QString ending = endingOf(file);
     QFileDialog dialog(this, tr("Export"), {}, QStringLiteral("%1 (*.%2)").arg(ending.toUpper(), ending));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(ending);
@@ -197,6 +257,12 @@ void ReproduceDialog::askWhereTo(File file) {
 }
 
 void ReproduceDialog::exportTo(File file, const std::filesystem::path& path) {
+    if (ofPlot(file)) {
+        // Plots are drawn on the window's thread.
+        if (!hasPlot()) return;
+        const QByteArray bytes = file == File::Svg ? plotSvg(*m_plot, kPlotFile) : plotPdf(*m_plot, kPlotFile);
+        return m_exporter->write(path, [bytes] { return bytes; });
+    }
     m_exporter->write(path, [table = m_model->table(), file] {
         return QByteArray::fromStdString(file == File::Csv ? paperTableCsv(table) : paperTablesJson({table}));
     });

@@ -6,22 +6,25 @@
 #include <QMenu>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QTabWidget>
 #include <QTableView>
 #include <filesystem>
 
 #include "ui/models/paper_table_model.h"
 #include "ui/session/paper_runner.h"
+#include "ui/statistics/line_plot_widget.h"
 #include "ui/statistics/result_exporter.h"
 
 namespace cullscope::ui {
 
 /// Chooses one of the papers' tables, has it measured while the window shows it, and puts the paper's numbers beside ours. The
-/// runner keeps the newest table: a later dialog shows it again.
+/// runner keeps the newest table: a later dialog shows it again. A table with a plot has it in a second tab, which is in front
+/// while it is measured.
 class ReproduceDialog : public QDialog {
     Q_OBJECT
 
 public:
-    enum class File { Csv, Json };
+    enum class File { Csv, Json, Svg, Pdf };
 
     ReproduceDialog(Session& session, PaperRunner& runner, QWidget* parent = nullptr);
 
@@ -30,11 +33,13 @@ public:
     [[nodiscard]] QPushButton& cancelButton() { return *m_cancel; }
     [[nodiscard]] QPushButton& exportButton() { return *m_export; }
     [[nodiscard]] QTableView& table() { return *m_table; }
+    [[nodiscard]] QTabWidget& pages() { return *m_pages; }
+    [[nodiscard]] LinePlotWidget& plot() { return *m_plot; }
     /// Whose numbers these are; while it runs, what the views show meanwhile.
     [[nodiscard]] QString heading() const { return m_source->text(); }
     [[nodiscard]] QProgressBar& progressBar() { return *m_progress; }
     [[nodiscard]] const PaperTableModel& model() const { return *m_model; }
-    /// Writes the table on show beside the window; says through the session what came of it.
+    /// Writes the table (SVG and PDF: its plot) on show beside the window; says through the session what came of it.
     void exportTo(File file, const std::filesystem::path& path);
 
     /// Closing it stops what is under way.
@@ -47,8 +52,15 @@ private:
     void wire(Session& session);
     void start();
     void makeWay();
+    void makeRoom();
+    void moveOnScreen(const QPoint& corner);
     void showChosen();
     void showTable();
+    void showPlot(const PaperTable& table);
+    [[nodiscard]] bool hasPlot() const { return !chosen().plots.empty(); }
+    void showNotes();
+    void makePages();
+    void makeMenu();
     void showProgress(double share, const QString& stage);
     void showState();
     void showHeading();
@@ -61,6 +73,8 @@ private:
     QLabel* m_source;
     QLabel* m_notes;
     QTableView* m_table;
+    LinePlotWidget* m_plot;
+    QTabWidget* m_pages;
     QProgressBar* m_progress;
     QPushButton *m_start, *m_cancel, *m_export, *m_close;
     QMenu* m_files;

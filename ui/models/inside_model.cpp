@@ -5,6 +5,7 @@
 #include "core/measure/triangle_states.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "ui/views/plane_swatch.h"
 #include "ui/views/verdict_swatch.h"
 
 namespace cullscope::ui {
@@ -129,9 +130,12 @@ QString InsideModel::text(const InsideNode& node, size_t number, int column) con
 QVariant InsideModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
     const InsideNode& node = m_inside->nodes[nodeOf(index)];
+    if (role == Qt::ToolTipRole && index.column() == Name)
+        return tr("%1: %2 triangles", "an object or a group").arg(text(node, nodeOf(index), Name), countText(node.triangles));
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(node, nodeOf(index), index.column());
     if (role == Qt::DecorationRole && index.column() == Verdict)
         return verdictIcon(stateAgainstTruth(node, nodeOf(index)).value_or(stateOf(node)));
+    if (role == Qt::DecorationRole && index.column() == Plane && node.rejectedBy) return planeIcon(*node.rejectedBy);
     if (role == Qt::TextAlignmentRole && index.column() == Triangles) return int(Qt::AlignRight | Qt::AlignVCenter);
     return {};
 }

@@ -9,10 +9,8 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMillion = 1e6;
-
 QString numberText(const PaperColumn& column, double number) {
-    return QLocale().toString(column.perMillion ? number * kMillion : number, 'f', column.decimals);
+    return QLocale().toString(number * column.scale, 'f', column.decimals);
 }
 
 QString cellText(const PaperColumn& column, const PaperValue& value) {
@@ -23,6 +21,14 @@ QString cellText(const PaperColumn& column, const PaperValue& value) {
             .arg(numberText(column, estimate->mean), numberText(column, estimate->ci95[0]),
                  numberText(column, estimate->ci95[1]));
     return {};
+}
+
+/// In lines, as numbers are shorter than what they are called.
+QString headerText(const PaperColumn& column) {
+    QString text = translated(column.title);
+    for (const QString& mark : {QStringLiteral(": "), QStringLiteral(", "), QStringLiteral("："), QStringLiteral("，")})
+        text.replace(mark, mark.left(1) + QLatin1Char('\n'));
+    return text;
 }
 
 }  // namespace
@@ -54,7 +60,7 @@ QVariant PaperTableModel::data(const QModelIndex& index, int role) const {
 QVariant PaperTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
     const PaperColumn& column = m_table.columns[size_t(section)];
-    if (role == Qt::DisplayRole) return translated(column.title);
+    if (role == Qt::DisplayRole) return headerText(column);
     if (role != Qt::ToolTipRole) return {};
     if (column.origin == PaperColumn::Origin::Paper) return tr("As the paper prints it");
     return column.origin == PaperColumn::Origin::Measured ? tr("Measured here") : QString();

@@ -7,6 +7,12 @@ namespace cullscope::ui {
 
 int StrategyModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(strategies().size()); }
 
+Qt::ItemFlags StrategyModel::flags(const QModelIndex& index) const {
+    const Qt::ItemFlags usual = QAbstractListModel::flags(index);
+    const bool usable = index.isValid() && !m_refusal(strategies()[size_t(index.row())].info);
+    return usable ? usual : usual & ~(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+}
+
 QVariant StrategyModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
     const StrategyInfo& info = strategies()[size_t(index.row())].info;
@@ -14,7 +20,7 @@ QVariant StrategyModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return translated(info.name);
         case Qt::ToolTipRole:
-            return translated(info.description);
+            return translated(m_refusal(info).value_or(Message{info.description, {}}));
         case IdRole:
             return QString::fromStdString(info.id);
         default:

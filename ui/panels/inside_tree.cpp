@@ -6,12 +6,14 @@
 #include <QVBoxLayout>
 
 #include "ui/session/object_pick.h"
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 
 namespace {
 
 constexpr std::array kWidths{0, 64, 146, 92};  // of the columns in order; the name takes what is left of 400 pixels
+constexpr int kIndentation = 12;               // of a level, so that the fourth still has place for names
 constexpr int kFirstRows = 24;                 // of a tree when it is first shown
 
 }  // namespace
@@ -43,6 +45,7 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
 void InsideTree::setUpView() {
     m_view->setModel(m_model);
     m_view->setIconSize({14, 14});
+    m_view->setIndentation(kIndentation);
     m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_view->header()->setSectionResizeMode(InsideModel::Name, QHeaderView::Stretch);
     for (int column = InsideModel::Triangles; column < InsideModel::ColumnCount; ++column)
@@ -53,12 +56,14 @@ void InsideTree::refresh() {
     const InsideReadingPointer& reading = m_reader.reading();
     m_model->setInside(reading ? reading->strategy->scene : nullptr, reading ? reading->inside : nullptr);
     m_model->setStates(statesOfTruth());
-    // A flat list needs no place for arrows.
+    // A flat list needs no place for arrows; in a tree the names need the place of the counts, which their tooltips have.
     m_view->setRootIsDecorated(m_model->nested());
+    m_view->setColumnHidden(InsideModel::Triangles, m_model->nested());
     m_view->setVisible(!m_model->empty());
     // The Tab key does not get past a panel whose proxy is hidden.
     setFocusProxy(m_model->empty() ? nullptr : m_view);
     m_empty->setVisible(m_model->empty());
+    m_empty->setText(emptySentence());
     // A selected group is not what is picked, and stays selected until something else is picked.
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
     if (rows.isEmpty() || m_model->instanceAt(rows.front())) followPick();
@@ -97,9 +102,15 @@ void InsideTree::pickSelected() {
 void InsideTree::retranslate() {
     m_model->retranslate();
     m_view->setAccessibleName(tr("Boxes that the strategy tests"));
-    m_empty->setText(
-        tr("This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they "
-           "decided about each."));
+    m_empty->setText(emptySentence());
+}
+
+QString InsideTree::emptySentence() const {
+    const InsideReadingPointer& reading = m_reader.reading();
+    if (reading && !reading->failure.empty()) return translated(reading->failure);
+    return tr(
+        "This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they "
+        "decided about each.");
 }
 
 void InsideTree::changeEvent(QEvent* event) {

@@ -28,6 +28,7 @@ private:
     void followPick();
     void pickSelected();
     void retranslate();
+    [[nodiscard]] QString emptySentence() const;
 
     Session& m_session;
     InsideReader& m_reader;

@@ -45,7 +45,11 @@ QString shortCount(uint64_t count) {
 }  // namespace
 
 LegendPanel::LegendPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_figures(new QLabel(this)), m_next(new QLabel(this)) {
+    : QWidget(parent),
+      m_session(session),
+      m_figures(new QLabel(this)),
+      m_planes(new PlaneLegend(this)),
+      m_next(new QLabel(this)) {
     m_states = makeStates();
     m_figures->setWordWrap(true);
     m_next->setWordWrap(true);
@@ -57,6 +61,7 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
     layout->setContentsMargins(0, 2, 0, 0);
     layout->setSpacing(3);
     layout->addWidget(m_states);
+    layout->addWidget(m_planes);
     layout->addWidget(makePromises());
     layout->addWidget(m_figures);
     layout->addWidget(m_next);
@@ -125,6 +130,9 @@ void LegendPanel::wire() {
         const bool culled = figures.state == Figures::State::Ready && figures.consideredTriangles < figures.sceneTriangles;
         if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
+    // A strategy that is refused has no picture.
+    for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt})
+        connect(&m_session, signal, this, &LegendPanel::showPlanes);
     connect(&m_session, &Session::pickChanged, this, [this] {
         if (m_session.pick()) advance(Progress::Choose);
     });
@@ -165,6 +173,7 @@ void LegendPanel::showToAudience() {
     m_figures->hide();
     m_next->hide();
     placeStates(int(kTriangleStateCount));
+    m_planes->setRows(int(kFrustumPlaneCount) + 2);
     m_grid->setColumnMinimumWidth(3, 0);
     m_grid->setColumnStretch(5, 0);
 }
@@ -180,7 +189,20 @@ void LegendPanel::refresh() {
     m_states->setVisible(m_session.opened() != nullptr);
     m_states->setAccessibleName(tr("What the colours mean"));
     m_next->setText(nextAction());
+    m_planes->retranslate();
+    showPlanes();
     showCounts();
+}
+
+void LegendPanel::showPlanes() {
+    const int view = m_session.activeView();
+    const ViewLook& look = m_session.setup(view).look;
+    const ViewPicturePointer shown = m_session.picture(view);
+    const bool known = shown && shown->request.look.byPlane();
+    // Neither has a strategy that tests no boxes.
+    const bool boxless = known && shown->planes == PlaneCounts{};
+    m_planes->setVisible(m_session.opened() && look.byPlane() && !look.sphericalModel && !boxless);
+    m_planes->setCounts(known ? std::optional(shown->planes) : std::nullopt);
 }
 
 void LegendPanel::showCounts() {

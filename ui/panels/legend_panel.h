@@ -5,6 +5,7 @@
 #include <array>
 
 #include "core/measure/triangle_states.h"
+#include "ui/panels/plane_legend.h"
 #include "ui/session/session.h"
 
 class QGridLayout;
@@ -35,6 +36,7 @@ private:
     void wire();
     void refresh();
     void showCounts();
+    void showPlanes();
     void advance(Progress to);
     [[nodiscard]] QString turnAction() const;
 
@@ -47,6 +49,7 @@ private:
     std::array<QWidget*, kTriangleStateCount> m_swatches{};
     std::array<QLabel*, kTriangleStateCount> m_words{};
     std::array<QLabel*, kTriangleStateCount> m_counts{};
+    PlaneLegend* m_planes;
     QList<QLabel*> m_promises;
     QLabel* m_next;
 };

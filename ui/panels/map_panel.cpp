@@ -53,6 +53,7 @@ MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
 
 void MapPanel::layOut() {
     m_sentence->setForegroundRole(QPalette::PlaceholderText);
+    m_sentence->setWordWrap(true);
     m_colouringLabel->setBuddy(m_colouring);
     for (size_t i = 0; i < kUsualColourings; ++i) m_colouring->addItem(QString(), int(kColourings[i]));
     leaveWheelUnlessFocused(*m_colouring);

@@ -4,10 +4,12 @@
 #include <QLocale>
 #include <QPainter>
 #include <QStyledItemDelegate>
+#include <algorithm>
 #include <cmath>
 
 #include "core/visibility/trace.h"
 #include "ui/text/translated.h"
+#include "ui/views/plane_swatch.h"
 
 namespace cullscope::ui {
 
@@ -34,9 +36,11 @@ public:
         const auto x = [&](double at) { return place.center().x() + 0.5 * place.width() * at; };
         const double zero = x(0.0), end = x(index.data(kPositionRole).toDouble());
         const QRectF bar(std::min(zero, end), place.top(), std::max(1.0, std::abs(end - zero)), place.height());
-        const QColor text = option.palette.color(QPalette::Text);
+        const bool tested = option.state & QStyle::State_Enabled;
+        const QColor text = option.palette.color(tested ? QPalette::Active : QPalette::Disabled, QPalette::Text);
+        const QColor inside = tested ? option.palette.color(QPalette::Active, QPalette::Highlight) : text;
         painter->save();
-        painter->fillRect(bar, end < zero ? QBrush(text, Qt::BDiagPattern) : QBrush(option.palette.color(QPalette::Highlight)));
+        painter->fillRect(bar, end < zero ? QBrush(text, Qt::BDiagPattern) : QBrush(inside));
         painter->setPen(QPen(option.palette.color(QPalette::PlaceholderText), 1));
         painter->drawLine(QPointF(zero, place.top() - 4), QPointF(zero, place.bottom() + 4));
         painter->setPen(QPen(text, 1, Qt::DashLine));
@@ -53,6 +57,7 @@ QString numberText(double value) { return QLocale().toString(value, 'g', 4); }
 PlaneTable::PlaneTable(QWidget* parent) : QTableWidget(0, ColumnCount, parent) {
     setItemDelegateForColumn(Bar, new BarDelegate(this));
     setFrameShape(QFrame::NoFrame);
+    setIconSize({12, 12});
     setShowGrid(false);
     setSelectionMode(QAbstractItemView::NoSelection);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -69,35 +74,48 @@ PlaneTable::PlaneTable(QWidget* parent) : QTableWidget(0, ColumnCount, parent) {
     retranslate();
 }
 
-void PlaneTable::setSteps(const std::vector<WhyStep>& steps) {
+std::vector<PlaneTable::Row> PlaneTable::rowsOf(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own) {
+    std::vector<Row> rows;
+    for (const WhyStep& step : steps)
+        if (step.plane && step.distance)
+            rows.push_back(
+                {{*step.plane, *step.distance, step.bound.value_or(0.0), step.containment}, translated(step.sentence)});
+    for (const PlaneDistance& one : own) {
+        const auto ofPlane = [&](const Row& row) { return row.test.plane == one.plane; };
+        if (std::none_of(rows.begin(), rows.end(), ofPlane))
+            rows.push_back({one, tr("The strategy did not test this plane for this object; it is worked out here."), false});
+    }
+    return rows;
+}
+
+void PlaneTable::setSteps(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own) {
+    m_rows = rowsOf(steps, own);
     double largest = 0.0;
-    setRowCount(0);
-    for (const WhyStep& step : steps)
-        if (step.plane && step.distance) {
-            insertRow(rowCount());
-            fillRow(rowCount() - 1, step);
-            largest = std::max(largest, std::abs(*step.distance));
-        }
-    int row = 0;
-    for (const WhyStep& step : steps)
-        if (step.plane && step.distance) {
-            const double bound = step.bound.value_or(0.0);
-            item(row, Bar)->setData(kPositionRole, position(*step.distance, bound, largest));
-            item(row++, Bar)->setData(kBoundRole, position(-bound, bound, largest));
-        }
+    for (const Row& row : m_rows) largest = std::max(largest, std::abs(row.test.distance));
+    setRowCount(int(m_rows.size()));
+    for (size_t i = 0; i < m_rows.size(); ++i) fillRow(int(i), m_rows[i], largest);
     setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kRowHeight + 2);
 }
 
-void PlaneTable::fillRow(int row, const WhyStep& step) {
-    const QString sentence = translated(step.sentence);
-    const QStringList texts{translated(planeName(*step.plane)), numberText(*step.distance),
-                            step.bound ? numberText(*step.bound) : QString(), QString()};
+bool PlaneTable::showsUntested() const {
+    return std::any_of(m_rows.begin(), m_rows.end(), [](const Row& row) { return !row.tested; });
+}
+
+void PlaneTable::fillRow(int number, const Row& row, double largest) {
+    const QStringList texts{translated(planeName(row.test.plane)), numberText(row.test.distance), numberText(row.test.bound),
+                            QString()};
     for (int column = 0; column < ColumnCount; ++column) {
         auto* item = new QTableWidgetItem(texts[column]);
-        item->setToolTip(sentence);
+        item->setToolTip(row.sentence);
+        if (!row.tested) item->setFlags(Qt::NoItemFlags);
+        if (column == Plane) item->setIcon(planeIcon(row.test.plane));
         if (column == Distance || column == Bound) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-        if (column == Bar) item->setData(Qt::AccessibleTextRole, sentence);
-        setItem(row, column, item);
+        if (column == Bar) {
+            item->setData(Qt::AccessibleTextRole, row.sentence);
+            item->setData(kPositionRole, position(row.test.distance, row.test.bound, largest));
+            item->setData(kBoundRole, position(-row.test.bound, row.test.bound, largest));
+        }
+        setItem(number, column, item);
     }
 }
 

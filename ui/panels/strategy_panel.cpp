@@ -23,7 +23,9 @@ public:
     void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override {
         QStyledItemDelegate::paint(painter, option, index);
         painter->save();
-        QColor colour = option.palette.color(option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
+        const QPalette::ColorGroup group = option.state & QStyle::State_Enabled ? QPalette::Active : QPalette::Disabled;
+        QColor colour =
+            option.palette.color(group, option.state & QStyle::State_Selected ? QPalette::HighlightedText : QPalette::Text);
         colour.setAlpha(160);
         painter->setPen(colour);
         painter->drawText(option.rect.adjusted(0, 0, -8, 0), Qt::AlignRight | Qt::AlignVCenter, id(index));
@@ -44,7 +46,7 @@ private:
 StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
     : QGroupBox(parent),
       m_session(session),
-      m_model(new StrategyModel(this)),
+      m_model(new StrategyModel([&session](const StrategyInfo& info) { return session.unavailable(info); }, this)),
       m_choice(new QComboBox(this)),
       m_description(new QLabel(this)),
       m_form(new ParameterForm(this)) {

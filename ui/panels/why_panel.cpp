@@ -37,6 +37,7 @@ WhyPanel::WhyPanel(Session& session, InsideReader& reader, QWidget* parent)
       m_state(wrappingLabel(m_content)),
       m_verdict(wrappingLabel(m_content)),
       m_planes(new PlaneTable(m_content)),
+      m_untested(wrappingLabel(m_content)),
       m_steps(wrappingLabel(m_content)) {
     layOut();
     connect(&reader, &InsideReader::changed, this, &WhyPanel::refresh);
@@ -59,6 +60,7 @@ void WhyPanel::layOut() {
     content->addLayout(state);
     content->addWidget(m_verdict);
     content->addWidget(m_planes);
+    content->addWidget(m_untested);
     content->addWidget(m_steps);
     auto* all = new QWidget(this);
     auto* layout = new QVBoxLayout(all);
@@ -87,15 +89,32 @@ void WhyPanel::refresh() {
     m_heading->setText(heading());
     const QStringList sentences = this->sentences();
     const bool known = !sentences.isEmpty();
-    m_verdict->setText(known ? sentences.back() : tr("The strategy's decisions are being read…"));
-    m_planes->setSteps(known ? m_reader.reading()->why : std::vector<WhyStep>());
-    m_planes->setVisible(m_planes->rowCount() > 0);
+    m_verdict->setText(known ? sentences.back() : missingSentence());
+    showPlanes(known);
     QStringList lines;
     for (const QString& sentence : sentences)
         lines << tr("%1. %2", "number of a step, its sentence").arg(lines.size() + 1).arg(sentence);
     m_steps->setText(lines.join(QLatin1Char('\n')));
     m_content->setEnabled(m_reader.fresh() || !known);
     showState();
+}
+
+QString WhyPanel::missingSentence() const {
+    const InsideReadingPointer& reading = m_reader.reading();
+    if (reading && !reading->failure.empty()) return translated(reading->failure);
+    const Figures& figures = m_session.figures(m_session.activeView());
+    if (figures.state == Figures::State::Failed) return translated(figures.failure);
+    return tr("The strategy's decisions are being read…");
+}
+
+void WhyPanel::showPlanes(bool known) {
+    const InsideReadingPointer& reading = m_reader.reading();
+    // Strategies with maps test spheres, and others without boxes nothing that has planes.
+    const bool boxes = known && reading->inside->maps.empty() && !reading->inside->nodes.empty();
+    m_planes->setSteps(known ? reading->why : std::vector<WhyStep>(), boxes ? reading->planes : std::vector<PlaneDistance>());
+    m_planes->setVisible(m_planes->rowCount() > 0);
+    m_untested->setText(tr("In grey: not tested by the strategy for this object alone; worked out here from its own box."));
+    m_untested->setVisible(m_planes->showsUntested());
 }
 
 void WhyPanel::showState() {

@@ -29,6 +29,8 @@ protected:
 private:
     void layOut();
     void refresh();
+    [[nodiscard]] QString missingSentence() const;
+    void showPlanes(bool known);
     void showState();
     [[nodiscard]] QString emptySentence() const;
 
@@ -41,6 +43,7 @@ private:
     QLabel* m_state;
     QLabel* m_verdict;
     PlaneTable* m_planes;
+    QLabel* m_untested;
     QLabel* m_steps;
 };
 

@@ -8,13 +8,17 @@
 
 namespace cullscope::ui {
 
-Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace) {
+Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace, Renderer* renderer) {
     const std::lock_guard lock(built.mutex);
-    return built.strategy->cull(view, trace);
+    return built.strategy->cull(view, trace, renderer);
 }
 
 ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
     if (!look.boxes && !look.bands && !look.kernel) return look;
+    if (built.asks != Asks::Nothing) {
+        look.bands = look.kernel = false;
+        return look;
+    }
     const std::lock_guard lock(built.mutex);
     Trace trace;
     (void)built.strategy->cull(view, &trace);
@@ -31,7 +35,7 @@ FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltS
     std::unique_lock lock(built.mutex);
     const auto start = std::chrono::steady_clock::now();
     FrameResult result;
-    result.verdict = built.strategy->cull(view);
+    result.verdict = built.strategy->cull(view, nullptr, &renderer);
     lock.unlock();
     renderer.draw(buffers, view, result.verdict.drawList, target, style);
     waitForGpu();

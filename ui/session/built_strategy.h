@@ -17,15 +17,18 @@ struct BuiltStrategy {
     std::string id;
     ScenePointer scene;
     StrategyPointer strategy;
+    Asks asks = Asks::Nothing;  ///< anything else: it can be culled on a thread with a context alone
     std::mutex mutex;
 };
 
 using BuiltStrategyPointer = std::shared_ptr<BuiltStrategy>;
 
-/// One cull of a strategy that several threads share.
-[[nodiscard]] Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace);
+/// One cull of a strategy that several threads share. `renderer`: of the thread's current context; null: this thread has none,
+/// and the strategy asks for none. Throws what Strategy::cull throws.
+[[nodiscard]] Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace, Renderer* renderer);
 
-/// A look without the boxes, bands and kernels that the strategy does not have at this view.
+/// A look without the boxes, bands and kernels that the strategy does not have at this view. Needs no context: what asks OpenGL
+/// is not asked, and has boxes.
 [[nodiscard]] ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look);
 
 /// core's renderFrame for a strategy that several threads share. Waiting for the others is not part of the time.

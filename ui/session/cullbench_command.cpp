@@ -61,6 +61,7 @@ QStringList lookWords(const ViewLook& look) {
     add(look.frustum, QStringLiteral("frustum"));
     add(look.bands, QStringLiteral("bands"));
     add(look.kernel, QStringLiteral("kernel"));
+    if (look.byPlane()) words << QStringLiteral("--box-colouring") << QString::fromLatin1(boxColouringId(look.boxColouring));
     if (verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
     return words;
 }

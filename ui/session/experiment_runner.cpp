@@ -29,6 +29,7 @@ MeasureRequest measureRequest(const ExperimentRunner::Request& request) {
     measured.upload = request.upload;
     measured.timing.fixedRepetitions = request.repetitions;
     measured.accuracy = request.accuracy;
+    measured.leaveOutUnavailable = request.leaveOutUnavailable;
     return measured;
 }
 

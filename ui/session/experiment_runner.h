@@ -29,6 +29,7 @@ public:
         Upload upload = Upload::Vbo;
         int repetitions = 0;  ///< of each frame; 0: until the median is steady
         bool accuracy = true;
+        bool leaveOutUnavailable = false;  ///< MeasureRequest::leaveOutUnavailable
     };
 
     explicit ExperimentRunner(QObject* parent = nullptr, GpuThread::Options gpu = GpuThread::Options());

@@ -128,7 +128,7 @@ struct FigureMeter::Bench {
         Figures figures;
         {
             const std::lock_guard lock(what.strategy->mutex);
-            (void)what.strategy->strategy->cull(view, &trace);
+            (void)what.strategy->strategy->cull(view, &trace, renderer.get());
             figures.promise = what.strategy->strategy->promiseAt(view);
         }
         figures.state = Figures::State::Ready;

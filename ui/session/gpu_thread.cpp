@@ -1,7 +1,6 @@
 #include "ui/session/gpu_thread.h"
 
 #include "core/base/error.h"
-#include "core/gpu/renderer.h"
 
 namespace cullscope::ui {
 
@@ -67,6 +66,7 @@ GpuThread::~GpuThread() {
     QMetaObject::invokeMethod(
         &m_worker,
         [this] {
+            m_renderer.reset();
             if (m_context) m_context->doneCurrent();
             m_context.reset();
             m_lostContexts.clear();
@@ -134,6 +134,11 @@ void GpuThread::perform(const std::function<void()>& work) {
     if (losing()) replaceContext();
 }
 
+Renderer& GpuThread::renderer() {
+    if (!m_renderer) m_renderer = std::make_unique<Renderer>();
+    return *m_renderer;
+}
+
 // ---- Loss
 
 bool GpuThread::lost() {
@@ -153,6 +158,7 @@ void GpuThread::replaceContext() {
     // Without a context OpenGL's calls do nothing, which is as good for what died with it.
     if (!m_context->makeCurrent(&m_surface)) m_context->doneCurrent();
     emit contextGoing();
+    m_renderer.reset();
     m_context->doneCurrent();
     if (m_buffers > 0)
         m_lostContexts[m_number] = {std::move(m_context), m_buffers};

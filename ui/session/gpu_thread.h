@@ -13,6 +13,7 @@
 
 #include "core/base/message.h"
 #include "core/gpu/context.h"
+#include "core/gpu/renderer.h"
 #include "core/gpu/scene_buffers.h"
 
 namespace cullscope::ui {
@@ -58,6 +59,9 @@ public:
     [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene, Upload upload = Upload::Vbo);
     /// The same for a scene of the very meshes that `uploaded` holds: nothing is uploaded again.
     [[nodiscard]] SceneBuffersPointer share(const ScenePointer& scene, const SceneBuffers& uploaded);
+
+    /// One for whoever asks OpenGL and draws nothing (on the thread, with the context not lost); goes with the context.
+    [[nodiscard]] Renderer& renderer();
 
     /// Whether the context is gone (on the thread): what was done in it since the work in hand began is worth nothing.
     [[nodiscard]] bool lost();
@@ -118,6 +122,7 @@ private:
 
     // On the thread:
     std::unique_ptr<QOpenGLContext> m_context;  ///< null: lost, and no new one can be made
+    std::unique_ptr<Renderer> m_renderer;       ///< of the context; null: not asked for yet
     uint64_t m_number = 0;                      ///< of the context
     size_t m_buffers = 0;                       ///< living in it
     bool m_lost = false;

@@ -4,11 +4,32 @@
 #include <QWidget>
 #include <algorithm>
 
+#include "core/base/error.h"
+
 namespace cullscope::ui {
 
 namespace {
 
 constexpr int kPause = 100;  // ms between two culls' beginnings
+
+/// Fills what is read from one traced cull; `known` are the boxes where they are known already.
+void read(InsideReading& reading, const std::shared_ptr<const Inside>& known, Renderer* renderer) {
+    const View view(reading.culling, reading.size);
+    const Scene& scene = *reading.strategy->scene;
+    const Strategy& strategy = *reading.strategy->strategy;
+    Trace trace;
+    const Verdict verdict = cullShared(*reading.strategy, view, &trace, renderer);
+    reading.inside = known ? known : std::make_shared<const Inside>(strategy.inside(trace));
+    std::optional<uint32_t> picked;
+    if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
+    if (!reading.inside->maps.empty()) {
+        reading.map = placeOfMap(*reading.inside, picked);
+        (void)*reading.inside->maps[reading.map].maps;
+    }
+    if (!picked) return;
+    reading.why = why(scene, view, strategy, verdict.drawList, trace, *reading.triangle);
+    reading.planes = planeDistances(scene, view, *picked);
+}
 
 }  // namespace
 
@@ -24,6 +45,22 @@ size_t placeOfMap(const Inside& inside, const std::optional<uint32_t>& instance)
     return found == maps.size() ? 0 : found;
 }
 
+InsideReadingPointer InsideReader::readingOf(const Request& request, const std::shared_ptr<const Inside>& known,
+                                             Renderer* renderer) {
+    auto reading = std::make_shared<InsideReading>();
+    reading->strategy = request.strategy;
+    reading->culling = request.culling;
+    reading->size = request.size;
+    reading->triangle = request.triangle;
+    try {
+        read(*reading, known, renderer);
+    } catch (const Error& error) {
+        reading->failure = error.message();
+        reading->inside = std::make_shared<const Inside>();
+    }
+    return reading;
+}
+
 InsideReader::InsideReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPause);
@@ -37,7 +74,12 @@ InsideReader::InsideReader(Session& session, QObject* parent) : QObject(parent),
         connect(&session, signal, this, &InsideReader::check);
 }
 
-InsideReader::~InsideReader() { m_background.cancel(); }
+InsideReader::~InsideReader() {
+    m_background.cancel();
+    m_asked.invalidate();
+    // What was posted may be at work, or find itself stale: wait for it.
+    if (m_session.gpu()) m_session.gpu()->run([] {});
+}
 
 void InsideReader::readFor(QWidget* widget) {
     m_readers.push_back(widget);
@@ -80,47 +122,50 @@ bool InsideReader::fresh() const {
 }
 
 void InsideReader::check() {
-    // Another scene numbers its objects in another way.
-    const bool outdated = m_reading && m_reading->strategy->scene != m_session.scene();
+    // Another scene numbers its objects in another way, and a strategy that is refused decides nothing.
+    const bool refused = m_session.slot(m_session.culledBy(m_session.activeView())).refused();
+    const bool outdated = m_reading && (refused || m_reading->strategy->scene != m_session.scene());
     if (outdated) m_reading = nullptr;
     const bool fresh = this->fresh();
     if (fresh != std::exchange(m_wasFresh, fresh) || outdated) emit changed();
-    if (!fresh && wanted() && !m_background.busy() && !m_pause.isActive()) start();
+    if (!fresh && wanted() && !busy() && !m_pause.isActive()) start();
 }
 
 void InsideReader::start() {
     const std::optional<Request> request = present();
     if (!request) return;
-    const bool same = m_reading && m_reading->strategy == request->strategy && m_reading->culling == request->culling &&
-                      m_reading->size == request->size;
+    const bool same = m_reading && m_reading->failure.empty() && m_reading->strategy == request->strategy &&
+                      m_reading->culling == request->culling && m_reading->size == request->size;
+    const std::shared_ptr<const Inside> known = same ? m_reading->inside : nullptr;
     m_pause.start();
     ++m_begun;
-    m_background.start([this, request = *request, known = same ? m_reading->inside : nullptr](const std::stop_token& stop) {
-        auto reading = std::make_shared<InsideReading>();
-        reading->strategy = request.strategy;
-        reading->culling = request.culling;
-        reading->size = request.size;
-        reading->triangle = request.triangle;
-        const View view(request.culling, request.size);
-        const Strategy& strategy = *request.strategy->strategy;
-        Trace trace;
-        Verdict verdict;
-        {
-            const std::lock_guard lock(request.strategy->mutex);
-            verdict = request.strategy->strategy->cull(view, &trace);
-        }
+    if (request->strategy->asks != Asks::Nothing) return startAsking(*request, known);
+    m_background.start([this, request = *request, known](const std::stop_token& stop) {
+        InsideReadingPointer reading = readingOf(request, known, nullptr);
         if (stop.stop_requested()) return Background::Delivery();
-        reading->inside = known ? known : std::make_shared<const Inside>(strategy.inside(trace));
-        if (!reading->inside->maps.empty()) {
-            std::optional<uint32_t> picked;
-            if (request.triangle) picked = uint32_t(request.strategy->scene->instanceOf(*request.triangle));
-            reading->map = placeOfMap(*reading->inside, picked);
-            (void)*reading->inside->maps[reading->map].maps;
-        }
-        if (request.triangle)
-            reading->why = why(*request.strategy->scene, view, strategy, verdict.drawList, trace, *request.triangle);
         return Background::Delivery(
             [this, request, reading = std::move(reading)]() mutable { take(request, std::move(reading)); });
+    });
+}
+
+void InsideReader::startAsking(const Request& request, const std::shared_ptr<const Inside>& known) {
+    const uint64_t job = m_asked.begin();
+    m_asking = true;
+    GpuThread* gpu = m_session.gpu();
+    gpu->post([this, job, gpu, request, known] {
+        if (!m_asked.isCurrent(job)) return;
+        // What a lost context answers is worth nothing; it is asked again with the buffers of the new one.
+        const bool held = !gpu->lost();
+        InsideReadingPointer reading = held ? readingOf(request, known, &gpu->renderer()) : nullptr;
+        if (gpu->lost()) reading = nullptr;
+        QMetaObject::invokeMethod(
+            this,
+            [this, job, request, reading = std::move(reading)]() mutable {
+                if (!m_asked.isCurrent(job)) return;
+                m_asking = false;
+                if (reading) take(request, std::move(reading));
+            },
+            Qt::QueuedConnection);
     });
 }
 

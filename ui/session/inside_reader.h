@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/visibility/plane_distances.h"
 #include "core/visibility/why.h"
 #include "ui/session/session.h"
 
@@ -21,6 +22,8 @@ struct InsideReading {
     size_t map = 0;                        ///< its place in `inside` where there are maps: the one that was made to be looked at
     std::optional<uint64_t> triangle;      ///< what `why` is about; none: nothing picked, or its object is hidden
     std::vector<WhyStep> why;
+    std::vector<PlaneDistance> planes;  ///< of the box of the picked triangle's object, all six; none without a triangle
+    Message failure;                    ///< why the strategy could not be asked, so that nothing is known; empty: it could
 };
 
 /// The place of the map that is worth looking at: of that instance; none: of the first that is not outside the frustum, else of
@@ -32,7 +35,8 @@ using InsideReadingPointer = std::shared_ptr<const InsideReading>;
 /// Reads what the strategy decided whose verdicts the active view shows: culls with a trace beside the window whenever strategy,
 /// culling camera, render size, scene or pick change, at most ten times a second and one at a time. Only a reading of the present
 /// state is ever delivered. What is read is ready to be shown: the map of the picked object is made here, not where it is
-/// painted. Nothing is read while none of the widgets that want it is visible.
+/// painted. Strategies that ask OpenGL are culled on the session's OpenGL thread, the others on a thread of their own. Nothing is
+/// read while none of the widgets that want it is visible.
 class InsideReader : public QObject {
     Q_OBJECT
 
@@ -71,11 +75,15 @@ private:
         bool operator==(const Request&) const = default;
     };
 
+    [[nodiscard]] static InsideReadingPointer readingOf(const Request& request, const std::shared_ptr<const Inside>& known,
+                                                        Renderer* renderer);
     [[nodiscard]] std::optional<Request> present() const;
     [[nodiscard]] bool answers(const Request& request) const;
     [[nodiscard]] bool wanted() const;
     void check();
     void start();
+    void startAsking(const Request& request, const std::shared_ptr<const Inside>& known);
+    [[nodiscard]] bool busy() const { return m_background.busy() || m_asking; }
     void take(const Request& request, InsideReadingPointer reading);
 
     Session& m_session;
@@ -85,6 +93,8 @@ private:
     size_t m_begun = 0;
     QTimer m_pause;
     Background m_background;
+    JobNumbers m_asked;
+    bool m_asking = false;  ///< of OpenGL
 };
 
 }  // namespace cullscope::ui

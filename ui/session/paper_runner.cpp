@@ -33,6 +33,11 @@ PaperRunner::PaperRunner(Session& session, QObject* parent) : QObject(parent), m
         showPose(measured);
         tellProgress(kOpened + (1.0 - kOpened) * measured, stage);
     });
+    connect(&m_runner, &ExperimentRunner::partial, this, [this](const MeasureResult& soFar) {
+        if (!running() || m_experiment->plotMeasured == nullptr) return;
+        m_experiment->plotMeasured(m_table, setting(), soFar);
+        emit plotsChanged();
+    });
     connect(&m_runner, &ExperimentRunner::finished, this, [this](const MeasureResult& result) {
         if (!running()) return;
         addRows([result, setting = &setting(), experiment = m_experiment](PaperTable& table, const Progress&) {
@@ -138,6 +143,7 @@ void PaperRunner::measureSetting() {
     asked.windows = request.windows;
     asked.upload = request.upload;
     asked.repetitions = m_repetitions;
+    asked.leaveOutUnavailable = request.leaveOutUnavailable;
     m_resultDue = true;
     m_runner.start(asked);
 }

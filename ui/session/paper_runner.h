@@ -36,6 +36,8 @@ signals:
     void progressed(double share, const QString& stage);
     /// The table has more rows.
     void tableChanged();
+    /// The table's plots have more points: one more view is measured.
+    void plotsChanged();
     /// Nothing is under way any more, and the session is what it was before.
     void ended();
 

@@ -126,13 +126,23 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
                      .arg(viewLetter(part.view), strategyText(session, part.view), figureLine(session.figures(part.view)));
 }
 
+void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
+    const auto colours = planePalette(background);
+    for (size_t plane = 0; plane < colours.size(); ++plane)
+        legend.push_back({std::nullopt, QColor::fromRgbF(colours[plane].x, colours[plane].y, colours[plane].z),
+                          QCoreApplication::translate("Screenshot", "box rejected by the %1", "name of a plane")
+                              .arg(translated(planeName(FrustumPlane(plane)))),
+                          QRect()});
+}
+
 std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
-    bool verdicts = false, culledToo = false, boxes = false, bands = false, marks = false;
+    bool verdicts = false, culledToo = false, boxes = false, planes = false, bands = false, marks = false;
     for (const ScreenshotPlan::Part& part : parts) {
         const bool coloured = part.request.look.colouring == Colouring::Verdicts;
         verdicts = verdicts || coloured;
         culledToo = culledToo || (coloured && part.request.look.culledToo);
         boxes = boxes || part.request.look.boxes;
+        planes = planes || part.request.look.byPlane();
         bands = bands || part.request.look.bands;
         marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
     }
@@ -146,6 +156,7 @@ std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts
         if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || (bands && ofBands))
             legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
     }
+    if (planes) addPlanes(legend, style.background);
     if (marks) {
         const Vec3f lost = palette[size_t(TriangleState::WronglyCulled)].colour;
         legend.push_back({std::nullopt, QColor::fromRgbF(lost.x, lost.y, lost.z),

@@ -22,10 +22,14 @@ SceneLoader::Opener openerFor(const Session::Options& options) {
     };
 }
 
-/// The first views differ; the further ones go through the list, so that eight views compare eight strategies where there are.
-const RegisteredStrategy& firstStrategy(size_t view) {
-    if (view < kFirstStrategies.size()) return findStrategy(kFirstStrategies[view]);
-    return strategies()[view % strategies().size()];
+/// The first views differ; the further ones go through what this machine can do, so that eight views compare eight strategies
+/// where there are.
+const StrategyInfo& firstStrategy(size_t view, const Session& session) {
+    if (view < kFirstStrategies.size()) return findStrategy(kFirstStrategies[view]).info;
+    std::vector<const StrategyInfo*> usable;
+    for (const RegisteredStrategy& strategy : strategies())
+        if (!session.unavailable(strategy.info)) usable.push_back(&strategy.info);
+    return *usable[view % usable.size()];
 }
 
 }  // namespace
@@ -97,8 +101,9 @@ void Session::makeGraphics() {
 
 void Session::makeView(int view) {
     ViewState& state = m_views[size_t(view)];
-    const StrategyInfo& info = firstStrategy(size_t(view)).info;
-    state.slot = std::make_unique<StrategySlot>(info.id, ParameterSet(info.parameters));
+    const StrategyInfo& info = firstStrategy(size_t(view), *this);
+    state.slot = std::make_unique<StrategySlot>(info.id, ParameterSet(info.parameters),
+                                                [this](const StrategyInfo& chosen) { return unavailable(chosen); });
     connect(state.slot.get(), &StrategySlot::chosen, this, [this, view] {
         emit strategyChosen(view);
         update();
@@ -114,6 +119,10 @@ void Session::makeView(int view) {
         setFigures(view, figures);
         raise(Severity::Error, message);
     });
+}
+
+std::optional<Message> Session::unavailable(const StrategyInfo& info) const {
+    return m_gpu ? cullscope::unavailable(info, m_gpu->info()) : std::nullopt;
 }
 
 // ---- Scene

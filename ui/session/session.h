@@ -127,8 +127,10 @@ public:
     void setDrawStyle(const DrawStyle& style);
     /// What a view wants to show now; none while scene, strategy or size are missing.
     [[nodiscard]] std::optional<ViewRequest> viewRequest(int view) const;
-    /// The newest picture; null: none yet.
-    [[nodiscard]] ViewPicturePointer picture(int view) const { return m_pictures ? m_pictures->picture(view) : nullptr; }
+    /// The newest picture; null: none yet, or the strategy is refused.
+    [[nodiscard]] ViewPicturePointer picture(int view) const {
+        return m_pictures && !slot(culledBy(view)).refused() ? m_pictures->picture(view) : nullptr;
+    }
     [[nodiscard]] PictureMaker* pictures() { return m_pictures.get(); }
 
     // Figures
@@ -149,6 +151,8 @@ public:
     void pickAt(int view, int x, int y);
 
     // OpenGL
+    /// Why this machine cannot do a strategy; nothing: it can.
+    [[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info) const;
     [[nodiscard]] GpuThread* gpu() { return m_gpu.get(); }
     [[nodiscard]] FigureMeter* meter() { return m_meter.get(); }
 

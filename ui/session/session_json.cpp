@@ -13,6 +13,8 @@ constexpr std::array kRoles{Word<Role>{"linked", Role::Linked}, Word<Role>{"obse
                             Word<Role>{"frozen", Role::Frozen}};
 constexpr std::array kUploads{Word<Upload>{"vbo", Upload::Vbo}, Word<Upload>{"vertex-array", Upload::VertexArray}};
 constexpr std::array kColourings{Word<Colouring>{"shaded", Colouring::Shaded}, Word<Colouring>{"verdicts", Colouring::Verdicts}};
+constexpr std::array kBoxColourings{Word<BoxColouring>{"verdict", BoxColouring::Verdict},
+                                    Word<BoxColouring>{"plane", BoxColouring::Plane}};
 constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wipe::Mode>{"truth", Wipe::Mode::Truth},
                             Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
                             Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
@@ -46,6 +48,7 @@ Json jsonOf(const ViewLook& look) {
             {"culled_too", look.culledToo},
             {"frustum", look.frustum},
             {"boxes", look.boxes},
+            {"box_colouring", wordOf(kBoxColourings, look.boxColouring)},
             {"bands", look.bands},
             {"kernel", look.kernel},
             {"spherical_model", look.sphericalModel}};
@@ -57,6 +60,7 @@ ViewLook readLook(const JsonField& field) {
     read(field, "culled_too", look.culledToo);
     read(field, "frustum", look.frustum);
     read(field, "boxes", look.boxes);
+    read(field, "box_colouring", kBoxColourings, look.boxColouring);
     read(field, "bands", look.bands);
     read(field, "kernel", look.kernel);
     read(field, "spherical_model", look.sphericalModel);

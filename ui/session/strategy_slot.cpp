@@ -7,13 +7,14 @@
 
 namespace cullscope::ui {
 
-StrategySlot::StrategySlot(std::string id, ParameterSet parameters, QObject* parent)
-    : QObject(parent), m_id(std::move(id)), m_parameters(std::move(parameters)) {}
+StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, QObject* parent)
+    : QObject(parent), m_refusal(std::move(refusal)), m_id(std::move(id)), m_parameters(std::move(parameters)) {}
 
 void StrategySlot::choose(const std::string& id) {
     if (id == m_id) return;
-    m_id = id;
+    // Throws where there is none, before anything changes.
     m_parameters = ParameterSet(findStrategy(id).info.parameters);
+    m_id = id;
     emit chosen();
     build();
 }
@@ -36,8 +37,19 @@ void StrategySlot::setScene(const ScenePointer& scene) {
 
 void StrategySlot::build() {
     if (!m_scene) return;
+    const std::optional<Message> why = m_refusal(findStrategy(m_id).info);
+    m_refused = why.has_value();
+    if (why) return refuse(*why);
     m_again = m_background.busy();
     if (!m_again) start();
+}
+
+void StrategySlot::refuse(const Message& why) {
+    m_background.cancel();
+    m_again = false;
+    m_built = nullptr;
+    emit builtChanged();
+    emit failed(why);
 }
 
 void StrategySlot::start() {
@@ -47,6 +59,7 @@ void StrategySlot::start() {
                 auto built = std::make_shared<BuiltStrategy>();
                 built->id = id;
                 built->scene = scene;
+                built->asks = findStrategy(id).info.asks;
                 built->strategy = makeStrategy(id, parameters);
                 Progress progress;
                 progress.stop = stop;

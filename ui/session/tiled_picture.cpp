@@ -17,11 +17,11 @@ bool TiledPicture::drawNext(Renderer& renderer) {
     size_t step = m_step++;
     if (step < m_cullingTiles.size()) {
         findVisible(renderer, m_cullingTiles[step]);
-        if (step + 1 == m_cullingTiles.size()) finishTruth();
+        if (step + 1 == m_cullingTiles.size()) finishTruth(renderer);
         return true;
     }
     step -= m_cullingTiles.size();
-    if (!m_drawing) m_drawing.emplace(m_request);
+    if (!m_drawing) m_drawing.emplace(m_request, renderer);
     if (step < m_tiles.size()) {
         Framebuffer target(m_tiles[step]);
         m_drawing->draw(renderer, target);
@@ -39,7 +39,7 @@ void TiledPicture::findVisible(Renderer& renderer, const PictureTile& tile) {
         if (item != 0) m_visible[item - 1] = true;
 }
 
-void TiledPicture::finishTruth() {
+void TiledPicture::finishTruth(Renderer& renderer) {
     Reference truth;
     truth.size = m_request.cullingSize;
     truth.facing = m_request.strategy->strategy->referenceFacing();
@@ -47,7 +47,7 @@ void TiledPicture::finishTruth() {
         if (m_visible[triangle]) truth.visibleTriangles.push_back(uint32_t(triangle));
     const View culling(m_request.culling, m_request.cullingSize);
     Trace trace;
-    const Verdict verdict = cullShared(*m_request.strategy, culling, &trace);
+    const Verdict verdict = cullShared(*m_request.strategy, culling, &trace, &renderer);
     m_request.states = std::make_shared<const TriangleStates>(
         triangleStates(m_request.buffers->scene(), culling, verdict.drawList, trace, &truth));
 }

@@ -33,7 +33,7 @@ public:
 
 private:
     void findVisible(Renderer& renderer, const PictureTile& tile);
-    void finishTruth();
+    void finishTruth(Renderer& renderer);
     void drawItems(Renderer& renderer, const PictureTile& tile);
 
     ViewRequest m_request;

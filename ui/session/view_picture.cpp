@@ -59,14 +59,15 @@ Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
     return *m_framebuffer;
 }
 
-PictureDrawing::PictureDrawing(const ViewRequest& request)
+PictureDrawing::PictureDrawing(const ViewRequest& request, Renderer& renderer)
     : m_picture(std::make_shared<ViewPicture>()),
       m_culling(request.culling, request.cullingSize),
       m_viewing(request.viewing, request.size),
       m_states(request.states) {
     m_picture->request = request;
-    m_verdict = cullShared(*request.strategy, m_culling, needsTrace(request.look) ? &m_trace : nullptr);
+    m_verdict = cullShared(*request.strategy, m_culling, needsTrace(request.look) ? &m_trace : nullptr, &renderer);
     m_picture->consideredTriangles = m_verdict.consideredTriangles;
+    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->strategy->inside(m_trace));
     m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(request.buffers->scene(), m_verdict.drawList);
     if (request.look.colouring == Colouring::Verdicts && !m_states)
         m_states = std::make_shared<const TriangleStates>(
@@ -78,7 +79,7 @@ PictureDrawing::PictureDrawing(const ViewRequest& request)
     const bool truth = request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss;
     if (!truth && !request.other) return;
     m_beside = truth ? everything(request.buffers->scene(), request.strategy->strategy->referenceFacing())
-                     : cullShared(*request.other, m_culling, nullptr).drawList;
+                     : cullShared(*request.other, m_culling, nullptr, &renderer).drawList;
     m_picture->other = newImage(request.size, QImage::Format_RGBA8888);
     m_differences.resize(pixels);
 }
@@ -111,22 +112,24 @@ std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
 }
 
 ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
-    PictureDrawing drawing(request);
+    PictureDrawing drawing(request, renderer());
     drawing.draw(renderer(), target(request.size));
     return drawing.finish(kMarkReach);
 }
 
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
     if (request.look.sphericalModel) {
-        const DrawList drawn = cullShared(*request.strategy, View(request.culling, request.cullingSize), nullptr).drawList;
+        const View culling(request.culling, request.cullingSize);
+        const DrawList drawn = cullShared(*request.strategy, culling, nullptr, &renderer()).drawList;
         const std::optional<DirectionPick> found =
             pickSphericalModel(request.buffers->scene(), drawn, request.size, request.style, x, y);
         return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
     }
     const View viewing(request.viewing, request.size);
     const bool all = request.look.colouring == Colouring::Verdicts && request.look.culledToo;
+    const View culling(request.culling, request.cullingSize);
     const DrawList list = all ? everything(request.buffers->scene(), Facing::TwoSided)
-                              : cullShared(*request.strategy, View(request.culling, request.cullingSize), nullptr).drawList;
+                              : cullShared(*request.strategy, culling, nullptr, &renderer()).drawList;
     const std::optional<PickedTriangle> picked = renderer().pick(*request.buffers, viewing, list, x, y);
     if (!picked) return std::nullopt;
     return Picked{picked->triangle, pointUnder(viewing, Vec2(x + 0.5, y + 0.5), picked->depth)};

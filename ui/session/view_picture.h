@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/gpu/renderer.h"
+#include "core/measure/plane_colours.h"
 #include "ui/session/built_strategy.h"
 #include "ui/session/gpu_thread.h"
 #include "ui/session/view_setup.h"
@@ -42,6 +43,7 @@ struct ViewPicture {
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
     uint64_t missed = 0, added = 0;    ///< differing pixels: `colour` shows something farther or nearer than `other`
     uint64_t consideredTriangles = 0;  ///< given to OpenGL
+    PlaneCounts planes;                ///< where boxes are coloured by plane
     bool partOfModel = false;          ///< in spherical coordinates: not all of the object that is shown was given to OpenGL
 };
 
@@ -53,7 +55,7 @@ using ViewPicturePointer = std::shared_ptr<const ViewPicture>;
 /// A picture under way: culled once, then drawn tile by tile on the thread whose context is current. Throws what core throws.
 class PictureDrawing {
 public:
-    explicit PictureDrawing(const ViewRequest& request);
+    PictureDrawing(const ViewRequest& request, Renderer& renderer);
 
     /// Draws the part of the picture that `target` holds.
     void draw(Renderer& renderer, Framebuffer& target);

@@ -48,4 +48,10 @@ struct ViewSetup {
     bool operator==(const ViewSetup&) const = default;
 };
 
+/// Boxes in the colours of the planes, which shows boxes; off: by verdict, and they stay.
+inline void showBoxesByPlane(ViewLook& look, bool on) {
+    look.boxes = look.boxes || on;
+    look.boxColouring = on ? BoxColouring::Plane : BoxColouring::Verdict;
+}
+
 }  // namespace cullscope::ui

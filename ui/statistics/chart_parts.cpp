@@ -2,6 +2,7 @@
 
 #include <QGraphicsLayout>
 #include <QGraphicsScene>
+#include <QLineSeries>
 #include <cmath>
 
 namespace cullscope::ui {
@@ -54,6 +55,14 @@ QRectF takeCaption(QPainter& painter, const QRectF& place, const QString& captio
 void addSeries(QChart& chart, QXYSeries* series) {
     chart.addSeries(series);
     for (QAbstractAxis* axis : chart.axes()) series->attachAxis(axis);
+}
+
+void addRule(QChart& chart, const QPointF& from, const QPointF& to, const QPen& pen) {
+    auto* line = new QLineSeries;
+    line->append(from);
+    line->append(to);
+    line->setPen(pen);
+    addSeries(chart, line);
 }
 
 QValueAxis* axisFromZero(double most) {

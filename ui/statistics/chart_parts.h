@@ -27,6 +27,9 @@ void addAxis(QChart& chart, QAbstractAxis* axis, Qt::Alignment side, const QFont
 /// Adds a series and ties it to all axes that the chart has by then; the chart owns it.
 void addSeries(QChart& chart, QXYSeries* series);
 
+/// Adds a straight line that stands for no strategy.
+void addRule(QChart& chart, const QPointF& from, const QPointF& to, const QPen& pen);
+
 /// An axis from 0 to at least `most` with round numbers and few ticks.
 [[nodiscard]] QValueAxis* axisFromZero(double most);
 /// An axis over `count` numbered poses, ticks at round numbers that stand apart in a width in pixels.

@@ -3,6 +3,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
+#include "core/measure/strategy_text.h"
 #include "ui/session/cullbench_command.h"
 
 namespace cullscope::ui {
@@ -13,16 +14,6 @@ QString shellWord(const QString& word) {
     static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_./:=,+-]+$"));
     if (plain.match(word).hasMatch()) return word;
     return QLatin1Char('\'') + QString(word).replace(QLatin1Char('\''), QStringLiteral("'\\''")) + QLatin1Char('\'');
-}
-
-/// "frustum:box=length"
-QString strategyWord(const StrategyRequest& strategy) {
-    QString word = QString::fromStdString(strategy.id);
-    for (const ParameterDeclaration& declaration : strategy.parameters.declarations()) {
-        const ParameterValue& value = strategy.parameters.value(declaration.key);
-        if (value != declaration.defaultValue) word += QString::fromStdString(":" + declaration.key + "=" + toText(value));
-    }
-    return word;
 }
 
 }  // namespace
@@ -37,7 +28,7 @@ QString measureCommand(const MeasureRequest& request, const SceneOrigin& origin)
     QStringList words{QStringLiteral("cullbench")};
     words << ofPicture.mid(0, verb) << QStringLiteral("measure") << ofPicture.at(verb + 1);
     QStringList strategyWords;
-    for (const StrategyRequest& strategy : request.strategies) strategyWords << strategyWord(strategy);
+    for (const StrategyRequest& strategy : request.strategies) strategyWords << QString::fromStdString(strategyText(strategy));
     words << QStringLiteral("-s") << strategyWords.join(QLatin1Char(',')) << QStringLiteral("--path")
           << QString::fromStdString(request.path.name)
           << QStringLiteral("--size=%1x%2").arg(request.size.width).arg(request.size.height);

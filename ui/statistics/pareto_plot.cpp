@@ -45,15 +45,6 @@ QCategoryAxis* lossAxis(int lowest, int highest, const QString& zero) {
     return axis;
 }
 
-/// A straight line that stands for no strategy.
-void addRule(QChart& chart, const QPointF& from, const QPointF& to, const QPen& pen) {
-    auto* line = new QLineSeries;
-    line->append(from);
-    line->append(to);
-    line->setPen(pen);
-    addSeries(chart, line);
-}
-
 /// The band on which nothing missed stands.
 void addZeroBand(QChart& chart, double from, double to, double width, const PlotColours& colours) {
     auto* lower = new QLineSeries;

@@ -1,9 +1,9 @@
 #include "ui/views/verdict_swatch.h"
 
 #include <QGuiApplication>
-#include <QIconEngine>
 
 #include "core/measure/view_picture.h"
+#include "ui/views/painted_icon.h"
 
 namespace cullscope::ui {
 
@@ -35,28 +35,6 @@ void drawHatched(QPainter& painter, const QRectF& place, const QColor& colour, c
         painter.drawLine(QPointF(x, place.bottom()), QPointF(x + place.height(), place.top()));
 }
 
-class VerdictIconEngine : public QIconEngine {
-public:
-    explicit VerdictIconEngine(TriangleState state) : m_state(state) {}
-
-    [[nodiscard]] QIconEngine* clone() const override { return new VerdictIconEngine(m_state); }
-
-    void paint(QPainter* painter, const QRect& place, QIcon::Mode, QIcon::State) override {
-        drawVerdictSwatch(*painter, QRectF(place).adjusted(2, 2, -2, -2), m_state, QGuiApplication::palette());
-    }
-
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, pixmap.rect(), mode, state);
-        return pixmap;
-    }
-
-private:
-    TriangleState m_state;
-};
-
 }  // namespace
 
 QColor verdictColour(TriangleState state, const QPalette& palette) { return colourOf(entryOf(state, palette)); }
@@ -74,7 +52,11 @@ void drawVerdictSwatch(QPainter& painter, const QRectF& place, TriangleState sta
     painter.restore();
 }
 
-QIcon verdictIcon(TriangleState state) { return QIcon(new VerdictIconEngine(state)); }
+QIcon verdictIcon(TriangleState state) {
+    return paintedIcon(
+        [state](QPainter& painter, const QRectF& place) { drawVerdictSwatch(painter, place, state, QGuiApplication::palette()); },
+        2);
+}
 
 VerdictSwatch::VerdictSwatch(TriangleState state, QWidget* parent) : QWidget(parent), m_state(state) {
     setFixedSize(kSwatchSize, kSwatchSize);

@@ -3,6 +3,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -69,6 +70,8 @@ QString ViewPane::visibleSets() const {
 }
 
 QString ViewPane::chipText() const {
+    // In place of the picture.
+    if (m_session.slot(m_session.culledBy(m_view)).refused()) return translated(m_session.figures(m_view).failure);
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);
     if (m_session.setup(m_session.culledBy(m_view)).role == Role::Frozen) parts << tr("culling frozen (F)");

@@ -44,6 +44,8 @@ void ViewCommands::wire() {
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.frustum = on; }); });
     connect(m_actions.boxes, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.boxes = on; }); });
+    connect(m_actions.boxesByPlane, &QAction::triggered, this,
+            [this](bool on) { edit([on](ViewSetup& setup) { showBoxesByPlane(setup.look, on); }); });
     connect(m_actions.bands, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.bands = on; }); });
     connect(m_actions.kernel, &QAction::triggered, this,
@@ -80,6 +82,7 @@ void ViewCommands::refresh() {
     m_actions.verdicts->setChecked(setup.look.colouring == Colouring::Verdicts);
     m_actions.frustum->setChecked(setup.look.frustum);
     m_actions.boxes->setChecked(setup.look.boxes);
+    m_actions.boxesByPlane->setChecked(setup.look.byPlane());
     m_actions.bands->setChecked(setup.look.bands);
     m_actions.kernel->setChecked(setup.look.kernel);
     m_actions.sphericalModel->setChecked(setup.look.sphericalModel);

@@ -44,7 +44,9 @@ void ViewMenu::addStrategies() {
     for (const RegisteredStrategy& strategy : strategies()) {
         QAction* action = option(*menu, translated(strategy.info.name), strategy.info.id == m_session.slot(culling).id(),
                                  [session = &m_session, culling, id = strategy.info.id] { session->slot(culling).choose(id); });
-        action->setToolTip(translated(strategy.info.description));
+        const std::optional<Message> why = m_session.unavailable(strategy.info);
+        action->setEnabled(!why);
+        action->setToolTip(translated(why ? *why : Message{strategy.info.description, {}}));
     }
 }
 
@@ -84,6 +86,8 @@ void ViewMenu::addLook() {
     change(*menu, tr("The culling camera's frustum"), look.frustum,
            [](ViewSetup& setup) { setup.look.frustum = !setup.look.frustum; });
     change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
+    change(*menu, tr("Boxes by the plane that rejected them"), look.byPlane(),
+           [](ViewSetup& setup) { showBoxesByPlane(setup.look, !setup.look.byPlane()); });
     change(*menu, tr("Contour bands"), look.bands, [](ViewSetup& setup) { setup.look.bands = !setup.look.bands; });
     change(*menu, tr("Inner kernel and horizon"), look.kernel, [](ViewSetup& setup) { setup.look.kernel = !setup.look.kernel; });
     for (QAction* action : menu->actions()) needsCameraPicture(action);

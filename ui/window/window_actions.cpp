@@ -81,6 +81,7 @@ void WindowActions::makePicture() {
     verdicts = toggle(Qt::Key_V, QStringLiteral("verdicts"));
     frustum = toggle({});
     boxes = toggle({});
+    boxesByPlane = toggle({});
     bands = toggle({});
     kernel = toggle({});
     sphericalModel = toggle({});
@@ -150,7 +151,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, bands, kernel, sphericalModel, axes});
+    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, boxesByPlane, bands, kernel, sphericalModel, axes});
     m_pictureMenu->setToolTipsVisible(true);
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
@@ -267,6 +268,9 @@ void WindowActions::retranslatePicture() {
     say(verdicts, tr("Colours by &verdict"), tr("Colour the active view by what became of each triangle"));
     say(frustum, tr("F&rustum"), tr("Show the culling camera's frustum in the active view"));
     say(boxes, tr("&Boxes"), tr("Show the boxes that the strategy tested in the active view"));
+    say(boxesByPlane, tr("Boxes by rejecting &plane"),
+        tr("Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes "
+           "have the same colours"));
     say(bands, tr("&Contour bands"),
         tr("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines "
            "from the axis are each band's S"));

@@ -43,7 +43,8 @@ public:
     /// The docks' own actions go here.
     QMenu* panels;
     // Picture: of the active view
-    QAction *freeze, *verdicts, *frustum, *boxes, *bands, *kernel, *sphericalModel, *truth, *loss, *nextLoss, *loupe, *axes;
+    QAction *freeze, *verdicts, *frustum, *boxes, *boxesByPlane, *bands, *kernel, *sphericalModel, *truth, *loss, *nextLoss,
+        *loupe, *axes;
     // Path
     QAction *record, *addPose, *savePath, *openPath, *play, *stop;
     // Help
@@ -67,7 +68,7 @@ private:
     void retranslatePicture();
     /// What needs a camera's picture.
     [[nodiscard]] QList<QAction*> ofCameraPictures() const {
-        return {verdicts, frustum, boxes, bands, kernel, axes, truth, loss, nextLoss};
+        return {verdicts, frustum, boxes, boxesByPlane, bands, kernel, axes, truth, loss, nextLoss};
     }
     QAction* option(QActionGroup* group, const QString& data, const QKeySequence& shortcut = {}, const QString& icon = {});
     void makeLanguages();

@@ -123,7 +123,7 @@ TEST(Accuracy, conservativeStrategyMissesAPixel) {
         strategy->build(*scene);
         if (strategy->promise() == Promise::Approximate) continue;
         ++conservative;
-        const Verdict verdict = strategy->cull(overThree());
+        const Verdict verdict = strategy->cull(overThree(), nullptr, &GlEnvironment::renderer());
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), strategy->facing());
         const Accuracy accuracy =
             compare(reference, picture(buffers, overThree(), verdict.drawList).depth, verdict.drawList, *scene);

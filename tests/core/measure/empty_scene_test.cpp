@@ -26,7 +26,7 @@ TEST(EmptyScene, strategySubmitsOrLosesSomething) {
         const StrategyPointer strategy = makeStrategy(registered.info.id, ParameterSet(registered.info.parameters));
         strategy->build(*scene);
         Trace trace;
-        EXPECT_EQ(strategy->cull(view, &trace).consideredTriangles, 0u) << registered.info.id;
+        EXPECT_EQ(strategy->cull(view, &trace, &GlEnvironment::renderer()).consideredTriangles, 0u) << registered.info.id;
         (void)strategy->promiseAt(view);
         const FrameResult frame = renderFrame(GlEnvironment::renderer(), buffers, *strategy, view, target);
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());

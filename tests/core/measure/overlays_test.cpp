@@ -2,6 +2,8 @@
 
 #include "core/measure/overlays.h"
 
+#include <map>
+
 #include "core/gpu/colour.h"
 #include "core/measure/view_picture.h"
 #include "tests/core/measure/hand_made_map.h"
@@ -30,7 +32,8 @@ struct Seen {
         return Vec3(glm::inverse(place) * Vec4(point, 1.0)) - inside.maps[0].maps->sphere().centre;
     }
     [[nodiscard]] OverlayContext context() const {
-        return {*scene, view, style, verdictPalette(style.background), contrastTo(style.background)};
+        return {
+            *scene, view, style, verdictPalette(style.background), contrastTo(style.background), planePalette(style.background)};
     }
     [[nodiscard]] double radius() const { return inside.maps[0].maps->sphere().radius; }
 
@@ -132,6 +135,60 @@ TEST(GroupOverlay, groupThatWasNotTestedHasABoxOrAnotherHasNone) {
     EXPECT_EQ(colours(groups, 6), twelve(TriangleState::Visible));
     EXPECT_EQ(boxes.lines.size(), 24u) << "of the objects, and of them only";
     EXPECT_EQ(colours(boxes, 1), twelve(TriangleState::OutsideFrustum));
+}
+
+TEST(BoxesByPlane, boxHasAnotherPlanesColour) {
+    Seen seen(sphereMap());
+    const auto node = [](int32_t parent, uint32_t instance, double size, std::optional<FrustumPlane> plane) {
+        InsideNode made;
+        made.parent = parent;
+        made.instance = instance;
+        made.box = {Vec3(-size), Vec3(size)};
+        made.culled = size > 1;
+        made.containment = made.culled ? Containment::Outside : Containment::Straddles;
+        made.rejectedBy = plane;
+        return made;
+    };
+    // Kept; rejected by a plane; by none alone; and a group with one that was decided with it.
+    seen.inside.nodes = {node(-1, 0, 1, {}), node(-1, 1, 2, FrustumPlane::Top), node(-1, 2, 3, {}),
+                         node(-1, InsideNode::kGroup, 5, FrustumPlane::Near), node(3, InsideNode::kGroup, 4, FrustumPlane::Near)};
+    const OverlayContext context = seen.context();
+    const std::vector<OverlayLines> overlays = boxOverlayByPlane(context, seen.inside);
+    std::map<double, std::vector<Vec3f>> colours;
+    std::map<double, float> widths;
+    for (const OverlayLines& overlay : overlays)
+        for (const LineSegment& line : overlay.lines) {
+            colours[std::abs(line.from.x)].push_back(line.colour);
+            widths[std::abs(line.from.x)] = overlay.style.width;
+        }
+    const auto twelve = [](const Vec3f& colour) { return std::vector<Vec3f>(12, colour); };
+    EXPECT_EQ(colours[1], twelve(context.palette[size_t(TriangleState::Visible)].colour));
+    EXPECT_EQ(colours[2], twelve(context.planes[size_t(FrustumPlane::Top)]));
+    EXPECT_EQ(colours[3], twelve(context.palette[size_t(TriangleState::OutsideFrustum)].colour));
+    EXPECT_EQ(colours[5], twelve(context.planes[size_t(FrustumPlane::Near)]));
+    EXPECT_TRUE(colours[4].empty()) << "it was not tested";
+    EXPECT_GT(widths[2], widths[1]);
+}
+
+TEST(PlaneOverlay, bordersLieOutsideTheirPlanes) {
+    const Seen seen(sphereMap());
+    const OverlayContext context = seen.context();
+    Frustum frustum = shownFrustum(seen.view, *seen.scene);
+    frustum = makeFrustum(frustum.forward, frustum.right, frustum.up, frustum.tanHalfWidth, frustum.tanHalfHeight,
+                          frustum.nearDistance, frustum.farDistance);
+    const OverlayLines overlay = planeOverlay(context, seen.view);
+    ASSERT_EQ(overlay.lines.size(), 24u);
+    for (size_t line = 0; line < overlay.lines.size(); ++line) {
+        const size_t plane = line / 4;
+        EXPECT_EQ(overlay.lines[line].colour, context.planes[plane]);
+        for (size_t other = 0; other < frustum.planes.size(); ++other) {
+            const double distance = frustum.planes[other].distance(overlay.lines[line].from - seen.view.eye());
+            if (other == plane)
+                EXPECT_NEAR(distance, 0.0, 1e-9) << plane;
+            else
+                EXPECT_GT(distance, 0.0) << "the border of plane " << plane << " does not lie within its face";
+        }
+    }
 }
 
 TEST(BandOverlay, circleLiesAtAnotherAngle) {

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/measure/han_hong_tables.h"
 #include "tests/core/gpu/gl_environment.h"
 #include "tests/core/measure/small_experiment.h"
 
@@ -128,7 +129,7 @@ TEST(PaperTables, settingsAreNotThePapers) {
                                                        {"case-3", 320, 8, vbo}}));
     EXPECT_EQ(setupsOf("table-5"),
               (std::vector<Setup>{{"fibonacci:12", 640, 1, Upload::VertexArray}, {"fibonacci:12", 640, 1, vbo}}));
-    for (const PaperExperiment& experiment : paperExperiments())
+    for (const PaperExperiment& experiment : hanHongTables())
         for (const PaperSetting& setting : experiment.settings) {
             EXPECT_EQ(setting.scene, "mesh:bunny,triangles=144046");
             if (!setting.timed()) continue;
@@ -309,7 +310,9 @@ TEST(PaperTables, unknownExperimentNamesNoKnownOnes) {
         FAIL() << "found";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::Usage);
-        EXPECT_STREQ(error.what(), "There is no experiment \"table-9\". Known: table-1, table-2, table-3, table-4, table-5.");
+        EXPECT_STREQ(error.what(),
+                     "There is no experiment \"table-9\". Known: table-1, table-2, table-3, table-4, table-5, "
+                     "vfc-40-views.");
     }
 }
 

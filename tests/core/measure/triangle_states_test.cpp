@@ -75,7 +75,7 @@ TEST(TriangleStates, randomViewOfAStrategyIsNoPartition) {
                 const StrategyPointer strategy = makeStrategy(registered.info.id);
                 strategy->build(*scene);
                 Trace trace;
-                const Verdict verdict = strategy->cull(view, &trace);
+                const Verdict verdict = strategy->cull(view, &trace, &GlEnvironment::renderer());
                 const Reference reference =
                     itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
                 const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, &reference);

@@ -56,7 +56,7 @@ Shown shown(const ScenePointer& scene, const char* id, const View& culling, cons
     const StrategyPointer strategy = makeStrategy(id);
     strategy->build(*scene);
     Trace trace;
-    const Verdict verdict = strategy->cull(culling, needsTrace(look) ? &trace : nullptr);
+    const Verdict verdict = strategy->cull(culling, needsTrace(look) ? &trace : nullptr, &GlEnvironment::renderer());
     Framebuffer target(viewing.viewport());
     drawViewPicture(GlEnvironment::renderer(), buffers, *strategy, culling, viewing, verdict, trace, known, look, style, target);
     return {target.readColour(), target.readDepth(), viewing.viewport()};
@@ -79,7 +79,7 @@ TEST(ViewPicture, defaultLookDiffersFromTheRenderer) {
     for (const RegisteredStrategy& registered : strategies()) {
         const StrategyPointer strategy = makeStrategy(registered.info.id);
         strategy->build(*scene);
-        const Picture drawn = picture(buffers, view, strategy->cull(view).drawList);
+        const Picture drawn = picture(buffers, view, strategy->cull(view, nullptr, &GlEnvironment::renderer()).drawList);
         const Shown look = shown(scene, registered.info.id.c_str(), view, view, {});
         EXPECT_EQ(look.colour, drawn.colour) << registered.info.id;
         EXPECT_EQ(look.depth, drawn.depth) << registered.info.id;

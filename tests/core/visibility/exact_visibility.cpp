@@ -6,24 +6,7 @@
 namespace cullscope::test {
 namespace {
 
-using Vector = std::array<Quad, 3>;
-
-Quad dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
-Vector cross(const Vector& a, const Vector& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-Vector scaled(const Vector& a, Quad by) { return {a[0] * by, a[1] * by, a[2] * by}; }
-Vector plus(const Vector& a, const Vector& b) { return {a[0] + b[0], a[1] + b[1], a[2] + b[2]}; }
-Vector quad(const Vec3& v) { return {v.x, v.y, v.z}; }
-
-/// Newton's iteration from the double root: 53, 106, 212 good bits.
-Quad root(Quad square) {
-    Quad guess = std::sqrt(static_cast<double>(square));
-    for (int i = 0; i < 3; ++i) guess = (guess + square / guess) / 2;
-    return guess;
-}
-
-Vector unit(const Vector& v) { return scaled(v, 1 / root(dot(v, v))); }
+QuadVector unit(const QuadVector& v) { return scaled(v, 1 / root(dot(v, v))); }
 
 /// Sine over cosine by their series; 40 terms leave less than 2^-113 for angles up to pi/2.
 Quad tangent(Quad angle) {
@@ -37,52 +20,15 @@ Quad tangent(Quad angle) {
     return sine / cosine;
 }
 
-/// Signed distances of one vertex from the six planes.
-using Distances = std::array<Quad, 6>;
-
-Distances between(const Distances& a, const Distances& b, size_t plane) {
-    const Quad share = a[plane] / (a[plane] - b[plane]);
-    Distances point;
-    for (size_t i = 0; i < 6; ++i) point[i] = a[i] + (b[i] - a[i]) * share;
-    point[plane] = 0;
-    return point;
-}
-
-/// Cuts a convex polygon, its points given by their distances from the planes, down to what lies inside one plane.
-void clip(std::vector<Distances>& polygon, size_t plane) {
-    std::vector<Distances> kept;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const Distances& here = polygon[i];
-        const Distances& next = polygon[(i + 1) % polygon.size()];
-        if (here[plane] >= 0) kept.push_back(here);
-        if ((here[plane] < 0) != (next[plane] < 0)) kept.push_back(between(here, next, plane));
-    }
-    polygon = std::move(kept);
-}
-
-bool reachesInside(const Distances& a, const Distances& b, const Distances& c) {
-    for (size_t plane = 0; plane < 6; ++plane)
-        if (a[plane] < 0 && b[plane] < 0 && c[plane] < 0) return false;
-    std::vector<Distances> polygon{a, b, c};
-    for (size_t plane = 0; plane < 6 && !polygon.empty(); ++plane) clip(polygon, plane);
-    return !polygon.empty();
-}
-
-bool inside(const Distances& distances) {
-    for (const Quad distance : distances)
-        if (distance < 0) return false;
-    return true;
-}
-
 }  // namespace
 
 ExactVisibility::ExactVisibility(const Camera& camera, const Viewport& viewport) : m_eye(quad(camera.eye)) {
-    const Vector forward = unit(plus(quad(camera.target), scaled(m_eye, -1)));
-    const Vector right = unit(cross(forward, quad(camera.up)));
-    const Vector up = cross(right, forward);
+    const QuadVector forward = unit(plus(quad(camera.target), scaled(m_eye, -1)));
+    const QuadVector right = unit(cross(forward, quad(camera.up)));
+    const QuadVector up = cross(right, forward);
     const Quad tall = tangent(Quad(camera.fovy.radians()) / 2);
     const Quad wide = tall * viewport.width / viewport.height;
-    const auto side = [&](const Vector& axis, Quad tangentOfHalf) {
+    const auto side = [&](const QuadVector& axis, Quad tangentOfHalf) {
         return HalfSpace{unit(plus(scaled(forward, tangentOfHalf), axis)), 0};
     };
     m_halfSpaces = {side(right, wide),
@@ -97,7 +43,7 @@ ObjectTruth ExactVisibility::judge(const Scene& scene, size_t instance) const {
     const TriangleMesh& mesh = scene.meshOf(instance);
     const Mat4& place = scene.instances()[instance].worldFromMesh;
     const auto eyeRelative = [&](const Vec3f& position) {
-        Vector point;
+        QuadVector point;
         for (int row = 0; row < 3; ++row) {
             point[row] = Quad(place[3][row]) - m_eye[row];
             for (int axis = 0; axis < 3; ++axis)
@@ -115,17 +61,17 @@ ObjectTruth ExactVisibility::judge(const Scene& scene, size_t instance) const {
     Distances farthest;
     farthest.fill(-1);
     for (size_t v = 0; v < mesh.vertexCount(); ++v) {
-        Distances& distances = vertices.emplace_back();
+        vertices.emplace_back();
         if (used[v] == 0) continue;
-        const Vector point = eyeRelative(mesh.positions()[v]);
+        const QuadVector point = eyeRelative(mesh.positions()[v]);
+        const Distances& fromPlanes = vertices.back() = distances(point);
         const double reach = std::sqrt(static_cast<double>(dot(point, point)));
         for (size_t plane = 0; plane < 6; ++plane) {
-            distances[plane] = dot(m_halfSpaces[plane].normal, point) + m_halfSpaces[plane].offset;
-            farthest[plane] = std::max(farthest[plane], distances[plane]);
+            farthest[plane] = std::max(farthest[plane], fromPlanes[plane]);
             truth.closest[plane] =
-                std::min(truth.closest[plane], std::abs(static_cast<double>(distances[plane])) / std::max(reach, 1e-300));
+                std::min(truth.closest[plane], std::abs(static_cast<double>(fromPlanes[plane])) / std::max(reach, 1e-300));
         }
-        (inside(distances) ? anyInside : anyOutside) = true;
+        (inside(fromPlanes) ? anyInside : anyOutside) = true;
     }
     // A vertex inside decides; so does a plane that has every vertex, hence their convex hull, on its outside.
     truth.visible = anyInside;
@@ -136,6 +82,25 @@ ObjectTruth ExactVisibility::judge(const Scene& scene, size_t instance) const {
             reachesInside(vertices[mesh.indices()[i]], vertices[mesh.indices()[i + 1]], vertices[mesh.indices()[i + 2]]);
     truth.straddles = truth.visible && anyOutside;
     return truth;
+}
+
+Distances ExactVisibility::distances(const QuadVector& eyeRelative) const {
+    Distances distances;
+    for (size_t plane = 0; plane < 6; ++plane)
+        distances[plane] = dot(m_halfSpaces[plane].normal, eyeRelative) + m_halfSpaces[plane].offset;
+    return distances;
+}
+
+bool ExactVisibility::meets(const Box3& world) const {
+    QuadBox box{};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto i = size_t(axis);
+        box.centre[i] = (Quad(world.min[axis]) + Quad(world.max[axis])) / 2 - m_eye[i];
+        box.halves[i][i] = (Quad(world.max[axis]) - Quad(world.min[axis])) / 2;
+    }
+    const QuadVector nearCentre = scaled(m_halfSpaces[4].normal, -m_halfSpaces[4].offset);
+    return test::meets(
+        box, [&](const QuadVector& point) { return distances(point); }, nearCentre);
 }
 
 std::string described(const Camera& camera, const Viewport& viewport) {

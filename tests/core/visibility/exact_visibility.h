@@ -6,11 +6,9 @@
 
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
+#include "tests/core/geometry/exact_convex.h"
 
 namespace cullscope::test {
-
-/// 113 bits of mantissa. Everything between a camera's doubles and an answer is computed in it.
-__extension__ typedef __float128 Quad;
 
 /// How an object lies to a frustum in (nearly) exact arithmetic.
 struct ObjectTruth {
@@ -31,6 +29,8 @@ public:
     ExactVisibility(const Camera& camera, const Viewport& viewport);
 
     [[nodiscard]] ObjectTruth judge(const Scene& scene, size_t instance) const;
+    /// Whether a box in the world meets the closed frustum.
+    [[nodiscard]] bool meets(const Box3& world) const;
 
 private:
     /// inside where n·p + offset >= 0, with p relative to the eye
@@ -38,6 +38,8 @@ private:
         std::array<Quad, 3> normal;  ///< unit length
         Quad offset;
     };
+    [[nodiscard]] Distances distances(const QuadVector& eyeRelative) const;
+
     std::array<HalfSpace, 6> m_halfSpaces;
     std::array<Quad, 3> m_eye;
 };

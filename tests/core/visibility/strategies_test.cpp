@@ -2,6 +2,7 @@
 
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
 #include "tests/core/scene/test_scenes.h"
 #include "tests/core/visibility/random_views.h"
 
@@ -46,7 +47,9 @@ TEST(Strategies, countersDoNotAddUpToTheScene) {
     const StrategyPointer backface = makeStrategy("backface");
     const StrategyPointer frustum = makeStrategy("frustum");
     const StrategyPointer length = frustumBy("length");
-    const std::vector<Strategy*> strategies{all.get(), backface.get(), frustum.get(), length.get()};
+    const StrategyPointer oriented = frustumBy("oriented");
+    const StrategyPointer octree = makeStrategy("frustum-octree");
+    const std::vector<Strategy*> strategies{all.get(), backface.get(), frustum.get(), length.get(), oriented.get(), octree.get()};
     onRandomViews(strategies, [&](const Scene& scene, const View& view) {
         for (Strategy* strategy : strategies) {
             const Verdict verdict = strategy->cull(view);
@@ -79,7 +82,9 @@ TEST(Strategies, lengthDrawsLessThanPVertex) {
 TEST(Strategies, traceDisagreesWithVerdict) {
     const StrategyPointer frustum = frustumBy("p-vertex");
     const StrategyPointer length = frustumBy("length");
-    const std::vector<Strategy*> strategies{frustum.get(), length.get()};
+    const StrategyPointer oriented = frustumBy("oriented");
+    const StrategyPointer octree = makeStrategy("frustum-octree");
+    const std::vector<Strategy*> strategies{frustum.get(), length.get(), oriented.get(), octree.get()};
     onRandomViews(strategies, [&](const Scene& scene, const View& view) {
         for (Strategy* strategy : strategies) {
             Trace trace;
@@ -89,7 +94,7 @@ TEST(Strategies, traceDisagreesWithVerdict) {
             for (const TraceEvent& event : trace.events) {
                 ASSERT_LT(event.instance, drawn.size());
                 EXPECT_EQ(ended[event.instance], 0) << "an event after the subject's end";
-                if (event.kind == TraceEvent::Kind::TestedPlane) {
+                if (event.kind == TraceEvent::Kind::TestedPlane || event.kind == TraceEvent::Kind::TestedAxes) {
                     lastTest = &event;
                     continue;
                 }
@@ -99,7 +104,7 @@ TEST(Strategies, traceDisagreesWithVerdict) {
                 const bool culled = event.kind == TraceEvent::Kind::Culled;
                 EXPECT_EQ(drawn[event.instance], culled ? 0 : 1);
                 EXPECT_EQ(lastTest->containment == Containment::Outside, culled);
-                EXPECT_TRUE(!culled || lastTest->distance < 0.0);
+                EXPECT_TRUE(!culled || lastTest->distance < 0.0 || lastTest->kind == TraceEvent::Kind::TestedAxes);
                 EXPECT_EQ(event.cause, Cause::OutsideFrustum);
             }
             EXPECT_THAT(ended, testing::Each(1));
@@ -109,9 +114,12 @@ TEST(Strategies, traceDisagreesWithVerdict) {
 
 TEST(Strategies, traceChangesTheVerdict) {
     const StrategyPointer frustum = makeStrategy("frustum");
-    onRandomViews({frustum.get()}, [&](const Scene&, const View& view) {
-        Trace trace;
-        EXPECT_EQ(frustum->cull(view, &trace).drawList.ranges, frustum->cull(view).drawList.ranges);
+    const StrategyPointer octree = makeStrategy("frustum-octree");
+    onRandomViews({frustum.get(), octree.get()}, [&](const Scene&, const View& view) {
+        for (Strategy* strategy : {frustum.get(), octree.get()}) {
+            Trace trace;
+            EXPECT_EQ(strategy->cull(view, &trace).drawList.ranges, strategy->cull(view).drawList.ranges);
+        }
     });
 }
 
@@ -135,7 +143,7 @@ TEST(Strategies, instanceWithoutTrianglesIsDrawnOrTraced) {
     for (const RegisteredStrategy& registered : strategies()) {
         const StrategyPointer strategy = makeStrategy(registered.info.id);
         strategy->build(*scene);
-        const Verdict verdict = strategy->cull(standardView());
+        const Verdict verdict = strategy->cull(standardView(), nullptr, &GlEnvironment::renderer());
         ASSERT_EQ(verdict.drawList.ranges.size(), 1u) << registered.info.id;
         EXPECT_EQ(verdict.drawList.ranges[0].instance, 1u);
     }
@@ -146,7 +154,7 @@ TEST(Strategies, emptySceneCrashes) {
     for (const RegisteredStrategy& registered : strategies()) {
         const StrategyPointer strategy = makeStrategy(registered.info.id);
         strategy->build(scene);
-        EXPECT_TRUE(strategy->cull(standardView()).drawList.ranges.empty());
+        EXPECT_TRUE(strategy->cull(standardView(), nullptr, &GlEnvironment::renderer()).drawList.ranges.empty());
     }
 }
 

@@ -38,7 +38,7 @@ std::vector<TestedGroup> decidingGroups(const InstanceOctree& octree, const Trac
 
 std::string sentenceAbout(const TestedGroup& group, uint32_t objects) {
     const std::string begin = "It lies in a group of " + std::to_string(objects) + " objects, whose box was tested first: ";
-    if (group.containment == Containment::Outside) return begin + "outside the " + planeName(group.plane) + ".";
+    if (group.containment == Containment::Outside) return begin + "outside the " + planeName(group.plane.value()) + ".";
     if (group.containment == Containment::Inside)
         return begin + "wholly inside the frustum, so that nothing of it was tested again.";
     return begin + "it reaches over the edge of the frustum, so that its objects were tested one by one.";

@@ -4,6 +4,7 @@
 
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
 #include "tests/core/scene/test_scenes.h"
 #include "tests/core/visibility/random_views.h"
 
@@ -119,7 +120,7 @@ TEST(Why, chainContradictsTheDrawList) {
         for (const Camera& camera : cameras()) {
             const View view(camera, {200, 150});
             Trace trace;
-            const Verdict verdict = strategy->cull(view, &trace);
+            const Verdict verdict = strategy->cull(view, &trace, &GlEnvironment::renderer());
             const std::vector<bool> given = givenTriangles(*scene, verdict.drawList);
             for (uint32_t i = 0; i < scene->instances().size(); ++i) {
                 const bool drawn = given[scene->firstTriangle(i) + i];
@@ -136,7 +137,7 @@ TEST(Why, chainContradictsTheDrawList) {
                 EXPECT_FALSE(left && drawn) << chain;
                 EXPECT_EQ(chain.find("\nOpenGL d") != std::string::npos, drawn) << chain;
                 EXPECT_EQ(chain.find("tested as one box with 80 triangles") != std::string::npos,
-                          registered.info.id == "frustum");
+                          registered.info.id.starts_with("frustum"));
                 EXPECT_TRUE(drawn || steps.back().containment == Containment::Outside);
             }
         }
@@ -215,7 +216,7 @@ TEST(Trace, triangleIsNotSubmittedWithoutACause) {
                 const StrategyPointer strategy = coarse(registered);
                 strategy->build(*scene);
                 Trace trace;
-                const Verdict verdict = strategy->cull(View(sample.camera, sample.viewport), &trace);
+                const Verdict verdict = strategy->cull(View(sample.camera, sample.viewport), &trace, &GlEnvironment::renderer());
                 std::vector<uint64_t> submitted(scene->instances().size(), 0);
                 for (const DrawRange& range : verdict.drawList.ranges) submitted[range.instance] += range.indexCount / 3;
                 std::array<uint64_t, kCauseCount> named{};

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <vector>
+
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+
+namespace cullscope {
+
+/// How an object's bounds (the tighter of box and sphere) lie to one plane of a view, whether or not a strategy asked.
+struct PlaneDistance {
+    FrustumPlane plane = FrustumPlane::Left;
+    double distance = 0.0;  ///< signed, of the point farthest inside, scene units
+    double bound = 0.0;     ///< outside only where distance < −bound (geometry/frustum.h, conservativeSlack)
+    Containment containment = Containment::Straddles;
+};
+
+/// Of an instance of the scene: to each of the six planes, in their order.
+[[nodiscard]] std::vector<PlaneDistance> planeDistances(const Scene& scene, const View& view, uint32_t instance);
+
+}  // namespace cullscope

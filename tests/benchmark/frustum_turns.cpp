@@ -1,0 +1,96 @@
+// Passes of several variants in turns, and the hierarchy as one of them.
+#include <ctime>
+
+#include "core/visibility/group_walk.h"
+#include "tests/benchmark/frustum_benchmark.h"
+#include "tests/benchmark/lossless_benchmark.h"
+
+namespace cullscope::benchmark {
+namespace {
+
+/// A measured time is no shorter, in as many passes as it takes.
+constexpr double kLeastMilliseconds = 1.0;
+constexpr int kRounds = 15, kRoundsOfMany = 7;
+constexpr size_t kMany = 2'000'000;
+
+/// The process' own time: on a machine that has more to do, whoever takes long is interrupted more often.
+double processorTime(const std::function<void()>& pass, size_t passes) {
+    const std::clock_t start = std::clock();
+    for (size_t i = 0; i < passes; ++i) pass();
+    return double(std::clock() - start) * 1000.0 / CLOCKS_PER_SEC / double(passes);
+}
+
+/// How many passes take kLeastMilliseconds.
+size_t passesOf(const std::function<void()>& pass) {
+    size_t passes = 1;
+    pass();
+    while (processorTime(pass, passes) * double(passes) < kLeastMilliseconds) passes *= 2;
+    return passes;
+}
+
+/// A triangle from corner to corner of the cube [-1, 1]³, which is its box.
+MeshPointer cubeSpanningTriangle() {
+    TriangleMesh::Data data;
+    data.name = "triangle";
+    data.positions = {{-1, -1, -1}, {1, 1, 1}, {-1, 1, 1}};
+    data.indices = {0, 1, 2};
+    return std::make_shared<TriangleMesh>(std::move(data));
+}
+
+ScenePointer sceneOf(const std::vector<Box3>& boxes) {
+    std::vector<Instance> instances;
+    instances.reserve(boxes.size());
+    for (const Box3& box : boxes) {
+        const Vec3 centre = box.centre(), half = box.halfExtent();
+        Mat4 transform(1.0);
+        for (int axis = 0; axis < 3; ++axis) transform[axis][axis] = half[axis];
+        transform[3] = Vec4(centre, 1.0);
+        instances.push_back({0, transform, {}});
+    }
+    return std::make_shared<Scene>("boxes", std::vector<MeshPointer>{cubeSpanningTriangle()}, std::move(instances));
+}
+
+std::vector<double> ratios(const std::vector<double>& upper, const std::vector<double>& lower) {
+    std::vector<double> ratios;
+    for (size_t i = 0; i < upper.size(); ++i) ratios.push_back(upper[i] / lower[i]);
+    return ratios;
+}
+
+double medianRatio(const std::vector<Variant>& variants, const std::vector<std::vector<double>>& times, const std::string& name,
+                   size_t of, bool inverse) {
+    for (size_t i = 0; i < variants.size(); ++i)
+        if (variants[i].name == name) return medianOf(inverse ? ratios(times[i], times[of]) : ratios(times[of], times[i]));
+    return 0.0;
+}
+
+}  // namespace
+
+std::vector<FrustumSample> inTurns(const std::vector<Variant>& variants, size_t objects) {
+    std::vector<std::vector<double>> times(variants.size());
+    std::vector<FrustumSample> samples(variants.size());
+    std::vector<size_t> passes;
+    for (size_t i = 0; i < variants.size(); ++i) {
+        passes.push_back(passesOf(variants[i].pass));
+        samples[i].kept = variants[i].kept();
+    }
+    for (int round = 0; round < (objects < kMany ? kRounds : kRoundsOfMany); ++round)
+        for (size_t i = 0; i < variants.size(); ++i) {
+            // The variant before has left its own arrays in the cache.
+            if (objects < kMany) variants[i].pass();
+            times[i].push_back(processorTime(variants[i].pass, passes[i]));
+        }
+    for (size_t i = 0; i < variants.size(); ++i) {
+        samples[i].variant = variants[i].name;
+        samples[i].objects = objects;
+        samples[i].milliseconds = medianOf(times[i]);
+        samples[i].toNaive = medianRatio(variants, times, kNaive, i, true);
+        samples[i].toRead = medianRatio(variants, times, kRead, i, false);
+    }
+    return samples;
+}
+
+Hierarchy::Hierarchy(const std::vector<Box3>& boxes) : m_scene(sceneOf(boxes)), m_octree(*m_scene) {}
+
+size_t Hierarchy::kept(const View& view) const { return keptObjects(m_octree, *m_scene, view).size(); }
+
+}  // namespace cullscope::benchmark

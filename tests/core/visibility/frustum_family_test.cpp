@@ -1,0 +1,196 @@
+#include <cstdio>
+#include <sstream>
+
+#include "core/visibility/eye_bounds.h"
+#include "core/visibility/registry.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/exact_visibility.h"
+#include "tests/core/visibility/random_views.h"
+
+// The strategies that test bounds against the frustum, over the same random object-frustum pairs and beside the same exact
+// oracle.
+
+namespace cullscope::test {
+namespace {
+
+constexpr uint64_t kAllPairs = 1'000'000;
+constexpr uint64_t kSample = 50'000;
+constexpr uint64_t kViewsPerScene = 20;
+
+enum Variant : size_t { PVertex, Oriented, Length, Groups, Refined, kVariants };
+
+struct Setting {
+    const char *name, *strategy, *parameter, *value;
+};
+
+constexpr std::array<Setting, kVariants> kSettings{{{"frustum", "frustum", "box", "p-vertex"},
+                                                    {"frustum:box=oriented", "frustum", "box", "oriented"},
+                                                    {"frustum:box=length", "frustum", "box", "length"},
+                                                    {"frustum-octree:refine=off", "frustum-octree", "refine", "off"},
+                                                    {"frustum-octree", "frustum-octree", "refine", "on"}}};
+
+/// What became of the pairs under one variant.
+struct VariantTally {
+    uint64_t culled = 0, visibleCulled = 0;
+    uint64_t falsePositives = 0;  ///< kept, though the object's box lies clearly outside
+};
+
+struct Tally {
+    uint64_t views = 0, pairs = 0, visible = 0, straddling = 0;
+    uint64_t boxOutside = 0, withinSlack = 0;  ///< of the boxes outside, those that the slack may keep
+    std::array<uint64_t, 6> touching{};        ///< visible objects with a vertex within 1e-6 of a plane
+    std::array<uint64_t, 6> justOutside{};     ///< culled ones within 1e-3
+    std::array<VariantTally, kVariants> variants;
+};
+
+/// Which instances a strategy draws.
+std::vector<char> drawnBy(Strategy& strategy, const View& view, size_t instances) {
+    std::vector<char> drawn(instances, 0);
+    for (const DrawRange& range : strategy.cull(view).drawList.ranges) drawn[range.instance] = 1;
+    return drawn;
+}
+
+/// What is true of one pair.
+struct PairTruth {
+    ObjectTruth object;
+    bool boxMeets = false;           ///< the object's box meets the frustum
+    bool boxMeetsInSlack = false;    ///< the same box, grown by slack and rounding
+    bool boxClearlyOutside = false;  ///< outside by more than any test's slack: a batch test's is a few times the others'
+};
+
+class FrustumFamily {
+public:
+    FrustumFamily() {
+        for (const Setting& setting : kSettings) {
+            ParameterSet parameters(findStrategy(setting.strategy).info.parameters);
+            parameters.setFromText(setting.parameter, setting.value);
+            m_strategies.push_back(makeStrategy(setting.strategy, std::move(parameters)));
+        }
+    }
+
+    void run(uint64_t pairs) {
+        for (m_seed = 1000; m_tally.pairs < pairs; ++m_seed) {
+            const ScenePointer scene = randomScene(m_seed);
+            for (const StrategyPointer& strategy : m_strategies) strategy->build(*scene);
+            Random random(m_seed * 7919);
+            for (m_view = 0; m_view < kViewsPerScene && m_tally.pairs < pairs; ++m_view)
+                check(*scene, randomView(*scene, random));
+        }
+    }
+    [[nodiscard]] const Tally& tally() const { return m_tally; }
+
+private:
+    void check(const Scene& scene, const RandomView& random) {
+        const View view(random.camera, random.viewport);
+        std::array<std::vector<char>, kVariants> drawn;
+        for (size_t v = 0; v < kVariants; ++v) drawn[v] = drawnBy(*m_strategies[v], view, scene.instances().size());
+        const ExactVisibility exact(random.camera, random.viewport);
+        ++m_tally.views;
+        for (uint32_t i = 0; i < scene.instances().size(); ++i) {
+            const PairTruth truth = truthOf(exact, scene, i, view.eye());
+            std::array<bool, kVariants> culled;
+            for (size_t v = 0; v < kVariants; ++v) culled[v] = drawn[v][i] == 0;
+            count(truth, culled);
+            const std::string failure = failureOf(truth, culled);
+            if (failure.empty()) continue;
+            ADD_FAILURE() << failure << ": scene seed " << m_seed << " view " << m_view << " instance " << i << " of mesh "
+                          << scene.instances()[i].mesh << "; " << described(random.camera, random.viewport);
+        }
+    }
+
+    static PairTruth truthOf(const ExactVisibility& exact, const Scene& scene, uint32_t instance, const Vec3& eye) {
+        PairTruth truth{exact.judge(scene, instance)};
+        const Box3& box = scene.instanceBox(instance);
+        const EyeBounds bounds = boundsFromEye(scene, instance, eye);
+        const double rounding = 0x1p-44 * (glm::length(box.centre()) + glm::length(eye) + box.diagonal());
+        const auto meetsGrown = [&](double by) { return exact.meets({box.min - by, box.max + by}); };
+        truth.boxMeets = exact.meets(box);
+        truth.boxMeetsInSlack = truth.boxMeets || meetsGrown(1.001 * bounds.slack + rounding);
+        truth.boxClearlyOutside = !truth.boxMeetsInSlack && !meetsGrown(4.0 * bounds.slack + rounding);
+        return truth;
+    }
+
+    void count(const PairTruth& truth, const std::array<bool, kVariants>& culled) {
+        ++m_tally.pairs;
+        m_tally.visible += truth.object.visible ? 1 : 0;
+        m_tally.straddling += truth.object.straddles ? 1 : 0;
+        m_tally.boxOutside += truth.boxMeets ? 0 : 1;
+        m_tally.withinSlack += !truth.boxMeets && truth.boxMeetsInSlack ? 1 : 0;
+        for (size_t plane = 0; plane < 6; ++plane) {
+            m_tally.touching[plane] += truth.object.visible && truth.object.closest[plane] < 1e-6 ? 1 : 0;
+            m_tally.justOutside[plane] += culled[PVertex] && truth.object.closest[plane] < 1e-3 ? 1 : 0;
+        }
+        for (size_t v = 0; v < kVariants; ++v) {
+            m_tally.variants[v].culled += culled[v] ? 1 : 0;
+            m_tally.variants[v].visibleCulled += culled[v] && truth.object.visible ? 1 : 0;
+            m_tally.variants[v].falsePositives += !culled[v] && truth.boxClearlyOutside ? 1 : 0;
+        }
+    }
+
+    /// What no pair may show; empty: nothing.
+    static std::string failureOf(const PairTruth& truth, const std::array<bool, kVariants>& culled) {
+        for (size_t v = 0; v < kVariants; ++v)
+            if (truth.object.visible && culled[v]) return std::string("visible object culled by ") + kSettings[v].name;
+        if (truth.object.visible && !truth.boxMeets) return "the box does not hold its object";
+        if (!truth.boxMeetsInSlack && !culled[Refined]) return "box outside kept by the refinement";
+        // What one leaves out, the tighter one leaves out.
+        constexpr std::array<std::pair<Variant, Variant>, 4> kLooserThan{
+            {{Length, PVertex}, {PVertex, Oriented}, {PVertex, Groups}, {Groups, Refined}}};
+        for (const auto& [looser, tighter] : kLooserThan)
+            if (culled[looser] && !culled[tighter] && truth.boxClearlyOutside)
+                return std::string("culled by ") + kSettings[looser].name + " and kept by " + kSettings[tighter].name;
+        return {};
+    }
+
+    uint64_t m_seed = 0, m_view = 0;
+    std::vector<StrategyPointer> m_strategies;
+    Tally m_tally;
+};
+
+std::string list(const std::array<uint64_t, 6>& counts) {
+    std::ostringstream text;
+    for (const uint64_t count : counts) text << (text.tellp() > 0 ? "/" : "") << count;
+    return text.str();
+}
+
+void print(const Tally& t) {
+    const auto number = [](uint64_t n) { return static_cast<unsigned long long>(n); };
+    std::printf(
+        "long: frustum-family views %llu pairs %llu visible %llu straddling %llu touching-planes %s culled-just-outside %s "
+        "boxes-outside %llu within-slack %llu\n",
+        number(t.views), number(t.pairs), number(t.visible), number(t.straddling), list(t.touching).c_str(),
+        list(t.justOutside).c_str(), number(t.boxOutside), number(t.withinSlack));
+    for (size_t v = 0; v < kVariants; ++v)
+        std::printf("long: frustum-family %s pairs %llu culled %llu visible-culled %llu false-positives %llu\n",
+                    kSettings[v].name, number(t.pairs), number(t.variants[v].culled), number(t.variants[v].visibleCulled),
+                    number(t.variants[v].falsePositives));
+}
+
+TEST(FrustumFamily, visibleObjectCulledOrPromiseOfATighterTestBroken) {
+    FrustumFamily family;
+    family.run(longMode() ? kAllPairs : kSample);
+    const Tally& t = family.tally();
+    print(t);
+
+    // It must not pass for want of anything to lose: shares of the pairs, counts of the views.
+    EXPECT_GT(t.visible, t.views / 2);
+    EXPECT_GT(t.straddling, t.views / 4);
+    for (size_t plane = 0; plane < 6; ++plane) {
+        EXPECT_GT(t.touching[plane], t.views / 200) << "plane " << plane;
+        EXPECT_GT(t.justOutside[plane], t.views / 200) << "plane " << plane;
+    }
+    EXPECT_GT(t.touching[4], t.views / 40) << "the near plane";
+    for (const VariantTally& variant : t.variants) EXPECT_GT(variant.culled, t.pairs / 5);
+
+    // The known false positives of plane tests, and their order.
+    EXPECT_EQ(t.variants[Refined].falsePositives, 0u);
+    EXPECT_GT(t.variants[Groups].falsePositives, t.pairs / 2000);
+    // Groups alone make no test sharper; what is left between the two is the batch's wider slack.
+    EXPECT_LE(t.variants[Groups].falsePositives, t.variants[PVertex].falsePositives);
+    EXPECT_GE(t.variants[Groups].falsePositives, t.variants[PVertex].falsePositives * 9 / 10);
+    EXPECT_LT(t.variants[Oriented].falsePositives, t.variants[PVertex].falsePositives);
+    EXPECT_GT(t.variants[Length].falsePositives, t.variants[PVertex].falsePositives);
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,249 @@
+// Strategies that ask OpenGL, in the desktop: culled where the context is, refused with the reason where it cannot do them; and
+// what the window shows of planes.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QComboBox>
+#include <QStandardItemModel>
+
+#include "core/visibility/registry.h"
+#include "tests/ui/test_scene.h"
+#include "ui/panels/inside_tree.h"
+#include "ui/panels/legend_panel.h"
+#include "ui/panels/plane_table.h"
+#include "ui/panels/strategy_panel.h"
+#include "ui/panels/why_panel.h"
+#include "ui/session/inside_reader.h"
+#include "ui/session/navigation.h"
+#include "ui/session/object_pick.h"
+
+namespace cullscope::ui {
+namespace {
+
+using ::testing::HasSubstr;
+
+const Viewport kSize{320, 240};
+const QString kScene = QStringLiteral("field:mesh=sphere:triangles=80,n=6,spacing=2.5");
+
+/// A machine whose driver gives core profiles only, and loses its context when it is told to.
+struct Machine {
+    std::atomic<bool> core = false;
+    std::atomic<int> reset = 0;
+
+    Session::Options options() {
+        Session::Options options = sessionOptions(true);
+        options.gpu.lost = [this] { return reset > 0 && --reset == 0; };
+        options.gpu.context = [this] {
+            QSurfaceFormat format = QSurfaceFormat::defaultFormat();
+            if (core) {
+                format.setProfile(QSurfaceFormat::CoreProfile);
+                format.setOption(QSurfaceFormat::DeprecatedFunctions, false);
+            }
+            auto context = std::make_unique<QOpenGLContext>();
+            context->setFormat(format);
+            return context->create() ? std::move(context) : nullptr;
+        };
+        return options;
+    }
+};
+
+/// Two views, close enough for objects to lie outside.
+struct FrustumFamily : ::testing::Test {
+    void begin(bool core = false) {
+        machine.core = core;
+        session = std::make_unique<Session>(machine.options());
+        QObject::connect(session.get(), &Session::messageRaised,
+                         [this](Severity, const Message& message) { said.push_back(message.english()); });
+        for (int view = 0; view < 2; ++view) session->setViewport(view, kSize);
+        session->setActiveView(0);
+        openAndWait(*session, kScene);
+        session->setCamera(zoomed(session->camera(), session->camera().target, 0.4, 1.0));
+    }
+    void choose(const std::string& first, const std::string& second) {
+        session->slot(0).choose(first);
+        session->slot(1).choose(second);
+        settle();
+    }
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] {
+            for (const int view : session->shownViews())
+                if (session->slot(view).building()) return false;
+            return session->figuresSettled() && !session->pictures()->busy();
+        }));
+    }
+
+    Machine machine;
+    std::vector<std::string> said;
+    std::unique_ptr<Session> session;
+};
+
+TEST_F(FrustumFamily, strategyThatAsksOpenGlIsNotDrawnMeasuredAndPicked) {
+    begin();
+    for (const char* id : {"frustum-select", "frustum-query"}) {
+        choose("all", id);
+        const Figures& figures = session->figures(1);
+        ASSERT_EQ(figures.state, Figures::State::Ready) << id << ": " << figures.failure.english();
+        EXPECT_TRUE(figures.timed);
+        EXPECT_EQ(figures.accuracy.missedPixels, 0u) << id;
+        EXPECT_LT(figures.consideredTriangles, figures.sceneTriangles) << id;
+        ASSERT_TRUE(session->picture(1));
+        EXPECT_EQ(session->picture(1)->request.strategy->id, id);
+        session->setPick(std::nullopt);
+        session->pickAt(1, kSize.width / 2, kSize.height / 2);
+        session->pickAt(1, kSize.width / 2, kSize.height / 3);
+        EXPECT_TRUE(waitUntil([&] { return session->pick().has_value(); })) << id;
+    }
+    EXPECT_TRUE(said.empty()) << said.front();
+}
+
+TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsNotRead) {
+    begin();
+    QWidget watcher;
+    InsideReader reader(*session);
+    reader.readFor(&watcher);
+    watcher.show();
+    choose("frustum-query", "all");
+    pickObject(*session, 0);
+    const auto read = [&] { return waitUntil([&] { return reader.fresh() && reader.reading()->triangle.has_value(); }); };
+    ASSERT_TRUE(read());
+    const PlaneCounts counts = countByPlane(*reader.reading()->inside);
+    EXPECT_EQ(reader.reading()->inside->nodes.size(), 36u);
+    EXPECT_GT(counts.kept, 0u);
+    EXPECT_GT(counts.withoutPlane, 0u) << "OpenGL names no plane";
+    EXPECT_EQ(counts.kept + counts.withoutPlane, 36u);
+    EXPECT_FALSE(reader.reading()->why.empty());
+    EXPECT_EQ(reader.reading()->planes.size(), 6u);
+    // What a lost context answered is not shown, and it is asked again.
+    const size_t begun = reader.begun();
+    machine.reset = 1;
+    session->setCamera(turned(session->camera(), UpAxis::Y, Angle::fromDegrees(10.0), {}));
+    ASSERT_TRUE(waitUntil([&] { return !said.empty(); }));
+    ASSERT_TRUE(read());
+    EXPECT_GT(reader.begun(), begun);
+    EXPECT_EQ(reader.reading()->culling, session->cullingCamera(0));
+    EXPECT_TRUE(reader.reading()->failure.empty());
+    EXPECT_THAT(said.front(), HasSubstr("nothing is lost"));
+}
+
+TEST_F(FrustumFamily, boxesAndReasonsOfTheTwinsDiffer) {
+    begin();
+    QWidget watcher;
+    InsideReader reader(*session);
+    reader.readFor(&watcher);
+    watcher.show();
+    std::vector<uint64_t> kept;
+    for (const char* id : {"frustum-select", "frustum-query"}) {
+        choose(id, "all");
+        ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == id; }));
+        kept.push_back(countByPlane(*reader.reading()->inside).kept);
+    }
+    EXPECT_EQ(kept[0], kept[1]);
+}
+
+TEST_F(FrustumFamily, selectionWithoutItsProfileIsNotRefusedWithTheReason) {
+    begin(true);
+    const StrategyInfo& info = findStrategy("frustum-select").info;
+    ASSERT_FALSE(session->gpu()->info().compatibilityProfile);
+    ASSERT_TRUE(session->unavailable(info));
+    EXPECT_FALSE(session->unavailable(findStrategy("frustum-query").info));
+    for (int view = 0; view < Session::kMostViews; ++view) EXPECT_NE(session->slot(view).id(), info.id);
+    choose("frustum", "frustum-query");
+    EXPECT_EQ(session->figures(1).accuracy.missedPixels, 0u);
+    EXPECT_TRUE(said.empty());
+    // A session, a picture or the command line may name it all the same.
+    choose("frustum-select", "frustum-query");
+    EXPECT_TRUE(session->slot(0).refused());
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_THAT(said.back(), HasSubstr("gives no compatibility profile"));
+    EXPECT_EQ(session->figures(0).state, Figures::State::Failed);
+    EXPECT_EQ(session->figures(0).failure.english(), said.back());
+    EXPECT_FALSE(session->picture(0)) << "the picture of another strategy stands under its name";
+    EXPECT_TRUE(session->picture(1));
+    choose("frustum", "frustum-query");
+    EXPECT_FALSE(session->slot(0).refused());
+    EXPECT_TRUE(session->picture(0));
+    EXPECT_EQ(session->figures(0).state, Figures::State::Ready);
+    EXPECT_EQ(said.size(), 1u);
+}
+
+TEST_F(FrustumFamily, choiceOfWhatIsRefusedIsNotGreyWithTheReason) {
+    for (const bool core : {true, false}) {
+        begin(core);
+        StrategyPanel panel(*session);
+        const auto* choice = panel.findChild<QComboBox*>();
+        ASSERT_NE(choice, nullptr);
+        for (int row = 0; row < choice->count(); ++row) {
+            const QModelIndex index = choice->model()->index(row, 0);
+            const bool refused = core && index.data(StrategyModel::IdRole) == QStringLiteral("frustum-select");
+            EXPECT_EQ(index.flags().testFlag(Qt::ItemIsEnabled), !refused) << row;
+            EXPECT_EQ(index.data(Qt::ToolTipRole).toString().contains(QStringLiteral("compatibility profile")), refused) << row;
+        }
+    }
+}
+
+TEST_F(FrustumFamily, whyDoesNotNameAllSixPlanes) {
+    begin();
+    InsideReader reader(*session);
+    WhyPanel why(*session, reader);
+    reader.readFor(&why);
+    why.show();
+    auto* table = why.findChild<PlaneTable*>();
+    ASSERT_NE(table, nullptr);
+    for (const char* id : {"frustum", "frustum-octree", "frustum-select", "frustum-query"}) {
+        choose(id, "all");
+        std::set<bool> verdicts;
+        for (uint32_t object = 0; object < 36; object += 5) {
+            pickObject(*session, object);
+            ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == id; }));
+            ASSERT_EQ(table->rowCount(), 6) << id << ", object " << object;
+            bool outside = false;
+            for (const PlaneDistance& plane : reader.reading()->planes)
+                outside = outside || plane.containment == Containment::Outside;
+            verdicts.insert(outside);
+            // An object that `frustum` keeps was tested against all six; OpenGL was told of none.
+            if (std::string(id) == "frustum" && !outside) {
+                EXPECT_FALSE(table->showsUntested()) << object;
+            }
+            if (std::string(id) == "frustum-select") {
+                EXPECT_TRUE(table->showsUntested()) << object;
+            }
+        }
+        EXPECT_EQ(verdicts.size(), 2u) << "not both kinds were picked";
+    }
+    choose("backface", "all");
+    ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == "backface"; }));
+    EXPECT_EQ(table->rowCount(), 0) << "it tests no box";
+}
+
+TEST_F(FrustumFamily, legendCountsOtherBoxesThanThePicture) {
+    begin();
+    choose("frustum-octree", "all");
+    LegendPanel legend(*session);
+    legend.show();
+    auto* planes = legend.findChild<PlaneLegend*>();
+    ASSERT_NE(planes, nullptr);
+    EXPECT_FALSE(planes->isVisible());
+    ViewSetup setup = session->setup(0);
+    showBoxesByPlane(setup.look, true);
+    session->setSetup(0, setup);
+    settle();
+    ASSERT_TRUE(session->picture(0) && session->picture(0)->request.look.byPlane());
+    EXPECT_TRUE(planes->isVisible());
+    const PlaneCounts& counts = session->picture(0)->planes;
+    uint64_t all = counts.kept + counts.withoutPlane;
+    for (const uint64_t count : counts.rejected) all += count;
+    EXPECT_EQ(all, 36u);
+    EXPECT_GT(counts.kept, 0u);
+    EXPECT_LT(counts.kept, 36u);
+    QStringList texts;
+    for (const QLabel* label : planes->findChildren<QLabel*>()) texts << label->text();
+    EXPECT_TRUE(texts.contains(QString::number(counts.kept))) << texts.join(QLatin1Char('|')).toStdString();
+    setup = session->setup(0);
+    showBoxesByPlane(setup.look, false);
+    EXPECT_TRUE(setup.look.boxes) << "they stay, by verdict";
+    session->setSetup(0, setup);
+    EXPECT_FALSE(planes->isVisible());
+}
+
+}  // namespace
+}  // namespace cullscope::ui

@@ -1,0 +1,85 @@
+#include "ui/statistics/line_plot_widget.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+
+#include "ui/startup/appearance.h"
+#include "ui/statistics/plot_file.h"
+
+namespace cullscope::ui {
+namespace {
+
+LinePlot madeUp() {
+    LinePlot plot;
+    plot.title = "Frames per second by viewpoint";
+    plot.x = {"viewpoint", PlotScale::Linear, 1.0, 40.0};
+    plot.y = {"frames per second", PlotScale::Logarithmic};
+    PlotLine line;
+    line.name = "frustum";
+    line.points = {{1, 20}, {2, 30}, {3, 0}, {4, 25}};
+    plot.lines = {line};
+    plot.references = {{"paper, every bunny drawn:", 0.83}};
+    return plot;
+}
+
+/// How many pixels of a picture of the plot have a colour.
+int pixelsOf(const LinePlotWidget& widget, const QColor& colour, bool dark) {
+    QImage image(600, 300, QImage::Format_RGB32);
+    const QPalette palette = Appearance::palette(dark);
+    image.fill(palette.color(QPalette::Base));
+    QPainter painter(&image);
+    widget.paintPlot(painter, image.rect(), palette);
+    painter.end();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) count += image.pixelColor(x, y) == colour ? 1 : 0;
+    return count;
+}
+
+TEST(LinePlotWidget, lineIsNotPainted) {
+    for (const bool dark : {false, true}) {
+        LinePlotWidget widget;
+        LinePlot plot = madeUp();
+        widget.setPlot(plot);
+        const QColor colour = PlotColours(Appearance::palette(dark)).series(0);
+        const int painted = pixelsOf(widget, colour, dark);
+        EXPECT_GT(painted, 30) << dark;
+        plot.lines[0].points.clear();
+        widget.setPlot(plot);
+        EXPECT_LT(pixelsOf(widget, colour, dark), painted) << "the legend alone has as much of it";
+    }
+}
+
+TEST(LinePlotWidget, textIsNoTextInTheFile) {
+    LinePlotWidget widget;
+    widget.setPlot(madeUp());
+    const QByteArray svg = plotSvg(widget, {900, 400});
+    for (const char* words : {"frustum", "paper, every bunny drawn: 0.83", ">0.83<", ">10<", ">40<", "viewpoint"})
+        EXPECT_TRUE(svg.contains(words)) << words;
+}
+
+TEST(LinePlotWidget, whoCannotSeeItIsToldNothing) {
+    LinePlotWidget widget;
+    EXPECT_TRUE(widget.empty());
+    widget.setPlot(madeUp());
+    EXPECT_FALSE(widget.empty());
+    EXPECT_EQ(widget.accessibleName(), QStringLiteral("Frames per second by viewpoint"));
+    EXPECT_TRUE(widget.accessibleDescription().contains(QStringLiteral("frustum: 20 30 0 25")))
+        << widget.accessibleDescription().toStdString();
+    EXPECT_TRUE(widget.accessibleDescription().contains(QStringLiteral("0.83")));
+}
+
+TEST(LinePlotWidget, plotWithoutLinesOrLevelsCannotBePainted) {
+    LinePlotWidget widget;
+    LinePlot plot = madeUp();
+    plot.lines.clear();
+    widget.setPlot(plot);
+    EXPECT_TRUE(plotSvg(widget, {300, 160}).contains(">0.83<"));
+    plot.references.clear();
+    widget.setPlot(plot);
+    EXPECT_TRUE(plotSvg(widget, {300, 160}).contains("viewpoint"));
+}
+
+}  // namespace
+}  // namespace cullscope::ui
