@@ -11,10 +11,14 @@
 namespace cullscope {
 namespace {
 
+/// What is decided about an object before OpenGL is asked, or left to it.
+enum class Answer { Visible, BeforeNear, BeyondFar, Asked };
+
 /// What OpenGL is asked about in one cull.
 struct Questions {
-    std::vector<uint32_t> instances;
-    std::vector<EyeBox> boxes;  ///< grown
+    std::vector<Answer> answers;      ///< by instance
+    std::vector<uint32_t> instances;  ///< that are asked about
+    std::vector<EyeBox> boxes;        ///< of those, grown
 };
 
 /// How far a box grows: as much as a pixel spans where it lies farthest from the eye, and the slack of a plane test.
@@ -42,7 +46,7 @@ protected:
     }
 
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        std::vector<uint8_t> visible(scene().instances().size(), 1);
+        std::vector<uint8_t> visible(scene().instances().size(), 0);
         Questions questions;
         {
             const StageTimer stage(verdict, CULLSCOPE_TR("boxes"));
@@ -50,7 +54,7 @@ protected:
         }
         {
             const StageTimer stage(verdict, CULLSCOPE_TR("asking OpenGL"));
-            for (const uint32_t instance : questions.instances) visible[instance] = 0;
+            for (uint32_t i = 0; i < visible.size(); ++i) visible[i] = questions.answers[i] == Answer::Visible ? 1 : 0;
             for (const uint32_t hit : ask(view, questions.boxes)) visible[questions.instances[hit]] = 1;
         }
         const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
@@ -69,42 +73,59 @@ protected:
 
     /// Which of the boxes OpenGL hits: places in the span.
     [[nodiscard]] virtual std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) = 0;
+    /// Whether what lies before near or beyond far is hit all the same, so that it is to be left out before it is asked about.
+    [[nodiscard]] virtual bool clampsDepth() const = 0;
 
 private:
-    /// The box as it is asked about; nothing where it is visible without asking.
-    [[nodiscard]] static std::optional<EyeBox> questionAbout(const EyeBounds& bounds, const View& view) {
-        EyeBox grown = bounds.box;
-        grown.half += Vec3(growthOf(bounds, view));
+    [[nodiscard]] Answer answerTo(const EyeBounds& bounds, const EyeBox& grown, const View& view) const {
+        const Frustum& frustum = view.frustum();
         // OpenGL's floats hold neither what is not finite nor what is larger than they are.
         const double farthest = glm::length(grown.centre) + glm::length(grown.half);
-        if (!(farthest < 1e30) || meetsNearRectangle(view.frustum(), grown, bounds.slack)) return std::nullopt;
-        return grown;
+        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.slack)) return Answer::Visible;
+        if (!clampsDepth()) return Answer::Asked;
+        const auto isOutside = [&](FrustumPlane plane) {
+            return farthestInside(frustum.planes[size_t(plane)], bounds) < -bounds.slack;
+        };
+        if (isOutside(FrustumPlane::Near)) return Answer::BeforeNear;
+        return isOutside(FrustumPlane::Far) ? Answer::BeyondFar : Answer::Asked;
     }
 
     [[nodiscard]] Questions questionsAbout(const View& view) const {
         Questions questions;
+        questions.answers.assign(scene().instances().size(), Answer::Visible);
         for (uint32_t i = 0; i < scene().instances().size(); ++i) {
             if (scene().meshOf(i).triangleCount() == 0) continue;
-            const std::optional<EyeBox> box = questionAbout(boundsFromEye(scene(), i, view.eye()), view);
-            if (!box) continue;
+            const EyeBounds bounds = boundsFromEye(scene(), i, view.eye());
+            EyeBox grown = bounds.box;
+            grown.half += Vec3(growthOf(bounds, view));
+            questions.answers[i] = answerTo(bounds, grown, view);
+            if (questions.answers[i] != Answer::Asked) continue;
             questions.instances.push_back(i);
-            questions.boxes.push_back(*box);
+            questions.boxes.push_back(grown);
         }
         return questions;
     }
 
     void record(const View& view, const Questions& questions, const std::vector<uint8_t>& visible, Trace& trace) const {
-        size_t next = 0;
         for (uint32_t i = 0; i < visible.size(); ++i) {
             if (scene().meshOf(i).triangleCount() == 0) continue;
-            const bool asked = next < questions.instances.size() && questions.instances[next] == i;
-            next += asked ? 1 : 0;
-            TraceEvent event{asked ? TraceEvent::Kind::AskedOpenGl : TraceEvent::Kind::MeetsNear, i};
-            event.containment = visible[i] != 0 ? Containment::Straddles : Containment::Outside;
-            event.bound = growthOf(boundsFromEye(scene(), i, view.eye()), view);
-            trace.events.push_back(event);
+            recordAnswer(view, questions.answers[i], i, visible[i] != 0, trace);
             trace.events.push_back({visible[i] != 0 ? TraceEvent::Kind::Accepted : TraceEvent::Kind::Culled, i});
         }
+    }
+
+    void recordAnswer(const View& view, Answer answer, uint32_t instance, bool visible, Trace& trace) const {
+        const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
+        if (answer == Answer::BeforeNear || answer == Answer::BeyondFar) {
+            const FrustumPlane which = answer == Answer::BeforeNear ? FrustumPlane::Near : FrustumPlane::Far;
+            const Plane& plane = view.frustum().planes[size_t(which)];
+            addPlaneTest(trace, instance, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.slack);
+            return;
+        }
+        TraceEvent event{answer == Answer::Asked ? TraceEvent::Kind::AskedOpenGl : TraceEvent::Kind::MeetsNear, instance};
+        event.containment = visible ? Containment::Straddles : Containment::Outside;
+        event.bound = growthOf(bounds, view);
+        trace.events.push_back(event);
     }
 
     Facing m_facing = Facing::TwoSided;
@@ -124,6 +145,7 @@ protected:
         m_bufferWords = selected.bufferWords;
         return std::move(selected.hits);
     }
+    [[nodiscard]] bool clampsDepth() const override { return false; }
 
 private:
     size_t m_bufferWords = 0;  ///< as many as did the last time
@@ -137,6 +159,7 @@ protected:
     [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
         return renderer().queryBoxes(view, boxes);
     }
+    [[nodiscard]] bool clampsDepth() const override { return true; }
 };
 
 }  // namespace

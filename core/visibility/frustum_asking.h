@@ -16,7 +16,8 @@ namespace cullscope {
 [[nodiscard]] StrategyPointer makeFrustumSelect(ParameterSet parameters);
 
 /// `frustum-query`: its twin without that mode: an occlusion query a box, without depth test, depth clamped in place of clipped.
-/// Conservative on samples. Waits for the answers of the same frame.
+/// As clamped depth hits them too, boxes before near or beyond far are left out before they are asked about. Conservative on
+/// samples. Waits for the answers of the same frame.
 [[nodiscard]] StrategyInfo frustumQueryInfo();
 [[nodiscard]] StrategyPointer makeFrustumQuery(ParameterSet parameters);
 

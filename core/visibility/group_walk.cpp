@@ -119,7 +119,18 @@ private:
             // The object lies in the group's box and is outside with it, whatever the last digits of its own distance or slack.
             if (test.byPlane)
                 own.distance = std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance);
+            else
+                findOwnPlane(bounds, own);
             reject(instance, own, std::min(bounds.slack, slack));
+        }
+    }
+
+    /// No plane has the whole group outside, but one may have this object of it.
+    void findOwnPlane(const EyeBounds& bounds, MaskedTest& test) const {
+        for (uint32_t p = 0; p < kPlanes && !test.byPlane; ++p) {
+            test.distance = farthestInside(m_frustum.planes[p], bounds);
+            test.byPlane = test.distance < -bounds.slack;
+            test.plane = static_cast<FrustumPlane>(p);
         }
     }
 

@@ -2091,8 +2091,8 @@ OpenGL %2
         <translation>Qt는 LGPL 버전 3에 따라 동적으로 연결됩니다: Qt를 다른 버전으로 바꿀 수 있습니다. 그래프를 그리는 Qt Charts는 GPL 버전 3이므로 데스크톱 전체도 GPL 버전 3에 따릅니다.</translation>
     </message>
     <message>
-        <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
-        <translation>그 밖에 OpenMesh, libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
+        <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
+        <translation>그 밖에 OpenMesh, libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
     </message>
 </context>
 <context>
@@ -2547,6 +2547,11 @@ OpenGL %2
         <source>%1: %2 triangles</source>
         <comment>an object or a group</comment>
         <translation>%1: 삼각형 %2개</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <comment>has a group outside</comment>
+        <translation>한 평면이 아님</translation>
     </message>
 </context>
 <context>

@@ -2091,8 +2091,8 @@ OpenGL %2
         <translation>它按 LGPL 第 3 版动态链接 Qt：您可以用自己的版本替换 Qt。绘制图表的 Qt Charts 采用 GPL 第 3 版，因此整个桌面程序也采用 GPL 第 3 版。</translation>
     </message>
     <message>
-        <source>Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
-        <translation>此外还使用 OpenMesh、libepoxy、GLM、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
+        <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
+        <translation>此外还使用 OpenMesh、libepoxy、GLM、meshoptimizer、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
     </message>
 </context>
 <context>
@@ -2547,6 +2547,11 @@ OpenGL %2
         <source>%1: %2 triangles</source>
         <comment>an object or a group</comment>
         <translation>%1：%2 个三角形</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <comment>has a group outside</comment>
+        <translation>非单个平面</translation>
     </message>
 </context>
 <context>

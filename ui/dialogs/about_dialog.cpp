@@ -32,8 +32,8 @@ AboutDialog::AboutDialog(const GlInfo& gl, QWidget* parent) : QDialog(parent) {
         "It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which "
         "draws the plots, is under the GPL version 3, and so the desktop as a whole is too."));
     paragraph(
-        tr("Also: OpenMesh and libepoxy, GLM, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json "
-           "and fmt, each under its own free licence."));
+        tr("Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, "
+           "nlohmann-json and fmt, each under its own free licence."));
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);

@@ -121,7 +121,8 @@ QString InsideModel::text(const InsideNode& node, size_t number, int column) con
             if (const auto state = stateAgainstTruth(node, number)) return translated(triangleStateName(*state));
             return holdsOthers(number) ? tr("kept", "a box that holds others") : tr("submitted");
         case Plane:
-            return node.rejectedBy ? translated(planeName(*node.rejectedBy)) : QString();
+            if (node.rejectedBy) return translated(planeName(*node.rejectedBy));
+            return node.isGroup() && node.culled ? tr("no single plane", "has a group outside") : QString();
         default:
             return {};
     }

@@ -33,6 +33,19 @@ TEST(FrustumAsking, objectInViewCulledOrObjectBesideItDrawn) {
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, standardView()), testing::ElementsAre(0, 3, 4)) << id;
 }
 
+TEST(FrustumQuery, clampedDepthKeepsWhatLiesBeforeNearOrBeyondFar) {
+    const ScenePointer scene = copiesOf(
+        sphereMesh(80), {translation({0, 0, -13}), translation({0, 0, -.05}) * scaling(Vec3(.02)), translation({0, 0, -5})});
+    const StrategyPointer strategy = makeStrategy("frustum-query");
+    strategy->build(*scene);
+    Trace trace;
+    EXPECT_THAT(drawn(*strategy, standardView(), &trace), testing::ElementsAre(2));
+    const Inside inside = strategy->inside(trace);
+    ASSERT_EQ(inside.nodes.size(), 3u);
+    EXPECT_EQ(inside.nodes[0].rejectedBy, FrustumPlane::Far);
+    EXPECT_EQ(inside.nodes[1].rejectedBy, FrustumPlane::Near);
+}
+
 TEST(FrustumAsking, case26BoxAroundTheWholeFrustumIsCulled) {
     // With the far plane inside it, around the eye and with the eye 0.05 outside of it: OpenGL hits none of its faces.
     const ScenePointer around = sceneOf({boxMesh(Vec3f(-1000), Vec3f(1000))});

@@ -1,5 +1,6 @@
 #include "core/mesh/parametric.h"
 #include "core/visibility/group_walk.h"
+#include "core/visibility/plane_distances.h"
 #include "core/visibility/registry.h"
 #include "tests/core/scene/test_scenes.h"
 #include "tests/core/visibility/random_views.h"
@@ -117,6 +118,31 @@ TEST(FrustumOctree, farObjectIsDrawnBeforeANearOne) {
         EXPECT_GE(distance, last);
         last = distance;
     }
+}
+
+TEST(FrustumOctree, objectOutsideAPlaneIsSaidToBeOutsideNone) {
+    // Its group may be parted by an axis alone.
+    const ScenePointer scene = grid(40, 3.0);
+    const StrategyPointer strategy = octree("true");
+    strategy->build(*scene);
+    Random random(11);
+    size_t byAxes = 0;
+    for (int i = 0; i < 200; ++i) {
+        Camera camera;
+        camera.eye = {random.between(-10, 130), random.between(0, 20), random.between(-130, 10)};
+        camera.target = camera.eye + random.direction();
+        camera.farDistance = 30;
+        const View view(camera, {200, 150});
+        Trace trace;
+        (void)strategy->cull(view, &trace);
+        for (const TraceEvent& event : trace.events) {
+            if (event.kind != TraceEvent::Kind::TestedAxes) continue;
+            ++byAxes;
+            for (const PlaneDistance& plane : planeDistances(*scene, view, event.instance))
+                EXPECT_NE(plane.containment, Containment::Outside) << "view " << i << " instance " << event.instance;
+        }
+    }
+    EXPECT_GT(byAxes, 10u);
 }
 
 TEST(FrustumOctree, treeHasNoGroupsOrAnObjectWithoutOne) {
