@@ -52,7 +52,7 @@ std::string filledIn(std::string_view pattern, std::string_view scene, std::stri
         const std::string_view field = pattern.substr(1, close == std::string_view::npos ? close : close - 1);
         const std::optional<size_t> digits = digitsOfCounter(field);
         if (close == std::string_view::npos || (!digits && field != "scene" && field != "strategy"))
-            throwUsage(CULLSCOPE_TR("File names have no placeholder {%1}. There are {scene}, {strategy}, {n} and {n:04}."),
+            throwUsage(CULLSCOPE_TR("File names have no field {%1}. There are {scene}, {strategy}, {n} and {n:04}."),
                        {std::string(field)});
         if (digits) {
             const std::string counted = std::to_string(number);

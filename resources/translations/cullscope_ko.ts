@@ -1219,7 +1219,7 @@
         <translation>%1을(를) 저장했습니다.</translation>
     </message>
     <message>
-        <source>File names have no placeholder {%1}. There are {scene}, {strategy}, {n} and {n:04}.</source>
+        <source>File names have no field {%1}. There are {scene}, {strategy}, {n} and {n:04}.</source>
         <translation>파일 이름에 {%1}이라는 자리표시자는 없습니다. {scene}, {strategy}, {n}, {n:04}가 있습니다.</translation>
     </message>
     <message>

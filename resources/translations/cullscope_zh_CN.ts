@@ -1219,7 +1219,7 @@
         <translation>已保存 %1。</translation>
     </message>
     <message>
-        <source>File names have no placeholder {%1}. There are {scene}, {strategy}, {n} and {n:04}.</source>
+        <source>File names have no field {%1}. There are {scene}, {strategy}, {n} and {n:04}.</source>
         <translation>文件名没有占位符 {%1}。可用的有 {scene}、{strategy}、{n} 和 {n:04}。</translation>
     </message>
     <message>

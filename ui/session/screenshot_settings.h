@@ -19,7 +19,7 @@ struct ScreenshotSettings {
 };
 
 /// The file that a screenshot of what `session` shows would be. Throws Error(Usage) with one sentence where it cannot be written:
-/// an unknown placeholder or ending, no such folder, or one that is not the user's to write in.
+/// an unknown field or ending, no such folder, or one that is not the user's to write in.
 [[nodiscard]] std::filesystem::path screenshotPath(const Session& session, const ScreenshotSettings& settings);
 
 }  // namespace cullscope::ui

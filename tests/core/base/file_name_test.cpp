@@ -76,7 +76,7 @@ TEST_F(FileName, longNameIsRefusedByTheFileSystemOrCutThroughACharacter) {
     EXPECT_TRUE(std::filesystem::exists(folder() / name));
 }
 
-TEST_F(FileName, unknownPlaceholderIsTaken) {
+TEST_F(FileName, unknownFieldIsTaken) {
     for (const char* pattern :
          {"{sceen}.png", "{}.png", "{n:}.png", "{n:0}.png", "{n:00}", "{n:12}", "{n:x}", "{scene:4}", "{N}"})
         EXPECT_THAT(refusal(pattern), testing::HasSubstr("There are {scene}, {strategy}, {n} and {n:04}")) << pattern;
