@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -28,6 +29,25 @@ void redirect(const std::string& path, int flags, int descriptor) {
     close(opened);
 }
 
+/// Whether a program has ended or takes SIGINT itself (blocks it for a thread that waits for it, or has a handler), by what the
+/// kernel says of it.
+bool takesInterrupts(pid_t program) {
+    std::istringstream status(contents("/proc/" + std::to_string(program) + "/status"));
+    const uint64_t interrupt = uint64_t(1) << (SIGINT - 1);
+    for (std::string line; std::getline(status, line);) {
+        if (line.starts_with("State:") && line.find('Z') != std::string::npos) return true;
+        if (!line.starts_with("SigBlk:") && !line.starts_with("SigCgt:")) continue;
+        if ((std::stoull(line.substr(line.find('\t') + 1), nullptr, 16) & interrupt) != 0) return true;
+    }
+    return false;
+}
+
+/// On a busy machine a program may need seconds until its first line runs; an interrupt before that says nothing of it.
+void waitUntilItTakesInterrupts(pid_t program) {
+    for (int tries = 0; tries < 12000 && !takesInterrupts(program); ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+}
+
 }  // namespace
 
 ProcessResult runProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment,
@@ -48,6 +68,7 @@ ProcessResult runProcess(const std::vector<std::string>& command, const std::vec
         _exit(127);
     }
     if (interruptAfterSeconds > 0.0) {
+        waitUntilItTakesInterrupts(child);
         std::this_thread::sleep_for(std::chrono::duration<double>(interruptAfterSeconds));
         kill(child, SIGINT);
     }

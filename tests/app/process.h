@@ -12,7 +12,7 @@ struct ProcessResult {
 };
 
 /// Runs a program with arguments and extra environment ("NAME=value"), with no standard input. With `interruptAfterSeconds` above
-/// 0 it gets SIGINT after that time.
+/// 0 it gets SIGINT that time after it began to take interrupts.
 [[nodiscard]] ProcessResult runProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment = {},
                                        double interruptAfterSeconds = 0.0);
 

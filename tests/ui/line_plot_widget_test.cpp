@@ -51,6 +51,24 @@ TEST(LinePlotWidget, lineIsNotPainted) {
     }
 }
 
+TEST(LinePlotWidget, lastNameOfALongLegendIsCut) {
+    LinePlot plot = madeUp();
+    plot.lines.resize(11, plot.lines.front());
+    LinePlotWidget widget;
+    widget.setPlot(plot);
+    const QPalette palette = Appearance::palette(false);
+    for (const int width : {260, 500, 700, 1100}) {
+        const int height = widget.neededHeight(width);
+        QImage image(width, height + 100, QImage::Format_RGB32);
+        image.fill(palette.color(QPalette::Base));
+        const QImage ground = image.copy(0, height, width, 100);
+        QPainter painter(&image);
+        widget.paintPlot(painter, QRect(0, 0, width, height), palette);
+        painter.end();
+        EXPECT_EQ(image.copy(0, height, width, 100), ground) << "something stands below a plot as wide as " << width;
+    }
+}
+
 TEST(LinePlotWidget, textIsNoTextInTheFile) {
     LinePlotWidget widget;
     widget.setPlot(madeUp());

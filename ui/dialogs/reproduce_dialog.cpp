@@ -196,7 +196,11 @@ void ReproduceDialog::showChosen() {
 void ReproduceDialog::showPlot(const PaperTable& table) {
     m_pages->tabBar()->setVisible(hasPlot());
     if (!hasPlot()) m_pages->setCurrentWidget(m_table);
+    const int before = height();
     m_plot->setPlot(hasPlot() ? table.plots.front() : LinePlot());
+    // The legend grows with the first lines, and the dialog with it.
+    layout()->activate();
+    if (isVisible() && height() > before) moveOnScreen(frameGeometry().topLeft());
 }
 
 void ReproduceDialog::showTable() {

@@ -177,7 +177,8 @@ int BandsPlot::neededHeight(int width) const {
     const QFontMetricsF metrics(font());
     const double across = width - 2 * kMargin;
     const double words = metrics.boundingRect(QRectF(0, 0, across, 1e4), Qt::TextWordWrap, caption()).height();
-    return kLeastPlot + int(words + legend(PlotColours(palette()), metrics, palette()).heightBelow(across) + 2 * kMargin);
+    const PlotLegend lines = legend(PlotColours(palette()), metrics, palette());
+    return int(std::ceil(lines.heightWith(kLeastPlot + words, across) + 2 * kMargin));
 }
 
 void BandsPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {

@@ -110,7 +110,8 @@ PlotLegend LinePlotWidget::legend(const PlotColours& colours, const QFont& font)
 }
 
 int LinePlotWidget::neededHeight(int width) const {
-    return kLeastChart + int(legend(PlotColours(palette()), font()).heightBelow(width) + 2 * kMargin);
+    const PlotLegend words = legend(PlotColours(palette()), font());
+    return int(std::ceil(words.heightWith(kLeastChart, width - 2 * kMargin) + 2 * kMargin));
 }
 
 void LinePlotWidget::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {

@@ -169,7 +169,8 @@ PlotLegend ParetoPlot::legend(const PlotColours& colours, const QFont& font) con
 }
 
 int ParetoPlot::neededHeight(int width) const {
-    return kLeastChart + int(legend(PlotColours(palette()), font()).heightBelow(width) + 2 * kMargin);
+    const PlotLegend words = legend(PlotColours(palette()), font());
+    return int(std::ceil(words.heightWith(kLeastChart, width - 2 * kMargin) + 2 * kMargin));
 }
 
 void ParetoPlot::paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours, const PlaceOf& placeOf) const {

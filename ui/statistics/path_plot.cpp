@@ -2,6 +2,7 @@
 
 #include <QLineSeries>
 #include <algorithm>
+#include <cmath>
 
 #include "ui/statistics/chart_parts.h"
 #include "ui/text/wording.h"
@@ -42,7 +43,7 @@ QString PathPlot::description() const {
 int PathPlot::neededHeight(int width) const {
     const PlotLegend legend(runStyles(m_runs, PlotColours(palette())), QFontMetricsF(font()));
     const int charts = lossKnown() && width < kBesideFrom ? 2 : 1;
-    return charts * kLeastChart + int(legend.heightBelow(width) + 2 * kMargin);
+    return int(std::ceil(legend.heightWith(charts * kLeastChart, width - 2 * kMargin) + 2 * kMargin));
 }
 
 void PathPlot::paintFigure(QPainter& painter, const QRectF& place, const PlotColours& colours, Figure figure) const {

@@ -37,14 +37,19 @@ std::vector<QPointF> PlotLegend::places(double width) const {
     return places;
 }
 
-double PlotLegend::heightBelow(double width) const {
-    if (m_entries.empty() || (width >= kBesideFrom && widest() <= kMostBeside * width)) return 0.0;
-    return places(width).back().y() + m_metrics.height() + kLeading;
+bool PlotLegend::fitsBeside(double width) const { return width >= kBesideFrom && widest() <= kMostBeside * width; }
+
+double PlotLegend::heightIn(double width) const {
+    return m_entries.empty() ? 0.0 : places(width).back().y() + m_metrics.height() + kLeading;
+}
+
+double PlotLegend::heightWith(double chart, double width) const {
+    return fitsBeside(width) ? std::max(chart, kGap / 2 + heightIn(0.0)) : chart + heightIn(width);
 }
 
 QRectF PlotLegend::takeFrom(const QRectF& place) {
-    const double below = heightBelow(place.width());
-    m_beside = below == 0.0;
+    m_beside = fitsBeside(place.width());
+    const double below = m_beside ? 0.0 : heightIn(place.width());
     m_place = m_beside ? QRectF(place.right() - widest(), place.top() + kGap / 2, widest(), place.height())
                        : QRectF(place.left(), place.bottom() - below, place.width(), below);
     return m_beside ? place.adjusted(0.0, 0.0, -widest(), 0.0) : place.adjusted(0.0, 0.0, 0.0, -below);

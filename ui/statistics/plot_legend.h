@@ -24,13 +24,16 @@ public:
 
     /// Takes its part of a place and gives what is left for the plot.
     [[nodiscard]] QRectF takeFrom(const QRectF& place);
-    /// How high it is below a plot of a width; 0 where it stands beside it.
-    [[nodiscard]] double heightBelow(double width) const;
+    /// The height that a chart and its legend need in a width, where the chart alone needs `chart`, all in pixels.
+    [[nodiscard]] double heightWith(double chart, double width) const;
     void paint(QPainter& painter, const PlotColours& colours) const;
 
 private:
     [[nodiscard]] double entryWidth(const Entry& entry) const;
     [[nodiscard]] double widest() const;
+    [[nodiscard]] bool fitsBeside(double width) const;
+    /// How high its entries are, row by row, in a width.
+    [[nodiscard]] double heightIn(double width) const;
     /// Where the entries begin, row by row, in a width.
     [[nodiscard]] std::vector<QPointF> places(double width) const;
 
