@@ -172,7 +172,8 @@ TEST_F(Reproduce, plotShowsNothingUntilTheEnd) {
     // The bunnies are there and the first views are measured.
     ASSERT_TRUE(waitUntil([&] { return !dialog().plot().plot().lines.empty(); }));
     expectDialogIsOnTheScreen();
-    EXPECT_GE(dialog().plot().height(), dialog().plot().neededHeight(dialog().plot().width())) << "its legend is cut";
+    EXPECT_GE(dialog().plot().height(), dialog().plot().neededHeight(dialog().plot().width()));
+    EXPECT_EQ(dialog().plot().visibleRegion().boundingRect(), dialog().plot().rect()) << "its lower end is cut";
     EXPECT_FALSE(dialog().plot().plot().lines.front().points.empty());
     QTest::mouseClick(&dialog().cancelButton(), Qt::LeftButton);
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));

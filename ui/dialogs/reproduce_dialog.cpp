@@ -161,8 +161,10 @@ void ReproduceDialog::makeWay() {
     const int most = m_runner.running() ? low : std::min(high + frame.height(), screenPlace.height());
     // Afterwards every column is to be seen: the losses are in the last ones.
     const int beside = width() - m_pages->width() + m_table->width() - m_table->viewport()->width();
-    const int wide = m_runner.running() ? kWidth : std::max(kWidth, m_table->horizontalHeader()->length() + beside);
-    resize(std::min(wide, screenPlace.width() - frame.width()), most - frame.height());
+    const int wanted = m_runner.running() ? kWidth : std::max(kWidth, m_table->horizontalHeader()->length() + beside);
+    const int wide = std::min(wanted, screenPlace.width() - frame.width());
+    resize(wide, most - frame.height());
+    growTo(leastHeight(wide));
     const QSize taken = size() + frame;
     moveOnScreen({place.x() + (place.width() - taken.width()) / 2, place.bottom() + 1 - taken.height()});
 }
@@ -175,13 +177,25 @@ void ReproduceDialog::moveOnScreen(const QPoint& corner) {
          std::clamp(corner.y(), place.top(), std::max(place.top(), place.bottom() + 1 - taken.height())));
 }
 
-/// A plot and its notes need more height than rows.
-void ReproduceDialog::makeRoom() {
-    const int frame = frameGeometry().height() - height();
-    const int wanted = std::min(kPlotHeight, screen()->availableGeometry().height() - frame);
-    if (!hasPlot() || height() >= wanted) return;
+/// The height below which something is cut: a dialog's own minimum leaves out that its sentences take more lines when narrow.
+int ReproduceDialog::leastHeight(int width) const {
+    // Else the layout learns in the next event loop only what the plot needs now.
+    m_pages->updateGeometry();
+    return std::max(layout()->totalMinimumSize().height(), layout()->minimumHeightForWidth(width));
+}
+
+/// Makes the dialog that high if it is lower, as far as the screen lets it, and keeps it on the screen.
+void ReproduceDialog::growTo(int height) {
+    const int frame = frameGeometry().height() - this->height();
+    const int wanted = std::min(height, screen()->availableGeometry().height() - frame);
+    if (this->height() >= wanted) return;
     resize(width(), wanted);
     if (isVisible()) moveOnScreen(frameGeometry().topLeft());
+}
+
+/// A plot and its notes need more height than rows.
+void ReproduceDialog::makeRoom() {
+    if (hasPlot()) growTo(kPlotHeight);
 }
 
 void ReproduceDialog::showChosen() {
@@ -196,11 +210,9 @@ void ReproduceDialog::showChosen() {
 void ReproduceDialog::showPlot(const PaperTable& table) {
     m_pages->tabBar()->setVisible(hasPlot());
     if (!hasPlot()) m_pages->setCurrentWidget(m_table);
-    const int before = height();
     m_plot->setPlot(hasPlot() ? table.plots.front() : LinePlot());
-    // The legend grows with the first lines, and the dialog with it.
-    layout()->activate();
-    if (isVisible() && height() > before) moveOnScreen(frameGeometry().topLeft());
+    // The legend grows with the first lines.
+    if (isVisible()) growTo(leastHeight(width()));
 }
 
 void ReproduceDialog::showTable() {

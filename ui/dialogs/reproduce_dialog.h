@@ -52,6 +52,8 @@ private:
     void wire(Session& session);
     void start();
     void makeWay();
+    [[nodiscard]] int leastHeight(int width) const;
+    void growTo(int height);
     void makeRoom();
     void moveOnScreen(const QPoint& corner);
     void showChosen();
