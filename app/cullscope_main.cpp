@@ -55,7 +55,7 @@ CommandLine parse(int argc, char** argv) {
                       "The strategies of the views, A,B,…: as many as 8 (cullbench list strategies)");
     parser
         .add_option("--models", line.modelFolders, "A folder in which models such as the bunny are looked for; may be repeated")
-        ->expected(1);
+        ->allow_extra_args(false);
     parser.add_option("--language", line.language, "The language of the window")->check(CLI::IsMember({"en", "ko", "zh_CN"}));
     parser.add_option("--size", size,
                       "The size of the window, as WIDTHxHEIGHT (default: 1366x768, or the screen where it is smaller)");

@@ -155,7 +155,8 @@ void addMeasureCommand(CLI::App& app, Context& context) {
     addSceneOptions(*command, options->scene);
     command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,key=value,B")
         ->required()
-        ->delimiter(',');
+        ->delimiter(',')
+        ->allow_extra_args(false);
     command
         ->add_option("-p,--parameter", options->parameters, "parameter: A.key=value, or key=value for every strategy that has it")
         ->allow_extra_args(false);

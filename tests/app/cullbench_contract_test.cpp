@@ -51,6 +51,12 @@ void expectRefusal(const ProcessResult& result, int status, const std::string& m
     EXPECT_EQ(result.out, "");
 }
 
+TEST_F(CullbenchContract, sceneAfterTheStrategiesIsTakenForOne) {
+    const ProcessResult result = cullbench({"measure", "--path", "fibonacci:1", "--size", "16x16", "--repeat", "1", "--models",
+                                            file("nowhere"), "-s", "all,backface", "sphere:triangles=80"});
+    EXPECT_EQ(result.exitStatus, 0) << result.err;
+}
+
 TEST_F(CullbenchContract, measureLacksAField) {
     const ProcessResult result = cullbench({"measure", "sphere:triangles=2000", "-s", "all,backface,frustum", "--path",
                                             "fibonacci:3", "--size", "64x48", "--repeat", "2", "--json", "-"});

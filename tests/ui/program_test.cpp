@@ -115,6 +115,15 @@ TEST(Program, savesAPictureOfItsWindow) {
     EXPECT_EQ(QImage(file).size(), QSize(900, 600));
 }
 
+TEST(Program, sceneAfterAFolderOfModelsIsTakenForAFolder) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png")), models = QStringLiteral("--models");
+    const Ended ended = runProgram({QStringLiteral("--screenshot"), file, models, folder.path(), models,
+                                    QStringLiteral("/nowhere"), QStringLiteral("sphere:triangles=80")});
+    EXPECT_EQ(ended.status, 0) << ended.errors.toStdString();
+    EXPECT_FALSE(QImage(file).isNull());
+}
+
 TEST(Program, aSceneThatCannotBeReadIsSaidAndShown) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
