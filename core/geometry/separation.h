@@ -29,8 +29,8 @@ namespace cullscope {
 /// The same for a turned or sheared box.
 [[nodiscard]] bool separated(const Frustum& frustum, const OrientedBox& box, double slack);
 
-/// The same for a sphere, relative to the eye; decides alone, without the planes. Axis: from the frustum's nearest point to the
-/// centre.
+/// The same for a sphere, relative to the eye; decides alone, without the planes. Axes: from the frustum's nearest point to the
+/// centre, that one at a right angle to the edge between the sides next to the centre, and the normals of those two sides.
 [[nodiscard]] bool separated(const Frustum& frustum, const Sphere& eyeSphere, double slack);
 
 /// Whether a convex bound that no plane has outside can lie apart from the frustum at all; `planes` has bit p set where

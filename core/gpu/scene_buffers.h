@@ -14,7 +14,8 @@ enum class Upload {
     VertexArray  ///< client memory, sent with every draw (the papers' "vertex array"); needs a compatibility profile
 };
 
-/// The indices of a mesh's triangles, as OpenGL takes them: 16 bits each where the mesh has no more than 65,536 vertices.
+/// The indices of a mesh's triangles, as OpenGL takes them: in a buffer 16 bits each where the mesh has no more than 65,536
+/// vertices; in client memory as the mesh has them.
 struct GpuIndices {
     unsigned buffer = 0;           ///< 0 with Upload::VertexArray
     const char* client = nullptr;  ///< where they lie in memory, with Upload::VertexArray

@@ -75,8 +75,13 @@ double Scene::pictureRounding(const Instance& instance) const {
     const Sphere& sphere = m_meshes[instance.mesh]->localSphere();
     const Mat3 linear(instance.worldFromMesh);
     double stretch = 0.0;
-    for (int column = 0; column < 3; ++column) stretch = std::max(stretch, glm::length(linear[column]));
-    return 0x1p-19 * std::max(0.0, glm::length(linear * sphere.centre) - 0.5 * stretch * sphere.radius);
+    // Each product's size: what they cancel in a sum is rounded all the same.
+    Vec3 products(0.0);
+    for (int column = 0; column < 3; ++column) {
+        stretch = std::max(stretch, glm::length(linear[column]));
+        products += glm::abs(linear[column]) * std::abs(sphere.centre[column]);
+    }
+    return 0x1p-19 * std::max(0.0, glm::length(products) - 0.5 * stretch * sphere.radius);
 }
 
 size_t Scene::instanceOf(uint64_t triangle) const {

@@ -175,7 +175,7 @@ StrategyInfo frustumSelectInfo() {
           ParameterType::Integer,
           int64_t{4096},
           1.0,
-          1e9,
+          1e7,
           "",
           CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
                        "boxes are drawn again."),

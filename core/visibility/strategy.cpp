@@ -13,6 +13,18 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
+/// Lends a strategy the renderer for one decision, also for one that fails.
+class Lent {
+public:
+    Lent(Renderer*& place, Renderer* renderer) : m_place(place) { m_place = renderer; }
+    ~Lent() { m_place = nullptr; }
+    Lent(const Lent&) = delete;
+    Lent& operator=(const Lent&) = delete;
+
+private:
+    Renderer*& m_place;
+};
+
 }  // namespace
 
 const char* promiseId(Promise promise) {
@@ -56,11 +68,10 @@ Renderer& Strategy::renderer() const {
 Verdict Strategy::cull(const View& view, Trace* trace, Renderer* renderer) {
     assert(m_scene != nullptr);
     Verdict verdict;
-    m_renderer = renderer;
+    const Lent lent(m_renderer, renderer);
     const Clock::time_point start = Clock::now();
     verdict.drawList.facing = facing();
     decide(view, verdict, trace);
-    m_renderer = nullptr;
     verdict.consideredTriangles = verdict.drawList.triangleCount();
     verdict.cullMilliseconds = millisecondsSince(start);
     return verdict;

@@ -17,22 +17,25 @@ View standardView(const Viewport& size = {100, 100}) {
 
 EyeBox box(const Vec3& min, const Vec3& max) { return {0.5 * (min + max), 0.5 * (max - min)}; }
 
-/// In view; left, right, above, below; before near; behind the eye; beyond far; cut by a side; and a flat one seen edge-on.
+/// In view; left, right, above, below; before near; behind the eye; beyond far; cut by a side; and flat ones in view, seen
+/// edge-on and not.
 const std::vector<EyeBox> kAround{
     box({-1, -1, -6}, {1, 1, -4}), box({-9, -1, -6}, {-7, 1, -4}),  box({7, -1, -6}, {9, 1, -4}),
     box({-1, 7, -6}, {1, 9, -4}),  box({-1, -9, -6}, {1, -7, -4}),  box({-.01, -.01, -.06}, {.01, .01, -.05}),
-    box({-1, -1, 4}, {1, 1, 6}),   box({-1, -1, -16}, {1, 1, -14}), box({4, -1, -6}, {9, 1, -4})};
+    box({-1, -1, 4}, {1, 1, 6}),   box({-1, -1, -16}, {1, 1, -14}), box({4, -1, -6}, {9, 1, -4}),
+    box({-1, 0, -6}, {1, 0, -4}),  box({-1, -1, -5}, {1, 1, -5})};
 
 TEST(BoxSelection, boxInViewIsNotHitOrOneBesideItIs) {
     const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), kAround, 1000);
-    EXPECT_THAT(selected.hits, ElementsAre(0, 8));
+    EXPECT_THAT(selected.hits, ElementsAre(0, 8, 9, 10));
     EXPECT_EQ(selected.overflows, 0);
     EXPECT_EQ(selected.bufferWords, 1000u);
 }
 
 TEST(BoxQueries, boxInViewCoversNoSampleOrOneBesideItDoes) {
-    // Clamped depth: what lies before near or beyond far covers samples; what is behind the eye does not.
-    EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), kAround), ElementsAre(0, 5, 7, 8));
+    // Clamped depth: what lies before near or beyond far covers samples; what is behind the eye does not, nor what is seen
+    // edge-on between two rows of samples.
+    EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), kAround), ElementsAre(0, 5, 7, 8, 10));
 }
 
 TEST(BoxSelection, case25HitBufferOverflowsUnseen) {

@@ -23,6 +23,39 @@ ScenePointer threeBodies() {
                    {translation({-3, 0, 0}), Mat4(1.0), translation({3, 0, 0})});
 }
 
+/// A fan over a half circle that faces +z, of so many vertices.
+MeshPointer fanOf(size_t vertices) {
+    TriangleMesh::Data data;
+    data.name = "fan";
+    data.positions.push_back(Vec3f(0.0f));
+    for (size_t i = 1; i < vertices; ++i) {
+        const double angle = 3.14159265358979 * double(i - 1) / double(vertices - 2);
+        data.positions.push_back(Vec3f(Vec3(std::cos(angle), std::sin(angle), 0.0)));
+    }
+    for (uint32_t i = 1; i + 1 < vertices; ++i) data.indices.insert(data.indices.end(), {0, i, i + 1});
+    return std::make_shared<TriangleMesh>(std::move(data));
+}
+
+TEST(SceneBuffers, indicesOf16BitsDoNotReachTheLastVertexOrAreNotUsedUpToIt) {
+    const Camera camera{Vec3(0, 0, 3), Vec3(0, 0, 0), Vec3(0, 1, 0), Angle::fromDegrees(45), 1, 10};
+    std::vector<size_t> coveredPixels;
+    for (const Upload upload : {Upload::Vbo, Upload::VertexArray})
+        for (const size_t vertices : {size_t{65'536}, size_t{65'537}}) {
+            const ScenePointer scene = copiesOf(fanOf(vertices), {Mat4(1.0)});
+            const SceneBuffers buffers(scene, upload);
+            const unsigned bytes = upload == Upload::Vbo && vertices == 65'536 ? 2 : 4;
+            EXPECT_EQ(buffers.mesh(0).whole.bytes, bytes);
+            EXPECT_EQ(buffers.ownOrder(0).bytes, bytes);
+            const DrawList all = everything(*scene, Facing::Front);
+            coveredPixels.push_back(covered(picture(buffers, View(camera, kSize), all)));
+            DrawList half = all;
+            half.ranges[0].indexCount = half.ranges[0].indexCount / 6 * 3;
+            EXPECT_NEAR(double(covered(picture(buffers, View(camera, kSize), half))), double(coveredPixels.back()) / 2, 40.0);
+        }
+    EXPECT_GT(coveredPixels[0], 1500u);
+    EXPECT_EQ(coveredPixels, std::vector<size_t>(4, coveredPixels[0]));
+}
+
 TEST(SceneBuffers, hidingUploadsAgainOrDrawsAnotherPicture) {
     const ScenePointer scene = threeBodies();
     const View view(overviewCamera(*scene, 4.0 / 3), kSize);

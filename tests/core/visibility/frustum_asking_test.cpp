@@ -80,7 +80,7 @@ TEST(FrustumAsking, objectJustBeforeFarIsCulledWhereNearIsVeryNear) {
     for (const char* id : kIds) EXPECT_EQ(drawn(id, *scene, view).size(), 20u) << id;
 }
 
-TEST(FrustumSelect, case25HitBufferThatOverflowedIsNotKeptLarger) {
+TEST(FrustumSelect, case25ObjectIsLostWhereTheHitBufferOverflows) {
     std::vector<Mat4> places;
     for (int i = 0; i < 400; ++i)
         places.push_back(translation({0.2 * (i % 20) - 2, 0.2 * (i / 20.0) - 2, -6}) * scaling(Vec3(.05)));

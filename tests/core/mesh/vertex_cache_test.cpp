@@ -1,0 +1,72 @@
+#include "core/mesh/vertex_cache.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/geometry/random.h"
+#include "core/mesh/parametric.h"
+
+namespace cullscope::test {
+namespace {
+
+using Corners = std::array<uint32_t, 3>;
+
+/// Sorted by triangle; the corners of each begin with the least and keep their sense of rotation.
+std::vector<Corners> trianglesOf(std::span<const uint32_t> indices) {
+    std::vector<Corners> triangles;
+    for (size_t i = 0; i < indices.size(); i += 3) {
+        Corners corners{indices[i], indices[i + 1], indices[i + 2]};
+        std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+        triangles.push_back(corners);
+    }
+    std::sort(triangles.begin(), triangles.end());
+    return triangles;
+}
+
+/// The triangles in a random order.
+std::vector<uint32_t> shuffled(std::span<const uint32_t> indices) {
+    std::vector<uint32_t> result(indices.begin(), indices.end());
+    Random random(5);
+    for (size_t last = result.size() / 3 - 1; last > 0; --last)
+        std::swap_ranges(result.begin() + long(3 * last), result.begin() + long(3 * last + 3),
+                         result.begin() + long(3 * (random.bits() % (last + 1))));
+    return result;
+}
+
+TEST(VertexCache, orderLosesOrTurnsATriangleOrIsNoBetter) {
+    const MeshPointer mesh = sphereMesh(20'000);
+    const std::vector<uint32_t> bad = shuffled(mesh->indices());
+    const std::vector<uint32_t> good = inVertexCacheOrder(bad, mesh->vertexCount());
+    EXPECT_EQ(trianglesOf(good), trianglesOf(bad));
+    EXPECT_GT(verticesPerTriangle(bad, mesh->vertexCount()), 2.5);
+    EXPECT_LT(verticesPerTriangle(good, mesh->vertexCount()), 0.9);
+}
+
+TEST(VertexCache, goodOrderIsMadeWorse) {
+    const MeshPointer mesh = sphereMesh(20'000);
+    const std::vector<uint32_t> good = inVertexCacheOrder(mesh->indices(), mesh->vertexCount());
+    EXPECT_LE(verticesPerTriangle(good, mesh->vertexCount()), verticesPerTriangle(mesh->indices(), mesh->vertexCount()));
+    EXPECT_LE(verticesPerTriangle(inVertexCacheOrder(good, mesh->vertexCount()), mesh->vertexCount()),
+              verticesPerTriangle(good, mesh->vertexCount()));
+}
+
+TEST(VertexCache, fanOfAMillionTrianglesTakesForEver) {
+    // Forsyth's order weighs all triangles at a vertex anew for each of them.
+    std::vector<uint32_t> fan;
+    for (uint32_t i = 1; i <= 1'000'000; ++i) fan.insert(fan.end(), {0, i, i + 1});
+    const std::vector<uint32_t> bad = shuffled(fan);
+    const std::vector<uint32_t> good = inVertexCacheOrder(bad, 1'000'002);
+    EXPECT_EQ(trianglesOf(good), trianglesOf(bad));
+    EXPECT_LE(verticesPerTriangle(good, 1'000'002), verticesPerTriangle(bad, 1'000'002));
+    EXPECT_EQ(inVertexCacheOrder(fan, 1'000'002), fan);
+}
+
+TEST(VertexCache, nothingIsOrdered) {
+    EXPECT_TRUE(inVertexCacheOrder({}, 0).empty());
+    EXPECT_EQ(verticesPerTriangle({}, 0), 0.0);
+}
+
+}  // namespace
+}  // namespace cullscope::test
