@@ -61,7 +61,7 @@ void expectShare(const Samples& samples) {
                                      std::to_string(s.objects) + " " + s.shape + ", not the share that was placed in the view.");
 }
 
-/// All variants but the hierarchy over the same objects.
+/// All variants but the hierarchy, over the same objects.
 template <typename Batch, typename Naive>
 class Contest {
 public:
@@ -94,7 +94,7 @@ private:
     volatile double m_sum = 0.0;
 };
 
-Variant hierarchical(const Hierarchy& hierarchy, size_t& kept) {
+Variant hierarchical(Hierarchy& hierarchy, size_t& kept) {
     return {kHierarchical, [&hierarchy, &kept, view = frustumView()] { kept = hierarchy.kept(view); }, [&kept] { return kept; }};
 }
 
@@ -118,24 +118,27 @@ void add(Samples added, const std::string& shape, double share, bool fitsCache, 
     samples.insert(samples.end(), added.begin(), added.end());
 }
 
-void addBoxes(size_t count, double share, Samples& samples) {
-    const std::vector<Box3> boxes = scatteredBoxes(frustumView(), count, share);
-    const Hierarchy hierarchy(boxes);
+template <typename Batch, typename Naive, typename Object>
+void addContest(const std::vector<Object>& objects, const std::string& shape, double share, Samples& samples) {
+    Hierarchy hierarchy(objects);
     size_t kept = 0;
-    Contest<BoxBatch, NaiveBox> contest(boxes);
+    Contest<Batch, Naive> contest(objects);
     std::vector<Variant> variants = contest.variants();
     variants.push_back(hierarchical(hierarchy, kept));
-    add(inTurns(variants, count), kBoxes, share, contest.fitsCache(), samples);
+    add(inTurns(variants, objects.size()), shape, share, contest.fitsCache(), samples);
+}
+
+void addBoxes(size_t count, double share, Samples& samples) {
+    addContest<BoxBatch, NaiveBox>(scatteredBoxes(frustumView(), count, share), kBoxes, share, samples);
 }
 
 void addSpheres(size_t count, double share, Samples& samples) {
-    Contest<SphereBatch, NaiveSphere> contest(scatteredSpheres(frustumView(), count, share));
-    add(inTurns(contest.variants(), count), kSpheres, share, contest.fitsCache(), samples);
+    addContest<SphereBatch, NaiveSphere>(scatteredSpheres(frustumView(), count, share), kSpheres, share, samples);
 }
 
 /// The scene grows around a view whose visible set does not.
 void addEvenBoxes(size_t count, Samples& samples) {
-    const Hierarchy hierarchy(evenBoxes(frustumView(), count));
+    Hierarchy hierarchy(evenBoxes(frustumView(), count));
     size_t kept = 0;
     Samples added = inTurns({hierarchical(hierarchy, kept)}, count);
     add(added, kEvenBoxes, double(added.front().kept) / double(count), false, samples);
@@ -158,7 +161,7 @@ LinePlot speedPlot(const Samples& samples, const std::string& shape) {
     std::vector<std::string> names{kNaive};
     for (const SimdLevel level : availableSimdLevels()) names.emplace_back(simdLevelName(level));
     names.push_back(kRead);
-    if (shape == kBoxes) names.push_back(kHierarchical);
+    names.push_back(kHierarchical);
     for (const std::string& name : names)
         plot.lines.push_back({name, points(samples, shape, name, 0.5, speed), false, false, {}});
     return plot;

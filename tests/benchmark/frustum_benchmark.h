@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/spatial/instance_octree.h"
+#include "core/visibility/group_walk.h"
 #include "tests/benchmark/frustum_objects.h"
 
 namespace cullscope::benchmark {
@@ -35,16 +36,21 @@ inline const std::string kNaive = "naive", kRead = "read", kHierarchical = "hier
 /// Runs the variants in turns; shape, share and fitsCache are left to the caller.
 [[nodiscard]] std::vector<FrustumSample> inTurns(const std::vector<Variant>& variants, size_t objects);
 
-/// Objects as instances of one mesh, and the octree over them.
+/// Objects as instances of one mesh, and the octree over them, walked as `frustum-octree` walks it.
 class Hierarchy {
 public:
+    /// A box is bounded by itself, a sphere by itself and its box.
     explicit Hierarchy(const std::vector<Box3>& boxes);
-    /// Walks the octree.
-    [[nodiscard]] size_t kept(const View& view) const;
+    explicit Hierarchy(const std::vector<Sphere>& spheres);
+    /// Walks the octree: with separating axes, the plane that failed the last time first.
+    [[nodiscard]] size_t kept(const View& view);
 
 private:
+    explicit Hierarchy(ScenePointer scene);
+
     ScenePointer m_scene;
     InstanceOctree m_octree;
+    LastFailedPlanes m_memory;
 };
 
 }  // namespace cullscope::benchmark

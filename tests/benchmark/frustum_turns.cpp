@@ -1,7 +1,6 @@
 // Passes of several variants in turns, and the hierarchy as one of them.
 #include <ctime>
 
-#include "core/visibility/group_walk.h"
 #include "tests/benchmark/frustum_benchmark.h"
 #include "tests/benchmark/lossless_benchmark.h"
 
@@ -28,26 +27,40 @@ size_t passesOf(const std::function<void()>& pass) {
     return passes;
 }
 
-/// A triangle from corner to corner of the cube [-1, 1]³, which is its box.
-MeshPointer cubeSpanningTriangle() {
+MeshPointer meshOf(std::vector<Vec3f> positions, std::vector<uint32_t> indices) {
     TriangleMesh::Data data;
-    data.name = "triangle";
-    data.positions = {{-1, -1, -1}, {1, 1, 1}, {-1, 1, 1}};
-    data.indices = {0, 1, 2};
+    data.positions = std::move(positions);
+    data.indices = std::move(indices);
     return std::make_shared<TriangleMesh>(std::move(data));
+}
+
+/// A triangle from corner to corner of the cube [-1, 1]³, which is its box.
+MeshPointer cubeSpanningTriangle() { return meshOf({{-1, -1, -1}, {1, 1, 1}, {-1, 1, 1}}, {0, 1, 2}); }
+
+/// Two triangles between the six points of the unit sphere on the axes: it is their bound, and the cube [-1, 1]³ their box.
+MeshPointer sphereSpanningTriangles() {
+    return meshOf({{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 3, 4, 5});
+}
+
+Instance placed(const Vec3& centre, const Vec3& half) {
+    Mat4 transform(1.0);
+    for (int axis = 0; axis < 3; ++axis) transform[axis][axis] = half[axis];
+    transform[3] = Vec4(centre, 1.0);
+    return {0, transform, {}};
 }
 
 ScenePointer sceneOf(const std::vector<Box3>& boxes) {
     std::vector<Instance> instances;
     instances.reserve(boxes.size());
-    for (const Box3& box : boxes) {
-        const Vec3 centre = box.centre(), half = box.halfExtent();
-        Mat4 transform(1.0);
-        for (int axis = 0; axis < 3; ++axis) transform[axis][axis] = half[axis];
-        transform[3] = Vec4(centre, 1.0);
-        instances.push_back({0, transform, {}});
-    }
+    for (const Box3& box : boxes) instances.push_back(placed(box.centre(), box.halfExtent()));
     return std::make_shared<Scene>("boxes", std::vector<MeshPointer>{cubeSpanningTriangle()}, std::move(instances));
+}
+
+ScenePointer sceneOf(const std::vector<Sphere>& spheres) {
+    std::vector<Instance> instances;
+    instances.reserve(spheres.size());
+    for (const Sphere& sphere : spheres) instances.push_back(placed(sphere.centre, Vec3(sphere.radius)));
+    return std::make_shared<Scene>("spheres", std::vector<MeshPointer>{sphereSpanningTriangles()}, std::move(instances));
 }
 
 std::vector<double> ratios(const std::vector<double>& upper, const std::vector<double>& lower) {
@@ -89,8 +102,15 @@ std::vector<FrustumSample> inTurns(const std::vector<Variant>& variants, size_t 
     return samples;
 }
 
-Hierarchy::Hierarchy(const std::vector<Box3>& boxes) : m_scene(sceneOf(boxes)), m_octree(*m_scene) {}
+Hierarchy::Hierarchy(ScenePointer scene)
+    : m_scene(std::move(scene)), m_octree(*m_scene), m_memory(m_octree.nodes().size(), m_scene->instances().size()) {}
 
-size_t Hierarchy::kept(const View& view) const { return keptObjects(m_octree, *m_scene, view).size(); }
+Hierarchy::Hierarchy(const std::vector<Box3>& boxes) : Hierarchy(sceneOf(boxes)) {}
+
+Hierarchy::Hierarchy(const std::vector<Sphere>& spheres) : Hierarchy(sceneOf(spheres)) {}
+
+size_t Hierarchy::kept(const View& view) {
+    return keptObjects(m_octree, *m_scene, view, nullptr, nullptr, {true, &m_memory}).size();
+}
 
 }  // namespace cullscope::benchmark
