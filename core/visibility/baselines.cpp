@@ -32,7 +32,6 @@ class All final : public Everything {
 public:
     using Everything::Everything;
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Facing facing() const override { return Facing::TwoSided; }
 };
 
 class Backface final : public Everything {

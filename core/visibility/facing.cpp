@@ -1,5 +1,7 @@
 #include "core/visibility/facing.h"
 
+#include <algorithm>
+
 #include "core/base/message.h"
 
 namespace cullscope {
@@ -13,6 +15,8 @@ ParameterDeclaration facingParameter(std::string defaultId) {
 }
 
 Facing resolveFacing(const ParameterSet& parameters, const Scene& scene) {
+    const auto isFacing = [](const ParameterDeclaration& declaration) { return declaration.key == "facing"; };
+    if (std::ranges::none_of(parameters.declarations(), isFacing)) return Facing::TwoSided;
     const std::string& choice = parameters.choice("facing");
     if (choice == "auto") return scene.frontFacesSuffice() ? Facing::Front : Facing::TwoSided;
     return choice == "front" ? Facing::Front : Facing::TwoSided;

@@ -10,7 +10,8 @@ namespace cullscope {
 /// default of those that reproduce a paper which draws both sides.
 [[nodiscard]] ParameterDeclaration facingParameter(std::string defaultId = "auto");
 
-/// The rule for a scene: `auto` is front where every mesh is closed and consistently oriented, two-sided elsewhere.
+/// The rule for a scene: `auto` is front where every mesh is closed and consistently oriented, two-sided elsewhere. Two-sided
+/// also for strategies without the parameter.
 [[nodiscard]] Facing resolveFacing(const ParameterSet& parameters, const Scene& scene);
 
 }  // namespace cullscope

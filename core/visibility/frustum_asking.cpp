@@ -34,12 +34,10 @@ class FrustumAsking : public Strategy {
 public:
     using Strategy::Strategy;
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Facing facing() const override { return m_facing; }
     [[nodiscard]] Inside inside(const Trace& trace) const override { return objectNodes(trace, scene()); }
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
-        m_facing = resolveFacing(parameters(), scene);
         // The boxes are the scene's own: nothing is built besides.
         report.bytes = scene.instances().size() * sizeof(Box3);
         report.figures = {{"objects", double(scene.instances().size())}};
@@ -127,8 +125,6 @@ private:
         event.bound = growthOf(bounds, view);
         trace.events.push_back(event);
     }
-
-    Facing m_facing = Facing::TwoSided;
 };
 
 class FrustumSelect final : public FrustumAsking {

@@ -35,12 +35,10 @@ public:
     explicit FrustumCulling(ParameterSet set) : Strategy(std::move(set)), m_test(boxTestFromId(parameters().choice("box"))) {}
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Facing facing() const override { return m_facing; }
     [[nodiscard]] Inside inside(const Trace& trace) const override { return objectNodes(trace, scene()); }
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
-        m_facing = resolveFacing(parameters(), scene);
         std::vector<Box3> boxes;
         std::vector<Sphere> spheres;
         for (size_t i = 0; i < scene.instances().size(); ++i) {
@@ -155,7 +153,6 @@ private:
     }
 
     BoxTest m_test;
-    Facing m_facing = Facing::TwoSided;
     std::optional<BoxBatch> m_boxes;
     std::optional<SphereBatch> m_spheres;
     std::vector<uint64_t> m_outside, m_outsideByBox;  ///< of the `decide` under way

@@ -16,7 +16,6 @@ public:
     explicit FrustumOctree(ParameterSet set) : Strategy(std::move(set)), m_refine(parameters().boolean("refine")) {}
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Facing facing() const override { return m_facing; }
     [[nodiscard]] Inside inside(const Trace& trace) const override {
         Inside result = objectNodes(trace, scene());
         addGroups(result, m_octree, scene(), trace);
@@ -25,7 +24,6 @@ public:
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
-        m_facing = resolveFacing(parameters(), scene);
         m_octree = InstanceOctree(scene);
         m_memory = LastFailedPlanes(m_octree.nodes().size(), scene.instances().size());
         report.bytes = m_octree.bytes() + m_memory.bytes();
@@ -74,7 +72,6 @@ private:
     }
 
     bool m_refine;
-    Facing m_facing = Facing::TwoSided;
     InstanceOctree m_octree;
     LastFailedPlanes m_memory;
 };

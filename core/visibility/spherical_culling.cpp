@@ -43,7 +43,6 @@ class SphericalCulling : public Strategy {
 public:
     using Strategy::Strategy;
 
-    [[nodiscard]] Facing facing() const override { return m_facing; }
     [[nodiscard]] Inside inside(const Trace& trace) const override {
         const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
         Inside result;
@@ -66,7 +65,6 @@ protected:
     [[nodiscard]] uint32_t sectors() const { return uint32_t(parameters().integer("sectors")); }
 
     void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        m_facing = resolveFacing(parameters(), scene);
         m_meshes.clear();
         m_meshes.resize(scene.meshes().size());
         const std::vector<bool> shown = scene.shownMeshes();
@@ -227,7 +225,6 @@ private:
 
     std::vector<MappedMesh> m_meshes;
     TriangleOrderPointer m_order;
-    Facing m_facing = Facing::TwoSided;
 };
 
 class Spherical final : public SphericalCulling {

@@ -37,7 +37,6 @@ public:
           m_horizon(parameters().boolean("horizon")) {}
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Facing facing() const override { return m_facing; }
 
     [[nodiscard]] Inside inside(const Trace& trace) const override {
         const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
@@ -54,7 +53,6 @@ public:
 
 protected:
     void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        m_facing = resolveFacing(parameters(), scene);
         m_meshes.assign(scene.meshes().size(), {});
         const std::vector<bool> shown = scene.shownMeshes();
         for (size_t i = 0; i < m_meshes.size(); ++i) {
@@ -161,7 +159,7 @@ private:
         const MapView seen = mapView(scene(), object.instance, mesh.tree->sphere(), view);
         result.relation = seen.relation;
         if (seen.relation == SphereRelation::Outside) return result;
-        CellTests tests{planesToTest(object, seen), m_facing == Facing::Front && m_cones && seen.eyeKnown};
+        CellTests tests{planesToTest(object, seen), facing() == Facing::Front && m_cones && seen.eyeKnown};
         const std::optional<KernelHorizon> horizon = horizonOf(mesh, seen);
         tests.horizon = horizon ? &*horizon : nullptr;
         result.walk = walkCells(*mesh.tree, seen, tests, traced);
@@ -180,7 +178,7 @@ private:
     /// What the near plane cuts open hides nothing, nor does a surface of which the outside is not drawn.
     [[nodiscard]] std::optional<KernelHorizon> horizonOf(const MeshCells& mesh, const MapView& seen) const {
         if (!mesh.kernel || !mesh.kernel->filled() || !seen.beyondNear || seen.relation == SphereRelation::AroundEye) return {};
-        if (m_facing == Facing::Front && !mesh.kernel->outward()) return {};
+        if (facing() == Facing::Front && !mesh.kernel->outward()) return {};
         KernelHorizon horizon(*mesh.kernel, seen.eye, mesh.tree->sphere().radius, snapping(seen));
         return horizon.usable() ? std::optional(std::move(horizon)) : std::nullopt;
     }
@@ -279,7 +277,6 @@ private:
     std::vector<MeshCells> m_meshes;
     InstanceOctree m_octree;
     TriangleOrderPointer m_order;
-    Facing m_facing = Facing::TwoSided;
 };
 
 }  // namespace

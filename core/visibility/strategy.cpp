@@ -3,6 +3,7 @@
 #include <cassert>
 
 #include "core/base/error.h"
+#include "core/visibility/facing.h"
 
 namespace cullscope {
 namespace {
@@ -43,6 +44,7 @@ void Strategy::build(const Scene& scene, const Progress& progress) {
     m_scene = &scene;
     m_structure = {};
     const Clock::time_point start = Clock::now();
+    m_facing = resolveFacing(m_parameters, scene);
     buildStructures(scene, progress, m_structure);
     m_structure.buildMilliseconds = millisecondsSince(start);
 }

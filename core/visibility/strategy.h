@@ -124,8 +124,8 @@ public:
     [[nodiscard]] virtual Promise promise() const = 0;
     /// What it promises at a view, where that depends on the eye's place; never more than `promise()`.
     [[nodiscard]] virtual Promise promiseAt(const View& /*view*/) const { return promise(); }
-    /// The facing rule for the built scene.
-    [[nodiscard]] virtual Facing facing() const = 0;
+    /// The facing rule for the built scene: its parameter's (visibility/facing.h), unless it overrides it.
+    [[nodiscard]] virtual Facing facing() const { return m_facing; }
     /// The facing rule of the ground truth that it is measured against: its own, except for `backface`.
     [[nodiscard]] virtual Facing referenceFacing() const { return facing(); }
     /// The boxes that it tests, with what the traced cull of the built scene decided about each; empty where it has none.
@@ -143,6 +143,7 @@ protected:
 private:
     ParameterSet m_parameters;
     const Scene* m_scene = nullptr;
+    Facing m_facing = Facing::TwoSided;
     Renderer* m_renderer = nullptr;  ///< while `cull` runs
     StructureReport m_structure;
 };

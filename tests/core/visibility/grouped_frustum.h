@@ -11,7 +11,6 @@ public:
     GroupedFrustum() : Strategy(ParameterSet(std::vector<ParameterDeclaration>{})) {}
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Facing facing() const override { return Facing::TwoSided; }
     [[nodiscard]] const InstanceOctree& octree() const { return m_octree; }
     [[nodiscard]] Inside inside(const Trace& trace) const override {
         Inside result;
