@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/measure/experiment.h"
+#include "core/measure/meter.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 

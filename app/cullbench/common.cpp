@@ -10,7 +10,7 @@
 #include "app/cullbench/commands.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/measure/strategy_text.h"
+#include "core/visibility/strategy_request.h"
 #include "core/scene/hidden.h"
 
 namespace cullscope::cullbench {

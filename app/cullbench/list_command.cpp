@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cullbench/commands.h"
-#include "core/measure/paper_tables.h"
+#include "core/experiments/paper_tables.h"
 
 namespace cullscope::cullbench {
 namespace {

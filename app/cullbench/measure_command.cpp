@@ -5,7 +5,7 @@
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
 #include "core/gpu/context.h"
-#include "core/measure/result_file.h"
+#include "core/experiments/result_file.h"
 
 namespace cullscope::cullbench {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
-#include "core/measure/overlays.h"
+#include "core/image/overlays.h"
 
 namespace cullscope::cullbench {
 namespace {

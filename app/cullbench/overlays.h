@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/measure/map_picture.h"
-#include "core/measure/view_picture.h"
+#include "core/image/map_picture.h"
+#include "core/image/view_picture.h"
 
 namespace cullscope::cullbench {
 

@@ -8,8 +8,8 @@
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
 #include "core/gpu/context.h"
-#include "core/measure/picture_file.h"
-#include "core/measure/picture_metadata.h"
+#include "core/image/picture_file.h"
+#include "core/image/picture_metadata.h"
 
 namespace cullscope::cullbench {
 namespace {

@@ -5,8 +5,8 @@
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
 #include "core/gpu/context.h"
-#include "core/measure/line_plot.h"
-#include "core/measure/paper_tables.h"
+#include "core/image/line_plot.h"
+#include "core/experiments/paper_tables.h"
 
 namespace cullscope::cullbench {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/scene_buffers.h"
 #include "core/scene/camera.h"
-#include "core/scene/draw_list.h"
+#include "core/frame/draw_list.h"
 
 namespace cullscope {
 

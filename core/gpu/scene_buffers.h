@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/scene/draw_list.h"
+#include "core/frame/draw_list.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {

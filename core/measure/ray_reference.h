@@ -5,7 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/scene/camera.h"
-#include "core/scene/draw_list.h"
+#include "core/frame/draw_list.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/scene/draw_list.h"
+#include "core/frame/draw_list.h"
 #include "core/scene/scene.h"
 #include "core/visibility/parameters.h"
 

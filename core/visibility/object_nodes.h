@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
-#include "core/visibility/inside.h"
+#include "core/visibility/structure_snapshot.h"
 
 namespace cullscope {
 

@@ -1,12 +1,12 @@
 #include "core/visibility/registry.h"
 
 #include "core/base/error.h"
-#include "core/visibility/baselines.h"
-#include "core/visibility/frustum_asking.h"
-#include "core/visibility/frustum_culling.h"
-#include "core/visibility/frustum_octree.h"
-#include "core/visibility/spherical_culling.h"
-#include "core/visibility/spherical_lossless.h"
+#include "core/visibility/baseline/baselines.h"
+#include "core/visibility/frustum/frustum_box_tests.h"
+#include "core/visibility/frustum/frustum_culling.h"
+#include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/spherical/spherical_culling.h"
+#include "core/visibility/spherical/lossless_culling.h"
 
 namespace cullscope {
 

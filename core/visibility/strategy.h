@@ -12,9 +12,9 @@
 #include "core/gpu/context.h"
 #include "core/gpu/renderer.h"
 #include "core/scene/camera.h"
-#include "core/scene/draw_list.h"
+#include "core/frame/draw_list.h"
 #include "core/scene/scene.h"
-#include "core/visibility/inside.h"
+#include "core/visibility/structure_snapshot.h"
 #include "core/visibility/parameters.h"
 #include "core/visibility/trace.h"
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/visibility/cause.h"
-#include "core/visibility/spherical_decision.h"
+#include "core/frame/cause.h"
+#include "core/visibility/spherical/decision.h"
 
 namespace cullscope {
 

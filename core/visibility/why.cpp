@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "core/scene/eye_triangle.h"
-#include "core/visibility/why_spherical.h"
+#include "core/visibility/spherical/why.h"
 
 namespace cullscope {
 namespace {

@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "tests/app/process.h"
 
 namespace {

@@ -6,7 +6,7 @@
 
 #include <filesystem>
 
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "tests/app/process.h"
 
 namespace {

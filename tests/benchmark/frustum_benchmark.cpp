@@ -16,7 +16,7 @@
 #include <stdexcept>
 
 #include "core/base/atomic_file.h"
-#include "core/measure/line_plot.h"
+#include "core/image/line_plot.h"
 #include "tests/benchmark/frustum_benchmark.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/spatial/instance_octree.h"
-#include "core/visibility/group_walk.h"
+#include "core/visibility/octree_walk.h"
 #include "tests/benchmark/frustum_objects.h"
 
 namespace cullscope::benchmark {

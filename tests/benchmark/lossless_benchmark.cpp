@@ -2,7 +2,7 @@
 
 #include <numeric>
 
-#include "core/measure/experiment.h"
+#include "core/measure/meter.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "core/visibility/registry.h"

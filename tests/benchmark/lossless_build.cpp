@@ -8,8 +8,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/measure/experiment.h"
-#include "core/measure/line_plot.h"
+#include "core/measure/meter.h"
+#include "core/image/line_plot.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "core/base/atomic_file.h"
-#include "core/measure/line_plot.h"
+#include "core/image/line_plot.h"
 #include "core/mesh/parametric.h"
 #include "tests/benchmark/lossless_benchmark.h"
 

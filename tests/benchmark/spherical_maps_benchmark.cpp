@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
-#include "core/measure/line_plot.h"
+#include "core/image/line_plot.h"
 #include "core/mesh/load.h"
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"

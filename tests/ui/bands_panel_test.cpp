@@ -7,7 +7,7 @@
 #include "tests/ui/made_up_map.h"
 #include "tests/ui/test_scene.h"
 #include "ui/statistics/plot_file.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 namespace {

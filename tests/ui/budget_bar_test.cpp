@@ -5,7 +5,7 @@
 #include <QPixmap>
 #include <numeric>
 
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "tests/core/measure/small_experiment.h"
 #include "tests/ui/test_scene.h"
-#include "ui/session/experiment_runner.h"
-#include "ui/session/screenshot.h"
+#include "ui/jobs/experiment_runner.h"
+#include "ui/screenshots/screenshot.h"
 #include "ui/session/undo_recorder.h"
 #include "ui/views/view_pane.h"
 

@@ -1,4 +1,4 @@
-#include "ui/session/experiment_runner.h"
+#include "ui/jobs/experiment_runner.h"
 
 #include <gtest/gtest.h>
 

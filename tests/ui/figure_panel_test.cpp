@@ -7,7 +7,7 @@
 #include <QScrollBar>
 
 #include "tests/ui/test_scene.h"
-#include "ui/startup/appearance.h"
+#include "ui/look/appearance.h"
 
 namespace cullscope::ui {
 namespace {

@@ -8,7 +8,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/session/navigation.h"
 #include "ui/session/object_pick.h"
-#include "ui/session/object_verdicts.h"
+#include "ui/jobs/object_verdicts.h"
 
 namespace cullscope::ui {
 namespace {

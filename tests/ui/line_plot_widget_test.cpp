@@ -4,7 +4,7 @@
 
 #include <QImage>
 
-#include "ui/startup/appearance.h"
+#include "ui/look/appearance.h"
 #include "ui/statistics/plot_file.h"
 
 namespace cullscope::ui {

@@ -10,9 +10,9 @@
 #include "ui/panels/map_overlay.h"
 #include "ui/panels/map_words.h"
 #include "ui/session/object_pick.h"
-#include "ui/startup/appearance.h"
+#include "ui/look/appearance.h"
 #include "ui/statistics/plot_file.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 namespace {

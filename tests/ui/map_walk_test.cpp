@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/measure/judged_cells.h"
+#include "core/image/judged_cells.h"
 #include "tests/ui/test_scene.h"
 #include "ui/panels/bands_plot.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/map_words.h"
-#include "ui/session/built_strategy.h"
+#include "ui/jobs/built_strategy.h"
 #include "ui/session/cullbench_command.h"
 #include "ui/session/navigation.h"
 #include "ui/session/object_pick.h"

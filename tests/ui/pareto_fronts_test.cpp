@@ -5,7 +5,7 @@
 #include <QXmlStreamReader>
 
 #include "tests/ui/made_up_result.h"
-#include "ui/session/experiment_runner.h"
+#include "ui/jobs/experiment_runner.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/plot_file.h"
 #include "ui/statistics/statistics_panel.h"

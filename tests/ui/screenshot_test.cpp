@@ -12,11 +12,11 @@
 #include <span>
 
 #include "core/base/error.h"
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "tests/ui/test_scene.h"
 #include "ui/dialogs/screenshot_taker.h"
-#include "ui/session/picture_tiles.h"
-#include "ui/views/screenshot_painter.h"
+#include "ui/jobs/picture_tiles.h"
+#include "ui/screenshots/screenshot_painter.h"
 
 namespace cullscope::ui {
 namespace {

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <fstream>
 
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "core/mesh/save.h"
 #include "tests/ui/test_scene.h"
 #include "ui/session/session_file.h"

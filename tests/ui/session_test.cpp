@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/visibility/registry.h"
 #include "tests/ui/test_scene.h"
-#include "ui/session/background.h"
+#include "ui/jobs/background.h"
 #include "ui/session/cullbench_command.h"
 
 namespace cullscope::ui {

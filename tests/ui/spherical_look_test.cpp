@@ -3,10 +3,10 @@
 
 #include <QPainter>
 
-#include "core/measure/spherical_model.h"
+#include "core/image/spherical_model.h"
 #include "tests/ui/test_scene.h"
-#include "ui/session/screenshot_plan.h"
-#include "ui/startup/appearance.h"
+#include "ui/screenshots/screenshot_plan.h"
+#include "ui/look/appearance.h"
 #include "ui/text/language.h"
 #include "ui/views/picture_painter.h"
 #include "ui/window/main_window.h"

@@ -1,4 +1,4 @@
-#include "ui/startup/window_memory.h"
+#include "ui/window/window_memory.h"
 
 #include <gtest/gtest.h>
 

@@ -10,7 +10,7 @@
 #include <QWheelEvent>
 
 #include "core/gpu/framebuffer.h"
-#include "core/measure/frame.h"
+#include "core/measure/render_frame.h"
 #include "tests/ui/test_scene.h"
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"

@@ -7,8 +7,8 @@
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
-#include "core/measure/picture_file.h"
-#include "ui/session/screenshot_words.h"
+#include "core/image/picture_file.h"
+#include "ui/screenshots/screenshot_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 

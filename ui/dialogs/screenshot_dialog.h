@@ -8,8 +8,8 @@
 #include <QPushButton>
 #include <QSpinBox>
 
-#include "ui/session/screenshot_plan.h"
-#include "ui/session/screenshot_settings.h"
+#include "ui/screenshots/screenshot_plan.h"
+#include "ui/screenshots/screenshot_settings.h"
 
 namespace cullscope::ui {
 

@@ -1,9 +1,9 @@
 #include "ui/dialogs/screenshot_taker.h"
 
 #include "core/base/error.h"
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "ui/dialogs/screenshot_dialog.h"
-#include "ui/session/picture_tiles.h"
+#include "ui/jobs/picture_tiles.h"
 
 namespace cullscope::ui {
 

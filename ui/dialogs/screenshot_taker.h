@@ -4,8 +4,8 @@
 #include <QProgressDialog>
 #include <deque>
 
-#include "ui/session/screenshot.h"
-#include "ui/session/screenshot_settings.h"
+#include "ui/screenshots/screenshot.h"
+#include "ui/screenshots/screenshot_settings.h"
 
 namespace cullscope::ui {
 

@@ -3,7 +3,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "ui/session/figures.h"
+#include "ui/jobs/figures.h"
 
 namespace cullscope::ui {
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "core/measure/triangle_states.h"
+#include "core/visibility/triangle_states.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/views/plane_swatch.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/plane_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "core/visibility/inside.h"
-#include "ui/session/object_verdicts.h"
+#include "core/visibility/structure_snapshot.h"
+#include "ui/jobs/object_verdicts.h"
 
 namespace cullscope::ui {
 

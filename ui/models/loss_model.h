@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "ui/session/figures.h"
+#include "ui/jobs/figures.h"
 
 namespace cullscope::ui {
 

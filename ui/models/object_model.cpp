@@ -6,8 +6,8 @@
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/views/tinted_icon.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/tinted_icon.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -3,7 +3,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "ui/session/object_verdicts.h"
+#include "ui/jobs/object_verdicts.h"
 
 namespace cullscope::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QAbstractTableModel>
 
-#include "core/measure/paper_table.h"
+#include "core/experiments/paper_table.h"
 
 namespace cullscope::ui {
 

@@ -9,7 +9,7 @@
 
 #include "ui/panels/map_words.h"
 #include "ui/text/translated.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -8,8 +8,8 @@
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/views/promise_marker.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/promise_marker.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

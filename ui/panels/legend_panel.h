@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <array>
 
-#include "core/measure/triangle_states.h"
+#include "core/visibility/triangle_states.h"
 #include "ui/panels/plane_legend.h"
 #include "ui/session/session.h"
 

@@ -5,7 +5,7 @@
 #include <QPushButton>
 #include <QWidget>
 
-#include "ui/session/scene_loader.h"
+#include "ui/jobs/scene_loader.h"
 
 namespace cullscope::ui {
 

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/measure/map_picture.h"
-#include "core/measure/triangle_states.h"
+#include "core/image/map_picture.h"
+#include "core/visibility/triangle_states.h"
 #include "ui/panels/shown_map.h"
 
 namespace cullscope::ui {

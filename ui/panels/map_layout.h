@@ -4,7 +4,7 @@
 #include <QRectF>
 #include <optional>
 
-#include "core/visibility/spherical_decision.h"
+#include "core/visibility/spherical/decision.h"
 
 namespace cullscope::ui {
 

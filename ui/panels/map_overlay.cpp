@@ -6,8 +6,8 @@
 #include <functional>
 #include <numbers>
 
-#include "core/measure/judged_cells.h"
-#include "core/measure/map_picture.h"
+#include "core/image/judged_cells.h"
+#include "core/image/map_picture.h"
 #include "ui/panels/map_edges.h"
 
 namespace cullscope::ui {

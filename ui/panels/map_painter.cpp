@@ -9,7 +9,7 @@
 #include "ui/panels/map_overlay.h"
 #include "ui/panels/map_words.h"
 #include "ui/text/wording.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ui/statistics/plot_colours.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/measure/judged_cells.h"
+#include "core/image/judged_cells.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 

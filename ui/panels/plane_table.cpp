@@ -9,7 +9,7 @@
 
 #include "core/visibility/trace.h"
 #include "ui/text/translated.h"
-#include "ui/views/plane_swatch.h"
+#include "ui/look/plane_swatch.h"
 
 namespace cullscope::ui {
 

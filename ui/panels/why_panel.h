@@ -5,7 +5,7 @@
 
 #include "ui/panels/plane_table.h"
 #include "ui/session/inside_reader.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/gpu/renderer.h"
-#include "core/measure/view_picture.h"
+#include "core/image/view_picture.h"
 #include "core/scene/camera.h"
 #include "core/visibility/parameters.h"
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/measure/frame.h"
+#include "core/measure/render_frame.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope::ui {

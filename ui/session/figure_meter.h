@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/scene/camera.h"
-#include "ui/session/figures.h"
-#include "ui/session/gpu_thread.h"
-#include "ui/session/job_numbers.h"
+#include "ui/jobs/figures.h"
+#include "ui/jobs/gpu_thread.h"
+#include "ui/jobs/job_numbers.h"
 
 namespace cullscope::ui {
 

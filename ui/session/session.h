@@ -8,16 +8,16 @@
 
 #include "core/gpu/context.h"
 #include "core/scene/scene_source.h"
-#include "ui/session/background.h"
+#include "ui/jobs/background.h"
 #include "ui/session/figure_meter.h"
-#include "ui/session/figures.h"
-#include "ui/session/gpu_thread.h"
+#include "ui/jobs/figures.h"
+#include "ui/jobs/gpu_thread.h"
 #include "ui/session/navigation.h"
-#include "ui/session/picture_maker.h"
-#include "ui/session/scene_loader.h"
-#include "ui/session/scene_upload.h"
-#include "ui/session/strategy_slot.h"
-#include "ui/session/view_setup.h"
+#include "ui/jobs/picture_maker.h"
+#include "ui/jobs/scene_loader.h"
+#include "ui/jobs/scene_upload.h"
+#include "ui/jobs/strategy_slot.h"
+#include "ui/jobs/view_setup.h"
 
 namespace cullscope::ui {
 

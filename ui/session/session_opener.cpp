@@ -6,7 +6,7 @@
 #include <new>
 
 #include "core/base/error.h"
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "ui/session/session_file.h"
 
 namespace cullscope::ui {

@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "ui/session/background.h"
+#include "ui/jobs/background.h"
 #include "ui/session/session_state.h"
 
 namespace cullscope::ui {

@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/base/message.h"
-#include "core/measure/fronts.h"
+#include "core/experiments/sweeps.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene.h"
 

@@ -4,7 +4,7 @@
 #include <QDateTime>
 #include <QLocale>
 
-#include "core/measure/result_file.h"
+#include "core/experiments/result_file.h"
 #include "ui/statistics/result_table_model.h"
 #include "ui/statistics/run_figures.h"
 #include "ui/text/wording.h"

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/measure/experiment.h"
+#include "core/measure/meter.h"
 
 namespace cullscope::ui {
 

@@ -2,7 +2,7 @@
 
 #include <QChart>
 
-#include "core/measure/line_plot.h"
+#include "core/image/line_plot.h"
 #include "ui/statistics/plot_legend.h"
 #include "ui/statistics/plot_widget.h"
 

@@ -3,7 +3,7 @@
 #include <QRegularExpression>
 #include <QStringList>
 
-#include "core/measure/strategy_text.h"
+#include "core/visibility/strategy_request.h"
 #include "ui/session/cullbench_command.h"
 
 namespace cullscope::ui {

@@ -5,7 +5,7 @@
 #include <QPdfWriter>
 #include <QSvgGenerator>
 
-#include "ui/startup/appearance.h"
+#include "ui/look/appearance.h"
 
 namespace cullscope::ui {
 

@@ -1,6 +1,6 @@
 #include "ui/statistics/plot_marker.h"
 
-#include "ui/views/promise_marker.h"
+#include "ui/look/promise_marker.h"
 
 namespace cullscope::ui {
 

@@ -5,7 +5,7 @@
 #include <functional>
 
 #include "core/base/message.h"
-#include "ui/session/background.h"
+#include "ui/jobs/background.h"
 
 namespace cullscope::ui {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/measure/experiment.h"
-#include "ui/session/figures.h"
+#include "core/measure/meter.h"
+#include "ui/jobs/figures.h"
 
 namespace cullscope::ui {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/measure/fronts.h"
+#include "core/experiments/sweeps.h"
 #include "ui/statistics/run_figures.h"
 
 namespace cullscope::ui {

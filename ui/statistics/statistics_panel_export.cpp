@@ -1,7 +1,7 @@
 // The statistics' files.
 #include <QFileDialog>
 
-#include "core/measure/result_file.h"
+#include "core/experiments/result_file.h"
 #include "ui/statistics/html_report.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/path_plot.h"

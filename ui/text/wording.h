@@ -4,7 +4,7 @@
 
 #include "core/gpu/context.h"
 #include "core/visibility/strategy.h"
-#include "ui/session/figures.h"
+#include "ui/jobs/figures.h"
 
 namespace cullscope::ui {
 

@@ -6,7 +6,7 @@
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 

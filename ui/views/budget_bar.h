@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/session/figures.h"
+#include "ui/jobs/figures.h"
 
 namespace cullscope::ui {
 

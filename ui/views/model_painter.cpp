@@ -3,8 +3,8 @@
 #include <QCoreApplication>
 
 #include "core/gpu/colour.h"
-#include "core/measure/map_picture.h"
-#include "core/measure/spherical_model.h"
+#include "core/image/map_picture.h"
+#include "core/image/spherical_model.h"
 
 namespace cullscope::ui {
 

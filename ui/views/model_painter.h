@@ -2,7 +2,7 @@
 
 #include <QPainter>
 
-#include "ui/session/view_picture.h"
+#include "ui/jobs/view_picture.h"
 
 namespace cullscope::ui {
 

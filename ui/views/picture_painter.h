@@ -4,7 +4,7 @@
 #include <QString>
 #include <optional>
 
-#include "ui/session/view_picture.h"
+#include "ui/jobs/view_picture.h"
 
 namespace cullscope::ui {
 

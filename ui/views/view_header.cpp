@@ -6,7 +6,7 @@
 #include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/views/promise_marker.h"
+#include "ui/look/promise_marker.h"
 
 namespace cullscope::ui {
 

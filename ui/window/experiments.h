@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/session/experiment_runner.h"
+#include "ui/jobs/experiment_runner.h"
 #include "ui/session/session.h"
 #include "ui/statistics/statistics_panel.h"
 

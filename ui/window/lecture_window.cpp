@@ -8,7 +8,7 @@
 #include <algorithm>
 
 #include "core/visibility/registry.h"
-#include "ui/startup/appearance.h"
+#include "ui/look/appearance.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 

@@ -14,7 +14,7 @@
 #include "ui/dialogs/generate_dialog.h"
 #include "ui/dialogs/help_window.h"
 #include "ui/dialogs/keys_dialog.h"
-#include "ui/views/tinted_icon.h"
+#include "ui/look/tinted_icon.h"
 
 namespace cullscope::ui {
 

@@ -4,7 +4,7 @@
 #include <QKeyEvent>
 #include <QVBoxLayout>
 
-#include "ui/views/tinted_icon.h"
+#include "ui/look/tinted_icon.h"
 
 namespace cullscope::ui {
 

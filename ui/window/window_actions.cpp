@@ -5,7 +5,7 @@
 #include "core/scene/scene_source.h"
 #include "ui/text/language.h"
 #include "ui/text/translated.h"
-#include "ui/views/tinted_icon.h"
+#include "ui/look/tinted_icon.h"
 
 namespace cullscope::ui {
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
-#include "core/measure/experiment.h"
-#include "core/measure/frame.h"
+#include "core/measure/meter.h"
+#include "core/measure/render_frame.h"
 #include "core/measure/ray_reference.h"
 #include "core/scene/hidden.h"
 #include "core/visibility/registry.h"

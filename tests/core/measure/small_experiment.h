@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/measure/experiment.h"
+#include "core/measure/meter.h"
 #include "core/mesh/parametric.h"
 #include "tests/core/scene/test_scenes.h"
 

@@ -1,4 +1,4 @@
-#include "core/measure/experiment.h"
+#include "core/measure/meter.h"
 
 namespace cullscope {
 namespace {

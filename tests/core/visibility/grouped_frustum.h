@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/visibility/group_walk.h"
+#include "core/visibility/octree_walk.h"
 #include "core/visibility/strategy.h"
 
 namespace cullscope::test {

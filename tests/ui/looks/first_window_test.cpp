@@ -3,7 +3,7 @@
 #include "core/visibility/registry.h"
 #include "tests/ui/looks/desktop.h"
 #include "tests/ui/looks/shown_texts.h"
-#include "ui/views/verdict_swatch.h"
+#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 namespace {

@@ -1,0 +1,306 @@
+#include "core/experiments/han_hong_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "core/experiments/paper_rows.h"
+#include "core/scene/frustum_share.h"
+#include "core/spatial/spherical_maps.h"
+
+namespace cullscope {
+namespace {
+
+using Origin = PaperColumn::Origin;
+using Cells = PaperCells;
+
+constexpr const char* kSource = "Han & Hong 2008";
+constexpr const char* kBunny = "mesh:bunny,triangles=144046";
+constexpr double kFaces = 144'046;  // section 2.2
+constexpr double kMegabyte = 1e6;
+constexpr Viewport kSmall{320, 240};
+constexpr Viewport kLarge{640, 480};
+
+// ---- What the paper prints
+
+struct Row {
+    double fpsAll, fpsProposed;
+};
+using Cases = std::array<Row, 3>;
+
+constexpr double kFacesOfTable2 = 144'078;
+constexpr std::array kConsideredOfTable2{13'508.0, 16'434.0, 26'308.0};
+constexpr Cases kTable2{{{295, 486}, {300, 432}, {295, 389}}};
+constexpr Cases kTable3Small{{{80, 376}, {84, 421}, {80, 202}}};
+constexpr Cases kTable3Large{{{63, 153}, {65, 174}, {63, 136}}};
+constexpr Cases kTable4Four{{{70, 206}, {70, 286}, {71, 161}}};
+constexpr Cases kTable4Eight{{{21, 95}, {21, 32}, {21, 75}}};
+
+struct Range {
+    double most, least, mean;
+};
+constexpr Range kTable5ArraysAll{134, 134, 134}, kTable5ArraysProposed{199, 137, 170};
+constexpr Range kTable5VboAll{700, 700, 700}, kTable5VboProposed{828, 738, 780};
+
+// ---- Notes
+
+Message note(const char* text) { return {text, {}}; }
+
+Message consideredNote() {
+    return note(
+        CULLSCOPE_TR("In the frustum are the faces on the far side of the object too; considered are those in the boxes around "
+                     "the four hits on its near side."));
+}
+
+Message facesNote() {
+    return note(
+        CULLSCOPE_TR("The paper's text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the "
+                     "bunny that is installed."));
+}
+Message baselineNote() {
+    return note(
+        CULLSCOPE_TR("The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the "
+                     "gain is smaller: both ratios are given."));
+}
+Message lossNote() {
+    return note(CULLSCOPE_TR("The paper counts no lost pixels; here every picture is compared with the exact one."));
+}
+Message machineNote() {
+    return note(
+        CULLSCOPE_TR("The paper's machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per "
+                     "second."));
+}
+Message disagreementNote() {
+    return note(CULLSCOPE_TR(
+        "Four windows of 320 × 240 are in Table 3 and in Table 4, with different numbers: 376, 421, 202 against 206, "
+        "286, 161 frames per second."));
+}
+
+// ---- Table 1
+
+/// One structure: the paper's megabytes, its formula's bytes, and ours.
+void addStructure(PaperTable& table, const char* name, std::optional<double> stated, std::optional<double> formulaBytes,
+                  uint64_t bytes, std::optional<double> milliseconds) {
+    Cells cells{{"structure", std::string(name)}, {"bytes", double(bytes)}, {"megabytes", double(bytes) / kMegabyte}};
+    if (stated) cells["paper_megabytes"] = *stated;
+    if (formulaBytes) cells["paper_formula_megabytes"] = *formulaBytes / kMegabyte;
+    if (milliseconds) cells["build_ms"] = *milliseconds;
+    table.addRow(cells);
+}
+
+void addStructures(PaperTable& table, const Scene& scene, const Progress& progress) {
+    constexpr double kCells = double(SphericalGrid::kColumns) * SphericalGrid::kRows;
+    const SphericalMaps maps(scene.meshes().front(), SphericalGrid(), progress);
+    const SphericalMaps::Bytes bytes = maps.bytes();
+    const SphericalMaps::BuildTimes& times = maps.buildTimes();
+    // float × 4 × faces; float × 2 × 360 × 180 × faces; unsigned int × 4 × 360 × 180
+    const double centroid = 4 * 4 * kFaces, index = 4 * 2 * kCells * kFaces, access = 4 * 4 * kCells;
+    addStructure(table, CULLSCOPE_TR("model"), 10.0, std::nullopt, scene.bytes(), std::nullopt);
+    addStructure(table, CULLSCOPE_TR("centroid map"), 4.3, centroid, bytes.centroidMap, times.centroidMap);
+    addStructure(table, CULLSCOPE_TR("triangle index map"), 6.7, index, bytes.indexMap, times.indexMap);
+    addStructure(table, CULLSCOPE_TR("memory access map"), 0.51, access, bytes.accessMap, times.accessMap);
+    addStructure(table, CULLSCOPE_TR("the three maps"), 4.3 + 6.7 + 0.51, centroid + index + access, bytes.all(),
+                 times.centroidMap + times.indexMap + times.accessMap);
+}
+
+PaperExperiment table1() {
+    PaperExperiment experiment;
+    experiment.id = "table-1";
+    experiment.title = CULLSCOPE_TR("Sizes of the three structures");
+    experiment.source = std::string(kSource) + ", Table 1";
+    experiment.notes = {
+        facesNote(),
+        note(CULLSCOPE_TR("The paper's formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its "
+                          "sizes: its index map would take 74.7 GB.")),
+        note(CULLSCOPE_TR("In the paper's table the contents stand in the wrong columns: count, start and reference belong to "
+                          "the memory access map.")),
+        note(CULLSCOPE_TR("All at 360 × 180 cells; 1 MB is 1,000,000 bytes."))};
+    experiment.columns = {{"structure", CULLSCOPE_TR("structure"), Origin::Setting},
+                          {"paper_megabytes", CULLSCOPE_TR("paper: MB"), Origin::Paper, 2},
+                          {"paper_formula_megabytes", CULLSCOPE_TR("paper's formula: MB"), Origin::Paper, 2},
+                          {"megabytes", CULLSCOPE_TR("here: MB"), Origin::Measured, 2},
+                          {"bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
+                          {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1}};
+    PaperSetting setting;
+    setting.scene = kBunny;
+    experiment.settings = {setting};
+    experiment.addBuilt = addStructures;
+    return experiment;
+}
+
+// ---- Tables 2 to 5: rows
+
+/// How often each of the cases 1 to 3 was found, as in "1 ×11, 2 ×1"; nothing where there was none.
+PaperValue casesFound(const RunMeasurement& run) {
+    std::map<int, int> counts;
+    for (const FrameMeasurement& frame : run.frames)
+        if (frame.caseNumber > 0) ++counts[frame.caseNumber];
+    std::string words;
+    for (const auto& [number, count] : counts)
+        words += (words.empty() ? "" : ", ") + std::to_string(number) + " ×" + std::to_string(count);
+    return words.empty() ? PaperValue() : PaperValue(words);
+}
+
+/// Faces that are truly in the frustum, back faces too: the mean over the poses measured.
+double facesInFrustum(const MeasureResult& result) {
+    const MeasureRequest& request = result.request;
+    double faces = 0.0;
+    for (const FrameMeasurement& frame : result.runs.front().frames)
+        faces += double(trianglesInFrustum(*request.scene, View(request.path.camera(frame.pose), request.size)));
+    return faces / double(result.runs.front().frames.size());
+}
+
+void addRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
+    if (result.runs.empty() || result.runs.front().frames.empty()) return;
+    const double inFrustum = facesInFrustum(result);
+    for (const RunMeasurement& run : result.runs) {
+        Cells cells = rowCells(setting, run);
+        double considered = 0.0;
+        for (const FrameMeasurement& frame : run.frames) considered += double(frame.consideredTriangles);
+        cells["considered_triangles"] = considered / double(run.frames.size());
+        cells["triangles_in_frustum"] = inFrustum;
+        cells["cases"] = casesFound(run);
+        table.addRow(cells);
+    }
+}
+
+/// What every timed table has: `setting` and `paper` first.
+std::vector<PaperColumn> timedColumns(std::vector<PaperColumn> setting, const std::vector<PaperColumn>& paper) {
+    setting.push_back({"strategy", CULLSCOPE_TR("strategy"), Origin::Setting});
+    setting.insert(setting.end(), paper.begin(), paper.end());
+    const std::vector<PaperColumn> measured{{"considered_triangles", CULLSCOPE_TR("faces"), Origin::Measured},
+                                            {"triangles_in_frustum", CULLSCOPE_TR("in frustum"), Origin::Measured},
+                                            {"cases", CULLSCOPE_TR("cases found"), Origin::Measured},
+                                            {"poses", CULLSCOPE_TR("views"), Origin::Measured},
+                                            {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
+                                            {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
+                                            {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
+                                            {"speedup_vs_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
+                                            {"speedup_vs_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+                                            {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
+                                            {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
+                                            {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
+    setting.insert(setting.end(), measured.begin(), measured.end());
+    return setting;
+}
+
+const std::vector<PaperColumn>& paperFpsColumns() {
+    static const std::vector<PaperColumn> kColumns{{"paper_fps", CULLSCOPE_TR("paper: fps"), Origin::Paper},
+                                                   {"paper_speedup_vs_all", CULLSCOPE_TR("paper: × all"), Origin::Paper, 2}};
+    return kColumns;
+}
+
+// ---- Tables 2 to 4: the frustum cuts the object
+
+std::string sizeText(Viewport size) { return std::to_string(size.width) + "×" + std::to_string(size.height); }
+
+PaperSetting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
+    PaperSetting setting;
+    setting.scene = kBunny;
+    setting.strategies = {"all", "backface", "spherical"};
+    setting.shown = "spherical";
+    setting.path = path;
+    setting.size = size;
+    setting.windows = windows;
+    setting.upload = upload;
+    setting.labels = {{"size", sizeText(size)},
+                      {"windows", double(windows)},
+                      {"upload", std::string(upload == Upload::Vbo ? "vbo" : "vertex-array")}};
+    return setting;
+}
+
+void addCases(PaperExperiment& experiment, const Cases& rows, Viewport size, int windows) {
+    for (size_t i = 0; i < rows.size(); ++i) {
+        const std::string path = "case-" + std::to_string(i + 1);
+        PaperSetting setting = timedSetting(path, size, windows, Upload::Vbo);
+        setting.labels["case"] = double(i + 1);
+        setting.paper["all"] = {{"paper_fps", rows[i].fpsAll}};
+        setting.paper["spherical"] = {{"paper_fps", rows[i].fpsProposed},
+                                      {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
+        experiment.settings.push_back(setting);
+    }
+}
+
+PaperExperiment casesExperiment(const char* id, const char* title, const char* table) {
+    PaperExperiment experiment;
+    experiment.id = id;
+    experiment.title = title;
+    experiment.source = std::string(kSource) + ", " + table;
+    experiment.notes = {facesNote(), consideredNote(), baselineNote(), lossNote(), machineNote()};
+    experiment.addMeasured = addRuns;
+    return experiment;
+}
+
+const PaperColumn& caseColumn() {
+    static const PaperColumn kColumn{"case", CULLSCOPE_TR("case"), Origin::Setting};
+    return kColumn;
+}
+
+PaperExperiment table2() {
+    PaperExperiment experiment =
+        casesExperiment("table-2", CULLSCOPE_TR("One window of 320 × 240, the object cut by the frustum"), "Table 2");
+    std::vector<PaperColumn> paper = paperFpsColumns();
+    paper.insert(paper.begin(), {"paper_faces", CULLSCOPE_TR("paper: faces"), Origin::Paper});
+    experiment.columns = timedColumns({caseColumn()}, paper);
+    addCases(experiment, kTable2, kSmall, 1);
+    for (size_t i = 0; i < experiment.settings.size(); ++i) {
+        experiment.settings[i].paper["all"]["paper_faces"] = kFacesOfTable2;
+        experiment.settings[i].paper["spherical"]["paper_faces"] = kConsideredOfTable2[i];
+    }
+    return experiment;
+}
+
+PaperExperiment table3() {
+    PaperExperiment experiment = casesExperiment("table-3", CULLSCOPE_TR("Four windows, of two sizes"), "Table 3");
+    experiment.columns = timedColumns({{"size", CULLSCOPE_TR("size"), Origin::Setting}, caseColumn()}, paperFpsColumns());
+    experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
+    addCases(experiment, kTable3Small, kSmall, 4);
+    addCases(experiment, kTable3Large, kLarge, 4);
+    return experiment;
+}
+
+PaperExperiment table4() {
+    PaperExperiment experiment = casesExperiment("table-4", CULLSCOPE_TR("Four and eight windows of 320 × 240"), "Table 4");
+    experiment.columns = timedColumns({{"windows", CULLSCOPE_TR("windows"), Origin::Setting}, caseColumn()}, paperFpsColumns());
+    experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
+    addCases(experiment, kTable4Four, kSmall, 4);
+    addCases(experiment, kTable4Eight, kSmall, 8);
+    return experiment;
+}
+
+// ---- Table 5: the object inside the frustum
+
+Cells rangeCells(const Range& range) {
+    return {{"paper_fps_max", range.most}, {"paper_fps_min", range.least}, {"paper_fps_mean", range.mean}};
+}
+
+void addInside(PaperExperiment& experiment, Upload upload, const Range& all, const Range& proposed) {
+    PaperSetting setting = timedSetting("fibonacci:12", kLarge, 1, upload);
+    setting.strategies.push_back("spherical-horizon");
+    setting.paper["all"] = rangeCells(all);
+    setting.paper["spherical"] = rangeCells(proposed);
+    setting.paper["spherical"]["paper_speedup_vs_all"] = proposed.mean / all.mean;
+    experiment.settings.push_back(setting);
+}
+
+PaperExperiment table5() {
+    PaperExperiment experiment =
+        casesExperiment("table-5", CULLSCOPE_TR("One window of 640 × 480, the object inside the frustum"), "Table 5");
+    experiment.columns = timedColumns({{"upload", CULLSCOPE_TR("upload"), Origin::Setting}},
+                                      {{"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Paper},
+                                       {"paper_fps_min", CULLSCOPE_TR("paper: fps min"), Origin::Paper},
+                                       {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Paper},
+                                       paperFpsColumns().back()});
+    experiment.notes.push_back(note(CULLSCOPE_TR(
+        "The paper has \"10 or more\" views and does not say which: here 12, evenly around the object at three radii, all "
+        "of it in view. spherical-horizon is not the paper's: it is the same idea made right.")));
+    addInside(experiment, Upload::VertexArray, kTable5ArraysAll, kTable5ArraysProposed);
+    addInside(experiment, Upload::Vbo, kTable5VboAll, kTable5VboProposed);
+    return experiment;
+}
+
+}  // namespace
+
+std::vector<PaperExperiment> hanHongTables() { return {table1(), table2(), table3(), table4(), table5()}; }
+
+}  // namespace cullscope

@@ -1,0 +1,41 @@
+#include "core/experiments/paper_rows.h"
+
+#include <algorithm>
+
+#include "core/visibility/strategy_request.h"
+
+namespace cullscope {
+namespace {
+
+void addLosses(PaperCells& cells, const RunMeasurement& run) {
+    double missed = 0.0, hole = 0.0;
+    for (const FrameMeasurement& frame : run.frames) {
+        if (!frame.accuracy) return;
+        missed += double(frame.accuracy->missedPixels);
+        hole = std::max(hole, double(frame.accuracy->largestHolePixels));
+    }
+    cells["missed_pixels"] = missed;
+    cells["largest_hole_px"] = hole;
+    if (run.summary.missedPixelRate) cells["missed_pixel_rate"] = *run.summary.missedPixelRate;
+}
+
+}  // namespace
+
+PaperCells rowCells(const PaperSetting& setting, const RunMeasurement& run) {
+    PaperCells cells = setting.labels;
+    const std::string strategy = strategyText(run.strategy);
+    if (const auto stated = setting.paper.find(strategy); stated != setting.paper.end())
+        cells.insert(stated->second.begin(), stated->second.end());
+    const Summary& summary = run.summary;
+    cells["strategy"] = strategy;
+    cells["poses"] = double(run.frames.size());
+    cells["fps_max"] = summary.fpsMax;
+    cells["fps_min"] = summary.fpsMin;
+    cells["fps_mean"] = summary.fpsMean;
+    cells["speedup_vs_all"] = RatioEstimate{summary.speedupVsAll, summary.speedupVsAllCi95};
+    cells["speedup_vs_backface"] = RatioEstimate{summary.speedupVsBackface, summary.speedupVsBackfaceCi95};
+    addLosses(cells, run);
+    return cells;
+}
+
+}  // namespace cullscope

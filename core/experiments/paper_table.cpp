@@ -1,0 +1,202 @@
+#include "core/experiments/paper_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "core/experiments/result_file.h"
+
+namespace cullscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const char* originId(PaperColumn::Origin origin) {
+    if (origin == PaperColumn::Origin::Setting) return "setting";
+    return origin == PaperColumn::Origin::Paper ? "paper" : "measured";
+}
+
+std::string numberText(const PaperColumn& column, double number) {
+    return fmt::format("{:.{}f}", number * column.scale, column.decimals);
+}
+
+Json rowJson(const PaperTable& table, const std::vector<PaperValue>& row) {
+    Json json = Json::object();
+    for (size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string& key = table.columns[i].key;
+        json[key] = nullptr;
+        if (const auto* number = std::get_if<double>(&row[i])) json[key] = *number;
+        if (const auto* words = std::get_if<std::string>(&row[i])) json[key] = *words;
+        if (const auto* estimate = std::get_if<RatioEstimate>(&row[i])) {
+            json[key] = estimate->mean;
+            json[key + "_ci95"] = estimate->ci95;
+        }
+    }
+    return json;
+}
+
+Json axisJson(const PlotAxis& axis) {
+    return {{"title", axis.title}, {"scale", axis.scale == PlotScale::Linear ? "linear" : "logarithmic"}};
+}
+
+Json plotJson(const LinePlot& plot) {
+    Json json{{"title", plot.title},
+              {"x", axisJson(plot.x)},
+              {"y", axisJson(plot.y)},
+              {"lines", Json::array()},
+              {"references", Json::array()}};
+    for (const PlotLine& line : plot.lines) {
+        Json points = Json::array();
+        for (const PlotPoint& point : line.points) points.push_back({{"x", point.x}, {"y", point.y}});
+        json["lines"].push_back({{"name", line.name}, {"points", std::move(points)}});
+    }
+    for (const PlotReference& reference : plot.references)
+        json["references"].push_back({{"name", reference.name}, {"y", reference.y}});
+    return json;
+}
+
+Json tableJson(const PaperTable& table) {
+    Json json{{"experiment", table.experiment},
+              {"title", table.title},
+              {"source", table.source},
+              {"scene", {{"name", table.scene}, {"sha256", table.sceneSha256}, {"triangles", table.triangles}}},
+              {"interrupted", table.interrupted},
+              {"broken_promises", table.brokenPromises},
+              {"notes", Json::array()},
+              {"columns", Json::array()},
+              {"rows", Json::array()},
+              {"plots", Json::array()}};
+    for (const Message& note : table.notes) json["notes"].push_back(note.english());
+    for (const PaperColumn& column : table.columns)
+        json["columns"].push_back({{"key", column.key}, {"title", column.title}, {"from", originId(column.origin)}});
+    for (const std::vector<PaperValue>& row : table.rows) json["rows"].push_back(rowJson(table, row));
+    for (const LinePlot& plot : table.plots) json["plots"].push_back(plotJson(plot));
+    return json;
+}
+
+/// Whether any row has an interval there.
+bool hasIntervals(const PaperTable& table, size_t column) {
+    return std::any_of(table.rows.begin(), table.rows.end(),
+                       [&](const std::vector<PaperValue>& row) { return std::holds_alternative<RatioEstimate>(row[column]); });
+}
+
+std::string csvText(const PaperValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value)) return fmt::format("{}", estimate->mean);
+    const auto* words = std::get_if<std::string>(&value);
+    if (!words) return "";
+    return words->find_first_of(",\"\n") == std::string::npos ? *words : '"' + *words + '"';
+}
+
+/// A row an x, a column a line.
+std::string plotCsv(const LinePlot& plot) {
+    std::string csv = csvText(plot.x.title);
+    std::set<double> places;
+    for (const PlotLine& line : plot.lines) {
+        csv += "," + csvText(line.name + ": " + plot.y.title);
+        for (const PlotPoint& point : line.points) places.insert(point.x);
+    }
+    csv += '\n';
+    for (const double x : places) {
+        csv += fmt::format("{}", x);
+        for (const PlotLine& line : plot.lines) {
+            const auto at = std::find_if(line.points.begin(), line.points.end(), [x](const PlotPoint& p) { return p.x == x; });
+            csv += at == line.points.end() ? std::string(",") : fmt::format(",{}", at->y);
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+/// How many letters wide UTF-8 text is, all of one width.
+size_t width(const std::string& text) {
+    return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, size_t wide, bool left) {
+    const std::string space(wide > width(text) ? wide - width(text) : 0, ' ');
+    return left ? text + space : space + text;
+}
+
+}  // namespace
+
+void PaperTable::addRow(const std::map<std::string, PaperValue>& values) {
+    std::vector<PaperValue> row;
+    for (const PaperColumn& column : columns) {
+        const auto value = values.find(column.key);
+        row.push_back(value == values.end() ? PaperValue() : value->second);
+    }
+    rows.push_back(std::move(row));
+}
+
+std::string paperText(const PaperColumn& column, const PaperValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
+    if (const auto* words = std::get_if<std::string>(&value)) return *words;
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value))
+        return numberText(column, estimate->mean) + " [" + numberText(column, estimate->ci95[0]) + ", " +
+               numberText(column, estimate->ci95[1]) + "]";
+    return "";
+}
+
+std::string paperTablesJson(const std::vector<PaperTable>& tables) {
+    const ToolVersion tool = toolVersion();
+    Json json{{"tool", {{"name", tool.name}, {"version", tool.version}, {"commit", tool.commit}}},
+              {"machine", {{"cpu", cpuName()}}},
+              {"experiments", Json::array()}};
+    for (const PaperTable& table : tables) {
+        if (!table.gl.renderer.empty()) {
+            json["machine"]["gl_renderer"] = table.gl.renderer;
+            json["machine"]["gl_version"] = table.gl.version;
+            json["machine"]["gl_software"] = table.gl.software;
+        }
+        json["experiments"].push_back(tableJson(table));
+    }
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string paperTableCsv(const PaperTable& table) {
+    std::string csv;
+    for (size_t i = 0; i < table.columns.size(); ++i) {
+        const std::string& key = table.columns[i].key;
+        csv += (i > 0 ? "," : "") + key;
+        if (hasIntervals(table, i)) csv += "," + key + "_low," + key + "_high";
+    }
+    csv += '\n';
+    for (const std::vector<PaperValue>& row : table.rows) {
+        for (size_t i = 0; i < row.size(); ++i) {
+            csv += (i > 0 ? "," : "") + csvText(row[i]);
+            if (!hasIntervals(table, i)) continue;
+            const auto* estimate = std::get_if<RatioEstimate>(&row[i]);
+            csv += estimate ? fmt::format(",{},{}", estimate->ci95[0], estimate->ci95[1]) : std::string(",,");
+        }
+        csv += '\n';
+    }
+    for (const LinePlot& plot : table.plots) csv += "\n" + plotCsv(plot);
+    return csv;
+}
+
+std::string paperTableText(const PaperTable& table) {
+    std::vector<size_t> widths;
+    for (size_t i = 0; i < table.columns.size(); ++i) {
+        widths.push_back(width(table.columns[i].title));
+        for (const auto& row : table.rows) widths[i] = std::max(widths[i], width(paperText(table.columns[i], row[i])));
+    }
+    const auto line = [&](const auto& textOf) {
+        std::string text;
+        for (size_t i = 0; i < table.columns.size(); ++i)
+            text += (i > 0 ? "  " : "") + padded(textOf(i), widths[i], table.columns[i].origin == PaperColumn::Origin::Setting);
+        return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
+    };
+    std::string text = table.experiment + ": " + table.title + "\n" + table.source + "\n";
+    if (table.triangles > 0) text += fmt::format("{}: {} triangles\n", table.scene, table.triangles);
+    if (!table.gl.renderer.empty())
+        text += table.gl.renderer + (table.gl.software ? " (software OpenGL: times are not a GPU's)\n" : "\n");
+    text += line([&](size_t i) { return table.columns[i].title; });
+    for (const auto& row : table.rows) text += line([&](size_t i) { return paperText(table.columns[i], row[i]); });
+    for (const Message& note : table.notes) text += "- " + note.english() + "\n";
+    return text;
+}
+
+}  // namespace cullscope

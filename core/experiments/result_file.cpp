@@ -1,0 +1,157 @@
+#include "core/experiments/result_file.h"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "core/base/version.h"
+
+namespace cullscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json parametersJson(const ParameterSet& parameters) {
+    Json json = Json::object();
+    for (const ParameterDeclaration& declaration : parameters.declarations())
+        std::visit([&](const auto& value) { json[declaration.key] = value; }, parameters.value(declaration.key));
+    return json;
+}
+
+/// By Cause.
+constexpr std::array<const char*, kCauseCount> kCulledFields{"culled_outside_frustum", "culled_back_facing", "culled_hidden",
+                                                             "culled_too_small"};
+
+/// The fields of one frame, the same in JSON and CSV. Not measured is null.
+Json frameJson(const FrameMeasurement& frame) {
+    Json json{{"pose", frame.pose},
+              {"frame_ms", frame.frameMilliseconds},
+              {"cull_ms", frame.cullMilliseconds},
+              {"repetitions", frame.repetitions},
+              {"considered_triangles", frame.consideredTriangles}};
+    for (size_t cause = 0; cause < kCauseCount; ++cause) json[kCulledFields[cause]] = frame.culledTriangles[cause];
+    const auto figure = [&](uint64_t Accuracy::*member) {
+        return frame.accuracy ? Json((*frame.accuracy).*member) : Json(nullptr);
+    };
+    json["visible_triangles"] = figure(&Accuracy::visibleTriangles);
+    json["missed_pixels"] = figure(&Accuracy::missedPixels);
+    json["extra_pixels"] = figure(&Accuracy::extraPixels);
+    json["covered_pixels"] = figure(&Accuracy::coveredPixels);
+    json["largest_hole_px"] = figure(&Accuracy::largestHolePixels);
+    json["false_culled_triangles"] = figure(&Accuracy::falselyCulledTriangles);
+    json["needlessly_drawn_triangles"] = figure(&Accuracy::needlesslyDrawnTriangles);
+    json["missed_beyond_snapping"] = frame.accuracy ? Json(frame.missedBeyondSnapping) : Json(nullptr);
+    json["stages_ms"] = Json::object();
+    for (const Stage& stage : frame.stages) json["stages_ms"][stage.name] = stage.milliseconds;
+    json["parts"] = Json::object();
+    for (const CullPart& part : frame.parts)
+        json["parts"][part.name] = {{"objects", part.objects}, {"culled_triangles", part.culledTriangles}};
+    json["case"] = frame.caseNumber > 0 ? Json(frame.caseNumber) : Json(nullptr);
+    return json;
+}
+
+Json summaryJson(const Summary& summary) {
+    return {{"fps_overall", summary.fpsOverall},
+            {"fps_mean", summary.fpsMean},
+            {"fps_min", summary.fpsMin},
+            {"fps_max", summary.fpsMax},
+            {"frame_ms_median", summary.frameMillisecondsMedian},
+            {"frame_ms_p95", summary.frameMillisecondsP95},
+            {"frame_ms_p99", summary.frameMillisecondsP99},
+            {"cull_share", summary.cullShare},
+            {"culled_fraction", summary.culledFraction},
+            {"missed_pixel_rate", summary.missedPixelRate ? Json(*summary.missedPixelRate) : Json(nullptr)},
+            {"speedup_vs_all", summary.speedupVsAll},
+            {"speedup_vs_all_ci95", summary.speedupVsAllCi95},
+            {"speedup_vs_backface", summary.speedupVsBackface},
+            {"speedup_vs_backface_ci95", summary.speedupVsBackfaceCi95}};
+}
+
+/// What stands before the frames of a run; also the first columns of its CSV rows.
+Json runHead(const RunMeasurement& run, const MeasureRequest& request) {
+    return {{"strategy", run.strategy.id},
+            {"promise", promiseId(run.promise)},
+            {"facing", facingId(run.facing)},
+            {"reference_facing", facingId(run.referenceFacing)},
+            {"parameters", parametersJson(run.strategy.parameters)},
+            {"width", request.size.width},
+            {"height", request.size.height},
+            {"windows", request.windows},
+            {"upload", request.upload == Upload::Vbo ? "vbo" : "vertex-array"},
+            {"build_ms", run.structure.buildMilliseconds},
+            {"structure_bytes", run.structure.bytes}};
+}
+
+std::string csvCell(const Json& value) {
+    if (value.is_null()) return "";
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    if (text.find_first_of(",\"\n") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+void appendRow(std::string& csv, const Json& head, const Json& frame, bool names) {
+    bool first = true;
+    for (const Json* part : {&head, &frame})
+        for (const auto& [key, value] : part->items()) {
+            csv += first ? "" : ",";
+            csv += names ? key : csvCell(value);
+            first = false;
+        }
+    csv += '\n';
+}
+
+}  // namespace
+
+std::string resultJson(const MeasureResult& result) {
+    const ToolVersion tool = toolVersion();
+    const Scene& scene = *result.request.scene;
+    Json json{{"tool", {{"name", tool.name}, {"version", tool.version}, {"commit", tool.commit}}},
+              {"machine",
+               {{"cpu", cpuName()},
+                {"gl_renderer", result.gl.renderer},
+                {"gl_version", result.gl.version},
+                {"gl_software", result.gl.software}}},
+              {"scene",
+               {{"name", scene.name()},
+                {"sha256", scene.sha256()},
+                {"triangles", scene.triangleCount()},
+                {"instances", scene.instances().size()}}},
+              {"path", result.request.path.name},
+              {"interrupted", result.interrupted},
+              {"runs", Json::array()}};
+    for (const RunMeasurement& run : result.runs) {
+        Json runJson = runHead(run, result.request);
+        runJson["frames"] = Json::array();
+        for (const FrameMeasurement& frame : run.frames) runJson["frames"].push_back(frameJson(frame));
+        runJson["summary"] = summaryJson(run.summary);
+        json["runs"].push_back(std::move(runJson));
+    }
+    return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string resultCsv(const MeasureResult& result) {
+    std::string csv;
+    const auto sceneHead = [&](const RunMeasurement& run) {
+        Json head{{"scene", result.request.scene->name()}, {"gl_renderer", result.gl.renderer}};
+        head.update(runHead(run, result.request));
+        return head;
+    };
+    if (!result.runs.empty()) appendRow(csv, sceneHead(result.runs.front()), frameJson({}), true);
+    for (const RunMeasurement& run : result.runs)
+        for (const FrameMeasurement& frame : run.frames) appendRow(csv, sceneHead(run), frameJson(frame), false);
+    return csv;
+}
+
+const char* facingId(Facing facing) { return facing == Facing::Front ? CULLSCOPE_TR("front") : CULLSCOPE_TR("two-sided"); }
+
+ToolVersion toolVersion() { return {"cullscope", CULLSCOPE_VERSION, buildCommit()}; }
+
+std::string cpuName() {
+    std::ifstream info("/proc/cpuinfo");
+    for (std::string line; std::getline(info, line);)
+        if (line.starts_with("model name")) return line.substr(std::min(line.size(), line.find(':') + 2));
+    return "unknown";
+}
+
+}  // namespace cullscope

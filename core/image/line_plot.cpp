@@ -1,0 +1,143 @@
+#include "core/image/line_plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace cullscope {
+namespace {
+
+constexpr double kSlack = 1e-9;            // of a step: rounding errors of its multiples
+constexpr double kLinearSteps = 5.0;       // at least, along a linear axis
+constexpr double kManyDecades = 3.0;       // above it an axis shows whole decades
+constexpr double kLeastPlainPower = 1e-3;  // powers of ten below and above are written 1eN
+constexpr double kMostPlainPower = 1e4;
+
+/// 1, 2 or 5 times a power of ten: the least that is at least `value`, or the largest that is at most `value`.
+double roundUp(double value) {
+    const double power = std::pow(10.0, std::floor(std::log10(value)));
+    for (const double factor : {1.0, 2.0, 5.0})
+        if (factor * power >= value * (1.0 - kSlack)) return factor * power;
+    return 10.0 * power;
+}
+double roundDown(double value) { return 1.0 / roundUp(1.0 / value); }
+
+/// Round numbers from `first` to `last`, both above 0.
+std::vector<double> logarithmicTicks(double first, double last) {
+    const bool decadesOnly = std::log10(last / first) > kManyDecades + kSlack;
+    std::vector<double> ticks;
+    for (double power = std::floor(std::log10(first) + kSlack); power <= std::log10(last) + kSlack; ++power)
+        for (const double factor : {1.0, 2.0, 5.0}) {
+            const double tick = factor * std::pow(10.0, power);
+            const bool inside = tick >= first * (1.0 - kSlack) && tick <= last * (1.0 + kSlack);
+            if (inside && (factor == 1.0 || !decadesOnly)) ticks.push_back(tick);
+        }
+    return ticks;
+}
+
+void finishLogarithmic(PlotRange& range, bool given) {
+    if (!given) {
+        range.first = roundDown(range.first);
+        range.last = roundUp(range.last);
+        if (std::log10(range.last / range.first) > kManyDecades + kSlack) {
+            range.first = std::pow(10.0, std::floor(std::log10(range.first) + kSlack));
+            range.last = std::pow(10.0, std::ceil(std::log10(range.last) - kSlack));
+        }
+    }
+    if (range.last <= range.first) range.last = roundUp(range.first * 1.5);
+    range.ticks = logarithmicTicks(range.first, range.last);
+}
+
+void finishLinear(PlotRange& range, bool given) {
+    if (range.last <= range.first) range.last = range.first + std::max(1.0, std::abs(range.first));
+    const double step = roundDown((range.last - range.first) / kLinearSteps);
+    if (!given) {
+        range.first = std::floor(range.first / step + kSlack) * step;
+        range.last = std::ceil(range.last / step - kSlack) * step;
+    }
+    for (double number = std::ceil(range.first / step - kSlack); number * step <= range.last + kSlack * step; ++number)
+        range.ticks.push_back(number * step);
+}
+
+PlotRange rangeOf(const PlotAxis& axis, std::vector<double> values) {
+    PlotRange range;
+    range.scale = axis.scale;
+    const bool given = axis.least < axis.most;
+    if (given) values.insert(values.end(), {axis.least, axis.most});
+    std::erase_if(values, [&](double value) { return !range.places(value); });
+    if (values.empty()) values = {1.0, 10.0};
+    const auto [least, most] = std::minmax_element(values.begin(), values.end());
+    range.first = *least;
+    range.last = *most;
+    axis.scale == PlotScale::Logarithmic ? finishLogarithmic(range, given) : finishLinear(range, given);
+    return range;
+}
+
+}  // namespace
+
+LinePlot logPlot(std::string title, std::string xTitle, std::string yTitle) {
+    LinePlot plot;
+    plot.title = std::move(title);
+    plot.x = {std::move(xTitle), PlotScale::Logarithmic};
+    plot.y = {std::move(yTitle), PlotScale::Logarithmic};
+    return plot;
+}
+
+bool PlotRange::places(double value) const { return std::isfinite(value) && (scale == PlotScale::Linear || value > 0.0); }
+
+double PlotRange::share(double value) const {
+    if (scale == PlotScale::Linear) return (value - first) / (last - first);
+    return std::log(value / first) / std::log(last / first);
+}
+
+PlotRange rangeAlongX(const LinePlot& plot) {
+    std::vector<double> values;
+    for (const PlotLine& line : plot.lines)
+        for (const PlotPoint& point : line.points) values.push_back(point.x);
+    return rangeOf(plot.x, std::move(values));
+}
+
+PlotRange rangeAlongY(const LinePlot& plot) {
+    std::vector<double> values;
+    for (const PlotReference& reference : plot.references) values.push_back(reference.y);
+    for (const PlotLine& line : plot.lines)
+        for (const PlotPoint& point : line.points) values.push_back(point.y);
+    return rangeOf(plot.y, std::move(values));
+}
+
+std::vector<std::vector<PlotPoint>> unbrokenPieces(const PlotLine& line, const PlotRange& x, const PlotRange& y) {
+    std::vector<std::vector<PlotPoint>> pieces(1);
+    for (const PlotPoint& point : line.points) {
+        if (x.places(point.x) && y.places(point.y))
+            pieces.back().push_back(point);
+        else if (!pieces.back().empty())
+            pieces.emplace_back();
+    }
+    if (pieces.back().empty()) pieces.pop_back();
+    return pieces;
+}
+
+std::string plotNumber(double value) {
+    const double power = value > 0.0 ? std::round(std::log10(value)) : 0.0;
+    const bool powerOfTen = value > 0.0 && std::abs(value / std::pow(10.0, power) - 1.0) < kSlack;
+    if (powerOfTen && (value < kLeastPlainPower * (1.0 - kSlack) || value > kMostPlainPower * (1.0 + kSlack)))
+        return fmt::format("1e{:.0f}", power);
+    // Multiples of a step are off by rounding errors.
+    return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
+}
+
+double exponentOf(const std::vector<PlotPoint>& points) {
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const PlotPoint& point : points) {
+        const double size = std::log(point.x), value = std::log(point.y);
+        x += size;
+        y += value;
+        xx += size * size;
+        xy += size * value;
+    }
+    const double n = double(points.size());
+    return (n * xy - x * y) / (n * xx - x * x);
+}
+
+}  // namespace cullscope

@@ -1,0 +1,42 @@
+#include <cmath>
+#include <numbers>
+
+#include "core/image/overlays.h"
+
+namespace cullscope {
+namespace {
+
+constexpr int kSides = 12;
+
+}  // namespace
+
+double pixelsOf(const View& viewing, const Vec3& place, double length) {
+    const Frustum& frustum = viewing.frustum();
+    const double distance = glm::dot(place - viewing.eye(), frustum.forward);
+    const double height = viewing.viewport().height;
+    return distance > length ? 0.5 * height * length / (distance * frustum.tanHalfHeight) : height;
+}
+
+void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, const Vec3& place, double radius, MarkShape shape,
+             const Vec3f& colour) {
+    const Frustum& frustum = context.viewing.frustum();
+    const double distance = glm::dot(place - context.viewing.eye(), frustum.forward);
+    if (!(distance > 0.0)) return;
+    const double size = radius * context.style.unit * 2.0 * frustum.tanHalfHeight * distance / context.viewing.viewport().height;
+    const auto at = [&](double right, double up) { return place + (frustum.right * right + frustum.up * up) * size; };
+    if (shape == MarkShape::Cross) {
+        lines.push_back({at(-1.0, -1.0), at(1.0, 1.0), colour});
+        lines.push_back({at(-1.0, 1.0), at(1.0, -1.0), colour});
+        return;
+    }
+    // A dot is what a ring of half its radius fills with the width of its line.
+    const double ring = shape == MarkShape::Dot ? 0.5 : 1.0;
+    const auto onRing = [&](int i) {
+        const double angle = 2.0 * std::numbers::pi * i / kSides;
+        return at(ring * std::cos(angle), ring * std::sin(angle));
+    };
+    for (int i = 0; i < kSides; ++i) lines.push_back({onRing(i), onRing(i + 1), colour});
+    if (shape == MarkShape::Dot) lines.push_back({place, place, colour});
+}
+
+}  // namespace cullscope

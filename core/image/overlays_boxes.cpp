@@ -1,0 +1,46 @@
+// The boxes that a strategy tests: of objects, and of groups of them.
+
+#include "core/image/overlays.h"
+
+namespace cullscope {
+namespace {
+
+constexpr float kBoxWidth = 1.0f;  ///< units; narrower lines have gaps
+
+void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const InsideNode& node) {
+    const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
+    addBox(overlay, node.box, context.palette[size_t(state)].colour);
+}
+
+}  // namespace
+
+void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour) {
+    const auto corner = [&](int c) {
+        return Vec3((c & 1) != 0 ? box.max.x : box.min.x, (c & 2) != 0 ? box.max.y : box.min.y,
+                    (c & 4) != 0 ? box.max.z : box.min.z);
+    };
+    for (int from = 0; from < 8; ++from)
+        for (const int axis : {1, 2, 4})
+            if ((from & axis) == 0) overlay.lines.push_back({corner(from), corner(from | axis), colour});
+}
+
+bool wasTested(const InsideNode& group, const Inside& inside) {
+    return group.parent < 0 || inside.nodes[size_t(group.parent)].containment == Containment::Straddles;
+}
+
+OverlayLines boxOverlay(const OverlayContext& context, const Inside& inside) {
+    OverlayLines overlay{{}, {kBoxWidth, true}};
+    overlay.lines.reserve(inside.nodes.size() * 12);
+    for (const InsideNode& node : inside.nodes)
+        if (!node.isGroup()) addByVerdict(overlay, context, node);
+    return overlay;
+}
+
+OverlayLines groupOverlay(const OverlayContext& context, const Inside& inside) {
+    OverlayLines overlay{{}, {kBoxWidth, true}};
+    for (const InsideNode& node : inside.nodes)
+        if (node.isGroup() && wasTested(node, inside)) addByVerdict(overlay, context, node);
+    return overlay;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,69 @@
+#include "core/image/picture_metadata.h"
+
+#include "core/base/version.h"
+
+namespace cullscope {
+namespace {
+
+std::string text(double number) { return toText(ParameterValue(number)); }
+std::string text(const Vec3& v) { return text(v.x) + "," + text(v.y) + "," + text(v.z); }
+
+std::string overlays(const ViewLook& look) {
+    if (look.sphericalModel) return "spherical-model";
+    std::string names;
+    const auto add = [&](bool shown, const char* name) {
+        if (shown) names += (names.empty() ? "" : ",") + std::string(name);
+    };
+    add(look.colouring == Colouring::Verdicts, "verdicts");
+    add(look.boxes, "boxes");
+    add(look.frustum, "frustum");
+    add(look.bands, "bands");
+    add(look.kernel, "kernel");
+    return names;
+}
+
+}  // namespace
+
+std::string sizeText(const Viewport& size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
+
+PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix) {
+    PictureMetadata pairs;
+    const auto add = [&](const std::string& name, std::string value) {
+        if (!value.empty()) pairs.emplace_back(std::string(prefix) + name, std::move(value));
+    };
+    const auto addCamera = [&](const std::string& role, const Camera& camera) {
+        add(role + "eye", text(camera.eye));
+        add(role + "target", text(camera.target));
+        add(role + "up", text(camera.up));
+        add(role + "fovy_deg", text(camera.fovy.degrees()));
+        add(role + "near", text(camera.nearDistance));
+        add(role + "far", text(camera.farDistance));
+    };
+    add("scene", subject.scene);
+    add("hide", subject.hidden);
+    add("strategy", subject.strategy);
+    for (const ParameterDeclaration& declaration : subject.parameters.declarations())
+        add("parameter:" + declaration.key, toText(subject.parameters.value(declaration.key)));
+    addCamera("", subject.culling);
+    if (!(subject.viewing == subject.culling)) addCamera("view_", subject.viewing);
+    add("size", sizeText(subject.size));
+    if (!(subject.cullingSize == subject.size)) add("culling_size", sizeText(subject.cullingSize));
+    add("overlay", subject.map ? "index-map" : overlays(subject.look));
+    if (subject.map) add("map_colouring", mapColouringId(*subject.map));
+    if (!subject.map && !subject.look.sphericalModel && subject.look.byPlane())
+        add("box_colouring", boxColouringId(subject.look.boxColouring));
+    if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
+    if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
+    if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));
+    if (subject.speedup) add("speedup_vs_backface", text(*subject.speedup));
+    if (subject.figuresSize) add("figures_size", sizeText(*subject.figuresSize));
+    return pairs;
+}
+
+PictureMetadata programMetadata(std::string_view glRenderer) {
+    return {{"cullscope:version", CULLSCOPE_VERSION},
+            {"cullscope:commit", buildCommit()},
+            {"cullscope:gl_renderer", std::string(glRenderer)}};
+}
+
+}  // namespace cullscope

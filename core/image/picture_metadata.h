@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/image/map_picture.h"
+#include "core/image/view_picture.h"
+#include "core/visibility/parameters.h"
+
+namespace cullscope {
+
+/// Names and texts of a picture's file (Picture::metadata).
+using PictureMetadata = std::vector<std::pair<std::string, std::string>>;
+
+/// What one picture shows, and what is known of it.
+struct PictureSubject {
+    std::string scene;   ///< a specification
+    std::string hidden;  ///< objects left out, as in "3,7-9"; empty: none
+    std::string strategy;
+    ParameterSet parameters;
+    Camera culling;
+    Camera viewing;  ///< the same, or an observer's
+    Viewport cullingSize, size;
+    ViewLook look;
+    std::optional<MapColouring> map;  ///< the index map in place of the scene
+    std::optional<uint64_t> submittedTriangles;
+    std::optional<uint64_t> missedPixels;
+    std::optional<double> speedup;        ///< against `backface`
+    std::optional<Viewport> figuresSize;  ///< at which the last two were measured
+};
+
+/// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is
+/// not known, and an observer's camera where nobody observes, is left out. Numbers read back as the very same.
+[[nodiscard]] PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix = "cullscope:");
+
+/// "cullscope:version", "cullscope:commit" and "cullscope:gl_renderer" of the program that drew.
+[[nodiscard]] PictureMetadata programMetadata(std::string_view glRenderer);
+
+/// "WIDTHxHEIGHT".
+[[nodiscard]] std::string sizeText(const Viewport& size);
+
+}  // namespace cullscope

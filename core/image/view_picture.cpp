@@ -1,0 +1,116 @@
+#include "core/image/view_picture.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/gpu/colour.h"
+#include "core/image/overlays.h"
+#include "core/image/spherical_model.h"
+
+namespace cullscope {
+namespace {
+
+using Look = PaletteEntry::Look;
+using VerdictPalette = std::array<PaletteEntry, kTriangleStateCount>;
+
+/// Units of the background's colour on both sides of a cased line.
+constexpr float kCasing = 1.0f;
+
+constexpr std::array<uint32_t, kTriangleStateCount> kOnLight{0x1FC3E3, 0xDBAC16, 0xC8CCD0, 0x3168F5,
+                                                             0x441094, 0x5D3A05, 0xF02172};
+constexpr std::array<uint32_t, kTriangleStateCount> kOnDark{0x88EAEE, 0xF4FB19, 0x4A5058, 0x30A3FE, 0x8A2BFF, 0xFAB970, 0xE7120E};
+
+/// The middle of each colour's shading. At 1 throughout, some pairs have the same grey (drawn and visible, drawn in vain); with
+/// these any two differ by ΔE₀₀ ≥ 8 in every sight that verdict_colour_test.cpp simulates.
+constexpr std::array<float, kTriangleStateCount> kShadesOnLight{0.9125f, 0.7625f, 1.0f, 0.775f, 0.7f, 0.975f, 1.0f};
+constexpr std::array<float, kTriangleStateCount> kShadesOnDark{0.9125f, 1.1f, 0.85f, 0.875f, 0.8625f, 0.8375f, 1.0f};
+
+/// Only what reached the picture keeps its look.
+VerdictPalette drawnOnly(VerdictPalette palette) {
+    for (size_t state = 0; state < palette.size(); ++state)
+        if (state != size_t(TriangleState::Visible) && state != size_t(TriangleState::InVain)) palette[state].look = Look::Absent;
+    return palette;
+}
+
+std::span<const uint8_t> bytes(const std::vector<TriangleState>& states) {
+    return {reinterpret_cast<const uint8_t*>(states.data()), states.size()};
+}
+
+void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& overlay, const DrawStyle& style,
+                 Framebuffer& target) {
+    const LineStyle line{overlay.style.width * style.unit, overlay.style.depthTest};
+    if (overlay.cased) {
+        std::vector<LineSegment> casing = overlay.lines;
+        for (LineSegment& each : casing) each.colour = style.background;
+        renderer.drawLines(viewing, casing, {line.width + 2.0f * kCasing * style.unit, line.depthTest}, target);
+    }
+    renderer.drawLines(viewing, overlay.lines, line, target);
+}
+
+/// What the strategy tests. Strategies with maps test spheres, though their objects have boxes.
+std::vector<OverlayLines> boxesOf(const OverlayContext& context, const Inside& inside, BoxColouring colouring) {
+    std::vector<OverlayLines> overlays;
+    if (inside.maps.empty() && colouring == BoxColouring::Plane) return boxOverlayByPlane(context, inside);
+    overlays.push_back(groupOverlay(context, inside));
+    if (inside.maps.empty())
+        overlays.push_back(boxOverlay(context, inside));
+    else
+        std::ranges::move(sphereOverlay(context, inside), std::back_inserter(overlays));
+    return overlays;
+}
+
+}  // namespace
+
+const char* boxColouringId(BoxColouring colouring) { return colouring == BoxColouring::Plane ? "plane" : "verdict"; }
+
+VerdictPalette verdictPalette(const Vec3f& background) {
+    const bool light = isLight(background);
+    VerdictPalette palette;
+    for (size_t state = 0; state < palette.size(); ++state) {
+        palette[state].colour = colourFromHexadecimal((light ? kOnLight : kOnDark)[state]);
+        palette[state].shade = (light ? kShadesOnLight : kShadesOnDark)[state];
+    }
+    palette[size_t(TriangleState::OutsideFrustum)].look = Look::Wireframe;
+    palette[size_t(TriangleState::WronglyCulled)].look = Look::Marked;
+    return palette;
+}
+
+bool needsTrace(const ViewLook& look) {
+    return !look.sphericalModel && (look.colouring == Colouring::Verdicts || look.boxes || look.bands || look.kernel);
+}
+
+void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Strategy& strategy, const View& culling,
+                     const View& viewing, const Verdict& verdict, const Trace& trace, const TriangleStates* known,
+                     const ViewLook& look, const DrawStyle& style, Framebuffer& target) {
+    if (look.sphericalModel) return drawSphericalModel(renderer, buffers, viewing, verdict.drawList, style, target);
+    const VerdictPalette palette = verdictPalette(style.background);
+    if (look.colouring == Colouring::Verdicts) {
+        const TriangleStates own =
+            known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), culling, verdict.drawList, trace, nullptr);
+        const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;
+        renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states), look.culledToo ? palette : drawnOnly(palette),
+                             target, style);
+    } else {
+        renderer.draw(buffers, viewing, verdict.drawList, target, style);
+    }
+    const OverlayContext context{
+        buffers.scene(), viewing, style, palette, contrastTo(style.background), planePalette(style.background)};
+    const auto drawAll = [&](const std::vector<OverlayLines>& overlays) {
+        for (const OverlayLines& overlay : overlays) drawOverlay(renderer, viewing, overlay, style, target);
+    };
+    // Planes have colours where boxes have them; a strategy that tests no boxes has none.
+    bool byPlane = false;
+    if (look.boxes || look.bands || look.kernel) {
+        const Inside inside = strategy.inside(trace);
+        if (look.boxes) drawAll(boxesOf(context, inside, look.boxColouring));
+        byPlane = look.byPlane() && !inside.nodes.empty();
+        if (look.bands) drawAll(bandOverlay(context, inside));
+        if (look.kernel) drawAll(kernelOverlay(context, inside));
+    }
+    // Seen from its own eye a frustum is the picture's border.
+    if (!look.frustum || culling.camera() == viewing.camera()) return;
+    if (byPlane) drawAll({planeOverlay(context, culling)});
+    drawAll(frustumOverlay(context, culling));
+}
+
+}  // namespace cullscope

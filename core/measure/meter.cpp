@@ -1,0 +1,285 @@
+#include "core/measure/meter.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "core/base/error.h"
+#include "core/geometry/random.h"
+#include "core/gpu/framebuffer.h"
+#include "core/gpu/renderer.h"
+
+namespace cullscope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kBuilding = 0.1;  // of the progress that is shown
+
+/// A strategy while it is measured.
+struct Contestant {
+    StrategyRequest request;
+    StrategyPointer strategy;
+    bool askedFor = true;                       ///< false: a baseline that runs along for the ratios
+    std::vector<double> frameTimes, cullTimes;  ///< of the pose in hand
+    RunMeasurement run;
+};
+
+class Experiment {
+public:
+    Experiment(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose)
+        : m_request(request),
+          m_progress(progress),
+          m_afterPose(afterPose),
+          m_gl(requireOpenGl45()),
+          m_buffers(request.scene, request.upload) {
+        for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
+        const double step = kBuilding / double(std::max<size_t>(request.strategies.size(), 1));
+        for (const StrategyRequest& strategy : request.strategies) {
+            if (leftOut(strategy.id)) continue;
+            const double from = step * double(m_contestants.size());
+            add(strategy, true, m_progress.part(from, from + step));
+        }
+        for (const char* baseline : {"all", "backface"})
+            if (indexOf(baseline) == m_contestants.size())
+                add({baseline, ParameterSet(findStrategy(baseline).info.parameters)}, false, {nullptr, m_progress.stop});
+    }
+
+    MeasureResult run() {
+        bool interrupted = false;
+        const Progress measuring = m_progress.part(kBuilding, 1.0);
+        for (size_t pose = 0; pose < m_request.path.poses.size() && !interrupted; ++pose) {
+            measuring.tell(double(pose) / double(m_request.path.poses.size()), CULLSCOPE_TR("measuring"));
+            interrupted = !measurePose(pose);
+            if (!interrupted && m_afterPose) m_afterPose([this] { return resultSoFar(); });
+        }
+        MeasureResult result = resultSoFar();
+        result.interrupted = interrupted;
+        return result;
+    }
+
+private:
+    void add(const StrategyRequest& request, bool askedFor, const Progress& progress) {
+        Contestant contestant;
+        contestant.request = request;
+        contestant.askedFor = askedFor;
+        requireAvailable(findStrategy(request.id).info, m_gl);
+        contestant.strategy = makeStrategy(request.id, request.parameters);
+        contestant.strategy->build(*m_request.scene, progress);
+        contestant.run.strategy = request;
+        contestant.run.promise = contestant.strategy->promise();
+        contestant.run.facing = contestant.strategy->facing();
+        contestant.run.referenceFacing = contestant.strategy->referenceFacing();
+        contestant.run.structure = contestant.strategy->structure();
+        m_contestants.push_back(std::move(contestant));
+    }
+
+    /// Whether this OpenGL cannot do a strategy that may be left out; notes why.
+    bool leftOut(const std::string& id) {
+        const std::optional<Message> why = unavailable(findStrategy(id).info, m_gl);
+        if (!why || !m_request.leaveOutUnavailable) return false;
+        m_leftOut.push_back(*why);
+        return true;
+    }
+
+    /// The first contestant of an id; their number where there is none.
+    [[nodiscard]] size_t indexOf(const std::string& id) const {
+        const auto found =
+            std::find_if(m_contestants.begin(), m_contestants.end(), [&](const Contestant& c) { return c.request.id == id; });
+        return static_cast<size_t>(found - m_contestants.begin());
+    }
+
+    /// One frame: each window culls for itself and is drawn; ends when the GPU has finished.
+    void drawFrame(Contestant& contestant, const View& view, bool counts) {
+        const auto start = Clock::now();
+        double cull = 0.0;
+        for (const auto& target : m_targets) {
+            const Verdict verdict = contestant.strategy->cull(view, nullptr, &m_renderer);
+            cull += verdict.cullMilliseconds;
+            m_renderer.draw(m_buffers, view, verdict.drawList, *target);
+        }
+        waitForGpu();
+        if (!counts) return;
+        contestant.frameTimes.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        contestant.cullTimes.push_back(cull);
+    }
+
+    /// False where a stop was asked for before the pose was complete.
+    bool measurePose(size_t pose) {
+        const View view(m_request.path.camera(pose), m_request.size);
+        for (Contestant& contestant : m_contestants) {
+            contestant.frameTimes.clear();
+            contestant.cullTimes.clear();
+            for (int i = 0; i < m_request.timing.warmUp; ++i) {
+                if (m_progress.stopRequested()) return false;
+                drawFrame(contestant, view, false);
+            }
+        }
+        while (!enoughRounds()) {
+            for (Contestant& contestant : m_contestants) {
+                if (m_progress.stopRequested()) return false;
+                drawFrame(contestant, view, true);
+            }
+        }
+        return recordPose(pose, view);
+    }
+
+    [[nodiscard]] bool enoughRounds() const {
+        const TimingProtocol& timing = m_request.timing;
+        const auto rounds = static_cast<int>(m_contestants.front().frameTimes.size());
+        if (timing.fixedRepetitions > 0) return rounds >= timing.fixedRepetitions;
+        if (rounds >= std::max(1, timing.mostRepetitions)) return true;
+        // Steadiness compares with the median of two rounds ago: there must be one.
+        if (rounds < std::max(3, timing.leastRepetitions)) return false;
+        return std::all_of(m_contestants.begin(), m_contestants.end(), [&](const Contestant& contestant) {
+            const double now = quantile(contestant.frameTimes, 0.5);
+            if (now > timing.longFrameMilliseconds) return true;
+            const std::vector<double> before(contestant.frameTimes.begin(), contestant.frameTimes.end() - 2);
+            return std::abs(quantile(before, 0.5) - now) <= timing.steadyWithin * now;
+        });
+    }
+
+    bool recordPose(size_t pose, const View& view) {
+        std::array<std::optional<Reference>, 2> references;
+        std::vector<FrameMeasurement> frames;
+        for (Contestant& contestant : m_contestants) {
+            FrameMeasurement frame;
+            frame.pose = pose;
+            frame.frameMilliseconds = quantile(contestant.frameTimes, 0.5);
+            frame.cullMilliseconds = quantile(contestant.cullTimes, 0.5);
+            frame.repetitions = static_cast<int>(contestant.frameTimes.size());
+            if (m_progress.stopRequested()) return false;
+            if (contestant.strategy->promiseAt(view) == Promise::Approximate) contestant.run.promise = Promise::Approximate;
+            const Verdict verdict = contestant.strategy->cull(view, nullptr, &m_renderer);
+            frame.stages = verdict.stages;
+            frame.consideredTriangles = verdict.consideredTriangles;
+            frame.culledTriangles = verdict.culledTriangles;
+            frame.parts = verdict.parts;
+            frame.caseNumber = verdict.caseNumber;
+            if (m_request.accuracy && contestant.askedFor) {
+                std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];
+                if (!reference) reference = itemBufferReference(m_renderer, m_buffers, view, contestant.run.referenceFacing);
+                m_renderer.draw(m_buffers, view, verdict.drawList, *m_targets.front());
+                const std::vector<float> depth = m_targets.front()->readDepth();
+                frame.accuracy = compare(*reference, depth, verdict.drawList, *m_request.scene);
+                if (contestant.run.facing != contestant.run.referenceFacing)
+                    frame.missedBeyondSnapping = missedBeyondSnapping(*reference, depth, *m_request.scene, view);
+            }
+            frames.push_back(frame);
+        }
+        // Only whole poses are kept, so that ratios always have both sides.
+        for (size_t i = 0; i < frames.size(); ++i) m_contestants[i].run.frames.push_back(frames[i]);
+        return true;
+    }
+
+    [[nodiscard]] RatioEstimate speedupOver(const char* baseline, const Contestant& contestant) const {
+        const std::vector<FrameMeasurement>& slow = m_contestants[indexOf(baseline)].run.frames;
+        std::vector<double> ratios;
+        for (size_t i = 0; i < contestant.run.frames.size(); ++i)
+            ratios.push_back(slow[i].frameMilliseconds / contestant.run.frames[i].frameMilliseconds);
+        return bootstrapMean(ratios);
+    }
+
+    /// The whole poses measured so far, with their summaries; what is yet to come counts as interrupted.
+    [[nodiscard]] MeasureResult resultSoFar() const {
+        MeasureResult result;
+        result.request = m_request;
+        result.gl = m_gl;
+        result.leftOut = m_leftOut;
+        result.interrupted = m_contestants.front().run.frames.size() < m_request.path.poses.size();
+        for (const Contestant& contestant : m_contestants) {
+            if (!contestant.askedFor) continue;
+            result.runs.push_back(contestant.run);
+            result.runs.back().summary = summaryOf(contestant);
+        }
+        return result;
+    }
+
+    [[nodiscard]] Summary summaryOf(const Contestant& contestant) const {
+        const std::vector<FrameMeasurement>& frames = contestant.run.frames;
+        Summary summary;
+        if (frames.empty()) return summary;
+        std::vector<double> times;
+        double cull = 0.0, considered = 0.0;
+        uint64_t missed = 0, covered = 0;
+        for (const FrameMeasurement& frame : frames) {
+            times.push_back(frame.frameMilliseconds);
+            cull += frame.cullMilliseconds;
+            considered += double(frame.consideredTriangles);
+            if (frame.accuracy) missed += frame.accuracy->missedPixels;
+            if (frame.accuracy) covered += frame.accuracy->coveredPixels;
+            summary.fpsMean += 1000.0 / frame.frameMilliseconds / double(frames.size());
+        }
+        const double total = std::accumulate(times.begin(), times.end(), 0.0);
+        summary.fpsOverall = 1000.0 * double(frames.size()) / total;
+        summary.fpsMin = 1000.0 / *std::max_element(times.begin(), times.end());
+        summary.fpsMax = 1000.0 / *std::min_element(times.begin(), times.end());
+        summary.frameMillisecondsMedian = quantile(times, 0.5);
+        summary.frameMillisecondsP95 = quantile(times, 0.95);
+        summary.frameMillisecondsP99 = quantile(times, 0.99);
+        summary.cullShare = cull / total;
+        const double triangles = double(m_request.scene->triangleCount());
+        summary.culledFraction = triangles > 0 ? 1.0 - considered / double(frames.size()) / triangles : 0.0;
+        if (frames.front().accuracy) summary.missedPixelRate = covered > 0 ? double(missed) / double(covered) : 0.0;
+        const RatioEstimate all = speedupOver("all", contestant);
+        summary.speedupVsAll = all.mean;
+        summary.speedupVsAllCi95 = all.ci95;
+        const RatioEstimate backface = speedupOver("backface", contestant);
+        summary.speedupVsBackface = backface.mean;
+        summary.speedupVsBackfaceCi95 = backface.ci95;
+        return summary;
+    }
+
+    const MeasureRequest& m_request;
+    const Progress& m_progress;
+    const PoseObserver& m_afterPose;
+    GlInfo m_gl;
+    Renderer m_renderer;
+    SceneBuffers m_buffers;
+    std::vector<std::unique_ptr<Framebuffer>> m_targets;
+    std::vector<Contestant> m_contestants;
+    std::vector<Message> m_leftOut;
+};
+
+}  // namespace
+
+bool RunMeasurement::promiseBroken() const {
+    if (promise == Promise::Approximate) return false;
+    return std::any_of(frames.begin(), frames.end(), [&](const FrameMeasurement& frame) {
+        if (facing != referenceFacing) return frame.missedBeyondSnapping > 0;
+        return frame.accuracy && frame.accuracy->missedPixels > 0;
+    });
+}
+
+MeasureResult measure(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose) {
+    if (request.strategies.empty()) throwUsage(CULLSCOPE_TR("No strategy is named: give one with -s."));
+    if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));
+    if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
+    return Experiment(request, progress, afterPose).run();
+}
+
+RatioEstimate bootstrapMean(const std::vector<double>& ratios) {
+    if (ratios.empty()) return {};
+    const auto n = ratios.size();
+    RatioEstimate estimate;
+    estimate.mean = std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(n);
+    Random random(1);
+    std::vector<double> means(2000);
+    for (double& mean : means) {
+        double sum = 0.0;
+        for (size_t i = 0; i < n; ++i) sum += ratios[random.bits() % n];
+        mean = sum / double(n);
+    }
+    estimate.ci95 = {quantile(means, 0.025), quantile(means, 0.975)};
+    return estimate;
+}
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0.0;
+    std::sort(values.begin(), values.end());
+    const double rank = share * double(values.size() - 1);
+    const auto below = static_cast<size_t>(rank);
+    const size_t above = std::min(below + 1, values.size() - 1);
+    return values[below] + (values[above] - values[below]) * (rank - double(below));
+}
+
+}  // namespace cullscope

@@ -1,0 +1,195 @@
+#include "core/visibility/frustum/frustum_box_tests.h"
+
+#include <cmath>
+
+#include "core/base/message.h"
+#include "core/geometry/separation.h"
+#include "core/visibility/eye_bounds.h"
+#include "core/visibility/facing.h"
+#include "core/visibility/object_nodes.h"
+
+namespace cullscope {
+namespace {
+
+/// What is decided about an object before OpenGL is asked, or left to it.
+enum class Answer { Visible, BeforeNear, BeyondFar, Asked };
+
+/// What OpenGL is asked about in one cull.
+struct Questions {
+    std::vector<Answer> answers;      ///< by instance
+    std::vector<uint32_t> instances;  ///< that are asked about
+    std::vector<EyeBox> boxes;        ///< of those, grown
+};
+
+/// How far a box grows: as much as a pixel spans where it lies farthest from the eye, and the slack of a plane test.
+double growthOf(const EyeBounds& bounds, const View& view) {
+    const Frustum& frustum = view.frustum();
+    const double farthest = glm::dot(frustum.forward, bounds.box.centre) + glm::dot(glm::abs(frustum.forward), bounds.box.half);
+    const double pixel = 2.0 * frustum.tanHalfHeight / view.viewport().height;
+    return pixel * std::max(farthest, 0.0) + bounds.slack;
+}
+
+/// What both strategies share: everything but the question.
+class FrustumAsking : public Strategy {
+public:
+    using Strategy::Strategy;
+    [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
+    [[nodiscard]] Inside inside(const Trace& trace) const override { return objectNodes(trace, scene()); }
+
+protected:
+    void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
+        // The boxes are the scene's own: nothing is built besides.
+        report.bytes = scene.instances().size() * sizeof(Box3);
+        report.figures = {{"objects", double(scene.instances().size())}};
+    }
+
+    void decide(const View& view, Verdict& verdict, Trace* trace) override {
+        std::vector<uint8_t> visible(scene().instances().size(), 0);
+        Questions questions;
+        {
+            const StageTimer stage(verdict, CULLSCOPE_TR("boxes"));
+            questions = questionsAbout(view);
+        }
+        {
+            const StageTimer stage(verdict, CULLSCOPE_TR("asking OpenGL"));
+            for (uint32_t i = 0; i < visible.size(); ++i) visible[i] = questions.answers[i] == Answer::Visible ? 1 : 0;
+            for (const uint32_t hit : ask(view, questions.boxes)) visible[questions.instances[hit]] = 1;
+        }
+        const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
+        for (uint32_t i = 0; i < visible.size(); ++i) {
+            const auto indices = static_cast<uint32_t>(scene().meshOf(i).indices().size());
+            if (indices == 0) continue;
+            if (visible[i] != 0)
+                verdict.drawList.ranges.push_back({i, 0, indices});
+            else
+                verdict.culledTriangles[size_t(Cause::OutsideFrustum)] += indices / 3;
+        }
+        verdict.nodesVisited = visible.size();
+        verdict.bytesTouched = visible.size() * sizeof(Box3);
+        if (trace != nullptr) record(view, questions, visible, *trace);
+    }
+
+    /// Which of the boxes OpenGL hits: places in the span.
+    [[nodiscard]] virtual std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) = 0;
+    /// Whether what lies before near or beyond far is hit all the same, so that it is to be left out before it is asked about.
+    [[nodiscard]] virtual bool clampsDepth() const = 0;
+
+private:
+    [[nodiscard]] Answer answerTo(const EyeBounds& bounds, const EyeBox& grown, const View& view) const {
+        const Frustum& frustum = view.frustum();
+        // OpenGL's floats hold neither what is not finite nor what is larger than they are.
+        const double farthest = glm::length(grown.centre) + glm::length(grown.half);
+        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.slack)) return Answer::Visible;
+        if (!clampsDepth()) return Answer::Asked;
+        const auto isOutside = [&](FrustumPlane plane) {
+            return farthestInside(frustum.planes[size_t(plane)], bounds) < -bounds.slack;
+        };
+        if (isOutside(FrustumPlane::Near)) return Answer::BeforeNear;
+        return isOutside(FrustumPlane::Far) ? Answer::BeyondFar : Answer::Asked;
+    }
+
+    [[nodiscard]] Questions questionsAbout(const View& view) const {
+        Questions questions;
+        questions.answers.assign(scene().instances().size(), Answer::Visible);
+        for (uint32_t i = 0; i < scene().instances().size(); ++i) {
+            if (scene().meshOf(i).triangleCount() == 0) continue;
+            const EyeBounds bounds = boundsFromEye(scene(), i, view.eye());
+            EyeBox grown = bounds.box;
+            grown.half += Vec3(growthOf(bounds, view));
+            questions.answers[i] = answerTo(bounds, grown, view);
+            if (questions.answers[i] != Answer::Asked) continue;
+            questions.instances.push_back(i);
+            questions.boxes.push_back(grown);
+        }
+        return questions;
+    }
+
+    void record(const View& view, const Questions& questions, const std::vector<uint8_t>& visible, Trace& trace) const {
+        for (uint32_t i = 0; i < visible.size(); ++i) {
+            if (scene().meshOf(i).triangleCount() == 0) continue;
+            recordAnswer(view, questions.answers[i], i, visible[i] != 0, trace);
+            trace.events.push_back({visible[i] != 0 ? TraceEvent::Kind::Accepted : TraceEvent::Kind::Culled, i});
+        }
+    }
+
+    void recordAnswer(const View& view, Answer answer, uint32_t instance, bool visible, Trace& trace) const {
+        const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
+        if (answer == Answer::BeforeNear || answer == Answer::BeyondFar) {
+            const FrustumPlane which = answer == Answer::BeforeNear ? FrustumPlane::Near : FrustumPlane::Far;
+            const Plane& plane = view.frustum().planes[size_t(which)];
+            addPlaneTest(trace, instance, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.slack);
+            return;
+        }
+        TraceEvent event{answer == Answer::Asked ? TraceEvent::Kind::AskedOpenGl : TraceEvent::Kind::MeetsNear, instance};
+        event.containment = visible ? Containment::Straddles : Containment::Outside;
+        event.bound = growthOf(bounds, view);
+        trace.events.push_back(event);
+    }
+};
+
+class FrustumSelect final : public FrustumAsking {
+public:
+    using FrustumAsking::FrustumAsking;
+
+protected:
+    void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
+        FrustumAsking::buildStructures(scene, progress, report);
+        m_bufferWords = size_t(parameters().integer("buffer"));
+    }
+    [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
+        Renderer::SelectedBoxes selected = renderer().selectBoxes(view, boxes, m_bufferWords);
+        m_bufferWords = selected.bufferWords;
+        return std::move(selected.hits);
+    }
+    [[nodiscard]] bool clampsDepth() const override { return false; }
+
+private:
+    size_t m_bufferWords = 0;  ///< as many as did the last time
+};
+
+class FrustumQuery final : public FrustumAsking {
+public:
+    using FrustumAsking::FrustumAsking;
+
+protected:
+    [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
+        return renderer().queryBoxes(view, boxes);
+    }
+    [[nodiscard]] bool clampsDepth() const override { return true; }
+};
+
+}  // namespace
+
+StrategyInfo frustumSelectInfo() {
+    return {
+        "frustum-select",
+        CULLSCOPE_TR("View-frustum culling by selection"),
+        CULLSCOPE_TR("Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view."),
+        "Cho et al.",
+        {facingParameter("two-sided"),
+         {"buffer",
+          ParameterType::Integer,
+          int64_t{4096},
+          1.0,
+          1e7,
+          "",
+          CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
+                       "boxes are drawn again."),
+          {}}},
+        Asks::CompatibilityProfile};
+}
+
+StrategyPointer makeFrustumSelect(ParameterSet parameters) { return std::make_unique<FrustumSelect>(std::move(parameters)); }
+
+StrategyInfo frustumQueryInfo() {
+    return {"frustum-query",
+            CULLSCOPE_TR("View-frustum culling by queries"),
+            CULLSCOPE_TR("Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view."),
+            "",
+            {facingParameter()},
+            Asks::OpenGl};
+}
+
+StrategyPointer makeFrustumQuery(ParameterSet parameters) { return std::make_unique<FrustumQuery>(std::move(parameters)); }
+
+}  // namespace cullscope

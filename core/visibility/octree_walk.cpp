@@ -1,0 +1,230 @@
+#include "core/visibility/octree_walk.h"
+
+#include <algorithm>
+
+#include "core/geometry/separation.h"
+#include "core/visibility/eye_bounds.h"
+
+namespace cullscope {
+namespace {
+
+constexpr uint32_t kPlanes = 6;
+constexpr uint32_t kAllPlanes = (1u << kPlanes) - 1;
+
+/// What the planes of a mask, and the axes, say of something.
+struct MaskedTest {
+    uint32_t planes = 0;  ///< of the mask, those that may cut it
+    bool outside = false;
+    bool byPlane = false;                     ///< where outside; else an axis parts it from the frustum
+    FrustumPlane plane = FrustumPlane::Left;  ///< where outside by it
+    double distance = 0.0;                    ///< where outside a plane
+    uint32_t tested = 0;
+};
+
+/// `inner` and `outer` give the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
+/// before the others, where it is a plane of the mask, and is set to the plane outside which it lies. NaN decides nothing.
+template <typename Inner, typename Outer>
+MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double slack, uint8_t& first, const Inner& inner,
+                      const Outer& outer) {
+    MaskedTest test{mask};
+    const auto isOutside = [&](uint32_t p) {
+        test.distance = inner(frustum.planes[p]);
+        ++test.tested;
+        return test.distance < -slack;
+    };
+    const auto outside = [&](uint32_t p) {
+        first = uint8_t(p);
+        return MaskedTest{mask, true, true, static_cast<FrustumPlane>(p), test.distance, test.tested};
+    };
+    const uint32_t asked = first;
+    if (asked < kPlanes && (mask >> asked & 1) != 0 && isOutside(asked)) return outside(asked);
+    for (uint32_t p = 0; p < kPlanes; ++p) {
+        if ((mask >> p & 1) == 0) continue;
+        if (p != asked && isOutside(p)) return outside(p);
+        if (outer(frustum.planes[p]) > slack) test.planes &= ~(1u << p);
+    }
+    return test;
+}
+
+class GroupWalk {
+public:
+    GroupWalk(const InstanceOctree& octree, const Scene& scene, const View& view, Trace* trace, const GroupWalkOptions& options)
+        : m_octree(octree),
+          m_scene(scene),
+          m_frustum(view.frustum()),
+          m_eye(view.eye()),
+          m_trace(trace),
+          m_memory(trace == nullptr ? options.memory : nullptr),
+          m_refine(options.refine) {}
+
+    /// At most InstanceOctree::kMaxDepth calls deep.
+    void visit(uint32_t number, uint32_t mask) {
+        const InstanceOctree::Node& node = m_octree.nodes()[number];
+        ++figures.nodesVisited;
+        const EyeBox box = relativeToEye(node.box, m_eye);
+        const double slack = slackFromEye(node.box.centre(), box.centre, glm::length(box.half), m_eye);
+        uint8_t unknown = LastFailedPlanes::kNone;
+        MaskedTest test = testPlanes(
+            m_frustum, mask, slack, m_memory != nullptr ? m_memory->ofGroup(number) : unknown,
+            [&](const Plane& plane) { return pVertexDistance(plane, box); },
+            [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.half); });
+        figures.planesTested += test.tested;
+        if (partable(test)) test.outside = separated(m_frustum, box, slack);
+        if (m_trace != nullptr) record(number, test, slack);
+        if (test.outside)
+            drop(node, test, slack);
+        else if (test.planes == 0)
+            for (const uint32_t instance : m_octree.instancesOf(node)) kept.push_back({instance, 0});
+        else if (node.leaf())
+            for (const uint32_t instance : m_octree.instancesOf(node)) testObject(instance, test.planes);
+        else
+            for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child) visit(child, test.planes);
+    }
+
+    std::vector<KeptObject> kept;
+    GroupWalkFigures figures;
+
+private:
+    /// Whether axes are to be tested after the planes.
+    bool partable(const MaskedTest& test) {
+        if (!m_refine || test.outside || !mayBeSeparated(test.planes)) return false;
+        ++figures.axesTested;
+        return true;
+    }
+
+    void testObject(uint32_t instance, uint32_t mask) {
+        ++figures.objectsTested;
+        const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
+        uint8_t unknown = LastFailedPlanes::kNone;
+        MaskedTest test = testPlanes(
+            m_frustum, mask, bounds.slack, m_memory != nullptr ? m_memory->ofObject(instance) : unknown,
+            [&](const Plane& plane) { return farthestInside(plane, bounds); },
+            [&](const Plane& plane) { return farthestOutside(plane, bounds); });
+        figures.planesTested += test.tested;
+        if (partable(test))
+            test.outside = separated(m_frustum, bounds.box, bounds.slack) || separated(m_frustum, bounds.sphere, bounds.slack);
+        if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
+        ++figures.objectsCulled;
+        figures.trianglesCulled += m_scene.meshOf(instance).triangleCount();
+        if (m_trace != nullptr) reject(instance, test, bounds.slack);
+    }
+
+    void drop(const InstanceOctree::Node& node, const MaskedTest& test, double slack) {
+        figures.objectsCulled += node.count;
+        figures.trianglesCulled += node.triangles;
+        if (m_trace == nullptr) return;
+        for (const uint32_t instance : m_octree.instancesOf(node)) {
+            const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
+            MaskedTest own = test;
+            // The object lies in the group's box and is outside with it, whatever the last digits of its own distance or slack.
+            if (test.byPlane)
+                own.distance = std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance);
+            else
+                findOwnPlane(bounds, own);
+            reject(instance, own, std::min(bounds.slack, slack));
+        }
+    }
+
+    /// No plane has the whole group outside, but one may have this object of it.
+    void findOwnPlane(const EyeBounds& bounds, MaskedTest& test) const {
+        for (uint32_t p = 0; p < kPlanes && !test.byPlane; ++p) {
+            test.distance = farthestInside(m_frustum.planes[p], bounds);
+            test.byPlane = test.distance < -bounds.slack;
+            test.plane = static_cast<FrustumPlane>(p);
+        }
+    }
+
+    void reject(uint32_t instance, const MaskedTest& test, double bound) {
+        TraceEvent event{test.byPlane ? TraceEvent::Kind::TestedPlane : TraceEvent::Kind::TestedAxes, instance, test.plane};
+        event.containment = Containment::Outside;
+        event.distance = test.byPlane ? test.distance : 0.0;
+        event.bound = bound;
+        m_trace->events.push_back(event);
+        m_trace->events.push_back({TraceEvent::Kind::Culled, instance});
+    }
+
+    void record(uint32_t number, const MaskedTest& test, double slack) {
+        if (test.outside && test.byPlane)
+            m_trace->groups.push_back({number, Containment::Outside, test.plane, test.distance, slack, true});
+        else if (test.outside)
+            m_trace->groups.push_back({number, Containment::Outside, {}, 0.0, slack, true});
+        else if (test.planes == 0)
+            m_trace->groups.push_back({number, Containment::Inside, {}, 0.0, 0.0, true});
+        else
+            m_trace->groups.push_back({number});
+    }
+
+    const InstanceOctree& m_octree;
+    const Scene& m_scene;
+    const Frustum& m_frustum;
+    Vec3 m_eye;
+    Trace* m_trace;
+    LastFailedPlanes* m_memory;
+    bool m_refine;
+};
+
+InsideNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, const InsideNode* parent) {
+    InsideNode group;
+    group.instance = InsideNode::kGroup;
+    group.objects = node.count;
+    group.box = node.box;
+    group.triangles = node.triangles;
+    if (tested != nullptr) {
+        group.containment = tested->containment;
+        group.culled = tested->containment == Containment::Outside;
+        if (group.culled) group.rejectedBy = tested->plane;
+    } else if (parent != nullptr) {
+        group.containment = parent->containment;
+        group.culled = parent->culled;
+        group.rejectedBy = parent->rejectedBy;
+    }
+    return group;
+}
+
+}  // namespace
+
+std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view, GroupWalkFigures* figures,
+                                    Trace* trace, const GroupWalkOptions& options) {
+    GroupWalk walk(octree, scene, view, trace, options);
+    if (!octree.nodes().empty()) walk.visit(0, kAllPlanes);
+    if (figures != nullptr) {
+        figures->nodesVisited += walk.figures.nodesVisited;
+        figures->objectsTested += walk.figures.objectsTested;
+        figures->planesTested += walk.figures.planesTested;
+        figures->axesTested += walk.figures.axesTested;
+        figures->objectsCulled += walk.figures.objectsCulled;
+        figures->trianglesCulled += walk.figures.trianglesCulled;
+    }
+    return std::move(walk.kept);
+}
+
+void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const Vec3& eye) {
+    std::vector<std::pair<double, KeptObject>> byDistance;
+    byDistance.reserve(kept.size());
+    for (const KeptObject& object : kept) {
+        const Sphere& sphere = scene.instanceSphere(object.instance);
+        byDistance.emplace_back(glm::length(sphere.centre - eye) - sphere.radius, object);
+    }
+    std::ranges::stable_sort(byDistance, {}, &std::pair<double, KeptObject>::first);
+    std::ranges::transform(byDistance, kept.begin(), &std::pair<double, KeptObject>::second);
+}
+
+void addGroups(Inside& inside, const InstanceOctree& octree, const Scene& scene, const Trace& trace) {
+    const auto base = int32_t(inside.nodes.size());
+    std::vector<const TestedGroup*> tested(octree.nodes().size(), nullptr);
+    for (const TestedGroup& group : trace.groups) tested[group.node] = &group;
+    std::vector<int32_t> leafOf(scene.instances().size(), -1);
+    inside.nodes.reserve(inside.nodes.size() + octree.nodes().size());
+    for (size_t i = 0; i < octree.nodes().size(); ++i) {
+        const InstanceOctree::Node& node = octree.nodes()[i];
+        const int32_t parent = node.parent < 0 ? -1 : base + node.parent;
+        inside.nodes.push_back(groupOf(node, tested[i], parent < 0 ? nullptr : &inside.nodes[size_t(parent)]));
+        inside.nodes.back().parent = parent;
+        if (!node.leaf()) continue;
+        for (const uint32_t instance : octree.instancesOf(node)) leafOf[instance] = base + int32_t(i);
+    }
+    for (size_t i = 0; i < size_t(base); ++i)
+        if (!inside.nodes[i].isGroup()) inside.nodes[i].parent = leafOf[inside.nodes[i].instance];
+}
+
+}  // namespace cullscope

@@ -1,0 +1,90 @@
+#include "core/visibility/spherical/contour_bands.h"
+
+#include <algorithm>
+
+namespace cullscope {
+namespace {
+
+/// Where a cell's middle lies among the bands.
+struct Place {
+    double alongAxis = 0.0;  ///< cos α
+    double across = 0.0;     ///< sin α
+    size_t entry = 0;        ///< in the table
+};
+
+class Placing {
+public:
+    explicit Placing(const ContourBands& bands) : m_bands(bands) {}
+
+    [[nodiscard]] Place of(const Vec3& direction) const {
+        Place place;
+        place.alongAxis = std::clamp(glm::dot(direction, m_bands.axis), -1.0, 1.0);
+        place.across = std::sqrt(1.0 - place.alongAxis * place.alongAxis);
+        const double beta = quickAzimuth(glm::dot(direction, m_bands.over), glm::dot(direction, m_bands.side));
+        place.entry = size_t(m_bands.bandOf(quickAcos(place.alongAxis))) * m_bands.sectors + m_bands.sectorOf(beta);
+        return place;
+    }
+
+private:
+    const ContourBands& m_bands;
+};
+
+/// From near to far, sector by sector: drawn up to the first band beyond 90° whose S does not exceed the largest nearer one. A
+/// band without triangles has no S and decides nothing.
+void compareWithNearer(ContourBands& bands) {
+    for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+        double largest = 0.0;
+        bool cut = false;
+        for (uint32_t band = 0; band < bands.bands; ++band) {
+            BandSector& entry = bands.table[size_t(band) * bands.sectors + sector];
+            entry.horizon = largest;
+            const bool near = (band + 1) * bands.width <= std::numbers::pi / 2 * (1.0 + 1e-12);
+            cut = cut || (!near && entry.size > 0.0 && entry.size <= largest);
+            entry.drawn = !cut;
+            largest = std::max(largest, entry.size);
+        }
+    }
+}
+
+}  // namespace
+
+BandCells::BandCells(const SphericalMaps& maps) : directions(maps.grid()) {
+    const SphericalGrid& grid = maps.grid();
+    for (uint32_t number = 0; number < grid.cellCount(); ++number) {
+        const std::span<const uint32_t> owned = maps.centroids(number);
+        if (owned.empty()) continue;
+        const auto [row, column] = grid.cell(number);
+        cells.push_back({number, row, column, maps.centroidRadius(owned.back())});
+    }
+}
+
+ContourBands makeBands(const Vec3& eye, double width, uint32_t sectors) {
+    ContourBands bands;
+    bands.axis = glm::normalize(eye);
+    const Vec3 aside = std::abs(bands.axis.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0);
+    bands.side = glm::normalize(glm::cross(aside, bands.axis));
+    bands.over = glm::cross(bands.axis, bands.side);
+    bands.width = width;
+    bands.bands = uint32_t(std::ceil(std::numbers::pi / width - 1e-9));
+    bands.sectors = sectors;
+    bands.table.resize(size_t(bands.bands) * sectors);
+    return bands;
+}
+
+std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands) {
+    const Placing placing(bands);
+    std::vector<Place> places(cells.cells.size());
+    for (size_t i = 0; i < places.size(); ++i) {
+        const BandCells::Cell& cell = cells.cells[i];
+        places[i] = placing.of(cells.directions.middle({cell.row, cell.column}));
+        BandSector& entry = bands.table[places[i].entry];
+        entry.size = std::max(entry.size, cell.farthestCentroid * places[i].across);
+    }
+    compareWithNearer(bands);
+    RunCollector runs;
+    for (size_t i = 0; i < places.size(); ++i)
+        runs.add(cells.cells[i].number, places[i].alongAxis >= 0.0 || bands.table[places[i].entry].drawn);
+    return runs.take();
+}
+
+}  // namespace cullscope

@@ -1,0 +1,138 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/spatial/cell_tree.h"
+#include "core/spatial/inner_kernel.h"
+#include "core/spatial/spherical_search.h"
+#include "core/frame/cause.h"
+#include "core/visibility/spherical/lazy_maps.h"
+
+namespace cullscope {
+
+/// How an object's bounding sphere lies to the frustum: the branches of Han & Hong 2008, Appendix 1.
+enum class SphereRelation {
+    Outside,   ///< nothing is drawn
+    Cut,       ///< some plane cuts it: corner rays, visible region, cases
+    Within,    ///< inside all six planes: contour bands and the S test
+    AroundEye  ///< the eye is inside the sphere, or the object is flat: everything is drawn
+};
+/// English, marked for translation.
+[[nodiscard]] const char* relationName(SphereRelation relation);
+
+/// One of the view's four corner rays. Points and directions in the mesh's coordinates around its map's centre.
+struct CornerRay {
+    Ray ray;
+    std::optional<Span> span;             ///< through the bounding sphere; none: the ray misses it
+    std::optional<TriangleHit> hit;       ///< confirmed by intersection; none: `point` is the sphere's nearest to the ray
+    Vec3 point{0.0};                      ///< the region's corner
+    std::vector<WalkedCell> walkedCells;  ///< only in a traced cull
+};
+
+/// A box of cells, all bounds inclusive; never over the seam.
+struct CellBox {
+    uint32_t firstRow = 0, lastRow = 0;
+    uint32_t firstColumn = 0, lastColumn = 0;
+
+    bool operator==(const CellBox&) const = default;
+};
+
+/// Cells by number, from `first` up to but without `last`.
+struct CellRun {
+    uint32_t first = 0, last = 0;
+
+    bool operator==(const CellRun&) const = default;
+};
+
+/// The visible region on the map, in radians. Its corners are joined in the order bottom-left, bottom-right, top-right, top-left.
+struct VisibleRegion {
+    int caseNumber = 0;  ///< 1: a pole is in view, 2: one clump, 3: split by the seam
+    /// Along the region's outline, (θ, φ): φ is continued over the seam, below 0 or beyond 2π where it crosses; closed but in
+    /// case 1, where it ends a whole turn away from its beginning.
+    std::vector<Vec2> outline;
+    std::vector<CellBox> boxes;  ///< one; case 3: two
+};
+
+/// A contour band's sector: all directions between two angles α from the axis and two angles β about it.
+struct BandSector {
+    double size = 0.0;     ///< S of `spherical`: the largest centroid component perpendicular to the axis, mesh units; of
+                           ///< `spherical-horizon`: the least slope of the surface
+    double horizon = 0.0;  ///< the largest size at smaller α in this sector
+    bool drawn = true;
+};
+
+/// The contour bands on the bounding sphere.
+struct ContourBands {
+    Vec3 axis{0.0, 0.0, 1.0};  ///< unit: from the centre to the sphere's point nearest to the eye, where α = 0
+    Vec3 side{1.0, 0.0, 0.0};  ///< unit, perpendicular: there β = 0
+    Vec3 over{0.0, 1.0, 0.0};  ///< axis × side: there β = 90°
+    double width = 0.0;        ///< of a band, radians
+    uint32_t bands = 0, sectors = 0;
+    std::vector<BandSector> table;  ///< by band, then sector
+    bool slopes = false;            ///< sizes are slopes
+
+    [[nodiscard]] const BandSector& at(uint32_t band, uint32_t sector) const { return table[size_t(band) * sectors + sector]; }
+    /// The unit direction at α, β (radians).
+    [[nodiscard]] Vec3 direction(double alpha, double beta) const {
+        return std::cos(alpha) * axis + std::sin(alpha) * (std::cos(beta) * side + std::sin(beta) * over);
+    }
+    /// α in [0, π] and β in [0, 2π) of a direction of any length but 0.
+    [[nodiscard]] Vec2 anglesOf(const Vec3& direction) const;
+    [[nodiscard]] uint32_t bandOf(double alpha) const { return std::min(uint32_t(std::max(alpha, 0.0) / width), bands - 1); }
+    [[nodiscard]] uint32_t sectorOf(double beta) const;
+};
+
+/// Triangles in a strategy's order, by their places.
+struct PlaceRun {
+    uint32_t first = 0, count = 0;
+
+    bool operator==(const PlaceRun&) const = default;
+};
+
+/// A node of a CellTree at which a walk ended.
+struct JudgedCell {
+    uint32_t node = 0;
+    std::optional<Cause> cause;  ///< why it was left out; none: it is drawn
+};
+
+/// What `spherical-lossless` decided about one object's cells.
+struct CellWalk {
+    bool cones = false, horizon = false;         ///< which tests held for the object in this view, besides the frustum's
+    std::vector<PlaceRun> drawn;                 ///< ascending, disjoint
+    std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
+    uint64_t nodesVisited = 0;
+    std::vector<JudgedCell> judged;  ///< only in a traced cull: ascending, disjoint
+    std::vector<Vec3> outline;       ///< only in a traced cull, with `horizon`: the kernel's outline as the eye sees it
+};
+
+/// What a spherical strategy decided about one object, and why.
+struct SphericalDecision {
+    uint32_t instance = 0;
+    SphereRelation relation = SphereRelation::Outside;
+    Vec3 eye{0.0};                        ///< in the mesh's coordinates around the map's centre
+    std::array<CornerRay, 4> rays;        ///< with Cut, of `spherical`
+    std::optional<VisibleRegion> region;  ///< with Cut, of `spherical`
+    std::optional<ContourBands> bands;    ///< where something was tested by bands
+    std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are given to OpenGL
+    std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
+    uint64_t drawnTriangles = 0;
+};
+
+/// One object's decision with the maps that it was made on.
+struct InsideMap {
+    MapsOnRequest maps;
+    SphericalDecision decision;
+    CellTreePointer tree{};  ///< of `spherical-lossless`, which decides on it; the maps only show what became of the triangles
+    InnerKernelPointer kernel{};  ///< of the same
+};
+
+/// What became of a cell of the centroid map. Of `spherical-lossless`, whose cells are others: of its triangles, the last one
+/// of this list that is any's.
+enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Drawn };
+/// By cell number.
+[[nodiscard]] std::vector<CellState> cellStates(const InsideMap& map);
+
+}  // namespace cullscope

@@ -1,0 +1,98 @@
+#include "core/visibility/spherical/object_space_view.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/visibility/eye_bounds.h"
+
+namespace cullscope {
+namespace {
+
+/// Map coordinates to world axes with the origin at the eye: linear · p + centre.
+struct EyeFromMap {
+    Mat3 linear{1.0};
+    Vec3 centre{0.0};
+    double slack = 0.0;    ///< of a plane's test
+    double stretch = 0.0;  ///< no vector grows by more
+};
+
+double frobenius(const Mat3& m) { return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2])); }
+
+/// No vector grows by more: exact for rotations with a uniform scale, the root of a bound on the Gram matrix elsewhere.
+double largestStretch(const Mat3& m) {
+    const Mat3 gram = glm::transpose(m) * m;
+    double largest = 0.0;
+    for (int column = 0; column < 3; ++column) {
+        const Vec3 sizes = glm::abs(gram[column]);
+        largest = std::max(largest, sizes.x + sizes.y + sizes.z);
+    }
+    return std::sqrt(largest) * (1.0 + 1e-12);
+}
+
+EyeFromMap eyeFromMap(const Scene& scene, uint32_t instance, const Sphere& sphere, const Vec3& eye) {
+    const Mat4& worldFromMesh = scene.instances()[instance].worldFromMesh;
+    EyeFromMap result;
+    result.linear = Mat3(worldFromMesh);
+    result.stretch = frobenius(result.linear);
+    const Vec3 centre = Vec3(worldFromMesh * Vec4(scene.meshOf(instance).origin() + sphere.centre, 1.0));
+    result.centre = centre - eye;
+    const double reach = sphere.radius * result.stretch;
+    // The subtraction's rounding counts in world coordinates, the picture's in distances from the eye.
+    result.slack = slackFromEye(centre, result.centre, reach, eye) + scene.pictureRounding(scene.instances()[instance]);
+    return result;
+}
+
+MapView::PlaneTest test(const Plane& plane, const EyeFromMap& object, double radius) {
+    const double centre = plane.distance(object.centre);
+    const double reach = radius * glm::length(glm::transpose(object.linear) * plane.normal);
+    MapView::PlaneTest result;
+    result.distance = centre + reach;
+    result.bound = object.slack;
+    if (result.distance < -object.slack)
+        result.containment = Containment::Outside;
+    else if (centre - reach > object.slack)
+        result.containment = Containment::Inside;
+    return result;
+}
+
+}  // namespace
+
+MapView mapView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view) {
+    const EyeFromMap object = eyeFromMap(scene, instance, sphere, view.eye());
+    const double radius = sphere.radius;
+    MapView result;
+    bool within = true;
+    for (const Plane& plane : view.frustum().planes) {
+        const MapView::PlaneTest tested = result.planes[result.planesTested++] = test(plane, object, radius);
+        within = within && tested.containment == Containment::Inside;
+        if (tested.containment != Containment::Outside) continue;
+        result.relation = SphereRelation::Outside;
+        return result;
+    }
+    result.slack = object.slack;
+    for (size_t p = 0; p < result.planesOnMap.size(); ++p) {
+        const Plane& plane = view.frustum().planes[p];
+        result.planesOnMap[p] = {glm::transpose(object.linear) * plane.normal, plane.distance(object.centre)};
+    }
+    result.pixelSlope = 2.0 * view.frustum().tanHalfHeight / view.viewport().height;
+    result.beyondNear = result.planes[size_t(FrustumPlane::Near)].containment == Containment::Inside;
+    const Mat3 inverse = glm::inverse(object.linear);
+    const double shrink = frobenius(inverse);
+    // A flattened object has no inside that a direction could point from.
+    if (!std::isfinite(shrink) || object.stretch * shrink > 1e9 || radius <= 0.0) return result;
+    result.eye = -(inverse * object.centre);
+    result.eyeKnown = true;
+    result.unevenness = largestStretch(object.linear) * largestStretch(inverse);
+    const std::array<Vec3, 8> corners = view.frustum().corners();
+    std::transform(corners.begin(), corners.begin() + 4, result.cornerDirections.begin(),
+                   [&](const Vec3& corner) { return inverse * corner; });
+    // A pixel is widest in the middle of the picture.
+    const double farthest = glm::length(object.centre) + radius * object.stretch;
+    result.pixelReach = result.pixelSlope * farthest * shrink;
+    // At the sphere itself the slopes and spans of rays lose all their digits.
+    if (glm::length(result.eye) <= radius * (1.0 + 1e-6)) return result;
+    result.relation = within ? SphereRelation::Within : SphereRelation::Cut;
+    return result;
+}
+
+}  // namespace cullscope

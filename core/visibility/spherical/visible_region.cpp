@@ -1,0 +1,151 @@
+#include "core/visibility/spherical/visible_region.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace cullscope {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr size_t kStepsOfAnArc = 16;  // of the outline that is shown; boxes take the exact extreme
+
+/// From `from` to `to` the shorter way round, in [−π, π].
+double turn(double from, double to) { return std::remainder(to - from, kTurn); }
+
+/// The azimuth at which a great circle comes closest to a pole, and that zenith angle, where it lies between two directions.
+std::optional<Vec2> extremeOfArc(const Vec3& from, const Vec3& to) {
+    const Vec3 normal = glm::cross(from, to);
+    const double length = glm::length(normal);
+    if (!(length > 1e-12 * glm::length(from) * glm::length(to))) return std::nullopt;
+    const Vec3 n = normal / length;
+    Vec3 top = Vec3(0, 0, 1) - n.z * n;
+    // Between the two, the middle direction tells towards which pole the arc bends.
+    if (glm::dot(top, from) + glm::dot(top, to) < 0.0) top = -top;
+    const bool between = glm::dot(glm::cross(from, top), n) > 0.0 && glm::dot(glm::cross(top, to), n) > 0.0;
+    if (!between) return std::nullopt;
+    const SphericalPoint point = sphericalPoint(top);
+    return Vec2(point.theta, point.phi);
+}
+
+/// The outline along the corners with azimuths continued over the seam, and what its boxes must hold.
+struct Outline {
+    std::vector<Vec2> points;
+    double leastTheta = kPi, mostTheta = 0.0;
+    double leastPhi = 1e9, mostPhi = -1e9;
+    double turned = 0.0;  ///< all the way round
+
+    void take(double theta, double phi) {
+        leastTheta = std::min(leastTheta, theta);
+        mostTheta = std::max(mostTheta, theta);
+        leastPhi = std::min(leastPhi, phi);
+        mostPhi = std::max(mostPhi, phi);
+    }
+};
+
+void addArc(Outline& outline, const Vec3& from, const Vec3& to, double phi) {
+    const Vec3 a = glm::normalize(from), b = glm::normalize(to);
+    double before = phi;
+    for (size_t step = 1; step < kStepsOfAnArc; ++step) {
+        const double share = double(step) / kStepsOfAnArc;
+        const SphericalPoint point = sphericalPoint((1.0 - share) * a + share * b);
+        before += turn(before, point.phi);
+        outline.points.emplace_back(point.theta, before);
+    }
+    if (const std::optional<Vec2> extreme = extremeOfArc(a, b)) outline.take(extreme->x, phi + turn(phi, extreme->y));
+}
+
+Outline outlineOf(std::span<const CornerRay, 4> corners, Join join) {
+    Outline outline;
+    double phi = sphericalPoint(corners[0].point).phi;
+    for (size_t i = 0; i < corners.size(); ++i) {
+        const Vec3& from = corners[i].point;
+        const Vec3& to = corners[(i + 1) % 4].point;
+        const SphericalPoint point = sphericalPoint(from);
+        outline.points.emplace_back(point.theta, phi);
+        outline.take(point.theta, phi);
+        if (join == Join::Arcs) addArc(outline, from, to, phi);
+        const double step = turn(point.phi, sphericalPoint(to).phi);
+        phi += step;
+        outline.turned += step;
+    }
+    outline.points.emplace_back(outline.points.front().x, phi);
+    return outline;
+}
+
+/// The centroids' cells of the confirmed triangles belong to the region too.
+void takeHits(Outline& outline, const SphericalMaps& maps, std::span<const CornerRay, 4> corners) {
+    const double middle = (outline.leastPhi + outline.mostPhi) / 2;
+    for (const CornerRay& corner : corners) {
+        if (!corner.hit) continue;
+        const auto [a, b, c] = maps.corners(corner.hit->triangle);
+        const SphericalPoint centroid = sphericalPoint(a + b + c);
+        outline.take(centroid.theta, middle + turn(middle, centroid.phi));
+    }
+}
+
+bool aroundNorth(std::span<const CornerRay, 4> corners) {
+    double height = 0.0;
+    for (const CornerRay& corner : corners) height += corner.point.z / std::max(glm::length(corner.point), 1e-300);
+    return height >= 0.0;
+}
+
+std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, int caseNumber) {
+    const uint32_t firstRow = grid.rowOf(outline.leastTheta), lastRow = grid.rowOf(outline.mostTheta);
+    const uint32_t last = grid.columns() - 1;
+    if (caseNumber == 1 || outline.mostPhi - outline.leastPhi >= kTurn) return {{firstRow, lastRow, 0, last}};
+    const auto column = [&](double phi) {
+        const double inTurn = phi - kTurn * std::floor(phi / kTurn);
+        return grid.columnOf(inTurn < kTurn ? inTurn : 0.0);
+    };
+    const uint32_t from = column(outline.leastPhi), to = column(outline.mostPhi);
+    if (caseNumber == 2) return {{firstRow, lastRow, from, to}};
+    // Almost all the way round, the two ranges of a row meet.
+    if (from <= to) return {{firstRow, lastRow, 0, last}};
+    return {{firstRow, lastRow, from, last}, {firstRow, lastRow, 0, to}};
+}
+
+}  // namespace
+
+CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, bool keepWalkedCells) {
+    CornerRay corner;
+    corner.ray = ray;
+    const double radius = maps.sphere().radius;
+    corner.span = throughSphere(ray, radius);
+    if (!corner.span) {
+        // The nearest point of the sphere lies above the ray's own nearest to the centre.
+        const double t = std::max(0.0, -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction));
+        const Vec3 nearest = ray.at(t);
+        corner.point = nearest * (radius / glm::length(nearest));
+        return corner;
+    }
+    corner.hit = searchTriangle(maps, ray, keepWalkedCells ? &corner.walkedCells : nullptr);
+    corner.point = ray.at(corner.hit ? corner.hit->t : corner.span->from);
+    return corner;
+}
+
+VisibleRegion visibleRegion(const SphericalMaps& maps, std::span<const CornerRay, 4> corners, Join join) {
+    Outline outline = outlineOf(corners, join);
+    takeHits(outline, maps, corners);
+    VisibleRegion region;
+    const bool aroundPole = std::abs(outline.turned) > kPi;
+    if (aroundPole) (aroundNorth(corners) ? outline.leastTheta : outline.mostTheta) = aroundNorth(corners) ? 0.0 : kPi;
+    const bool overSeam = std::floor(outline.leastPhi / kTurn) != std::floor(outline.mostPhi / kTurn);
+    region.caseNumber = aroundPole ? 1 : overSeam ? 3 : 2;
+    region.boxes = boxesOf(maps.grid(), outline, region.caseNumber);
+    region.outline = std::move(outline.points);
+    return region;
+}
+
+std::vector<CellRun> runsOf(const SphericalGrid& grid, const VisibleRegion& region) {
+    std::vector<CellRun> runs;
+    const CellBox& first = region.boxes.front();
+    if (region.caseNumber == 1) return {{grid.number({first.firstRow, 0}), grid.number({first.lastRow, 0}) + grid.columns()}};
+    for (uint32_t row = first.firstRow; row <= first.lastRow; ++row)
+        for (auto box = region.boxes.rbegin(); box != region.boxes.rend(); ++box)
+            runs.push_back({grid.number({row, box->firstColumn}), grid.number({row, box->lastColumn}) + 1});
+    return runs;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,159 @@
+#include "core/visibility/spherical/why.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <numbers>
+
+#include "core/visibility/spherical/cell_directions.h"
+
+namespace cullscope {
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", value);
+    return text;
+}
+
+std::string degrees(double radians) { return number(radians * 180.0 / std::numbers::pi); }
+
+WhyStep said(Message sentence, Containment containment = Containment::Straddles) {
+    return {std::move(sentence), {}, {}, {}, containment};
+}
+
+Vec3 centroidOf(const SphericalMaps& maps, uint32_t triangle) {
+    const auto [a, b, c] = maps.corners(triangle);
+    return (a + b + c) / 3.0;
+}
+
+Message cellSentence(const SphericalGrid& grid, const SphericalGrid::Cell& cell) {
+    return {CULLSCOPE_TR("Its centroid lies in the map's row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°."),
+            {std::to_string(cell.row), std::to_string(cell.column), degrees(grid.thetaOf(cell.row)),
+             degrees(grid.thetaOf(cell.row + 1)), degrees(grid.phiOf(cell.column)), degrees(grid.phiOf(cell.column + 1))}};
+}
+
+WhyStep regionStep(const VisibleRegion& region, bool drawn) {
+    const std::string number = std::to_string(region.caseNumber);
+    if (drawn)
+        return said({CULLSCOPE_TR("The cell lies in the visible region's boxes (case %1)."), {number}}, Containment::Inside);
+    return said({CULLSCOPE_TR("The cell lies outside the visible region's boxes (case %1)."), {number}}, Containment::Outside);
+}
+
+/// Of `spherical`: by the cell's band.
+WhyStep sizeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
+    const Vec2 angles = bands.anglesOf(middle);
+    const uint32_t band = bands.bandOf(angles.x), sector = bands.sectorOf(angles.y);
+    const std::string alpha = degrees(angles.x);
+    if (angles.x <= std::numbers::pi / 2)
+        return said({CULLSCOPE_TR("The cell lies at α = %1°, within 90° of the axis to the eye: drawn without a test."), {alpha}},
+                    Containment::Inside);
+    const BandSector& entry = bands.at(band, sector);
+    const std::vector<std::string> facts{alpha, std::to_string(band), std::to_string(sector), number(entry.size),
+                                         number(entry.horizon)};
+    if (drawn)
+        return said(
+            {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: its S of %4 exceeds the largest nearer one, %5."),
+             facts},
+            Containment::Inside);
+    return said(
+        {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: its S of %4 does not exceed the largest nearer one, %5."),
+         facts},
+        Containment::Outside);
+}
+
+/// Of `spherical-horizon`: by the cell's own slope.
+WhyStep slopeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
+    const Vec2 angles = bands.anglesOf(middle);
+    const uint32_t band = bands.bandOf(angles.x), sector = bands.sectorOf(angles.y);
+    const std::vector<std::string> facts{degrees(angles.x), std::to_string(band), std::to_string(sector),
+                                         number(bands.at(band, sector).horizon)};
+    if (drawn)
+        return said(
+            {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: its triangles rise above the horizon in front of "
+                          "them (slope %4 there)."),
+             facts},
+            Containment::Inside);
+    return said(
+        {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: all its triangles lie below the horizon in front of "
+                      "them (slope %4 there)."),
+         facts},
+        Containment::Outside);
+}
+
+/// The node at which the walk ended for a place in the order; null: it is not known.
+const JudgedCell* judgedAt(const CellTree& tree, const CellWalk& walk, uint32_t place) {
+    const auto found = std::ranges::find_if(walk.judged, [&](const JudgedCell& judged) {
+        const CellTree::Node& node = tree.nodes()[judged.node];
+        return node.first <= place && place < node.first + node.count;
+    });
+    return found == walk.judged.end() ? nullptr : &*found;
+}
+
+Message judgedSentence(const std::optional<Cause>& cause) {
+    if (!cause) return {CULLSCOPE_TR("No test left the cell out: its triangles are drawn."), {}};
+    if (*cause == Cause::BackFacing)
+        return {CULLSCOPE_TR("All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's "
+                             "snapping could undo."),
+                {}};
+    if (*cause == Cause::Hidden)
+        return {CULLSCOPE_TR("All sight lines to the cell pass through the solid's inner kernel first."), {}};
+    return {CULLSCOPE_TR("The box around the cell's triangles lies outside one plane of the frustum."), {}};
+}
+
+/// Why a test was not made of the object's cells; none: it was.
+std::optional<Message> conesLeftOut(const CellWalk& walk) {
+    if (walk.cones) return std::nullopt;
+    return Message{CULLSCOPE_TR("Normal cones are not used: both sides of the triangles are drawn, or the test is switched off."),
+                   {}};
+}
+
+std::optional<Message> horizonLeftOut(const InsideMap& map) {
+    if (map.decision.walk->horizon) return std::nullopt;
+    if (map.kernel && !map.kernel->filled())
+        return Message{CULLSCOPE_TR("The kernel's horizon is not used: %1."), {InnerKernel::stateName(map.kernel->state())}};
+    return Message{
+        CULLSCOPE_TR("The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too "
+                     "small in the picture, or the test is switched off."),
+        {}};
+}
+
+void addWalkSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>& steps) {
+    if (!map.tree->divided()) {
+        Message small{CULLSCOPE_TR("The object has too few triangles to be divided: it is one cell."), {}};
+        steps.push_back(said(std::move(small)));
+        return;
+    }
+    for (const std::optional<Message>& reason : {conesLeftOut(*map.decision.walk), horizonLeftOut(map)})
+        if (reason) steps.push_back(said(*reason));
+    const std::span<const uint32_t> order = map.tree->triangleOrder();
+    const auto place = uint32_t(std::ranges::find(order, triangle) - order.begin());
+    const JudgedCell* judged = judgedAt(*map.tree, *map.decision.walk, place);
+    if (judged == nullptr) return;
+    const CellTree::Node& node = map.tree->nodes()[judged->node];
+    steps.push_back(said({CULLSCOPE_TR("The walk over the map ended at a cell of level %1, which holds %2 triangles."),
+                          {std::to_string(node.level), std::to_string(node.count)}}));
+    steps.push_back(said(judgedSentence(judged->cause), judged->cause ? Containment::Outside : Containment::Inside));
+}
+
+}  // namespace
+
+void addMapSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>& steps) {
+    const SphericalDecision& decision = map.decision;
+    steps.push_back(said({CULLSCOPE_TR("The object's bounding sphere: %1."), {relationName(decision.relation)}}));
+    if (decision.relation == SphereRelation::Outside) return;
+    if (map.tree) {
+        if (decision.walk) addWalkSteps(map, triangle, steps);
+        return;
+    }
+    const SphericalGrid& grid = map.maps->grid();
+    const SphericalGrid::Cell cell = grid.cellOf(centroidOf(*map.maps, triangle));
+    const uint32_t number = grid.number(cell);
+    steps.push_back(said(cellSentence(grid, cell)));
+    const bool drawn = std::any_of(decision.drawn.begin(), decision.drawn.end(),
+                                   [&](const CellRun& run) { return run.first <= number && number < run.last; });
+    const Vec3 middle = CellDirections(grid).middle(cell);
+    if (decision.region) steps.push_back(regionStep(*decision.region, drawn));
+    if (decision.bands) steps.push_back((decision.bands->slopes ? slopeStep : sizeStep)(*decision.bands, middle, drawn));
+}
+
+}  // namespace cullscope

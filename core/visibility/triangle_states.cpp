@@ -1,0 +1,120 @@
+#include "core/visibility/triangle_states.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <cassert>
+
+#include "core/base/message.h"
+#include "core/scene/eye_triangle.h"
+
+namespace cullscope {
+
+const char* triangleStateName(TriangleState state) {
+    switch (state) {
+        case TriangleState::Visible:
+            return CULLSCOPE_TR("drawn and visible");
+        case TriangleState::InVain:
+            return CULLSCOPE_TR("drawn in vain");
+        case TriangleState::OutsideFrustum:
+            return CULLSCOPE_TR("outside the frustum");
+        case TriangleState::BackFacing:
+            return CULLSCOPE_TR("back-facing");
+        case TriangleState::Hidden:
+            return CULLSCOPE_TR("hidden");
+        case TriangleState::TooSmall:
+            return CULLSCOPE_TR("too small");
+        case TriangleState::WronglyCulled:
+            break;
+    }
+    return CULLSCOPE_TR("wrongly culled");
+}
+
+TriangleState stateOfCause(Cause cause) {
+    switch (cause) {
+        case Cause::OutsideFrustum:
+            return TriangleState::OutsideFrustum;
+        case Cause::BackFacing:
+            return TriangleState::BackFacing;
+        case Cause::Hidden:
+            return TriangleState::Hidden;
+        case Cause::TooSmall:
+            break;
+    }
+    return TriangleState::TooSmall;
+}
+
+namespace {
+
+/// As if nothing were submitted: the causes by object, and within objects where there is more than one.
+std::vector<TriangleState> causes(const Scene& scene, const DrawList& list, const Trace& trace) {
+    std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
+    for (const TraceEvent& event : trace.events)
+        if (event.kind == TraceEvent::Kind::Culled || event.kind == TraceEvent::Kind::PartlyDrawn)
+            std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(event.instance)),
+                        scene.meshOf(event.instance).triangleCount(), stateOfCause(event.cause));
+    for (const CulledRun& run : trace.culledRuns) {
+        const uint32_t mesh = scene.instances()[run.instance].mesh;
+        for (uint32_t place = run.places.first; place < run.places.first + run.places.count; ++place)
+            states[scene.firstTriangle(run.instance) + list.triangleAt(mesh, place)] = stateOfCause(run.cause);
+    }
+    return states;
+}
+
+/// What a submitted triangle becomes; `inV` where there is a truth.
+struct Submitted {
+    const Reference* reference;
+    Facing facing;
+
+    [[nodiscard]] TriangleState state(TriangleState before, const InstanceFromEye& instance, uint64_t triangle) const {
+        // Everything in V was marked as lost before; what a range before this one drew is Visible by now.
+        const bool inV = reference != nullptr && (before == TriangleState::WronglyCulled || before == TriangleState::Visible);
+        const bool dropped = facing == Facing::Front && instance.facesAway(triangle);
+        if (inV) {
+            // What a reference of front sides shows, the same OpenGL drew for the strategy too, edge-on or not.
+            return dropped && reference->facing == Facing::TwoSided ? TriangleState::WronglyCulled : TriangleState::Visible;
+        }
+        if (dropped) return TriangleState::BackFacing;
+        return reference != nullptr ? TriangleState::InVain : TriangleState::Visible;
+    }
+};
+
+}  // namespace
+
+TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
+                              const Reference* reference) {
+    TriangleStates result;
+    result.againstTruth = reference != nullptr;
+    result.states = causes(scene, list, trace);
+    if (reference != nullptr)
+        for (const uint32_t triangle : reference->visibleTriangles) result.states[triangle] = TriangleState::WronglyCulled;
+    const Submitted submitted{reference, list.facing};
+    for (const DrawRange& range : list.ranges) {
+        const InstanceFromEye instance(scene, range.instance, view.eye());
+        const uint64_t first = scene.firstTriangle(range.instance);
+        const uint32_t mesh = scene.instances()[range.instance].mesh;
+        const uint64_t begin = range.firstIndex / 3;
+        tbb::parallel_for(tbb::blocked_range<uint64_t>(begin, begin + range.indexCount / 3, 4096), [&](const auto& block) {
+            for (uint64_t place = block.begin(); place < block.end(); ++place) {
+                const uint64_t triangle = list.triangleAt(mesh, place);
+                TriangleState& state = result.states[first + triangle];
+                state = submitted.state(state, instance, triangle);
+            }
+        });
+    }
+    for (const TriangleState state : result.states) ++result.counts[static_cast<size_t>(state)];
+    return result;
+}
+
+VisibleSetDifference compareVisibleSets(const TriangleStates& first, const TriangleStates& second) {
+    assert(first.states.size() == second.states.size());
+    VisibleSetDifference difference;
+    for (size_t i = 0; i < first.states.size(); ++i) {
+        const bool a = first.states[i] == TriangleState::Visible, b = second.states[i] == TriangleState::Visible;
+        difference.both += a && b ? 1 : 0;
+        difference.onlyFirst += a && !b ? 1 : 0;
+        difference.onlySecond += b && !a ? 1 : 0;
+    }
+    return difference;
+}
+
+}  // namespace cullscope

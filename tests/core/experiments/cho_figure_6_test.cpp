@@ -1,0 +1,215 @@
+#include "core/experiments/cho_figure_6.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "core/visibility/strategy_request.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/measure/small_experiment.h"
+
+namespace cullscope::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+const PaperExperiment& experiment() { return findPaperExperiment("vfc-40-views"); }
+
+const PaperValue& valueOf(const PaperTable& table, size_t row, const std::string& key) {
+    for (size_t i = 0; i < table.columns.size(); ++i)
+        if (table.columns[i].key == key) return table.rows.at(row).at(i);
+    ADD_FAILURE() << "there is no column " << key;
+    static const PaperValue kNothing;
+    return kNothing;
+}
+
+double number(const PaperTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
+
+bool empty(const PaperTable& table, size_t row, const std::string& key) {
+    return std::holds_alternative<std::monostate>(valueOf(table, row, key));
+}
+
+RunMeasurement run(const std::string& strategy, Facing facing, const std::vector<double>& milliseconds,
+                   const std::vector<uint64_t>& considered) {
+    RunMeasurement measured;
+    measured.strategy = strategyFromText(strategy);
+    measured.facing = facing;
+    for (size_t pose = 0; pose < milliseconds.size(); ++pose) {
+        FrameMeasurement frame;
+        frame.pose = pose;
+        frame.frameMilliseconds = milliseconds[pose];
+        frame.consideredTriangles = considered[pose];
+        frame.accuracy = Accuracy{};
+        measured.frames.push_back(frame);
+    }
+    return measured;
+}
+
+/// Nine bodies of 500 triangles, three views.
+MeasureResult madeUp() {
+    MeasureResult result;
+    result.request = smallExperiment({"all"});
+    const uint64_t triangles = result.request.scene->triangleCount();
+    result.runs = {run("all", Facing::TwoSided, {100, 100, 100}, {triangles, triangles, triangles}),
+                   run("frustum:facing=two-sided", Facing::TwoSided, {50, 20, 10}, {triangles, triangles / 5, triangles / 9}),
+                   run("backface", Facing::Front, {80, 80, 80}, {triangles, triangles, triangles}),
+                   run("frustum", Facing::Front, {40, 25, 5}, {triangles, triangles / 5, triangles / 9})};
+    result.runs[1].summary.fpsOverall = 37.5;
+    result.runs[1].summary.cullShare = 0.02;
+    result.runs[1].summary.culledFraction = 0.56;
+    return result;
+}
+
+PaperTable madeUpTable() {
+    PaperTable table = emptyTable(experiment());
+    addMeasured(table, experiment(), experiment().settings[0], madeUp());
+    return table;
+}
+
+TEST(ChoViews, settingIsNotThePapers) {
+    ASSERT_EQ(experiment().settings.size(), 1u);
+    const PaperSetting& setting = experiment().settings[0];
+    EXPECT_EQ(setting.scene, "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5");
+    EXPECT_EQ(setting.path, "walk:40");
+    EXPECT_EQ(setting.size, (Viewport{650, 650}));
+    EXPECT_EQ(setting.windows, 1);
+    EXPECT_THAT(setting.strategies,
+                testing::IsSupersetOf({"all", "backface", "frustum", "frustum-octree", "frustum-select", "frustum-query"}));
+    EXPECT_THAT(setting.strategies, testing::Contains(setting.shown));
+    for (const std::string& strategy : setting.strategies)
+        EXPECT_EQ(strategyText(strategyFromText(strategy)), strategy) << "the paper's figures are looked up by it";
+    for (const auto& [strategy, cells] : setting.paper) EXPECT_THAT(setting.strategies, testing::Contains(strategy));
+}
+
+TEST(ChoViews, paperSaysOtherwise) {
+    const auto& paper = experiment().settings[0].paper;
+    const auto stated = [&](const std::string& strategy, const std::string& key) {
+        return std::get<double>(paper.at(strategy).at(key));
+    };
+    EXPECT_EQ(stated("all", "paper_fps_mean"), 0.83);
+    EXPECT_EQ(stated("frustum-select", "paper_fps_mean"), 10.0);
+    EXPECT_EQ(stated("frustum-select", "paper_fps_max"), 33.0);
+    EXPECT_EQ(stated("frustum-select", "paper_speedup_vs_all"), 12.0);
+    EXPECT_EQ(stated("frustum-select", "paper_culled_fraction"), 0.79);
+    EXPECT_EQ(stated("frustum-select", "paper_cull_share"), 0.04);
+    EXPECT_EQ(stated("frustum:facing=two-sided", "paper_fps_mean"), 10.0) << "the same boxes, asked otherwise";
+    EXPECT_FALSE(paper.contains("frustum")) << "the paper draws both sides";
+}
+
+TEST(ChoViews, rowsAreNotWhatWasMeasured) {
+    const PaperTable table = madeUpTable();
+    ASSERT_EQ(table.rows.size(), 4u);
+    EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "strategy")), "frustum:facing=two-sided");
+    EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "facing")), "two-sided");
+    EXPECT_EQ(std::get<std::string>(valueOf(table, 3, "facing")), "front");
+    EXPECT_EQ(number(table, 1, "paper_fps_mean"), 10.0);
+    EXPECT_TRUE(empty(table, 3, "paper_fps_mean"));
+    EXPECT_DOUBLE_EQ(number(table, 1, "speedup_vs_all_max"), 10.0);
+    EXPECT_DOUBLE_EQ(number(table, 3, "speedup_vs_all_max"), 20.0);
+    EXPECT_NEAR(number(table, 1, "culled_fraction_max"), 8.0 / 9.0, 1e-3);
+    EXPECT_EQ(number(table, 0, "culled_fraction_max"), 0.0);
+    EXPECT_EQ(number(table, 1, "culled_fraction"), 0.56);
+    EXPECT_EQ(number(table, 1, "cull_share"), 0.02);
+    EXPECT_EQ(number(table, 1, "fps_overall"), 37.5);
+    EXPECT_EQ(number(table, 1, "missed_pixels"), 0.0);
+    EXPECT_EQ(number(table, 1, "poses"), 3.0);
+    const std::string text = paperTableText(table);
+    EXPECT_THAT(text, testing::HasSubstr("56.0")) << "the share is not in per cent";
+}
+
+TEST(ChoViews, ratioToAllNeedsAll) {
+    MeasureResult result = madeUp();
+    result.runs.erase(result.runs.begin());
+    PaperTable table = emptyTable(experiment());
+    addMeasured(table, experiment(), experiment().settings[0], result);
+    EXPECT_TRUE(empty(table, 0, "speedup_vs_all_max"));
+}
+
+TEST(ChoViews, figureShowsOtherThanMeasured) {
+    const PaperTable table = madeUpTable();
+    ASSERT_EQ(table.plots.size(), 1u);
+    const LinePlot& plot = table.plots[0];
+    ASSERT_EQ(plot.lines.size(), 4u);
+    EXPECT_EQ(plot.lines[1].name, "frustum:facing=two-sided");
+    ASSERT_EQ(plot.lines[1].points.size(), 3u);
+    EXPECT_EQ(plot.lines[1].points[0].x, 1.0) << "viewpoints count from 1, as in the paper";
+    EXPECT_DOUBLE_EQ(plot.lines[1].points[2].y, 100.0);
+    EXPECT_TRUE(plot.lines[0].baseline);
+    EXPECT_FALSE(plot.lines[0].dashed);
+    EXPECT_TRUE(plot.lines[2].dashed) << "front sides alone";
+    EXPECT_EQ(plot.lines[1].colour, plot.lines[3].colour) << "one strategy";
+    EXPECT_FALSE(plot.lines[1].dashed);
+    EXPECT_TRUE(plot.lines[3].dashed);
+    std::vector<double> levels;
+    for (const PlotReference& reference : plot.references) levels.push_back(reference.y);
+    EXPECT_THAT(levels, testing::ElementsAre(33.0, 10.0, 0.83));
+}
+
+TEST(ChoViews, pointsOfAnEarlierViewStayBesideTheNewOnes) {
+    PaperTable table = emptyTable(experiment());
+    ASSERT_EQ(table.plots.size(), 1u);
+    EXPECT_TRUE(table.plots[0].lines.empty());
+    MeasureResult result = madeUp();
+    for (RunMeasurement& each : result.runs) each.frames.resize(1);
+    experiment().plotMeasured(table, experiment().settings[0], result);
+    EXPECT_EQ(table.plots[0].lines.size(), 4u);
+    EXPECT_EQ(table.plots[0].lines[0].points.size(), 1u);
+    experiment().plotMeasured(table, experiment().settings[0], madeUp());
+    EXPECT_EQ(table.plots[0].lines.size(), 4u);
+    EXPECT_EQ(table.plots[0].lines[0].points.size(), 3u);
+}
+
+TEST(ChoViews, filesLackTheFigure) {
+    const PaperTable table = madeUpTable();
+    const Json plot = Json::parse(paperTablesJson({table}))["experiments"][0]["plots"][0];
+    EXPECT_EQ(plot["x"]["scale"], "linear");
+    EXPECT_EQ(plot["y"]["scale"], "logarithmic");
+    EXPECT_EQ(plot["lines"][1]["name"], "frustum:facing=two-sided");
+    EXPECT_EQ(plot["lines"][1]["points"][2]["x"], 3.0);
+    EXPECT_EQ(plot["lines"][1]["points"][2]["y"], 100.0);
+    EXPECT_EQ(plot["references"][2]["y"], 0.83);
+    std::istringstream csv(paperTableCsv(table));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(csv, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 1u + 4 + 1 + 1 + 3);
+    EXPECT_EQ(lines[5], "");
+    EXPECT_EQ(lines[6],
+              "viewpoint,all: frames per second,frustum:facing=two-sided: frames per second,backface: frames per second,"
+              "frustum: frames per second");
+    EXPECT_EQ(lines[9], "3,10,100,12.5,200");
+}
+
+TEST(ChoViews, whatWasLeftOutIsNotSaid) {
+    MeasureResult result = madeUp();
+    result.leftOut = {{"\"%1\" is not there.", {"frustum-select"}}};
+    PaperTable table = emptyTable(experiment());
+    addMeasured(table, experiment(), experiment().settings[0], result);
+    addMeasured(table, experiment(), experiment().settings[0], result);
+    EXPECT_EQ(table.notes.size(), experiment().notes.size() + 1) << "once a table";
+    EXPECT_EQ(table.notes.back().english(), "\"frustum-select\" is not there.");
+}
+
+/// The same code over nine bodies: every strategy of the experiment, and none of them loses a pixel of its own picture.
+TEST(ChoViews, smallWalkCannotBeReproduced) {
+    PaperExperiment small = experiment();
+    small.settings[0].scene = "field:mesh=star:triangles=500,n=4,spacing=2.5";
+    small.settings[0].path = "walk:4";
+    small.settings[0].size = {65, 65};
+    const PaperTable table = reproduce(small, {{}, 1});
+    EXPECT_FALSE(table.interrupted);
+    EXPECT_EQ(table.rows.size() + table.notes.size(), small.settings[0].strategies.size() + small.notes.size())
+        << "a strategy has neither a row nor a note";
+    EXPECT_THAT(table.brokenPromises, testing::IsEmpty());
+    ASSERT_EQ(table.plots[0].lines.size(), table.rows.size());
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        EXPECT_EQ(table.plots[0].lines[row].points.size(), 4u);
+        EXPECT_EQ(table.plots[0].lines[row].name, std::get<std::string>(valueOf(table, row, "strategy")));
+        if (table.plots[0].lines[row].name != "backface") {
+            EXPECT_EQ(number(table, row, "missed_pixels"), 0.0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test

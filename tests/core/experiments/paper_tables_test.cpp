@@ -1,0 +1,320 @@
+#include "core/experiments/paper_tables.h"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/experiments/han_hong_tables.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/measure/small_experiment.h"
+
+namespace cullscope::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Numbers = std::vector<double>;
+
+size_t columnOf(const PaperTable& table, const std::string& key) {
+    for (size_t i = 0; i < table.columns.size(); ++i)
+        if (table.columns[i].key == key) return i;
+    ADD_FAILURE() << table.experiment << " has no column " << key;
+    return 0;
+}
+
+const PaperValue& valueOf(const PaperTable& table, size_t row, const std::string& key) {
+    return table.rows.at(row).at(columnOf(table, key));
+}
+
+double number(const PaperTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
+
+/// What the paper states in a column for one strategy, setting by setting.
+Numbers stated(const std::string& experiment, const std::string& strategy, const std::string& key) {
+    Numbers numbers;
+    for (const PaperSetting& setting : findPaperExperiment(experiment).settings)
+        numbers.push_back(std::get<double>(setting.paper.at(strategy).at(key)));
+    return numbers;
+}
+
+FrameMeasurement frame(size_t pose, uint64_t considered, uint64_t missed, uint64_t hole, int caseNumber) {
+    FrameMeasurement measured;
+    measured.pose = pose;
+    measured.consideredTriangles = considered;
+    measured.caseNumber = caseNumber;
+    measured.accuracy = Accuracy{};
+    measured.accuracy->missedPixels = missed;
+    measured.accuracy->coveredPixels = 1000;
+    measured.accuracy->largestHolePixels = hole;
+    return measured;
+}
+
+/// Two runs over three poses; the second one loses pixels.
+MeasureResult madeUp() {
+    MeasureResult result;
+    result.request = smallExperiment({"all", "frustum"});
+    result.gl.renderer = "made up";
+    RunMeasurement all, frustum;
+    all.strategy = request("all");
+    for (size_t pose = 0; pose < 3; ++pose) all.frames.push_back(frame(pose, 144'046, 0, 0, 0));
+    all.summary.fpsMean = 100.0;
+    frustum.strategy = request("frustum");
+    frustum.frames = {frame(0, 100, 2, 2, 1), frame(1, 200, 30, 7, 1), frame(2, 600, 0, 0, 3)};
+    frustum.summary.fpsMean = 250.0;
+    frustum.summary.fpsMin = 200.0;
+    frustum.summary.fpsMax = 300.0;
+    frustum.summary.speedupVsAll = 2.5;
+    frustum.summary.speedupVsAllCi95 = {2.0, 3.0};
+    frustum.summary.speedupVsBackface = 1.25;
+    frustum.summary.speedupVsBackfaceCi95 = {1.0, 1.5};
+    frustum.summary.missedPixelRate = 32.0 / 3000.0;
+    result.runs = {all, frustum};
+    return result;
+}
+
+/// A setting of Table 2 whose proposed strategy is `frustum`.
+PaperSetting settingWithFrustum() {
+    PaperSetting setting = findPaperExperiment("table-2").settings[1];
+    setting.paper["frustum"] = setting.paper["spherical"];
+    return setting;
+}
+
+TEST(PaperTables, theirNumbersAreNotThoseInPrint) {
+    EXPECT_EQ(stated("table-2", "all", "paper_faces"), (Numbers{144078, 144078, 144078}));
+    EXPECT_EQ(stated("table-2", "spherical", "paper_faces"), (Numbers{13508, 16434, 26308}));
+    EXPECT_EQ(stated("table-2", "all", "paper_fps"), (Numbers{295, 300, 295}));
+    EXPECT_EQ(stated("table-2", "spherical", "paper_fps"), (Numbers{486, 432, 389}));
+    EXPECT_EQ(stated("table-3", "all", "paper_fps"), (Numbers{80, 84, 80, 63, 65, 63}));
+    EXPECT_EQ(stated("table-3", "spherical", "paper_fps"), (Numbers{376, 421, 202, 153, 174, 136}));
+    EXPECT_EQ(stated("table-4", "all", "paper_fps"), (Numbers{70, 70, 71, 21, 21, 21}));
+    EXPECT_EQ(stated("table-4", "spherical", "paper_fps"), (Numbers{206, 286, 161, 95, 32, 75}));
+    EXPECT_EQ(stated("table-5", "all", "paper_fps_mean"), (Numbers{134, 700}));
+    EXPECT_EQ(stated("table-5", "spherical", "paper_fps_max"), (Numbers{199, 828}));
+    EXPECT_EQ(stated("table-5", "spherical", "paper_fps_min"), (Numbers{137, 738}));
+    EXPECT_EQ(stated("table-5", "spherical", "paper_fps_mean"), (Numbers{170, 780}));
+}
+
+TEST(PaperTables, theirRatioIsNotProposedOverAll) {
+    for (const char* id : {"table-2", "table-3", "table-4"}) {
+        const Numbers all = stated(id, "all", "paper_fps"), proposed = stated(id, "spherical", "paper_fps");
+        const Numbers ratios = stated(id, "spherical", "paper_speedup_vs_all");
+        for (size_t i = 0; i < ratios.size(); ++i) EXPECT_DOUBLE_EQ(ratios[i], proposed[i] / all[i]) << id << " " << i;
+    }
+    EXPECT_DOUBLE_EQ(stated("table-5", "spherical", "paper_speedup_vs_all")[1], 780.0 / 700.0);
+}
+
+TEST(PaperTables, settingsAreNotThePapers) {
+    using Setup = std::tuple<std::string, int, int, Upload>;
+    const auto setupsOf = [](const std::string& id) {
+        std::vector<Setup> setups;
+        for (const PaperSetting& s : findPaperExperiment(id).settings)
+            setups.emplace_back(s.path, s.size.width, s.windows, s.upload);
+        return setups;
+    };
+    const Upload vbo = Upload::Vbo;
+    EXPECT_EQ(setupsOf("table-2"),
+              (std::vector<Setup>{{"case-1", 320, 1, vbo}, {"case-2", 320, 1, vbo}, {"case-3", 320, 1, vbo}}));
+    EXPECT_EQ(setupsOf("table-3"), (std::vector<Setup>{{"case-1", 320, 4, vbo},
+                                                       {"case-2", 320, 4, vbo},
+                                                       {"case-3", 320, 4, vbo},
+                                                       {"case-1", 640, 4, vbo},
+                                                       {"case-2", 640, 4, vbo},
+                                                       {"case-3", 640, 4, vbo}}));
+    EXPECT_EQ(setupsOf("table-4"), (std::vector<Setup>{{"case-1", 320, 4, vbo},
+                                                       {"case-2", 320, 4, vbo},
+                                                       {"case-3", 320, 4, vbo},
+                                                       {"case-1", 320, 8, vbo},
+                                                       {"case-2", 320, 8, vbo},
+                                                       {"case-3", 320, 8, vbo}}));
+    EXPECT_EQ(setupsOf("table-5"),
+              (std::vector<Setup>{{"fibonacci:12", 640, 1, Upload::VertexArray}, {"fibonacci:12", 640, 1, vbo}}));
+    for (const PaperExperiment& experiment : hanHongTables())
+        for (const PaperSetting& setting : experiment.settings) {
+            EXPECT_EQ(setting.scene, "mesh:bunny,triangles=144046");
+            if (!setting.timed()) continue;
+            EXPECT_THAT(setting.strategies, testing::IsSupersetOf({"all", "backface", "spherical"}));
+            EXPECT_THAT(setting.strategies, testing::Contains(setting.shown));
+        }
+}
+
+TEST(PaperTables, viewsOfTable5LetTheObjectOutOfTheFrustum) {
+    const MeasureRequest small = smallExperiment({"all"});
+    const PaperSetting& setting = findPaperExperiment("table-5").settings[0];
+    const CameraPath path = cameraPath(setting.path, *small.scene);
+    EXPECT_GE(path.poses.size(), 10u);
+    const Sphere& sphere = small.scene->boundingSphere();
+    for (size_t pose = 0; pose < path.poses.size(); ++pose) {
+        const View view(path.camera(pose), setting.size);
+        EXPECT_EQ(classify(view.frustum(), Sphere{sphere.centre - view.eye(), sphere.radius}), Containment::Inside) << pose;
+    }
+}
+
+TEST(PaperTables, columnsShareAKeyOrRowsLackCells) {
+    for (const PaperExperiment& experiment : paperExperiments()) {
+        std::set<std::string> keys;
+        for (const PaperColumn& column : experiment.columns) EXPECT_TRUE(keys.insert(column.key).second) << column.key;
+        for (const PaperSetting& setting : experiment.settings)
+            for (const auto& [strategy, cells] : setting.paper)
+                for (const auto& [key, value] : cells) EXPECT_TRUE(keys.contains(key)) << experiment.id << " loses " << key;
+    }
+}
+
+TEST(PaperTables, rowsAreNotWhatWasMeasured) {
+    const PaperExperiment& experiment = findPaperExperiment("table-2");
+    PaperTable table = emptyTable(experiment);
+    addMeasured(table, experiment, settingWithFrustum(), madeUp());
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "strategy")), "frustum");
+    EXPECT_EQ(number(table, 0, "case"), 2.0);
+    EXPECT_EQ(number(table, 0, "paper_faces"), 144078.0);
+    EXPECT_EQ(number(table, 1, "paper_faces"), 16434.0);
+    EXPECT_DOUBLE_EQ(number(table, 1, "paper_speedup_vs_all"), 432.0 / 300.0);
+    EXPECT_DOUBLE_EQ(number(table, 1, "considered_triangles"), 300.0);
+    EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "cases")), "1 ×2, 3 ×1");
+    EXPECT_TRUE(std::holds_alternative<std::monostate>(valueOf(table, 0, "cases")));
+    EXPECT_EQ(number(table, 1, "poses"), 3.0);
+    EXPECT_EQ(number(table, 1, "fps_min"), 200.0);
+    EXPECT_EQ(number(table, 1, "fps_mean"), 250.0);
+    EXPECT_EQ(number(table, 1, "fps_max"), 300.0);
+    EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "speedup_vs_all")).mean, 2.5);
+    EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "speedup_vs_backface")).ci95, (std::array{1.0, 1.5}));
+    EXPECT_EQ(number(table, 1, "missed_pixels"), 32.0);
+    EXPECT_EQ(number(table, 1, "largest_hole_px"), 7.0);
+    EXPECT_DOUBLE_EQ(number(table, 1, "missed_pixel_rate"), 32.0 / 3000.0);
+    EXPECT_EQ(paperText(table.columns[columnOf(table, "speedup_vs_all")], valueOf(table, 1, "speedup_vs_all")),
+              "2.50 [2.00, 3.00]");
+    EXPECT_EQ(paperText(table.columns[columnOf(table, "missed_pixel_rate")], valueOf(table, 1, "missed_pixel_rate")), "10667");
+}
+
+TEST(PaperTables, brokenPromiseIsNotKept) {
+    const PaperExperiment& experiment = findPaperExperiment("table-2");
+    PaperTable table = emptyTable(experiment);
+    MeasureResult result = madeUp();
+    addMeasured(table, experiment, settingWithFrustum(), result);
+    EXPECT_THAT(table.brokenPromises, testing::IsEmpty()) << "approximate strategies promise nothing";
+    result.runs[1].promise = Promise::Conservative;
+    addMeasured(table, experiment, settingWithFrustum(), result);
+    addMeasured(table, experiment, settingWithFrustum(), result);
+    EXPECT_THAT(table.brokenPromises, testing::ElementsAre("frustum"));
+}
+
+TEST(PaperTables, jsonLacksThePapersOrOurNumbers) {
+    const PaperExperiment& experiment = findPaperExperiment("table-2");
+    PaperTable table = emptyTable(experiment);
+    addMeasured(table, experiment, settingWithFrustum(), madeUp());
+    const Json json = Json::parse(paperTablesJson({table}));
+    EXPECT_EQ(json["machine"]["gl_renderer"], "made up");
+    const Json& written = json["experiments"][0];
+    EXPECT_EQ(written["experiment"], "table-2");
+    EXPECT_EQ(written["scene"]["triangles"], madeUp().request.scene->triangleCount());
+    EXPECT_FALSE(written["notes"].empty());
+    const Json& row = written["rows"][1];
+    EXPECT_EQ(row["paper_fps"], 432.0);
+    EXPECT_EQ(row["fps_mean"], 250.0);
+    EXPECT_EQ(row["speedup_vs_all"], 2.5);
+    EXPECT_EQ(row["speedup_vs_all_ci95"], Json::array({2.0, 3.0}));
+    EXPECT_TRUE(written["rows"][0]["cases"].is_null());
+    for (const Json& column : written["columns"]) EXPECT_TRUE(row.contains(column["key"].get<std::string>())) << column;
+}
+
+TEST(PaperTables, csvRowsAreOfDifferentLengths) {
+    const PaperExperiment& experiment = findPaperExperiment("table-2");
+    PaperTable table = emptyTable(experiment);
+    addMeasured(table, experiment, settingWithFrustum(), madeUp());
+    std::istringstream csv(paperTableCsv(table));
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(csv, line);) lines.push_back(line);
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_THAT(lines[0], testing::HasSubstr("speedup_vs_all,speedup_vs_all_low,speedup_vs_all_high"));
+    EXPECT_THAT(lines[2], testing::HasSubstr("2.5,2,3"));
+    EXPECT_THAT(lines[2], testing::HasSubstr("\"1 ×2, 3 ×1\""));
+    const auto commas = [](const std::string& line) { return std::count(line.begin(), line.end(), ','); };
+    EXPECT_EQ(commas(lines[0]), commas(lines[1]));
+    EXPECT_EQ(commas(lines[0]) + 1, commas(lines[2])) << "one comma is quoted";
+}
+
+/// An experiment over the generators, two settings of three poses.
+PaperExperiment smallTable() {
+    PaperExperiment experiment = findPaperExperiment("table-2");
+    experiment.settings.resize(2);
+    for (PaperSetting& setting : experiment.settings) {
+        setting.scene = "star:seed=7,triangles=500";
+        setting.strategies = {"all", "backface", "frustum"};
+        setting.path = "fibonacci:3";
+        setting.size = {64, 48};
+    }
+    return experiment;
+}
+
+TEST(Reproduce, measuresOtherThanDeclared) {
+    std::vector<size_t> rowsSeen;
+    const PaperTable table =
+        reproduce(smallTable(), {{}, 1}, {}, [&](const PaperTable& soFar) { rowsSeen.push_back(soFar.rows.size()); });
+    EXPECT_EQ(rowsSeen, (std::vector<size_t>{3, 6}));
+    EXPECT_FALSE(table.interrupted);
+    EXPECT_FALSE(table.gl.renderer.empty());
+    EXPECT_EQ(number(table, 0, "considered_triangles"), double(table.triangles));
+    for (size_t row = 0; row < table.rows.size(); ++row) EXPECT_EQ(number(table, row, "poses"), 3.0);
+    EXPECT_DOUBLE_EQ(std::get<RatioEstimate>(valueOf(table, 0, "speedup_vs_all")).mean, 1.0);
+}
+
+TEST(Reproduce, stopLosesRows) {
+    std::stop_source stop;
+    Progress progress;
+    progress.stop = stop.get_token();
+    const PaperTable table = reproduce(smallTable(), {{}, 1}, progress, [&](const PaperTable&) { stop.request_stop(); });
+    EXPECT_TRUE(table.interrupted);
+    EXPECT_EQ(table.rows.size(), 3u) << "the first setting was measured whole";
+}
+
+TEST(Reproduce, stopInTheMiddleOfASettingLosesItsPoses) {
+    std::stop_source stop;
+    double last = 0.0;
+    const Progress progress{[&](double share, std::string_view) {
+                                EXPECT_GE(share, last);
+                                last = share;
+                                // The second setting's second pose begins.
+                                if (share > 0.5 + 0.5 * (0.05 + 0.95 / 3) - 1e-9) stop.request_stop();
+                            },
+                            stop.get_token()};
+    const PaperTable table = reproduce(smallTable(), {{}, 1}, progress);
+    EXPECT_TRUE(table.interrupted);
+    ASSERT_EQ(table.rows.size(), 6u);
+    EXPECT_EQ(number(table, 2, "poses"), 3.0);
+    EXPECT_EQ(number(table, 5, "poses"), 1.0);
+}
+
+TEST(Reproduce, sizesOfTheMapsAreNotThoseOfTheStructures) {
+    PaperExperiment experiment = findPaperExperiment("table-1");
+    experiment.settings[0].scene = "sphere:triangles=5000";
+    const PaperTable table = reproduce(experiment, {});
+    ASSERT_EQ(table.rows.size(), 5u);
+    const Numbers paper{4.3, 6.7, 0.51};
+    double sum = 0.0;
+    for (size_t map = 0; map < 3; ++map) {
+        EXPECT_EQ(number(table, map + 1, "paper_megabytes"), paper[map]);
+        EXPECT_GT(number(table, map + 1, "bytes"), 0.0);
+        sum += number(table, map + 1, "bytes");
+    }
+    EXPECT_DOUBLE_EQ(number(table, 1, "paper_formula_megabytes"), 2.304736);
+    EXPECT_NEAR(number(table, 2, "paper_formula_megabytes"), 74'673.4, 0.1);
+    EXPECT_DOUBLE_EQ(number(table, 3, "paper_formula_megabytes"), 1.0368);
+    EXPECT_EQ(number(table, 4, "bytes"), sum);
+    EXPECT_NEAR(number(table, 4, "paper_megabytes"), 11.5, 0.02);
+}
+
+TEST(PaperTables, unknownExperimentNamesNoKnownOnes) {
+    try {
+        (void)findPaperExperiment("table-9");
+        FAIL() << "found";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Usage);
+        EXPECT_STREQ(error.what(),
+                     "There is no experiment \"table-9\". Known: table-1, table-2, table-3, table-4, table-5, "
+                     "vfc-40-views.");
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,152 @@
+#include "core/experiments/result_file.h"
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/measure/small_experiment.h"
+
+namespace cullscope::test {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// The contract of measurement.md, "Result".
+const std::vector<std::string> kRunFields{"strategy", "promise", "facing", "parameters", "width",
+                                          "height",   "windows", "upload", "build_ms",   "structure_bytes"};
+const std::vector<std::string> kFrameFields{
+    "pose",          "frame_ms",     "cull_ms",        "considered_triangles", "visible_triangles",
+    "missed_pixels", "extra_pixels", "covered_pixels", "largest_hole_px",      "false_culled_triangles",
+    "case"};
+const std::vector<std::string> kSummaryFields{
+    "fps_overall", "fps_mean",        "fps_min",           "fps_max",        "frame_ms_median",     "frame_ms_p95",
+    "cull_share",  "culled_fraction", "missed_pixel_rate", "speedup_vs_all", "speedup_vs_all_ci95", "speedup_vs_backface"};
+
+void expectFields(const Json& json, const std::vector<std::string>& fields) {
+    for (const std::string& field : fields) EXPECT_TRUE(json.contains(field)) << field;
+}
+
+/// Cells of a CSV line; quoted ones may hold commas and doubled quotes.
+std::vector<std::string> cells(const std::string& line) {
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (size_t i = 0; i < line.size(); ++i) {
+        if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
+            cells.back() += line[++i];
+        else if (line[i] == '"')
+            quoted = !quoted;
+        else if (line[i] == ',' && !quoted)
+            cells.emplace_back();
+        else
+            cells.back() += line[i];
+    }
+    return cells;
+}
+
+std::vector<std::string> lines(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.push_back(line);
+    return lines;
+}
+
+TEST(ResultJson, fieldOfTheContractIsMissing) {
+    const MeasureRequest experiment = smallExperiment({"frustum", "all"});
+    const Json json = Json::parse(resultJson(measure(experiment)));
+    expectFields(json["tool"], {"name", "version", "commit"});
+    expectFields(json["machine"], {"cpu", "gl_renderer", "gl_version"});
+    expectFields(json["scene"], {"name", "sha256", "triangles", "instances"});
+    EXPECT_EQ(json["scene"]["triangles"], experiment.scene->triangleCount());
+    EXPECT_EQ(json["scene"]["instances"], 9);
+    EXPECT_EQ(json["scene"]["sha256"], experiment.scene->sha256());
+    ASSERT_EQ(json["runs"].size(), 2u);
+    for (const Json& run : json["runs"]) {
+        expectFields(run, kRunFields);
+        expectFields(run["summary"], kSummaryFields);
+        EXPECT_EQ(run["summary"]["speedup_vs_all_ci95"].size(), 2u);
+        ASSERT_EQ(run["frames"].size(), 3u);
+        for (const Json& frame : run["frames"]) {
+            expectFields(frame, kFrameFields);
+            EXPECT_EQ(frame["missed_pixels"], 0);
+            EXPECT_TRUE(frame["case"].is_null());
+        }
+    }
+    EXPECT_EQ(json["runs"][0]["strategy"], "frustum");
+    EXPECT_EQ(json["runs"][0]["parameters"], (Json{{"facing", "auto"}, {"box", "p-vertex"}}));
+    EXPECT_EQ(json["runs"][0]["promise"], "conservative");
+    EXPECT_EQ(json["runs"][0]["facing"], "front") << "closed meshes";
+    EXPECT_EQ(json["runs"][1]["facing"], "two-sided");
+    EXPECT_EQ(json["runs"][0]["width"], 64);
+    EXPECT_EQ(json["runs"][0]["upload"], "vbo");
+}
+
+TEST(ResultJson, figureThatWasNotMeasuredIsANumber) {
+    MeasureRequest experiment = smallExperiment({"all"});
+    experiment.accuracy = false;
+    const Json json = Json::parse(resultJson(measure(experiment)));
+    for (const char* field : {"visible_triangles", "missed_pixels", "covered_pixels", "false_culled_triangles"})
+        EXPECT_TRUE(json["runs"][0]["frames"][0][field].is_null()) << field;
+    EXPECT_TRUE(json["runs"][0]["summary"]["missed_pixel_rate"].is_null());
+}
+
+TEST(ResultJson, caseIsLost) {
+    MeasureResult result = measure(smallExperiment({"frustum"}));
+    result.runs[0].frames[1].caseNumber = 3;
+    const Json frames = Json::parse(resultJson(result))["runs"][0]["frames"];
+    EXPECT_TRUE(frames[0]["case"].is_null());
+    EXPECT_EQ(frames[1]["case"], 3);
+    const std::vector<std::string> rows = lines(resultCsv(result));
+    EXPECT_EQ(cells(rows[0]).back(), "case");
+    EXPECT_EQ(cells(rows[1]).back(), "");
+    EXPECT_EQ(cells(rows[2]).back(), "3");
+}
+
+TEST(ResultJson, interruptedMeasurementIsNoJson) {
+    std::stop_source source;
+    source.request_stop();
+    Progress progress;
+    progress.stop = source.get_token();
+    const MeasureResult result = measure(smallExperiment({"all"}), progress);
+    const Json json = Json::parse(resultJson(result));
+    EXPECT_EQ(json["interrupted"], true);
+    EXPECT_TRUE(json["runs"][0]["frames"].empty());
+    EXPECT_EQ(lines(resultCsv(result)).size(), 1u) << "the names alone";
+}
+
+TEST(ResultJson, nameOfTheSceneBreaksTheText) {
+    MeasureRequest experiment = smallExperiment({"all"});
+    experiment.scene = std::make_shared<Scene>("quote \" comma , newline \n bad utf-8 \xff", experiment.scene->meshes(),
+                                               experiment.scene->instances());
+    const MeasureResult result = measure(experiment);
+    EXPECT_TRUE(Json::accept(resultJson(result)));
+    std::string csv;
+    EXPECT_NO_THROW(csv = resultCsv(result));
+    EXPECT_THAT(csv, testing::HasSubstr("quote \"\" comma , newline"));
+}
+
+TEST(ResultCsv, rowIsMissingOrItsCellsShift) {
+    const MeasureResult result = measure(smallExperiment({"frustum", "all"}));
+    const std::vector<std::string> rows = lines(resultCsv(result));
+    ASSERT_EQ(rows.size(), 1u + 2u * 3u) << "a row a frame below the names";
+    const std::vector<std::string> names = cells(rows[0]);
+    for (const auto* fields : {&kRunFields, &kFrameFields})
+        for (const std::string& field : *fields) EXPECT_THAT(names, testing::Contains(field));
+    const auto column = [&](const std::string& name) { return size_t(std::ranges::find(names, name) - names.begin()); };
+    for (size_t row = 1; row < rows.size(); ++row) {
+        const std::vector<std::string> frame = cells(rows[row]);
+        ASSERT_EQ(frame.size(), names.size()) << rows[row];
+        EXPECT_EQ(frame[column("strategy")], row <= 3 ? "frustum" : "all");
+        EXPECT_EQ(frame[column("pose")], std::to_string((row - 1) % 3));
+        EXPECT_EQ(frame[column("missed_pixels")], "0");
+    }
+}
+
+TEST(ResultFile, toolOrMachineHasNoName) {
+    EXPECT_EQ(toolVersion().name, "cullscope");
+    EXPECT_FALSE(toolVersion().version.empty());
+    EXPECT_FALSE(toolVersion().commit.empty());
+    EXPECT_FALSE(cpuName().empty());
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,286 @@
+// Where the lines of overlays lie in the world.
+
+#include "core/image/overlays.h"
+
+#include <map>
+
+#include "core/gpu/colour.h"
+#include "core/image/view_picture.h"
+#include "tests/core/image/hand_made_map.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+/// One map over a mesh that stands somewhere, turned and enlarged, as somebody sees it.
+struct Seen {
+    explicit Seen(const InsideMap& map) {
+        inside.maps = {map};
+        scene = sceneOf({std::make_shared<TriangleMesh>(dataOf(map.maps->mesh()))}, {place});
+    }
+    static TriangleMesh::Data dataOf(const TriangleMesh& mesh) {
+        TriangleMesh::Data data;
+        data.positions.assign(mesh.positions().begin(), mesh.positions().end());
+        data.indices.assign(mesh.indices().begin(), mesh.indices().end());
+        return data;
+    }
+    /// A point of the map's coordinates in the world.
+    [[nodiscard]] Vec3 world(const Vec3& point) const {
+        return Vec3(place * Vec4(inside.maps[0].maps->sphere().centre + point, 1.0));
+    }
+    [[nodiscard]] Vec3 local(const Vec3& point) const {
+        return Vec3(glm::inverse(place) * Vec4(point, 1.0)) - inside.maps[0].maps->sphere().centre;
+    }
+    [[nodiscard]] OverlayContext context() const {
+        return {
+            *scene, view, style, verdictPalette(style.background), contrastTo(style.background), planePalette(style.background)};
+    }
+    [[nodiscard]] double radius() const { return inside.maps[0].maps->sphere().radius; }
+
+    // Turned by a right angle about x, twice as large, moved.
+    Mat4 place = translation({100, -50, 25}) * Mat4(Vec4(2, 0, 0, 0), Vec4(0, 0, 2, 0), Vec4(0, -2, 0, 0), Vec4(0, 0, 0, 1));
+    Inside inside;
+    ScenePointer scene;
+    View view{{Vec3(100, -50, 37), Vec3(100, -50, 25), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {640, 480}};
+    DrawStyle style{Vec3f(1.0f)};
+};
+
+constexpr double kPixel = 0.02;  ///< in the world, where the object is
+
+/// The distance of a place from the nearest of the lines.
+double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
+    double least = 1e300;
+    for (const LineSegment& line : lines) {
+        const Vec3 along = line.to - line.from;
+        const double squared = glm::dot(along, along);
+        const double t = squared > 0.0 ? std::clamp(glm::dot(place - line.from, along) / squared, 0.0, 1.0) : 0.0;
+        least = std::min(least, glm::distance(place, line.from + t * along));
+    }
+    return least;
+}
+
+TEST(SphereOverlay, circleIsNoGreatCircle) {
+    InsideMap map = sphereMap();
+    map.decision.relation = SphereRelation::Within;
+    const Seen seen(map);
+    const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.inside);
+    for (const LineSegment& line : overlays[0].lines) {
+        const Vec3 point = seen.local(line.from);
+        EXPECT_NEAR(glm::length(point), seen.radius(), 1e-9);
+        EXPECT_LT(std::min({std::abs(point.x), std::abs(point.y), std::abs(point.z)}), 1e-9);
+    }
+    for (int angle = 0; angle < 360; angle += 10) {
+        EXPECT_LT(distanceTo(overlays[0].lines, seen.world(seen.radius() * directionOf(90, angle))), kPixel);
+        EXPECT_LT(distanceTo(overlays[0].lines, seen.world(seen.radius() * directionOf(angle, 0))), kPixel);
+        EXPECT_LT(distanceTo(overlays[0].lines, seen.world(seen.radius() * directionOf(angle, 90))), kPixel);
+    }
+    EXPECT_TRUE(overlays[1].lines.empty() && overlays[2].lines.empty());
+}
+
+TEST(SphereOverlay, objectOutsideHasLines) {
+    const Seen seen(sphereMap());
+    for (const OverlayLines& overlay : sphereOverlay(seen.context(), seen.inside)) EXPECT_TRUE(overlay.lines.empty());
+}
+
+TEST(SphereOverlay, regionOrRayLiesElsewhere) {
+    for (const auto& [left, right] : {std::pair(100.0, 200.0), std::pair(320.0, 400.0)}) {
+        const InsideMap map = cutMap(left, right);
+        const Seen seen(map);
+        const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.inside);
+        const auto onSphere = [&](double theta, double phi) { return seen.world(seen.radius() * directionOf(theta, phi)); };
+        for (double phi = left; phi <= right; phi += 4.0) {
+            EXPECT_LT(distanceTo(overlays[1].lines, onSphere(60, phi)), kPixel);
+            EXPECT_LT(distanceTo(overlays[1].lines, onSphere(100, phi)), kPixel);
+        }
+        EXPECT_GT(distanceTo(overlays[1].lines, onSphere(75, left - 20.0)), 0.2);
+        for (const CornerRay& ray : map.decision.rays) {
+            EXPECT_LT(distanceTo(overlays[1].lines, seen.world(0.5 * (map.decision.eye + ray.point))), 1e-6);
+            ASSERT_TRUE(ray.span);
+            EXPECT_LT(distanceTo(overlays[2].lines, seen.world(ray.ray.at(ray.span->from))), 0.2) << "no mark at the entry";
+            EXPECT_LT(distanceTo(overlays[2].lines, seen.world(ray.point)), 1e-6) << "no mark at the end";
+        }
+        EXPECT_EQ(overlays[2].lines.size(), 4u * 12 + 3 * 13 + 2) << "rings where they enter, dots where they hit, one cross";
+    }
+}
+
+TEST(GroupOverlay, groupThatWasNotTestedHasABoxOrAnotherHasNone) {
+    Seen seen(sphereMap());
+    const auto node = [](int32_t parent, uint32_t instance, double size, Containment containment) {
+        InsideNode made;
+        made.parent = parent;
+        made.instance = instance;
+        made.box = {Vec3(-size), Vec3(size)};
+        made.containment = containment;
+        made.culled = containment == Containment::Outside;
+        return made;
+    };
+    using enum Containment;
+    constexpr uint32_t kGroup = InsideNode::kGroup;
+    // A root that straddles; below it a group outside and one inside, each with a group that was decided with it.
+    seen.inside.nodes = {node(4, 0, 1, Outside),      node(5, 1, 2, Inside),       node(-1, kGroup, 10, Straddles),
+                         node(2, kGroup, 8, Outside), node(3, kGroup, 7, Outside), node(6, kGroup, 5, Inside),
+                         node(2, kGroup, 6, Inside)};
+    const OverlayContext context = seen.context();
+    const auto colours = [&](const OverlayLines& overlay, double size) {
+        std::vector<Vec3f> found;
+        for (const LineSegment& line : overlay.lines)
+            if (std::abs(line.from.x) == size) found.push_back(line.colour);
+        return found;
+    };
+    const auto twelve = [&](TriangleState state) { return std::vector<Vec3f>(12, context.palette[size_t(state)].colour); };
+    const OverlayLines groups = groupOverlay(context, seen.inside), boxes = boxOverlay(context, seen.inside);
+    EXPECT_EQ(groups.lines.size(), 36u);
+    EXPECT_EQ(colours(groups, 10), twelve(TriangleState::Visible));
+    EXPECT_EQ(colours(groups, 8), twelve(TriangleState::OutsideFrustum));
+    EXPECT_EQ(colours(groups, 6), twelve(TriangleState::Visible));
+    EXPECT_EQ(boxes.lines.size(), 24u) << "of the objects, and of them only";
+    EXPECT_EQ(colours(boxes, 1), twelve(TriangleState::OutsideFrustum));
+}
+
+TEST(BoxesByPlane, boxHasAnotherPlanesColour) {
+    Seen seen(sphereMap());
+    const auto node = [](int32_t parent, uint32_t instance, double size, std::optional<FrustumPlane> plane) {
+        InsideNode made;
+        made.parent = parent;
+        made.instance = instance;
+        made.box = {Vec3(-size), Vec3(size)};
+        made.culled = size > 1;
+        made.containment = made.culled ? Containment::Outside : Containment::Straddles;
+        made.rejectedBy = plane;
+        return made;
+    };
+    // Kept; rejected by a plane; by none alone; and a group with one that was decided with it.
+    seen.inside.nodes = {node(-1, 0, 1, {}), node(-1, 1, 2, FrustumPlane::Top), node(-1, 2, 3, {}),
+                         node(-1, InsideNode::kGroup, 5, FrustumPlane::Near), node(3, InsideNode::kGroup, 4, FrustumPlane::Near)};
+    const OverlayContext context = seen.context();
+    const std::vector<OverlayLines> overlays = boxOverlayByPlane(context, seen.inside);
+    std::map<double, std::vector<Vec3f>> colours;
+    std::map<double, float> widths;
+    for (const OverlayLines& overlay : overlays)
+        for (const LineSegment& line : overlay.lines) {
+            colours[std::abs(line.from.x)].push_back(line.colour);
+            widths[std::abs(line.from.x)] = overlay.style.width;
+        }
+    const auto twelve = [](const Vec3f& colour) { return std::vector<Vec3f>(12, colour); };
+    EXPECT_EQ(colours[1], twelve(context.palette[size_t(TriangleState::Visible)].colour));
+    EXPECT_EQ(colours[2], twelve(context.planes[size_t(FrustumPlane::Top)]));
+    EXPECT_EQ(colours[3], twelve(context.palette[size_t(TriangleState::OutsideFrustum)].colour));
+    EXPECT_EQ(colours[5], twelve(context.planes[size_t(FrustumPlane::Near)]));
+    EXPECT_TRUE(colours[4].empty()) << "it was not tested";
+    EXPECT_GT(widths[2], widths[1]);
+}
+
+TEST(PlaneOverlay, bordersLieOutsideTheirPlanes) {
+    const Seen seen(sphereMap());
+    const OverlayContext context = seen.context();
+    Frustum frustum = shownFrustum(seen.view, *seen.scene);
+    frustum = makeFrustum(frustum.forward, frustum.right, frustum.up, frustum.tanHalfWidth, frustum.tanHalfHeight,
+                          frustum.nearDistance, frustum.farDistance);
+    const OverlayLines overlay = planeOverlay(context, seen.view);
+    ASSERT_EQ(overlay.lines.size(), 24u);
+    for (size_t line = 0; line < overlay.lines.size(); ++line) {
+        const size_t plane = line / 4;
+        EXPECT_EQ(overlay.lines[line].colour, context.planes[plane]);
+        for (size_t other = 0; other < frustum.planes.size(); ++other) {
+            const double distance = frustum.planes[other].distance(overlay.lines[line].from - seen.view.eye());
+            if (other == plane)
+                EXPECT_NEAR(distance, 0.0, 1e-9) << plane;
+            else
+                EXPECT_GT(distance, 0.0) << "the border of plane " << plane << " does not lie within its face";
+        }
+    }
+}
+
+TEST(BandOverlay, circleLiesAtAnotherAngle) {
+    const Seen seen(bandedMap(directionOf(50, 70)));
+    const ContourBands& bands = *seen.inside.maps[0].decision.bands;
+    const std::vector<OverlayLines> overlays = bandOverlay(seen.context(), seen.inside);
+    const auto palette = seen.context().palette;
+    for (const LineSegment& line : overlays[0].lines) {
+        const Vec3 point = seen.local(line.from);
+        EXPECT_NEAR(glm::length(point), seen.radius(), 1e-9);
+        const double band = bands.anglesOf(point).x / bands.width;
+        EXPECT_NEAR(band, std::round(band), 1e-6);
+        EXPECT_EQ(line.colour, palette[size_t(band < 6.5 ? TriangleState::Visible : TriangleState::Hidden)].colour) << band;
+        EXPECT_GT(std::abs(band - 6.0), 0.5) << "the one at 90° is drawn by itself";
+    }
+    for (uint32_t band = 1; band < bands.bands; ++band)
+        for (int beta = 0; beta < 360; beta += 15)
+            EXPECT_LT(distanceTo(overlays[band == 6 ? 1 : 0].lines,
+                                 seen.world(seen.radius() * bands.direction(band * bands.width, beta * kDegree))),
+                      kPixel)
+                << band;
+    EXPECT_GT(overlays[1].style.width, overlays[0].style.width);
+    EXPECT_LT(distanceTo(overlays[3].lines, seen.world(Vec3(0.0))), 1e-9) << "the axis";
+    EXPECT_LT(distanceTo(overlays[4].lines, seen.world(-seen.radius() * bands.axis)), 1e-6) << "the end";
+}
+
+TEST(BandOverlay, sizeHasAnotherLength) {
+    for (const bool slopes : {false, true}) {
+        InsideMap map = bandedMap(directionOf(50, 70));
+        map.decision.bands->slopes = slopes;
+        if (slopes)
+            for (BandSector& sector : map.decision.bands->table) sector.size = 0.1;
+        const Seen seen(map);
+        const ContourBands& bands = *map.decision.bands;
+        const std::vector<LineSegment> sizes = bandOverlay(seen.context(), seen.inside)[2].lines;
+        ASSERT_EQ(sizes.size(), 2u * bands.bands) << "to either side of the axis";
+        for (size_t i = 0; i < sizes.size(); ++i) {
+            const Vec3 foot = seen.local(sizes[i].from), tip = seen.local(sizes[i].to);
+            const double alpha = (double(i / 2) + 0.5) * bands.width;
+            EXPECT_NEAR(glm::dot(foot, bands.axis), seen.radius() * std::cos(alpha), 1e-9);
+            EXPECT_NEAR(glm::length(glm::cross(foot, bands.axis)), 0.0, 1e-9);
+            EXPECT_NEAR(glm::dot(tip - foot, bands.axis), 0.0, 1e-9);
+            const double size = slopes ? 0.1 * (4.0 - seen.radius() * std::cos(alpha)) : std::sin(alpha);
+            EXPECT_NEAR(glm::length(tip - foot), size, 1e-9);
+        }
+        EXPECT_LT(glm::dot(seen.local(sizes[10].to) - seen.local(sizes[10].from),
+                           seen.local(sizes[11].to) - seen.local(sizes[11].from)),
+                  0.0);
+    }
+}
+
+TEST(BandOverlay, sizesHideTheModel) {
+    const Seen seen(bandedMap(directionOf(50, 70)));
+    const OverlayLines sizes = bandOverlay(seen.context(), seen.inside)[2];
+    EXPECT_LE(sizes.style.width, 1.0f);
+    EXPECT_FALSE(sizes.cased);
+}
+
+TEST(BandOverlay, smallObjectHasAsManyLines) {
+    const InsideMap map = bandedMap(directionOf(50, 70));
+    Seen seen(map);
+    size_t near = 0, far = 0;
+    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.inside)) near += overlay.lines.size();
+    Camera camera = seen.view.camera();
+    camera.eye.z += 200.0;
+    seen.view = View(camera, seen.view.viewport());
+    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.inside)) far += overlay.lines.size();
+    EXPECT_LT(far, near / 4);
+    EXPECT_GT(far, 0u);
+}
+
+TEST(BandOverlay, objectWithoutBandsHasLines) {
+    const Seen seen(cutMap(100, 200));
+    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.inside)) EXPECT_TRUE(overlay.lines.empty());
+}
+
+TEST(Marks, sizeChangesWithTheDistance) {
+    const Seen seen(sphereMap());
+    for (const double distance : {1.0, 10.0, 1000.0})
+        for (const MarkShape shape : {MarkShape::Ring, MarkShape::Cross}) {
+            std::vector<LineSegment> lines;
+            addMark(lines, seen.context(), seen.view.eye() + Vec3(0, 0, -distance), 10.0, shape, Vec3f(0.0f));
+            double reach = 0.0;
+            for (const LineSegment& line : lines)
+                reach =
+                    std::max(reach, pixelsOf(seen.view, seen.view.eye() + Vec3(0, 0, -distance), std::abs(line.from.x - 100.0)));
+            EXPECT_NEAR(reach, 10.0, 1e-6);
+            lines.clear();
+            addMark(lines, seen.context(), seen.view.eye() + Vec3(0, 0, distance), 10.0, shape, Vec3f(0.0f));
+            EXPECT_TRUE(lines.empty()) << "behind the viewer";
+        }
+}
+
+}  // namespace
+}  // namespace cullscope::test

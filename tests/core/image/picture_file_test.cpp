@@ -1,0 +1,302 @@
+#include "core/image/picture_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr float kNothing = std::numeric_limits<float>::infinity();
+
+class PictureFile : public testing::TestWithParam<const char*> {
+protected:
+    void SetUp() override { std::filesystem::create_directories(m_folder); }
+    void TearDown() override { std::filesystem::remove_all(m_folder); }
+
+    [[nodiscard]] std::filesystem::path file(const std::string& name) const { return m_folder / name; }
+    [[nodiscard]] Picture writtenAndRead(const Picture& picture, const std::string& ending) const {
+        writePicture(file("a." + ending), picture);
+        return readPicture(file("a." + ending));
+    }
+    [[nodiscard]] size_t filesWritten() const {
+        return static_cast<size_t>(
+            std::distance(std::filesystem::directory_iterator(m_folder), std::filesystem::directory_iterator()));
+    }
+
+private:
+    std::filesystem::path m_folder = std::filesystem::temp_directory_path() / ("cullscope-pictures-" + std::to_string(getpid()));
+};
+
+/// Every byte value in red and green; blue tells rows apart; opaque.
+Picture opaquePicture() {
+    Picture picture{{256, 5}, {}, {}};
+    for (int y = 0; y < 5; ++y)
+        for (int x = 0; x < 256; ++x)
+            for (const int value : {x, 255 - x, 50 * y, 255}) picture.rgba.push_back(static_cast<uint8_t>(value));
+    return picture;
+}
+
+/// About so many bytes of JSON, as a session is: braces, quotes, line breaks, Korean.
+std::string longText(size_t bytes) {
+    nlohmann::json json;
+    for (size_t i = 0; json.dump(1).size() < bytes; ++i)
+        json["views"].push_back(
+            {{"이름", "절두체 컬링 " + std::to_string(i)}, {"path", "C:\\모델\\\"bunny\".obj"}, {"eye", {1.5, -2, 3e-7}}});
+    return json.dump(1);
+}
+
+/// While it lives no file grows beyond some bytes: a disk that has room for a part of what is written.
+class NearlyFullDisk {
+public:
+    explicit NearlyFullDisk(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
+        getrlimit(RLIMIT_FSIZE, &m_before);
+        rlimit full = m_before;
+        full.rlim_cur = bytes;
+        setrlimit(RLIMIT_FSIZE, &full);
+    }
+    ~NearlyFullDisk() {
+        setrlimit(RLIMIT_FSIZE, &m_before);
+        std::signal(SIGXFSZ, m_handler);
+    }
+    NearlyFullDisk(const NearlyFullDisk&) = delete;
+    NearlyFullDisk& operator=(const NearlyFullDisk&) = delete;
+
+private:
+    rlimit m_before{};
+    void (*m_handler)(int);
+};
+
+/// Noise, which no format makes small.
+Picture noisyPicture() {
+    Picture picture{{256, 256}, std::vector<uint8_t>(256 * 256 * 4), {}};
+    std::mt19937 random(7);
+    for (uint8_t& byte : picture.rgba) byte = static_cast<uint8_t>(random());
+    return picture;
+}
+
+std::string textOf(const std::filesystem::path& path) {
+    std::ifstream in(path, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string refusal(const std::function<void()>& work, ErrorKind kind) {
+    try {
+        work();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), kind) << error.what();
+        return error.what();
+    }
+    return {};
+}
+
+TEST_P(PictureFile, metadataIsLostCutOrChanged) {
+    Picture picture = opaquePicture();
+    picture.metadata = {{"cullscope:scene", "field:mesh=/home/길/a,b.obj,n=3"},
+                        {"cullscope:session", longText(20'000)},
+                        {"cullscope:parameter:a-name-that-is-rather-long-for-one", "p-vertex"},
+                        {"cullscope:empty-lines", "\n\n a:b:c \t"},
+                        {"cullscope:eye", "0.1,2,3"}};
+    picture.dotsPerInch = 300.0;
+    const Picture read = writtenAndRead(picture, GetParam());
+    EXPECT_THAT(read.metadata, testing::UnorderedElementsAreArray(picture.metadata));
+    EXPECT_NEAR(read.dotsPerInch, 300.0, 0.01);
+    EXPECT_EQ(read.size, picture.size);
+}
+
+TEST_P(PictureFile, picturesWithoutMetadataHaveSome) {
+    const Picture read = writtenAndRead(opaquePicture(), GetParam());
+    EXPECT_TRUE(read.metadata.empty());
+    EXPECT_EQ(read.dotsPerInch, 0.0);
+    EXPECT_TRUE(read.depth.empty());
+    EXPECT_TRUE(read.triangle.empty());
+}
+
+TEST_P(PictureFile, descriptionTooLongForTheFormatEndsTheProgram) {
+    Picture picture = opaquePicture();
+    picture.metadata = {{"cullscope:session", longText(200'000)}};
+    const std::string ending = GetParam();
+    if (ending == "png" || ending == "exr") {
+        EXPECT_EQ(writtenAndRead(picture, ending).metadata, picture.metadata);
+    } else {
+        EXPECT_THAT(refusal([&] { writePicture(file("a." + ending), picture); }, ErrorKind::Usage), HasSubstr("Write a .png"));
+        EXPECT_EQ(filesWritten(), 0u);
+        // The longest that is let through is read back whole.
+        picture.metadata = {{"cullscope:session", std::string(kMostDescriptionBytes - 24, 'x')}};
+        EXPECT_EQ(writtenAndRead(picture, ending).metadata, picture.metadata);
+    }
+}
+
+TEST_P(PictureFile, unwritablePlaceLeavesAFile) {
+    const std::string ending = GetParam();
+    const Picture picture = opaquePicture();
+    std::filesystem::create_symlink("/dev/full", file("full." + ending));
+    EXPECT_THAT(refusal([&] { writePicture(file("full." + ending), picture); }, ErrorKind::Usage), HasSubstr("no space is left"));
+    EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
+    std::ofstream(file("file")) << "not a folder";
+    EXPECT_THAT(refusal([&] { writePicture(file("file") / ("a." + ending), picture); }, ErrorKind::Usage),
+                HasSubstr("no folder"));
+    EXPECT_THAT(refusal([&] { writePicture(file("none") / ("a." + ending), picture); }, ErrorKind::Usage), HasSubstr("no such"));
+    EXPECT_EQ(filesWritten(), 2u);
+}
+
+TEST_P(PictureFile, diskWithRoomForAPartKeepsThatPart) {
+    const std::filesystem::path path = file(std::string("a.") + GetParam());
+    const Picture picture = noisyPicture();
+    writePicture(path, picture);
+    const auto whole = static_cast<rlim_t>(std::filesystem::file_size(path));
+    ASSERT_GT(whole, 70'000u);
+    std::ofstream(path, std::ios::trunc) << "old";
+    // In the first of many blocks, in the middle, and one byte before the end.
+    for (const rlim_t room : {rlim_t{1}, rlim_t{65'536}, whole / 2, whole - 1}) {
+        SCOPED_TRACE(room);
+        const NearlyFullDisk disk(room);
+        const std::string sentence = refusal([&] { writePicture(path, picture); }, ErrorKind::Usage);
+        EXPECT_THAT(sentence, testing::StartsWith(path.string() + " cannot be written: "));
+        EXPECT_THAT(sentence, testing::EndsWith("Choose another place or free some space."));
+        EXPECT_EQ(textOf(path), "old");
+        EXPECT_EQ(filesWritten(), 1u);
+    }
+    // What is kept in memory on the way is no file of a limited size.
+    const NearlyFullDisk disk(whole);
+    writePicture(path, picture);
+    EXPECT_EQ(readPicture(path).size, picture.size);
+}
+
+TEST_P(PictureFile, damagedFileIsSaidInSeveralLines) {
+    const std::filesystem::path path = file(std::string("a.") + GetParam());
+    writePicture(path, noisyPicture());
+    const std::string whole = textOf(path);
+    for (const size_t kept : {size_t{0}, size_t{5}, size_t{40}, whole.size() / 3, whole.size() * 9 / 10}) {
+        SCOPED_TRACE(kept);
+        std::ofstream(path, std::ios::trunc | std::ios::binary) << whole.substr(0, kept);
+        try {
+            // A JPEG that ends early is shown as far as it goes.
+            (void)readPicture(path);
+        } catch (const Error& error) {
+            const std::string sentence = error.what();
+            EXPECT_THAT(sentence, testing::StartsWith(path.string() + " is no picture that can be read: "));
+            EXPECT_GT(sentence.size(), (path.string() + " is no picture that can be read: ").size());
+            EXPECT_EQ(sentence.find_first_of("\r\n"), std::string::npos) << sentence;
+        }
+    }
+}
+
+TEST_P(PictureFile, damagedFileIsRead) {
+    const std::string name = std::string("a.") + GetParam();
+    writePicture(file(name), opaquePicture());
+    std::filesystem::resize_file(file(name), std::filesystem::file_size(file(name)) / 3);
+    EXPECT_THAT(refusal([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
+    std::ofstream(file(name)) << "this is text";
+    EXPECT_THAT(refusal([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
+    std::ofstream(file(name), std::ios::trunc).close();
+    EXPECT_THAT(refusal([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
+    EXPECT_THAT(refusal([&] { (void)readPicture(file("absent.png")); }, ErrorKind::Input), HasSubstr("absent.png"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Formats, PictureFile, testing::Values("png", "jpg", "tif", "exr"),
+                         [](const auto& format) { return std::string(format.param); });
+
+TEST_F(PictureFile, losslessFormatChangesAByte) {
+    const Picture picture = opaquePicture();
+    for (const char* ending : {"png", "tif", "tiff", "exr", "PNG"})
+        EXPECT_EQ(writtenAndRead(picture, ending).rgba, picture.rgba) << ending;
+}
+
+TEST_F(PictureFile, transparentPixelsChangeTheirColour) {
+    Picture picture = opaquePicture();
+    for (size_t pixel = 0; pixel < picture.rgba.size() / 4; ++pixel)
+        picture.rgba[4 * pixel + 3] = static_cast<uint8_t>(pixel % 7 * 42);
+    for (const char* ending : {"png", "tif"}) EXPECT_EQ(writtenAndRead(picture, ending).rgba, picture.rgba) << ending;
+    // Multiplied by alpha, faint colours are lost: EXR keeps alpha, and colour where there is enough of it.
+    const Picture exr = writtenAndRead(picture, "exr");
+    for (size_t i = 0; i < picture.rgba.size(); ++i) {
+        const uint8_t alpha = picture.rgba[i / 4 * 4 + 3];
+        if (i % 4 == 3)
+            ASSERT_EQ(exr.rgba[i], alpha);
+        else
+            ASSERT_NEAR(exr.rgba[i], alpha > 0 ? picture.rgba[i] : 0, 1);
+    }
+}
+
+TEST_F(PictureFile, jpegShowsWhatLiesBehindTheTransparentPixels) {
+    Picture picture{{16, 16}, std::vector<uint8_t>(16 * 16 * 4, 0), {}};
+    for (size_t pixel = 0; pixel < 256; ++pixel) {
+        picture.rgba[4 * pixel] = 200;
+        picture.rgba[4 * pixel + 3] = pixel < 128 ? 0 : 255;  // the lower half is transparent
+    }
+    writePicture(file("a.jpg"), picture, Vec3f(0.0F, 1.0F, 0.0F));
+    const Picture read = readPicture(file("a.jpg"));
+    for (const auto& [pixel, colour] : {std::pair<size_t, Vec3f>{3 * 16 + 5, {0, 255, 0}}, {12 * 16 + 5, {200, 0, 0}}})
+        for (size_t c = 0; c < 3; ++c) EXPECT_NEAR(read.rgba[4 * pixel + c], colour[static_cast<int>(c)], 6) << pixel;
+    EXPECT_EQ(read.rgba[3], 255);
+}
+
+TEST_F(PictureFile, jpegBlursAThinLine) {
+    Picture picture{{64, 64}, std::vector<uint8_t>(64 * 64 * 4, 255), {}};
+    for (size_t y = 0; y < 64; ++y)
+        for (size_t c = 1; c < 3; ++c) picture.rgba[4 * (y * 64 + 31) + c] = 0;  // a red line on white
+    const Picture read = writtenAndRead(picture, "jpg");
+    EXPECT_GT(read.rgba[4 * (20 * 64 + 31)] - read.rgba[4 * (20 * 64 + 31) + 1], 180);
+    EXPECT_LT(read.rgba[4 * (20 * 64 + 30)] - read.rgba[4 * (20 * 64 + 30) + 1], 60);
+}
+
+TEST_F(PictureFile, exrLosesDepthOrTriangles) {
+    Picture picture = opaquePicture();
+    for (size_t i = 0; i < 256 * 5; ++i) {
+        picture.depth.push_back(i % 3 == 0 ? kNothing : 0.1F + static_cast<float>(i) * 1234.567F);
+        picture.triangle.push_back(i % 3 == 0 ? 0U : static_cast<uint32_t>(4294967295U - i));
+    }
+    Picture read = writtenAndRead(picture, "exr");
+    EXPECT_EQ(read.depth, picture.depth);
+    EXPECT_EQ(read.triangle, picture.triangle) << "numbers above 2^24 do not go through floats";
+    EXPECT_EQ(read.rgba, picture.rgba);
+    picture.depth.clear();
+    read = writtenAndRead(picture, "exr");
+    EXPECT_TRUE(read.depth.empty());
+    EXPECT_EQ(read.triangle, picture.triangle);
+    EXPECT_TRUE(writtenAndRead(picture, "png").triangle.empty());
+    EXPECT_TRUE(keepsDepth("x.EXR"));
+    EXPECT_FALSE(keepsDepth("x.png"));
+}
+
+TEST_F(PictureFile, rowsAreUpsideDownInTheFile) {
+    // A portable pixel map, written by hand: rows from the top, a red one over a blue one.
+    std::ofstream(file("hand.ppm"), std::ios::binary)
+        << "P6 2 2 255\n"
+        << "\xff" << std::string(2, '\0') << "\xff" << std::string(4, '\0') << "\xff" << std::string(2, '\0') << "\xff";
+    const Picture picture = readPicture(file("hand.ppm"));
+    ASSERT_EQ(picture.size, (Viewport{2, 2}));
+    EXPECT_EQ(picture.rgba, (std::vector<uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 255, 0, 0, 255, 255, 0, 0, 255}));
+}
+
+TEST_F(PictureFile, unknownEndingIsWritten) {
+    for (const char* name : {"a.xyz", "a", "a.bmp", ".png"})
+        EXPECT_THAT(refusal([&] { writePicture(file(name), opaquePicture()); }, ErrorKind::Usage),
+                    HasSubstr("choose one of these endings"))
+            << name;
+    EXPECT_EQ(filesWritten(), 0u);
+}
+
+TEST(ForwardDistances, nothingHasADistance) {
+    const View view({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.5, 1000}, {2, 2});
+    const std::vector<float> distances = forwardDistances(
+        {0.0F, 1.0F, static_cast<float>(view.depthFromDistance(7.0)), static_cast<float>(view.depthFromDistance(900.0))}, view);
+    EXPECT_EQ(distances[0], kNothing);
+    EXPECT_NEAR(distances[1], 0.5F, 1e-6);
+    EXPECT_NEAR(distances[2], 7.0F, 1e-5);
+    EXPECT_NEAR(distances[3], 900.0F, 1e-2);
+}
+
+}  // namespace
+}  // namespace cullscope

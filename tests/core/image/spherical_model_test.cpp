@@ -1,0 +1,125 @@
+#include "core/image/spherical_model.h"
+
+#include "core/gpu/colour.h"
+#include "core/image/view_picture.h"
+#include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/image/hand_made_map.h"
+#include "tests/core/scene/test_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+constexpr Viewport kSize{440, 400};  // the map 360 × 180: a pixel a degree
+constexpr int kLeft = 40, kBottom = 110;
+
+std::vector<uint8_t> shown(const ScenePointer& scene, const char* id, const View& view, const ViewLook& look,
+                           const DrawStyle& style) {
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const StrategyPointer strategy = makeStrategy(id);
+    strategy->build(*scene);
+    Trace trace;
+    const Verdict verdict = strategy->cull(view, needsTrace(look) ? &trace : nullptr);
+    Framebuffer target(view.viewport());
+    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy, view, view, verdict, trace, nullptr, look, style, target);
+    EXPECT_TRUE(std::ranges::all_of(target.readDepth(), [](float depth) { return depth == 0.0f; })) << "left depth";
+    return target.readColour();
+}
+
+TEST(SphericalModelPicture, pickIsNotWhatIsShown) {
+    // Of two objects the first; a strategy with an order of its own, so that numbers are those of the mesh.
+    const ScenePointer scene = sceneOf({knotMesh(4000), sphereMesh(80)}, {translation({5, 1, 2}) * scaling(Vec3(3.0))});
+    const View view({{5, 1, 20}, {5, 1, 2}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const DrawStyle style{Vec3f(1.0f)};
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    const DrawList list = strategy->cull(view).drawList;
+    ASSERT_EQ(sphericalModelInstance(list), 0u);
+    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, style);
+    size_t picked = 0, disagreeing = 0;
+    for (int y = kBottom + 1; y < kBottom + 179; y += 3)
+        for (int x = kLeft + 1; x < kLeft + 359; x += 3) {
+            const uint8_t* pixel = &rgba[4 * (size_t(y) * size_t(kSize.width) + size_t(x))];
+            const bool covered = pixel[0] != 255 || pixel[1] != 255 || pixel[2] != 255;
+            const std::optional<DirectionPick> pick = pickSphericalModel(*scene, list, kSize, style, x, y);
+            disagreeing += covered != pick.has_value() ? 1 : 0;
+            if (!pick) continue;
+            ++picked;
+            ASSERT_LT(pick->triangle, scene->firstTriangle(1));
+            // The point lies in the pixel's direction from the centre, and in the triangle's plane.
+            const Vec3 centre = Vec3(5, 1, 2) + 3.0 * scene->meshOf(0).localSphere().centre;
+            const Vec3 expected = directionOf(180.0 - (y - kBottom + 0.5), x - kLeft + 0.5);
+            ASSERT_NEAR(glm::dot(glm::normalize(pick->point - centre), expected), 1.0, 1e-9);
+        }
+    EXPECT_GT(picked, 1500u);
+    EXPECT_LE(disagreeing, 3u) << "but for pixels on an edge";
+    EXPECT_FALSE(pickSphericalModel(*scene, list, kSize, style, 3, 100)) << "beside the map";
+    EXPECT_FALSE(pickSphericalModel(*scene, DrawList{}, kSize, style, 100, 100));
+}
+
+TEST(SphericalModelPicture, showsMoreThanWasDrawn) {
+    const ScenePointer scene = sceneOf({sphereMesh(20000)});
+    const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const DrawStyle style{Vec3f(1.0f)};
+    const auto covered = [&](const char* id) {
+        const std::vector<uint8_t> rgba = shown(scene, id, view, {.sphericalModel = true}, style);
+        size_t pixels = 0;
+        for (int y = kBottom + 2; y < kBottom + 178; ++y)
+            for (int x = kLeft + 2; x < kLeft + 358; ++x)
+                pixels += rgba[4 * (size_t(y) * size_t(kSize.width) + size_t(x)) + 2] != 255 ? 1 : 0;
+        return pixels;
+    };
+    EXPECT_EQ(covered("all"), 176u * 356u);
+    // From above the pole, about the northern half.
+    EXPECT_LT(covered("spherical-horizon"), 176u * 356u * 2 / 3);
+    EXPECT_GT(covered("spherical-horizon"), 176u * 356u / 3);
+}
+
+TEST(SphericalModelPicture, overlaysAreDrawnOverIt) {
+    const ScenePointer scene = sceneOf({knotMesh(3000)});
+    const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const DrawStyle style;
+    const ViewLook all{.colouring = Colouring::Verdicts, .frustum = true, .boxes = true, .bands = true, .sphericalModel = true};
+    EXPECT_FALSE(needsTrace(all));
+    const std::vector<uint8_t> alone = shown(scene, "spherical", view, {.sphericalModel = true}, style);
+    EXPECT_EQ(shown(scene, "spherical", view, all, style), alone);
+    const Vec3f frame = contrastTo(style.background);
+    const auto at = [&](size_t y) { return alone[4 * (y * size_t(kSize.width) + 200)]; };
+    EXPECT_EQ(std::max(at(kBottom - 1), at(kBottom)), 255.0f * frame.x) << "the frame";
+}
+
+TEST(SphericalModelPicture, anglesHaveNoTicks) {
+    const ScenePointer scene = sceneOf({knotMesh(3000)});
+    const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, {Vec3f(1.0f)});
+    // A tick is one pixel wide: to one or the other side of its place.
+    const auto marked = [&](int x, int y, int alongX, int alongY) {
+        const auto dark = [&](int column, int row) {
+            return rgba[4 * (size_t(row) * size_t(kSize.width) + size_t(column))] < 128;
+        };
+        return dark(x, y) || dark(x - alongX, y - alongY);
+    };
+    for (int degrees = 0; degrees <= 360; degrees += 15) {
+        EXPECT_EQ(marked(kLeft + degrees, kBottom - 3, 1, 0), degrees % 30 == 0) << degrees;
+        EXPECT_EQ(marked(kLeft + degrees, kBottom - 5, 1, 0), degrees % 90 == 0) << degrees;
+        if (degrees > 180) continue;
+        EXPECT_EQ(marked(kLeft - 3, kBottom + 180 - degrees, 0, 1), degrees % 30 == 0) << degrees;
+        EXPECT_EQ(marked(kLeft - 5, kBottom + 180 - degrees, 0, 1), degrees % 90 == 0) << degrees;
+    }
+}
+
+TEST(SphericalModelPicture, partIsTakenForTheWhole) {
+    const ScenePointer scene = sceneOf({sphereMesh(2000), knotMesh(3000)});
+    const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    const auto whole = [&](const char* id) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        return hasWholeModel(*scene, strategy->cull(view).drawList);
+    };
+    EXPECT_TRUE(whole("all"));
+    EXPECT_FALSE(whole("spherical"));
+    EXPECT_FALSE(hasWholeModel(*scene, DrawList{}));
+}
+
+}  // namespace
+}  // namespace cullscope::test

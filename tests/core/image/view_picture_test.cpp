@@ -1,0 +1,347 @@
+#include "core/image/view_picture.h"
+
+#include "core/gpu/colour.h"
+#include "core/mesh/parametric.h"
+#include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/grouped_frustum.h"
+
+namespace cullscope::test {
+namespace {
+
+const DrawStyle kLight{Vec3f(1.0f), 1.0f, Vec3f(0.2f)};
+
+/// At the origin, looking down −z; a square of half size 1 at z = −10 is 10 pixels wide in each 100.
+Camera downMinusZ() { return {Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}; }
+
+/// What drawViewPicture gives for one strategy, cull and all.
+struct Shown {
+    std::vector<uint8_t> colour;
+    std::vector<float> depth;
+    Viewport size;
+
+    [[nodiscard]] Vec3f at(int x, int y) const {
+        const uint8_t* pixel = &colour[4 * (size_t(y) * size_t(size.width) + size_t(x))];
+        return Vec3f(pixel[0], pixel[1], pixel[2]) / 255.0f;
+    }
+    /// Where a world point lies, in pixels.
+    [[nodiscard]] static std::pair<int, int> pixelOf(const View& view, const Vec3& point) {
+        const Vec4 clip = view.clipFromEyeRelative() * Vec4(point - view.eye(), 1.0);
+        return {int(std::floor((clip.x / clip.w + 1) / 2 * view.viewport().width)),
+                int(std::floor((clip.y / clip.w + 1) / 2 * view.viewport().height))};
+    }
+    /// Whether a colour is in the 3 × 3 pixels around a world point.
+    [[nodiscard]] bool near(const View& view, const Vec3& point, const Vec3f& wanted) const {
+        const auto [x, y] = pixelOf(view, point);
+        for (int dy = -1; dy <= 1; ++dy)
+            for (int dx = -1; dx <= 1; ++dx) {
+                const int px = x + dx, py = y + dy;
+                if (px >= 0 && py >= 0 && px < size.width && py < size.height && glm::distance(at(px, py), wanted) < 0.01f)
+                    return true;
+            }
+        return false;
+    }
+    [[nodiscard]] size_t count(const Vec3f& wanted) const {
+        size_t pixels = 0;
+        for (int y = 0; y < size.height; ++y)
+            for (int x = 0; x < size.width; ++x) pixels += glm::distance(at(x, y), wanted) < 0.01f ? 1 : 0;
+        return pixels;
+    }
+};
+
+Shown shown(const ScenePointer& scene, const char* id, const View& culling, const View& viewing, const ViewLook& look,
+            const DrawStyle& style = {}, const TriangleStates* known = nullptr) {
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const StrategyPointer strategy = makeStrategy(id);
+    strategy->build(*scene);
+    Trace trace;
+    const Verdict verdict = strategy->cull(culling, needsTrace(look) ? &trace : nullptr, &GlEnvironment::renderer());
+    Framebuffer target(viewing.viewport());
+    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy, culling, viewing, verdict, trace, known, look, style, target);
+    return {target.readColour(), target.readDepth(), viewing.viewport()};
+}
+
+ScenePointer field(int n) {
+    std::vector<Mat4> places;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) places.push_back(translation({(i - (n - 1) / 2.0) * 2.5, 0, (j - (n - 1) / 2.0) * 2.5}));
+    return copiesOf(sphereMesh(320), places);
+}
+
+Camera inTheField() { return {{0, .5, 4}, {.5, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100}; }
+Camera above() { return {{3, 18, 22}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 1, 100}; }
+
+TEST(ViewPicture, defaultLookDiffersFromTheRenderer) {
+    const ScenePointer scene = field(6);
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View view(inTheField(), {320, 240});
+    for (const RegisteredStrategy& registered : strategies()) {
+        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        strategy->build(*scene);
+        const Picture drawn = picture(buffers, view, strategy->cull(view, nullptr, &GlEnvironment::renderer()).drawList);
+        const Shown look = shown(scene, registered.info.id.c_str(), view, view, {});
+        EXPECT_EQ(look.colour, drawn.colour) << registered.info.id;
+        EXPECT_EQ(look.depth, drawn.depth) << registered.info.id;
+    }
+}
+
+/// Seven squares of 20 × 20 pixels in a row, one a state; the centre of state i lies at (20 + 40 i, 20).
+ScenePointer rowOfSquares(const Vec3& moved = Vec3(0.0)) {
+    std::vector<Mat4> places;
+    for (int i = 0; i < int(kTriangleStateCount); ++i) places.push_back(translation(moved + Vec3(-12 + 4 * i, 0, -10)));
+    return copiesOf(squareMesh(1, 0), places);
+}
+View overTheRow(const Vec3& moved = Vec3(0.0)) {
+    Camera camera = downMinusZ();
+    camera.eye += moved;
+    camera.target += moved;
+    camera.fovy = Angle::fromRadians(2 * std::atan(0.2));  // 40 pixels are 4 units at distance 10
+    return {camera, {280, 40}};
+}
+TriangleStates oneOfEach() {
+    TriangleStates states;
+    for (size_t i = 0; i < kTriangleStateCount; ++i) states.states.insert(states.states.end(), 2, static_cast<TriangleState>(i));
+    states.counts.fill(2);
+    return states;
+}
+
+bool within(const Vec3f& colour, const Vec3f& of, float share) {
+    return glm::all(glm::lessThanEqual(glm::abs(colour - of), of * share + 1.0f / 128));
+}
+
+Vec3f shaded(const PaletteEntry& entry) { return glm::min(entry.colour * entry.shade, Vec3f(1.0f)); }
+
+TEST(ViewPicture, stateHasAnotherColourOrLook) {
+    const TriangleStates states = oneOfEach();
+    for (const Vec3f& background : {kLight.background, DrawStyle{}.background}) {
+        const DrawStyle style{background};
+        const auto palette = verdictPalette(background);
+        const Shown look =
+            shown(rowOfSquares(), "all", overTheRow(), overTheRow(), {.colouring = Colouring::Verdicts}, style, &states);
+        for (int i = 0; i < int(kTriangleStateCount); ++i) {
+            const auto state = static_cast<TriangleState>(i);
+            // Off the diagonal, on which the wireframe has an edge.
+            const Vec3f inner = look.at(20 + 40 * i + 5, 20);
+            if (state == TriangleState::OutsideFrustum) {
+                EXPECT_TRUE(within(inner, background, 0)) << "a wireframe is filled";
+                EXPECT_GT(look.count(look.at(20 + 40 * i, 20)), 60u) << "four edges of 20 pixels and a diagonal";
+                EXPECT_TRUE(within(look.at(20 + 40 * i, 20), palette[size_t(i)].colour * palette[size_t(i)].shade, 0));
+            } else if (state == TriangleState::WronglyCulled) {
+                size_t mark = 0, hatch = 0;
+                for (int y = 11; y < 29; ++y)
+                    for (int x = 11 + 40 * i; x < 29 + 40 * i; ++x) {
+                        mark += within(look.at(x, y), palette[size_t(i)].colour, 0.1f) ? 1 : 0;
+                        hatch += within(look.at(x, y), Vec3f(0.0f), 0) || within(look.at(x, y), Vec3f(1.0f), 0) ? 1 : 0;
+                    }
+                EXPECT_EQ(mark + hatch, 18u * 18u);
+                EXPECT_NEAR(double(hatch) / (18 * 18), background.x > 0.5f ? 8.0 / 16 : 6.0 / 16, 0.05);
+                EXPECT_TRUE(within(look.at(20 + 40 * i, 30), palette[size_t(i)].colour, 0)) << "the edge itself, outside";
+                EXPECT_TRUE(within(look.at(20 + 40 * i, 32), contrastTo(background), 0)) << "the halo around it";
+                EXPECT_TRUE(within(look.at(20 + 40 * i, 35), background, 0)) << "the halo ends";
+            } else {
+                EXPECT_TRUE(within(inner, shaded(palette[size_t(i)]), 0.1f)) << triangleStateName(state);
+            }
+        }
+    }
+}
+
+TEST(ViewPicture, drawnOnlyShowsWhatWasCulled) {
+    const TriangleStates states = oneOfEach();
+    const ViewLook drawnOnly{.colouring = Colouring::Verdicts, .culledToo = false};
+    const Shown look = shown(rowOfSquares(), "all", overTheRow(), overTheRow(), drawnOnly, kLight, &states);
+    const size_t all = look.size.width * size_t(look.size.height);
+    EXPECT_EQ(look.count(kLight.background), all - 2 * 20 * 20) << "only the two squares that were drawn";
+}
+
+TEST(ViewPicture, triangleWithoutAPixelIsNotSeen) {
+    // A thousandth of a pixel wide, between pixel centres.
+    const ScenePointer scene = sceneOf({squareMesh(1e-4f, 0)}, {translation({0.0, 0.0, -10})});
+    TriangleStates states;
+    states.states.assign(2, TriangleState::WronglyCulled);
+    const View view = overTheRow();
+    const auto palette = verdictPalette(kLight.background);
+    const Shown look = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
+    const size_t mark = look.count(palette[size_t(TriangleState::WronglyCulled)].colour);
+    const size_t halo = look.count(contrastTo(kLight.background));
+    EXPECT_GE(mark, 4u);
+    EXPECT_GE(mark + halo, 25u);
+    EXPECT_LE(mark + halo, 81u);
+    EXPECT_TRUE(look.near(view, {0, 0, -10}, palette[size_t(TriangleState::WronglyCulled)].colour));
+    states.states.assign(2, TriangleState::Visible);
+    const Shown plain = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
+    EXPECT_EQ(plain.count(kLight.background), size_t(280 * 40)) << "it covers a pixel: the test shows nothing";
+}
+
+TEST(ViewPicture, haloOfAHiddenTriangleShowsThrough) {
+    // A marked square straight behind a larger one that is drawn.
+    const ScenePointer scene = sceneOf({squareMesh(2, -10), squareMesh(.5f, -12)});
+    TriangleStates states;
+    states.states = {TriangleState::Visible, TriangleState::Visible, TriangleState::WronglyCulled, TriangleState::WronglyCulled};
+    const View view(downMinusZ(), {100, 100});
+    const Shown look = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
+    EXPECT_EQ(look.count(verdictPalette(kLight.background)[size_t(TriangleState::WronglyCulled)].colour), 0u);
+    EXPECT_EQ(look.count(contrastTo(kLight.background)), 0u);
+}
+
+TEST(ViewPicture, observerColoursByTheViewingCamera) {
+    // Without truth: what lies outside the culling camera's frustum is a wireframe, wherever the observer stands.
+    const ScenePointer scene = field(6);
+    const View culling(inTheField(), {320, 240});
+    const View observer(above(), {320, 240});
+    const auto palette = verdictPalette(kLight.background);
+    const Shown look = shown(scene, "frustum", culling, observer, {.colouring = Colouring::Verdicts}, kLight);
+    Trace trace;
+    const StrategyPointer frustum = makeStrategy("frustum");
+    frustum->build(*scene);
+    (void)frustum->cull(culling, &trace);
+    size_t culled = 0;
+    for (const InsideNode& node : frustum->inside(trace).nodes) {
+        const auto [x, y] = Shown::pixelOf(observer, node.box.centre());
+        const Vec3f centre = look.at(x, y);
+        const bool drawn = within(centre, shaded(palette[size_t(TriangleState::Visible)]), 0.1f) ||
+                           within(centre, shaded(palette[size_t(TriangleState::BackFacing)]), 0.1f);
+        EXPECT_EQ(drawn, !node.culled) << node.instance;
+        culled += node.culled ? 1 : 0;
+    }
+    EXPECT_GT(culled, 5u);
+    EXPECT_LT(culled, 31u);
+}
+
+TEST(ViewPicture, boxOfAnObjectIsMissing) {
+    const ScenePointer scene = field(45);
+    const View culling(inTheField(), {320, 240});
+    Camera camera = above();
+    camera.eye = {0, 150, 1};
+    camera.farDistance = 1000;
+    const View observer(camera, {900, 900});
+    const auto palette = verdictPalette(kLight.background);
+    const Shown look = shown(scene, "frustum", culling, observer, {.boxes = true}, kLight);
+    const StrategyPointer frustum = makeStrategy("frustum");
+    frustum->build(*scene);
+    Trace trace;
+    (void)frustum->cull(culling, &trace);
+    const Inside inside = frustum->inside(trace);
+    ASSERT_GT(inside.nodes.size(), 2000u);
+    size_t culled = 0;
+    for (const InsideNode& node : inside.nodes) {
+        // The middles of the four upper edges; the observer looks down on them.
+        const Vec3f colour = palette[size_t(node.culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
+        const Vec3 centre = node.box.centre(), half = node.box.halfExtent();
+        for (const Vec3& edge : {Vec3(1, 1, 0), Vec3(-1, 1, 0), Vec3(0, 1, 1), Vec3(0, 1, -1)})
+            ASSERT_TRUE(look.near(observer, centre + half * edge, colour)) << "instance " << node.instance;
+        culled += node.culled ? 1 : 0;
+    }
+    EXPECT_GT(culled, 1000u);
+    EXPECT_LT(culled, 2025u);
+}
+
+TEST(ViewPicture, boxOfAGroupIsMissing) {
+    const ScenePointer scene = field(20);
+    const View culling(inTheField(), {320, 240});
+    Camera camera = above();
+    camera.eye = {0, 70, 1};
+    camera.farDistance = 1000;
+    const View observer(camera, {900, 900});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    GroupedFrustum strategy;
+    strategy.build(*scene);
+    Trace trace;
+    const Verdict verdict = strategy.cull(culling, &trace);
+    Framebuffer target(observer.viewport());
+    drawViewPicture(GlEnvironment::renderer(), buffers, strategy, culling, observer, verdict, trace, nullptr, {.boxes = true},
+                    kLight, target);
+    const Shown look{target.readColour(), target.readDepth(), observer.viewport()};
+    std::array<int, 2> seen{};
+    for (const TestedGroup& group : trace.groups) {
+        const bool culled = group.containment == Containment::Outside;
+        const auto colour =
+            verdictPalette(kLight.background)[size_t(culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
+        // Between the first object and the second along the upper edge, where only groups have lines; and of those that lie
+        // within each other the inner one's is seen.
+        const InstanceOctree::Node& node = strategy.octree().nodes()[group.node];
+        if (node.box.max.x - node.box.min.x < 4 || (!group.wholly && !node.leaf())) continue;
+        EXPECT_TRUE(look.near(observer, {node.box.min.x + 2.25, node.box.max.y, node.box.max.z}, colour)) << group.node;
+        ++seen[culled ? 1 : 0];
+    }
+    EXPECT_GT(seen[0], 3);
+    EXPECT_GT(seen[1], 3);
+}
+
+TEST(ViewPicture, frustumIsNotWhereTheCameraLooks) {
+    // A scene of one small sphere, so that nothing hides the lines; the far plane is cut to it.
+    const ScenePointer scene = sceneOf({sphereMesh(80)}, {translation({0, 0, -8}) * scaling(Vec3(.2))});
+    Camera camera = downMinusZ();
+    camera.nearDistance = 2;
+    camera.farDistance = 1e6;
+    const View culling(camera, {200, 200});
+    const View observer({{25, 9, -4}, {0, 0, -4}, {0, 1, 0}, Angle::fromDegrees(70), 0.1, 26}, {400, 400});
+    for (const DrawStyle& style : {kLight, DrawStyle{}}) {
+        const Shown look = shown(scene, "frustum", culling, observer, {.frustum = true}, style);
+        const Vec3f lines = contrastTo(style.background);
+        const double far = -scene->bounds().min.z;
+        for (const double side : {-1.0, 1.0})
+            for (const double t : {0.0, 0.3, 0.7, 1.0}) {
+                EXPECT_TRUE(look.near(observer, {side * 2, (2 * t - 1) * 2, -2}, lines)) << "near rectangle";
+                EXPECT_TRUE(look.near(observer, {(2 * t - 1) * far, side * far, -far}, lines)) << "far rectangle";
+                const double depth = 2 + t * (far - 2);
+                EXPECT_TRUE(look.near(observer, {side * depth, depth, -depth}, lines)) << "edge at " << depth;
+                EXPECT_TRUE(look.near(observer, {side * depth, -depth, -depth}, lines)) << "edge at " << depth;
+            }
+        EXPECT_TRUE(look.near(observer, culling.eye(), lines)) << "the eye";
+        EXPECT_FALSE(look.near(observer, {0, 0, -12}, lines));
+        // Beyond the far plane of the observer, and its own camera sees none of it.
+        EXPECT_EQ(shown(scene, "frustum", culling, culling, {.frustum = true}, style).colour,
+                  shown(scene, "frustum", culling, culling, {}, style).colour);
+    }
+}
+
+/// Numbers are multiples of 2^-20, so that moving everything loses nothing.
+TEST(ViewPicture, farFromTheOriginStatesOrLinesDiffer) {
+    const Vec3 moved(1e7, -1e7, 1e7);
+    const TriangleStates states = oneOfEach();
+    const ViewLook look{.colouring = Colouring::Verdicts, .boxes = true};
+    const Shown here = shown(rowOfSquares(), "frustum", overTheRow(), overTheRow(), look, kLight, &states);
+    const Shown there = shown(rowOfSquares(moved), "frustum", overTheRow(moved), overTheRow(moved), look, kLight, &states);
+    const auto differing = [](const Shown& a, const Shown& b) {
+        size_t pixels = 0;
+        for (size_t i = 0; i < a.colour.size(); i += 4)
+            pixels += std::equal(&a.colour[i], &a.colour[i] + 4, &b.colour[i]) ? 0 : 1;
+        return pixels;
+    };
+    EXPECT_LE(differing(here, there), 12u);
+
+    const auto observed = [&](const Vec3& by) {
+        std::vector<Mat4> places;
+        for (int i = 0; i < 30; ++i) places.push_back(translation(by + Vec3(2.5 * (i % 6) - 6, 0, 2.5 * (i / 6) - 6)));
+        const auto at = [&](Camera camera) {
+            camera.eye += by;
+            camera.target += by;
+            return View(camera, {320, 240});
+        };
+        return shown(copiesOf(sphereMesh(320), places), "frustum", at(inTheField()), at(above()),
+                     {.colouring = Colouring::Verdicts, .frustum = true, .boxes = true}, kLight);
+    };
+    const Shown near = observed(Vec3(0.0));
+    EXPECT_GT(near.count(contrastTo(kLight.background)), 200u) << "no frustum to compare";
+    EXPECT_LE(differing(near, observed(moved)), 320u * 240u / 200u);
+}
+
+TEST(ViewPicture, traceIsReadThoughNotNeeded) {
+    EXPECT_FALSE(needsTrace({}));
+    EXPECT_FALSE(needsTrace({.frustum = true}));
+    EXPECT_TRUE(needsTrace({.colouring = Colouring::Verdicts}));
+    EXPECT_TRUE(needsTrace({.boxes = true}));
+}
+
+TEST(VerdictPalette, backgroundChoosesTheWrongColours) {
+    const auto light = verdictPalette(Vec3f(1.0f));
+    const auto dark = verdictPalette(DrawStyle{}.background);
+    EXPECT_EQ(light[0].colour, Vec3f(0x1F, 0xC3, 0xE3) / 255.0f);
+    EXPECT_EQ(dark[6].colour, Vec3f(0xE7, 0x12, 0x0E) / 255.0f);
+    EXPECT_EQ(verdictPalette(Vec3f(0.7f))[0].colour, light[0].colour);
+    EXPECT_EQ(verdictPalette(Vec3f(0.2f))[0].colour, dark[0].colour);
+}
+
+}  // namespace
+}  // namespace cullscope::test

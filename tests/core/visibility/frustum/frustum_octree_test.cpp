@@ -1,0 +1,165 @@
+#include "core/mesh/parametric.h"
+#include "core/visibility/octree_walk.h"
+#include "core/visibility/plane_distances.h"
+#include "core/visibility/registry.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/random_views.h"
+
+// The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
+// said.
+
+namespace cullscope::test {
+namespace {
+
+View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
+
+StrategyPointer octree(const char* refine) {
+    ParameterSet parameters(findStrategy("frustum-octree").info.parameters);
+    parameters.setFromText("refine", refine);
+    return makeStrategy("frustum-octree", parameters);
+}
+
+std::vector<uint32_t> drawn(Strategy& strategy, const View& view) {
+    std::vector<uint32_t> instances;
+    for (const DrawRange& range : strategy.cull(view).drawList.ranges) instances.push_back(range.instance);
+    std::sort(instances.begin(), instances.end());
+    return instances;
+}
+
+/// Copies of a mesh in a grid of n × n on the ground.
+ScenePointer grid(int n, double spacing) {
+    std::vector<Mat4> places;
+    for (int i = 0; i < n * n; ++i) places.push_back(translation({spacing * (i % n), 0, -spacing * (i / n)}));
+    return copiesOf(sphereMesh(80), places);
+}
+
+TEST(FrustumOctree, cases1And2ObjectBesideAnEdgeIsDrawnWithRefinement) {
+    const ScenePointer scene = sceneOf({sphereMesh(2000), boxMesh({15, -5, -30}, {40, 5, -9.5f}), boxMesh(Vec3f(-1), Vec3f(1))},
+                                       {translation({13, 13, -11}) * scaling(Vec3(1.5)), Mat4(1.0), translation({0, 0, -5})});
+    const StrategyPointer refined = octree("true"), plain = octree("false");
+    refined->build(*scene);
+    plain->build(*scene);
+    EXPECT_THAT(drawn(*plain, standardView()), testing::ElementsAre(0, 1, 2)) << "the plane tests' false positives";
+    EXPECT_THAT(drawn(*refined, standardView()), testing::ElementsAre(2));
+}
+
+TEST(FrustumOctree, case22ObjectAroundTheEyeOrBeyondFarIsCulled) {
+    const ScenePointer scene = sceneOf({boxMesh({-1, -1, -3}, {1, 1, 3}), boxMesh(Vec3f(-1000), Vec3f(1000))});
+    const StrategyPointer strategy = octree("true");
+    strategy->build(*scene);
+    EXPECT_THAT(drawn(*strategy, standardView()), testing::ElementsAre(0, 1));
+}
+
+TEST(FrustumOctree, refinementDrawsMoreThanPlanes) {
+    uint64_t parted = 0;
+    for (uint64_t seed = 1; seed <= 60; ++seed) {
+        const ScenePointer scene = randomScene(seed);
+        const StrategyPointer refined = octree("true"), plain = octree("false");
+        refined->build(*scene);
+        plain->build(*scene);
+        Random random(seed);
+        for (int i = 0; i < 20; ++i) {
+            const RandomView sample = randomView(*scene, random);
+            const View view(sample.camera, sample.viewport);
+            const std::vector<uint32_t> few = drawn(*refined, view), many = drawn(*plain, view);
+            EXPECT_TRUE(std::includes(many.begin(), many.end(), few.begin(), few.end())) << "seed " << seed << " view " << i;
+            parted += many.size() - few.size();
+        }
+    }
+    EXPECT_GT(parted, 0u);
+}
+
+TEST(FrustumOctree, whatWasSeenBeforeChangesTheVerdict) {
+    const ScenePointer scene = grid(40, 3.0);
+    const StrategyPointer used = octree("true");
+    used->build(*scene);
+    Random random(7);
+    for (int i = 0; i < 60; ++i) {
+        Camera camera;
+        camera.eye = {random.between(-10, 130), random.between(0, 20), random.between(-130, 10)};
+        camera.target = camera.eye + random.direction();
+        const View view(camera, {200, 150});
+        const StrategyPointer fresh = octree("true");
+        fresh->build(*scene);
+        EXPECT_EQ(used->cull(view).drawList.ranges, fresh->cull(view).drawList.ranges) << "view " << i;
+    }
+}
+
+TEST(FrustumOctree, planeThatFailedIsNotTestedFirstTheNextTime) {
+    const ScenePointer scene = grid(60, 3.0);
+    const InstanceOctree tree(*scene);
+    LastFailedPlanes memory(tree.nodes().size(), scene->instances().size());
+    Camera camera;
+    camera.eye = {90, 2, 0};
+    camera.target = {90, 0, -60};
+    const View view(camera, {200, 150});
+    GroupWalkFigures first, second;
+    const auto kept = keptObjects(tree, *scene, view, &first, nullptr, {true, &memory});
+    EXPECT_EQ(keptObjects(tree, *scene, view, &second, nullptr, {true, &memory}).size(), kept.size());
+    EXPECT_EQ(second.objectsCulled, first.objectsCulled);
+    EXPECT_EQ(second.nodesVisited, first.nodesVisited);
+    EXPECT_LT(second.planesTested, first.planesTested);
+}
+
+TEST(FrustumOctree, farObjectIsDrawnBeforeANearOne) {
+    const ScenePointer scene = grid(12, 3.0);
+    const StrategyPointer strategy = octree("true");
+    strategy->build(*scene);
+    Camera camera;
+    camera.eye = {16, 3, 8};
+    camera.target = {16, 0, -20};
+    const View view(camera, {200, 150});
+    double last = -1.0;
+    const std::vector<DrawRange> ranges = strategy->cull(view).drawList.ranges;
+    ASSERT_GT(ranges.size(), 30u);
+    for (const DrawRange& range : ranges) {
+        const Sphere& sphere = scene->instanceSphere(range.instance);
+        const double distance = glm::length(sphere.centre - camera.eye) - sphere.radius;
+        EXPECT_GE(distance, last);
+        last = distance;
+    }
+}
+
+TEST(FrustumOctree, objectOutsideAPlaneIsSaidToBeOutsideNone) {
+    // Its group may be parted by an axis alone.
+    const ScenePointer scene = grid(40, 3.0);
+    const StrategyPointer strategy = octree("true");
+    strategy->build(*scene);
+    Random random(11);
+    size_t byAxes = 0;
+    for (int i = 0; i < 200; ++i) {
+        Camera camera;
+        camera.eye = {random.between(-10, 130), random.between(0, 20), random.between(-130, 10)};
+        camera.target = camera.eye + random.direction();
+        camera.farDistance = 30;
+        const View view(camera, {200, 150});
+        Trace trace;
+        (void)strategy->cull(view, &trace);
+        for (const TraceEvent& event : trace.events) {
+            if (event.kind != TraceEvent::Kind::TestedAxes) continue;
+            ++byAxes;
+            for (const PlaneDistance& plane : planeDistances(*scene, view, event.instance))
+                EXPECT_NE(plane.containment, Containment::Outside) << "view " << i << " instance " << event.instance;
+        }
+    }
+    EXPECT_GT(byAxes, 10u);
+}
+
+TEST(FrustumOctree, treeHasNoGroupsOrAnObjectWithoutOne) {
+    const ScenePointer scene = grid(12, 3.0);
+    const StrategyPointer strategy = octree("true");
+    strategy->build(*scene);
+    Trace trace;
+    (void)strategy->cull(standardView(), &trace);
+    const Inside inside = strategy->inside(trace);
+    size_t groups = 0, objects = 0;
+    for (const InsideNode& node : inside.nodes) {
+        ++(node.isGroup() ? groups : objects);
+        EXPECT_TRUE(node.isGroup() || node.parent >= 0);
+    }
+    EXPECT_EQ(objects, scene->instances().size());
+    EXPECT_GT(groups, 30u);
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,218 @@
+// What `spherical-lossless` says of the cells that it leaves out, judged triangle by triangle.
+#include <gmock/gmock.h>
+
+#include <tbb/global_control.h>
+
+#include <numbers>
+
+#include "core/scene/camera_path.h"
+#include "core/scene/eye_triangle.h"
+#include "core/visibility/spherical/cell_walk.h"
+#include "tests/core/visibility/lossless_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+struct Culled {
+    Verdict verdict;
+    Trace trace;
+};
+
+Culled cullTraced(Strategy& strategy, const View& view) {
+    Culled result;
+    result.verdict = strategy.cull(view, &result.trace);
+    return result;
+}
+
+View around(const Scene& scene, Random& random, double fovyDegrees = 40) {
+    const Sphere& sphere = scene.instanceSphere(0);
+    const Vec3 away = random.direction(), aside = random.direction(), up = random.direction();
+    const double distance = sphere.radius * random.between(1.1, 6.0);
+    return {{sphere.centre + distance * away, sphere.centre + 0.5 * sphere.radius * aside, up, Angle::fromDegrees(fovyDegrees),
+             1e-3 * sphere.radius, 100 * sphere.radius},
+            {300, 200}};
+}
+
+/// Whether all corners lie on the outside of one plane.
+bool outsideOnePlane(const std::array<Vec3, 3>& corners, const Frustum& frustum) {
+    return std::ranges::any_of(frustum.planes, [&](const Plane& plane) {
+        return std::ranges::all_of(corners, [&](const Vec3& corner) { return plane.distance(corner) < 0.0; });
+    });
+}
+
+/// Whether something of the mesh lies between the eye, the origin, and a point.
+bool covered(const std::vector<std::array<Vec3, 3>>& triangles, const Vec3& point) {
+    return std::ranges::any_of(triangles, [&](const std::array<Vec3, 3>& corners) {
+        const std::optional<double> t = hit({Vec3(0.0), point}, corners);
+        return t && *t > 0.0 && *t < 1.0 - 1e-9;
+    });
+}
+
+TEST(SphericalLossless, leftOutCellHasATriangleThatItsCauseIsNotTrueOf) {
+    std::array<uint64_t, kCauseCount> judged{};
+    const std::vector<MeshPointer> meshes{starMesh(7, 16'000), bumpyMesh(3, 16'000, 0.4), knotMesh(4'000), bowlMesh(4'000)};
+    for (size_t m = 0; m < meshes.size(); ++m) {
+        Random random(m + 1);
+        const Mat4 place = m % 2 == 0 ? scaling({-1, 1, 1}) : rotation({1, 2, 3}, 1.0) * scaling({1, 1, 0.4});
+        const ScenePointer scene = sceneOf({meshes[m]}, {place});
+        const StrategyPointer strategy =
+            strategyWith("spherical-lossless", {{"facing", "front"}, {"layout", m < 2 ? "octahedral" : "latitude-longitude"}});
+        strategy->build(*scene);
+        for (int i = 0; i < 12; ++i) {
+            const View view = around(*scene, random);
+            const auto [verdict, trace] = cullTraced(*strategy, view);
+            const InstanceFromEye instance(*scene, 0, view.eye());
+            std::vector<std::array<Vec3, 3>> all;
+            for (uint64_t t = 0; t < scene->triangleCount(); ++t) all.push_back(instance.corners(t));
+            for (const CulledRun& run : trace.culledRuns)
+                for (uint32_t p = run.places.first; p < run.places.first + run.places.count; ++p) {
+                    const uint64_t triangle = verdict.drawList.triangleAt(0, p);
+                    ++judged[size_t(run.cause)];
+                    const std::string what =
+                        "mesh " + std::to_string(m) + " view " + std::to_string(i) + " triangle " + std::to_string(triangle);
+                    if (run.cause == Cause::OutsideFrustum) {
+                        EXPECT_TRUE(outsideOnePlane(all[triangle], view.frustum())) << what;
+                    } else if (run.cause == Cause::BackFacing) {
+                        EXPECT_TRUE(instance.facesAway(triangle)) << what;
+                    } else if (triangle % 8 == 0) {
+                        EXPECT_TRUE(covered(all, all[triangle][triangle / 8 % 3])) << what;
+                    }
+                }
+        }
+    }
+    // Each cause is met often enough.
+    EXPECT_GT(judged[size_t(Cause::OutsideFrustum)], 1000u);
+    EXPECT_GT(judged[size_t(Cause::BackFacing)], 1000u);
+    EXPECT_GT(judged[size_t(Cause::Hidden)], 300u);
+}
+
+TEST(SphericalLossless, horizonHidWhatTheKernelDoesNotCover) {
+    const MeshPointer mesh = bumpyMesh(11, 20'000, 0.5);
+    const InnerKernel kernel(*mesh);
+    ASSERT_TRUE(kernel.filled());
+    const double radius = mesh->localSphere().radius;
+    Random random(5);
+    uint64_t hidden = 0, visible = 0;
+    for (int v = 0; v < 30; ++v) {
+        const Vec3 eye = random.direction() * (radius * random.between(1.05, 8.0));
+        const KernelHorizon horizon(kernel, eye, radius, 1e-5);
+        ASSERT_TRUE(horizon.usable());
+        for (int i = 0; i < 400; ++i) {
+            const Vec3 point = random.direction() * (radius * random.unit());
+            const KernelHorizon::Reach reach = horizon.reach(point, 1e-3 * radius * random.unit());
+            bool through = false;
+            for (int step = 1; step < 4000 && !through; ++step) {
+                const Vec3 q = glm::mix(eye, point, step / 4000.0);
+                through = glm::length(q) < kernel.radius(octahedralCell(q, kernel.level()));
+            }
+            EXPECT_TRUE(through || reach != KernelHorizon::Reach::Hidden) << "view " << v << " point " << i;
+            hidden += reach == KernelHorizon::Reach::Hidden ? 1 : 0;
+            visible += reach == KernelHorizon::Reach::Visible ? 1 : 0;
+        }
+    }
+    EXPECT_GT(hidden, 500u);
+    EXPECT_GT(visible, 2000u);
+}
+
+TEST(SphericalLossless, testIsUsedWhereItDoesNotHold) {
+    const auto parts = [](const MeshPointer& mesh, const char* facing, const Vec3& eye, double near) {
+        const ScenePointer scene = sceneOf({mesh});
+        const StrategyPointer strategy = strategyWith("spherical-lossless", {{"facing", facing}});
+        strategy->build(*scene);
+        const Verdict verdict =
+            strategy->cull(View({eye, Vec3(0.0), {0, 1, 0.1}, Angle::fromDegrees(40), near, 100}, {200, 200}));
+        EXPECT_EQ(verdict.parts[0].culledTriangles, verdict.culledTriangles[size_t(Cause::OutsideFrustum)]);
+        EXPECT_EQ(verdict.parts[1].culledTriangles, verdict.culledTriangles[size_t(Cause::BackFacing)]);
+        EXPECT_EQ(verdict.parts[2].culledTriangles, verdict.culledTriangles[size_t(Cause::Hidden)]);
+        return std::pair(verdict.parts[1].objects == 1, verdict.parts[2].objects == 1);
+    };
+    const MeshPointer star = starMesh(2, 8'000);
+    using testing::Pair;
+    EXPECT_THAT(parts(star, "auto", {0, 0, 5}, 0.1), Pair(true, true));
+    EXPECT_THAT(parts(star, "two-sided", {0, 0, 5}, 0.1), Pair(false, true));
+    EXPECT_THAT(parts(star, "auto", {0, 0, 0.5}, 0.01), Pair(true, false)) << "with the eye inside";
+    EXPECT_THAT(parts(star, "auto", {0, 0, 5}, 4.5), Pair(true, false)) << "where the near plane cuts";
+    EXPECT_THAT(parts(sheetMesh(60), "auto", {0, 0, 5}, 0.1), Pair(false, false)) << "open: both sides are drawn";
+    EXPECT_THAT(parts(torusMesh(8'000), "auto", {0, 0, 5}, 0.1), Pair(true, false)) << "the centre is outside";
+    const MeshPointer inverted = changed(*star, kStay, kEvery);
+    EXPECT_THAT(parts(inverted, "two-sided", {0, 0, 5}, 0.1), Pair(false, true));
+    EXPECT_THAT(parts(inverted, "front", {0, 0, 5}, 0.1), Pair(true, false)) << "its inside is what is drawn";
+    const MeshPointer mixed = changed(*star, kStay, [](size_t i) { return i % 5 == 0; });
+    EXPECT_THAT(parts(mixed, "auto", {0, 0, 5}, 0.1), Pair(false, false));
+}
+
+TEST(SphericalLossless, answerDependsOnTheTraceOrTheThreads) {
+    const ScenePointer scene = copiesOf(starMesh(4, 5'000), [] {
+        std::vector<Mat4> places;
+        for (int i = 0; i < 36; ++i) places.push_back(translation({3.0 * (i % 6), 0.0, -3.0 * (i / 6)}));
+        return places;
+    }());
+    const StrategyPointer strategy = makeStrategy("spherical-lossless");
+    strategy->build(*scene);
+    Random random(3);
+    for (int i = 0; i < 10; ++i) {
+        const View view = around(*scene, random, 70);
+        const Verdict plain = strategy->cull(view);
+        EXPECT_EQ(cullTraced(*strategy, view).verdict.drawList.ranges, plain.drawList.ranges);
+        const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+        EXPECT_EQ(strategy->cull(view).drawList.ranges, plain.drawList.ranges);
+    }
+}
+
+TEST(SphericalLossless, costOfACullGrewWithTheObjects) {
+    // Four times the objects, the same ones in view.
+    std::vector<uint64_t> visited;
+    for (const int side : {64, 128, 256}) {
+        std::vector<Mat4> places;
+        for (int i = 0; i < side * side; ++i) places.push_back(translation({3.0 * (i % side), 0.0, 3.0 * (i / side)}));
+        const ScenePointer scene = copiesOf(boxMesh({-1, -1, -1}, {1, 1, 1}), places);
+        const StrategyPointer strategy = makeStrategy("spherical-lossless");
+        strategy->build(*scene);
+        const View view({{10, 4, 10}, {20, 0, 20}, {0, 1, 0}, Angle::fromDegrees(40), 0.1, 60}, {300, 200});
+        const Verdict verdict = strategy->cull(view);
+        visited.push_back(verdict.nodesVisited);
+        EXPECT_GT(verdict.consideredTriangles, 500u);
+        EXPECT_EQ(verdict.consideredTriangles + verdict.culledTriangles[size_t(Cause::OutsideFrustum)], scene->triangleCount());
+    }
+    EXPECT_LT(visited[2], visited[0] + visited[0] / 2);
+}
+
+TEST(SphericalLossless, cullVisitedMoreCellsOfAFinerMesh) {
+    // Sixteen times the triangles at equal cells: the same walk.
+    std::vector<uint64_t> visited;
+    for (const size_t triangles : {20'000u, 320'000u}) {
+        const ScenePointer scene = sceneOf({sphereMesh(triangles)});
+        const StrategyPointer strategy = strategyWith("spherical-lossless", {{"level", "5"}, {"horizon", "false"}});
+        strategy->build(*scene);
+        visited.push_back(
+            strategy->cull(View({{0, 0.3, 1.5}, {0, 0.5, 0}, {0, 1, 0}, Angle::fromDegrees(20), 0.01, 10}, {300, 200}))
+                .nodesVisited);
+    }
+    EXPECT_NEAR(double(visited[1]) / double(visited[0]), 1.0, 0.1);
+}
+
+TEST(SphericalLossless, extremeViewHasNoAnswer) {
+    // Cases 11, 13, 17 and 23: corners at the centre, the polar axis, the eye at the centre, fields of 0.01° and 179°.
+    const MeshPointer cone = joined({starMesh(1, 3'000), meshOf({{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}}, {0, 1, 2})});
+    for (const char* layout : {"octahedral", "latitude-longitude"}) {
+        const ScenePointer scene = sceneOf({cone});
+        const StrategyPointer strategy = strategyWith("spherical-lossless", {{"layout", layout}, {"facing", "two-sided"}});
+        strategy->build(*scene);
+        const Vec3 centre = scene->instanceSphere(0).centre;
+        for (const Vec3& eye : {centre, centre + Vec3(0, 0, 5), centre - Vec3(0, 0, 5), centre + Vec3(0, 0, 1e9)})
+            for (const double fovy : {0.01, 60.0, 179.0})
+                for (const Viewport& size : {Viewport{1, 1}, Viewport{16384, 1}, Viewport{300, 200}}) {
+                    const View view(
+                        {eye, eye + Vec3(0, 0, eye.z > centre.z ? -1.0 : 1.0), {0, 1, 0}, Angle::fromDegrees(fovy), 1e-3, 2e9},
+                        size);
+                    const Verdict verdict = strategy->cull(view);
+                    uint64_t culled = 0;
+                    for (const uint64_t count : verdict.culledTriangles) culled += count;
+                    EXPECT_EQ(culled + verdict.consideredTriangles, scene->triangleCount());
+                    EXPECT_GT(verdict.consideredTriangles, 0u) << layout << " fovy " << fovy;
+                }
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test

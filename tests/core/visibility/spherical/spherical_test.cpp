@@ -1,0 +1,374 @@
+// Cases 12 to 17 of the battery and what else `spherical` and `spherical-horizon` must get right, without pictures.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include "core/visibility/spherical/object_space_view.h"
+#include "core/visibility/spherical/slope_horizon.h"
+#include "core/visibility/spherical/visible_region.h"
+#include "core/visibility/why.h"
+#include "tests/core/visibility/random_views.h"
+#include "tests/core/visibility/spherical_scenes.h"
+
+namespace cullscope::test {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+View lookingAt(const Vec3& eye, const Vec3& target, double fovy, Viewport size = {64, 64}) {
+    return {{eye, target, std::abs(glm::normalize(target - eye).z) > 0.999 ? Vec3(0, 1, 0) : Vec3(0, 0, 1),
+             Angle::fromDegrees(fovy), 0.01, 1000},
+            size};
+}
+
+SphericalDecision decisionOf(Strategy& strategy, const View& view, size_t instance = 0) {
+    Trace trace;
+    static_cast<void>(strategy.cull(view, &trace));
+    return trace.spherical.at(instance);
+}
+
+/// The eye at 3 R and a latitude, to a unit sphere: case 12.
+Vec3 atLatitude(double degrees) {
+    const double latitude = degrees * kPi / 180.0;
+    // Not at an azimuth that a map's boundary could favour.
+    return 3.0 * Vec3(std::cos(latitude) * std::cos(2.1), std::cos(latitude) * std::sin(2.1), std::sin(latitude));
+}
+
+/// The share of the picture's rays whose hit on the unit sphere lies in no box of the region.
+double shareOutsideBoxes(const VisibleRegion& region, const SphericalGrid& grid, const View& view) {
+    int outside = 0, all = 0;
+    const Viewport size = view.viewport();
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const Ray ray{view.eye(), view.direction(x + 0.5, y + 0.5)};
+            const std::optional<Span> span = throughSphere(ray, 1.0);
+            if (!span) continue;
+            const SphericalGrid::Cell cell = grid.cellOf(ray.at(span->from));
+            const bool inside = std::any_of(region.boxes.begin(), region.boxes.end(), [&](const CellBox& box) {
+                return box.firstRow <= cell.row && cell.row <= box.lastRow && box.firstColumn <= cell.column &&
+                       cell.column <= box.lastColumn;
+            });
+            ++all;
+            outside += inside ? 0 : 1;
+        }
+    return double(outside) / all;
+}
+
+/// A unit sphere's map without the mesh's polyhedron mattering: hits are put on the sphere itself.
+double shareLost(double latitude, Join join) {
+    static const SphericalMaps maps(sphereMesh(2000), SphericalGrid(7200, 3600));
+    const View view = lookingAt(atLatitude(latitude), Vec3(0.0), 20.0, {200, 200});
+    std::array<CornerRay, 4> corners;
+    const std::array<Vec3, 8> directions = view.frustum().corners();
+    for (size_t i = 0; i < 4; ++i) {
+        corners[i].ray = {view.eye(), directions[i]};
+        corners[i].point = corners[i].ray.at(throughSphere(corners[i].ray, 1.0)->from);
+    }
+    return shareOutsideBoxes(visibleRegion(maps, corners, join), maps.grid(), view);
+}
+
+TEST(Spherical, cornerBoxLosesWhatThePaperDidNotSee) {
+    // Case 12: 0, 10 and 25 % of the rays at 3 R and 20°. At 75° the corners' box alone would lose 64 % and at 80° 81 %; the pole
+    // is in view there, so that case 1 draws full rows.
+    EXPECT_NEAR(shareLost(0.0, Join::Chart), 0.0, 0.005);
+    EXPECT_NEAR(shareLost(45.0, Join::Chart), 0.10, 0.01);
+    EXPECT_NEAR(shareLost(60.0, Join::Chart), 0.25, 0.015);
+    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, Join::Chart), 0.0) << latitude;
+    // Great circles reach to the extremes that lie between the corners.
+    for (const double latitude : {45.0, 60.0}) EXPECT_LT(shareLost(latitude, Join::Arcs), shareLost(latitude, Join::Chart));
+}
+
+TEST(Spherical, caseIsWrong) {
+    const ScenePointer scene = sceneOf({sphereMesh(80'000)});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    struct Expected {
+        Vec3 eye;
+        int number;
+        size_t boxes;
+    };
+    for (const Expected& expected : {Expected{{0, 0, 3}, 1, 1}, Expected{{0.1, -0.1, -3}, 1, 1}, Expected{{-3, 0, 0}, 2, 1},
+                                     Expected{{0, 3, 0.5}, 2, 1}, Expected{{3, 0, 0}, 3, 2}, Expected{{3, 0.2, -0.5}, 3, 2}}) {
+        const View view = lookingAt(expected.eye, Vec3(0.0), 20.0);
+        const Verdict verdict = strategy->cull(view);
+        const SphericalDecision decision = decisionOf(*strategy, view);
+        ASSERT_EQ(decision.relation, SphereRelation::Cut);
+        EXPECT_EQ(verdict.caseNumber, expected.number) << expected.eye.x << " " << expected.eye.y << " " << expected.eye.z;
+        EXPECT_EQ(decision.region->caseNumber, expected.number);
+        EXPECT_EQ(decision.region->boxes.size(), expected.boxes);
+        for (const CornerRay& ray : decision.rays) EXPECT_TRUE(ray.hit && ray.span && !ray.walkedCells.empty());
+        // Full rows are one range; a clump is one range a row; a split one two.
+        const size_t rows = decision.region->boxes[0].lastRow - decision.region->boxes[0].firstRow + 1;
+        EXPECT_EQ(decision.drawn.size(), expected.number == 1 ? 1 : expected.number == 2 ? rows : 2 * rows);
+    }
+}
+
+TEST(Spherical, seenFromThePolarAxisLeftAGap) {
+    // Case 13: the cap around the pole, all azimuths.
+    const ScenePointer scene = sceneOf({sphereMesh(80'000)});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    for (const double side : {1.0, -1.0}) {
+        const SphericalDecision decision = decisionOf(*strategy, lookingAt({0, 0, 3 * side}, Vec3(0.0), 20.0));
+        ASSERT_EQ(decision.region->boxes.size(), 1u);
+        const CellBox box = decision.region->boxes[0];
+        EXPECT_EQ(box.firstColumn, 0u);
+        EXPECT_EQ(box.lastColumn, 359u);
+        if (side > 0) {
+            EXPECT_EQ(box.firstRow, 0u);
+            EXPECT_THAT(double(box.lastRow), testing::AllOf(testing::Ge(32.0), testing::Le(34.0)));
+        } else {
+            EXPECT_EQ(box.lastRow, 179u);
+        }
+        for (const Vec2& point : decision.region->outline) EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
+    }
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const StrategyPointer whole = makeStrategy(id);
+        whole->build(*scene);
+        const Verdict verdict = whole->cull(lookingAt({0, 0, 3}, Vec3(0.0), 60.0));
+        EXPECT_GT(verdict.consideredTriangles, 20'000u) << id;
+        EXPECT_LT(verdict.consideredTriangles, 60'000u) << id;
+    }
+}
+
+TEST(Spherical, allCornerRaysMissedAPartlyVisibleSphere) {
+    // Case 14: far 100, sphere (11, 0, −10), r 2.
+    const ScenePointer scene = sceneOf({sphereMesh(5'000)}, {translation({11, 0, -10}) * scaling(Vec3(2.0))});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {64, 64});
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        const SphericalDecision decision = decisionOf(*strategy, view);
+        EXPECT_EQ(decision.relation, SphereRelation::Cut) << id;
+        EXPECT_GT(strategy->cull(view).consideredTriangles, 0u) << id;
+        for (const CornerRay& ray : decision.rays) {
+            if (std::string_view(id) != "spherical") continue;
+            EXPECT_FALSE(ray.hit);
+            EXPECT_FALSE(ray.span);
+            EXPECT_NEAR(glm::length(ray.point), 1.0, 1e-3);
+        }
+    }
+}
+
+TEST(Spherical, eyeInsideTheSphereLostSomething) {
+    // Case 17: inside, and exactly at the centre: the frustum's set.
+    const ScenePointer scene = sceneOf({sphereMesh(5'000)});
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        for (const Vec3& eye : {Vec3(0.5, 0.2, 0.1), Vec3(0.0), scene->boundingSphere().centre, Vec3(0.9999, 0.0, 0.0)}) {
+            const View view = lookingAt(eye, eye + Vec3(0.3, 1.0, 0.2), 70.0);
+            EXPECT_EQ(strategy->cull(view).consideredTriangles, scene->triangleCount()) << id;
+            EXPECT_EQ(decisionOf(*strategy, view).relation, SphereRelation::AroundEye) << id;
+        }
+    }
+}
+
+TEST(Spherical, instancesShareTheirMeshsMaps) {
+    std::vector<Mat4> places;
+    for (int i = 0; i < 25; ++i) places.push_back(translation({3.0 * (i % 5), 0.0, 3.0 * (i / 5)}));
+    const ScenePointer one = sceneOf({sphereMesh(2'000)}), many = copiesOf(sphereMesh(2'000), places);
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*one);
+        const uint64_t bytes = strategy->structure().bytes;
+        strategy->build(*many);
+        EXPECT_EQ(strategy->structure().bytes, bytes) << id;
+        // Each has its own relation to the frustum.
+        const View view = lookingAt({6, 0.3, -5}, {6, 0, 6}, 30.0);
+        Trace trace;
+        const Verdict verdict = strategy->cull(view, &trace);
+        std::set<SphereRelation> relations;
+        for (const SphericalDecision& decision : trace.spherical) relations.insert(decision.relation);
+        EXPECT_THAT(relations, testing::IsSupersetOf({SphereRelation::Outside, SphereRelation::Cut, SphereRelation::Within}))
+            << id;
+        EXPECT_LT(verdict.consideredTriangles, many->triangleCount() / 2) << id;
+        const Inside inside = strategy->inside(trace);
+        ASSERT_EQ(inside.maps.size(), 25u);
+        for (const InsideMap& map : inside.maps) EXPECT_EQ(map.maps, inside.maps[0].maps);
+    }
+}
+
+/// Every range in the list's order, no triangle twice, as many as considered.
+void expectSound(const Verdict& verdict, const Scene& scene, const std::string& where) {
+    std::vector<uint8_t> times(scene.triangleCount(), 0);
+    for (const DrawRange& range : verdict.drawList.ranges) {
+        const uint32_t mesh = scene.instances()[range.instance].mesh;
+        ASSERT_EQ(range.firstIndex % 3, 0u);
+        ASSERT_LE((range.firstIndex + range.indexCount) / 3, scene.meshOf(range.instance).triangleCount()) << where;
+        for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
+            ASSERT_EQ(times[scene.firstTriangle(range.instance) + verdict.drawList.triangleAt(mesh, place)]++, 0) << where;
+    }
+    uint64_t drawn = 0, culled = 0;
+    for (const uint8_t time : times) drawn += time;
+    for (const uint64_t count : verdict.culledTriangles) culled += count;
+    EXPECT_EQ(drawn, verdict.consideredTriangles) << where;
+    EXPECT_EQ(drawn + culled, scene.triangleCount()) << where;
+}
+
+TEST(Spherical, triangleIsDrawnTwiceOrInAnUnsoundRange) {
+    Random random(99);
+    for (uint64_t seed = 1; seed <= (longMode() ? 200u : 30u); ++seed) {
+        const ScenePointer scene = randomScene(seed);
+        for (const char* id : {"spherical", "spherical-horizon"}) {
+            const StrategyPointer strategy = strategyWith(id, {{"rows", "30"}});
+            strategy->build(*scene);
+            for (int i = 0; i < 10; ++i) {
+                const RandomView view = randomView(*scene, random);
+                Trace trace;
+                const Verdict verdict = strategy->cull(View(view.camera, view.viewport), &trace);
+                expectSound(verdict, *scene, id + std::string(" seed ") + std::to_string(seed) + " view " + std::to_string(i));
+                EXPECT_EQ(verdict.drawList.ranges, strategy->cull(View(view.camera, view.viewport)).drawList.ranges);
+            }
+        }
+    }
+}
+
+TEST(SphericalHorizon, resultDependsOnTheThreads) {
+    const ScenePointer scene = sceneOf({bumpyMesh(3, 20'000, 0.4)});
+    const View view = lookingAt({2, 3, 1.5}, Vec3(0.0), 50.0);
+    const StrategyPointer strategy = makeStrategy("spherical-horizon");
+    strategy->build(*scene);
+    const Verdict parallel = strategy->cull(view);
+    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
+    strategy->build(*scene);
+    const Verdict serial = strategy->cull(view);
+    EXPECT_EQ(serial.drawList.ranges, parallel.drawList.ranges);
+    EXPECT_LT(serial.consideredTriangles, scene->triangleCount() * 3 / 4);
+}
+
+TEST(SphericalHorizon, promiseIsTooLarge) {
+    const auto promiseOver = [](const MeshPointer& mesh) {
+        const ScenePointer scene = sceneOf({mesh});
+        const StrategyPointer strategy = makeStrategy("spherical-horizon");
+        strategy->build(*scene);
+        return strategy->promise();
+    };
+    EXPECT_EQ(promiseOver(sphereMesh(2'000)), Promise::Conservative);
+    EXPECT_EQ(promiseOver(boxMesh({-1, -2, -3}, {1, 2, 3})), Promise::Conservative);
+    EXPECT_EQ(promiseOver(bumpyMesh(5, 5'000, 0.2)), Promise::Conservative);
+    EXPECT_EQ(promiseOver(torusMesh(2'000)), Promise::Approximate);
+    EXPECT_EQ(promiseOver(bowlMesh(6'000)), Promise::Approximate);
+    EXPECT_EQ(promiseOver(squareMesh(1, 0)), Promise::Approximate);
+    // Two spheres, one in the other: each direction meets the surface twice.
+    std::vector<Vec3f> positions;
+    std::vector<uint32_t> indices;
+    for (const float scale : {1.0f, 0.5f}) {
+        const MeshPointer sphere = sphereMesh(500);
+        const auto base = uint32_t(positions.size());
+        for (const Vec3f& position : sphere->positions()) positions.push_back(scale * position);
+        for (const uint32_t index : sphere->indices()) indices.push_back(base + index);
+    }
+    EXPECT_EQ(promiseOver(meshOf(positions, indices)), Promise::Approximate);
+}
+
+TEST(SphericalHorizon, inwardFrontsHidWhatOpenGlDidNotDraw) {
+    // Its fronts are its inner sides: what the horizon takes for a surface is dropped by OpenGL.
+    const MeshPointer star = bumpyMesh(5, 5'000, 0.2);
+    std::vector<uint32_t> turned(star->indices().begin(), star->indices().end());
+    for (size_t i = 0; i < turned.size(); i += 3) std::swap(turned[i], turned[i + 1]);
+    const ScenePointer scene = sceneOf({meshOf({star->positions().begin(), star->positions().end()}, turned)});
+    for (const char* facing : {"front", "two-sided", "auto"}) {
+        const StrategyPointer strategy = strategyWith("spherical-horizon", {{"facing", facing}});
+        strategy->build(*scene);
+        EXPECT_EQ(strategy->promise(), std::string_view(facing) == "front" ? Promise::Approximate : Promise::Conservative)
+            << facing;
+    }
+}
+
+TEST(Spherical, cornerRaysHitWhatTheNearPlaneCutsAway) {
+    // Two walls; the near plane lies between them. The rays must go on to the second.
+    std::vector<Vec3f> positions;
+    std::vector<uint32_t> indices;
+    for (const float z : {1.0f, -1.0f})
+        for (const auto& [x, y] : {std::pair(-5.f, -5.f), {5.f, -5.f}, {5.f, 5.f}, {-5.f, 5.f}}) positions.emplace_back(x, y, z);
+    for (const uint32_t base : {0u, 4u})
+        for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(base + corner);
+    const ScenePointer scene = sceneOf({meshOf(positions, indices)});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    const SphericalDecision decision =
+        decisionOf(*strategy, View({{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(20), 10.0, 100}, {64, 64}));
+    ASSERT_EQ(decision.relation, SphereRelation::Cut);
+    for (const CornerRay& ray : decision.rays) {
+        ASSERT_TRUE(ray.hit);
+        EXPECT_GE(ray.hit->triangle, 2u);
+    }
+}
+
+TEST(Spherical, mapsOfManySmallMeshesTookGigabytes) {
+    std::vector<MeshPointer> meshes(200, nullptr);
+    for (MeshPointer& mesh : meshes) mesh = boxMesh({-1, -1, -1}, {1, 1, 1});
+    const ScenePointer scene = sceneOf(std::move(meshes));
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const StrategyPointer strategy = makeStrategy(id);
+        strategy->build(*scene);
+        EXPECT_LT(strategy->structure().bytes, scene->triangleCount() * 1000) << id;
+    }
+}
+
+TEST(Spherical, bandsAreFromNearToFar) {
+    const ScenePointer scene = sceneOf({sphereMesh(80'000)});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    const SphericalDecision decision = decisionOf(*strategy, lookingAt({0, -4, 1}, Vec3(0.0), 60.0));
+    ASSERT_EQ(decision.relation, SphereRelation::Within);
+    const ContourBands& bands = *decision.bands;
+    EXPECT_EQ(bands.bands, 36u);
+    EXPECT_EQ(bands.sectors, 36u);
+    EXPECT_LT(glm::distance(bands.axis, glm::normalize(Vec3(0, -4, 1))), 1e-3);
+    for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+        // S = R sin α grows to 90°, and nothing beyond exceeds it.
+        for (uint32_t band = 0; band < 18; ++band) EXPECT_TRUE(bands.at(band, sector).drawn);
+        for (uint32_t band = 19; band < 36; ++band) EXPECT_FALSE(bands.at(band, sector).drawn) << band << " " << sector;
+        EXPECT_NEAR(bands.at(9, sector).size, std::sin(50.0 * kPi / 180.0), 0.04);
+    }
+    // Angles and directions are each other's inverse.
+    const Vec2 angles = bands.anglesOf(bands.direction(1.2, 4.0));
+    EXPECT_NEAR(angles.x, 1.2, 1e-12);
+    EXPECT_NEAR(angles.y, 4.0, 1e-12);
+}
+
+TEST(Spherical, quickAnglesAreFarOff) {
+    for (int i = -100'000; i <= 100'000; ++i) {
+        const double x = i / 100'000.0;
+        ASSERT_NEAR(quickAcos(x), std::acos(x), kQuickAngleError) << x;
+        const double angle = (x + 1.0) * kPi;
+        const double error = std::remainder(quickAzimuth(std::sin(angle), std::cos(angle)) - angle, 2.0 * kPi);
+        ASSERT_LT(std::abs(error), kQuickAngleError) << angle;
+    }
+    EXPECT_EQ(quickAzimuth(0.0, 0.0), 0.0);
+}
+
+TEST(Spherical, whyDoesNotNameCellAndCause) {
+    const ScenePointer scene = sceneOf({sphereMesh(5'000)});
+    const StrategyPointer strategy = makeStrategy("spherical");
+    strategy->build(*scene);
+    const auto sentences = [&](const View& view, uint64_t triangle) {
+        Trace trace;
+        const Verdict verdict = strategy->cull(view, &trace);
+        std::string text;
+        for (const WhyStep& step : why(*scene, view, *strategy, verdict.drawList, trace, triangle))
+            text += step.sentence.english() + "\n";
+        return text;
+    };
+    const auto nearest = [&](const Vec3& direction) {
+        uint64_t best = 0;
+        double most = -1.0;
+        for (uint64_t triangle = 0; triangle < scene->triangleCount(); ++triangle) {
+            const Vec3 corner(scene->meshOf(0).positions()[scene->meshOf(0).indices()[3 * triangle]]);
+            if (glm::dot(corner, direction) > most) best = triangle;
+            most = std::max(most, glm::dot(corner, direction));
+        }
+        return best;
+    };
+    const View close = lookingAt({-3, 0, 0}, Vec3(0.0), 15.0), whole = lookingAt({-3, 0, 0}, Vec3(0.0), 60.0);
+    EXPECT_THAT(sentences(close, nearest({-1, 0, 0})), testing::HasSubstr("boxes (case 2)"));
+    EXPECT_THAT(sentences(close, nearest({-1, 0, 0})), testing::HasSubstr("is given to OpenGL"));
+    EXPECT_THAT(sentences(close, nearest({1, 0, 0})), testing::HasSubstr("outside the visible region's boxes"));
+    EXPECT_THAT(sentences(whole, nearest({1, 0, 0})), testing::HasSubstr("does not exceed"));
+    EXPECT_THAT(sentences(whole, nearest({-1, 0, 0})), testing::HasSubstr("within 90"));
+}
+
+}  // namespace
+}  // namespace cullscope::test

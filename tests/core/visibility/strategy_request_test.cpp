@@ -1,0 +1,42 @@
+#include "core/visibility/strategy_request.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+
+namespace cullscope::test {
+namespace {
+
+std::string refusal(const std::string& text) {
+    try {
+        (void)strategyFromText(text);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Usage);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(StrategyText, parametersAreLostOnTheWay) {
+    const StrategyRequest strategy = strategyFromText("frustum:facing=two-sided:box=length");
+    EXPECT_EQ(strategy.id, "frustum");
+    EXPECT_EQ(strategy.parameters.choice("facing"), "two-sided");
+    EXPECT_EQ(strategy.parameters.choice("box"), "length");
+    EXPECT_EQ(strategyText(strategy), "frustum:facing=two-sided:box=length");
+}
+
+TEST(StrategyText, defaultsAreWritten) {
+    EXPECT_EQ(strategyText(strategyFromText("all")), "all");
+    EXPECT_EQ(strategyText(strategyFromText("frustum:facing=auto")), "frustum");
+}
+
+TEST(StrategyText, whatIsUnknownIsTaken) {
+    EXPECT_NE(refusal("frustrum").find("Known: all"), std::string::npos);
+    EXPECT_NE(refusal("frustum:faces=both").find("Known: "), std::string::npos);
+    EXPECT_NE(refusal("frustum:facing=both").find("two-sided"), std::string::npos);
+    EXPECT_EQ(refusal("frustum:facing"), "\"facing\" is not of the form key=value.");
+    EXPECT_EQ(refusal("all:facing=front"), "The strategy \"all\" has no parameters.");
+}
+
+}  // namespace
+}  // namespace cullscope::test

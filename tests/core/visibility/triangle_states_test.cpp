@@ -1,0 +1,239 @@
+#include "core/visibility/triangle_states.h"
+
+#include <numeric>
+
+#include "core/mesh/parametric.h"
+#include "core/visibility/registry.h"
+#include "tests/core/gpu/gl_environment.h"
+#include "tests/core/scene/test_scenes.h"
+#include "tests/core/visibility/random_views.h"
+
+namespace cullscope::test {
+namespace {
+
+TEST(VisibleSets, whatOnlyOneOfTwoShowsIsCounted) {
+    using enum TriangleState;
+    TriangleStates first, second;
+    first.states = {Visible, Visible, InVain, WronglyCulled, Visible, BackFacing};
+    second.states = {Visible, WronglyCulled, Visible, Visible, Visible, BackFacing};
+    const VisibleSetDifference sets = compareVisibleSets(first, second);
+    EXPECT_EQ(sets.both, 2u);
+    EXPECT_EQ(sets.onlyFirst, 1u);
+    EXPECT_EQ(sets.onlySecond, 2u);
+}
+
+uint64_t count(const TriangleStates& states, TriangleState state) { return states.counts[static_cast<size_t>(state)]; }
+
+/// The counts are those of the states, and every triangle has one.
+void expectPartition(const TriangleStates& states, const Scene& scene) {
+    ASSERT_EQ(states.states.size(), scene.triangleCount());
+    std::array<uint64_t, kTriangleStateCount> counted{};
+    for (const TriangleState state : states.states) {
+        ASSERT_LT(static_cast<size_t>(state), kTriangleStateCount);
+        ++counted[static_cast<size_t>(state)];
+    }
+    EXPECT_EQ(states.counts, counted);
+    EXPECT_EQ(std::accumulate(counted.begin(), counted.end(), uint64_t{0}), scene.triangleCount());
+}
+
+std::vector<uint32_t> inState(const TriangleStates& states, TriangleState state) {
+    std::vector<uint32_t> triangles;
+    for (uint32_t i = 0; i < states.states.size(); ++i)
+        if (states.states[i] == state) triangles.push_back(i);
+    return triangles;
+}
+
+/// V∖S by a mask of its own.
+std::vector<uint32_t> visibleNotSubmitted(const Reference& reference, const DrawList& list, const Scene& scene) {
+    std::vector<uint8_t> submitted(scene.triangleCount(), 0);
+    for (const DrawRange& range : list.ranges)
+        for (uint32_t i = 0; i < range.indexCount / 3; ++i)
+            submitted[scene.firstTriangle(range.instance) +
+                      list.triangleAt(scene.instances()[range.instance].mesh, range.firstIndex / 3 + i)] = 1;
+    std::vector<uint32_t> lost;
+    for (const uint32_t triangle : reference.visibleTriangles)
+        if (submitted[triangle] == 0) lost.push_back(triangle);
+    return lost;
+}
+
+uint64_t falselyCulled(const Reference& reference, const SceneBuffers& buffers, const View& view, const DrawList& list) {
+    return compare(reference, picture(buffers, view, list).depth, list, buffers.scene()).falselyCulledTriangles;
+}
+
+Viewport small(const Viewport& size) { return {std::min(size.width, 96), std::min(size.height, 64)}; }
+
+TEST(TriangleStates, randomViewOfAStrategyIsNoPartition) {
+    for (uint64_t seed = 1; seed <= 12; ++seed) {
+        const ScenePointer scene = randomScene(seed);
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        Random random(seed);
+        for (int i = 0; i < 8; ++i) {
+            const RandomView sample = randomView(*scene, random);
+            const View view(sample.camera, small(sample.viewport));
+            for (const RegisteredStrategy& registered : strategies()) {
+                SCOPED_TRACE(registered.info.id + " scene seed " + std::to_string(seed) + " view " + std::to_string(i));
+                const StrategyPointer strategy = makeStrategy(registered.info.id);
+                strategy->build(*scene);
+                Trace trace;
+                const Verdict verdict = strategy->cull(view, &trace, &GlEnvironment::renderer());
+                const Reference reference =
+                    itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
+                const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, &reference);
+                EXPECT_TRUE(states.againstTruth);
+                expectPartition(states, *scene);
+                // Where OpenGL drops nothing that the truth shows, what is lost is V∖S.
+                if (verdict.drawList.facing == reference.facing) {
+                    EXPECT_EQ(inState(states, TriangleState::WronglyCulled),
+                              visibleNotSubmitted(reference, verdict.drawList, *scene));
+                    EXPECT_EQ(count(states, TriangleState::WronglyCulled),
+                              falselyCulled(reference, buffers, view, verdict.drawList));
+                    EXPECT_EQ(count(states, TriangleState::Visible) + count(states, TriangleState::WronglyCulled),
+                              reference.visibleTriangles.size());
+                }
+                EXPECT_EQ(count(states, TriangleState::OutsideFrustum) + count(states, TriangleState::Hidden) +
+                              verdict.culledTriangles[size_t(Cause::BackFacing)] +
+                              visibleNotSubmitted(reference, verdict.drawList, *scene).size() + verdict.consideredTriangles,
+                          scene->triangleCount());
+            }
+        }
+    }
+}
+
+View overThree() { return {{{0, 3, 12}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {200, 150}}; }
+ScenePointer threeBodies() {
+    return sceneOf({knotMesh(4000), starMesh(7, 3000), sphereMesh(9000)},
+                   {translation({-2.5, 0, 0}), translation({2, 0, 0}), translation({0, 0, -5})});
+}
+
+TEST(TriangleStates, wrongDrawListLosesNothing) {
+    const ScenePointer scene = threeBodies();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    for (const Facing facing : {Facing::TwoSided, Facing::Front}) {
+        const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), facing);
+        for (uint32_t removed = 0; removed < 3; ++removed) {
+            // Half of an object is not given to OpenGL; the trace says why.
+            DrawList lossy = everything(*scene, facing);
+            lossy.ranges[removed].firstIndex = 3 * static_cast<uint32_t>(scene->meshOf(removed).triangleCount() / 2);
+            lossy.ranges[removed].indexCount -= lossy.ranges[removed].firstIndex;
+            Trace trace;
+            trace.events.push_back({.kind = TraceEvent::Kind::Culled, .instance = removed, .cause = Cause::TooSmall});
+            const TriangleStates states = triangleStates(*scene, overThree(), lossy, trace, &reference);
+            expectPartition(states, *scene);
+            const std::vector<uint32_t> lost = inState(states, TriangleState::WronglyCulled);
+            EXPECT_EQ(lost, visibleNotSubmitted(reference, lossy, *scene));
+            EXPECT_EQ(lost.size(), falselyCulled(reference, buffers, overThree(), lossy));
+            EXPECT_GT(lost.size(), 20u);
+            EXPECT_EQ(count(states, TriangleState::TooSmall) + lost.size(), lossy.ranges[removed].firstIndex / 3)
+                << "what was not given and is not seen has the cause";
+            EXPECT_EQ(count(states, TriangleState::BackFacing) > 0, facing == Facing::Front);
+        }
+    }
+}
+
+TEST(TriangleStates, causeBecomesAnotherState) {
+    const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1), squareMesh(1, -2), squareMesh(1, -3)});
+    Trace trace;
+    for (uint32_t i = 0; i < kCauseCount; ++i)
+        trace.events.push_back({.kind = TraceEvent::Kind::Culled, .instance = i, .cause = static_cast<Cause>(i)});
+    const TriangleStates states = triangleStates(*scene, overThree(), {}, trace, nullptr);
+    using enum TriangleState;
+    EXPECT_THAT(states.states,
+                testing::ElementsAre(OutsideFrustum, OutsideFrustum, BackFacing, BackFacing, Hidden, Hidden, TooSmall, TooSmall));
+    EXPECT_FALSE(states.againstTruth);
+}
+
+TEST(TriangleStates, backFaceThatTheTruthShowsIsNotLost) {
+    // An open square seen from behind: OpenGL drops it, and with both sides it would be seen.
+    const ScenePointer scene = sceneOf({squareMesh(1, 0)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View behind({{0, 0, -4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
+    const DrawList list = everything(*scene, Facing::Front);
+    const auto states = [&](Facing truth) {
+        const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, behind, truth);
+        return triangleStates(*scene, behind, list, {}, &reference);
+    };
+    EXPECT_EQ(count(states(Facing::TwoSided), TriangleState::WronglyCulled), 2u);
+    EXPECT_EQ(count(states(Facing::Front), TriangleState::BackFacing), 2u);
+    EXPECT_EQ(count(triangleStates(*scene, behind, list, {}, nullptr), TriangleState::BackFacing), 2u);
+    const View before({{0, 0, 4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
+    EXPECT_EQ(count(triangleStates(*scene, before, list, {}, nullptr), TriangleState::Visible), 2u);
+}
+
+TEST(TriangleStates, triangleDrawnTwiceChangesItsState) {
+    const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), Facing::TwoSided);
+    const DrawList twice{Facing::TwoSided, {{0, 0, 6}, {1, 0, 6}, {0, 0, 3}, {1, 3, 3}}};
+    EXPECT_EQ(triangleStates(*scene, overThree(), twice, {}, &reference).states,
+              triangleStates(*scene, overThree(), everything(*scene, Facing::TwoSided), {}, &reference).states);
+}
+
+/// Whether the outer side of a triangle of a body around `centre` is turned away from the eye, without its winding.
+bool outerSideTurnedAway(const Scene& scene, uint32_t instance, uint32_t triangle, const Vec3& centre, const Vec3& eye) {
+    const TriangleMesh& mesh = scene.meshOf(instance);
+    std::array<Vec3, 3> corners;
+    for (size_t i = 0; i < 3; ++i)
+        corners[i] = Vec3(scene.instances()[instance].worldFromMesh * Vec4(mesh.position(mesh.indices()[3 * triangle + i]), 1.0));
+    Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
+    if (glm::dot(normal, corners[0] - centre) < 0.0) normal = -normal;
+    return glm::dot(normal, eye - corners[0]) < 0.0;
+}
+
+TEST(TriangleStates, mirroredInstanceShowsItsBack) {
+    const std::vector<Mat4> places{translation({-2, 0, 0}), translation({2, 0, 0}) * scaling({-1, 1, 1}),
+                                   translation({0, 2, 0}) * scaling({1, -2, .5}),
+                                   translation({0, -2, 0}) * scaling({-1, -1, -1})};
+    const ScenePointer scene = copiesOf(sphereMesh(20000), places);
+    const TriangleStates states = triangleStates(*scene, overThree(), everything(*scene, Facing::Front), {}, nullptr);
+    expectPartition(states, *scene);
+    for (uint32_t i = 0; i < places.size(); ++i) {
+        const auto triangles = static_cast<uint32_t>(scene->meshOf(i).triangleCount());
+        for (uint32_t t = 0; t < triangles; ++t) {
+            const bool away = outerSideTurnedAway(*scene, i, t, Vec3(places[i][3]), overThree().eye());
+            ASSERT_EQ(states.states[scene->firstTriangle(i) + t], away ? TriangleState::BackFacing : TriangleState::Visible)
+                << "instance " << i << " triangle " << t;
+        }
+    }
+    EXPECT_GT(count(states, TriangleState::BackFacing), scene->triangleCount() / 3);
+}
+
+TEST(TriangleStates, fieldCountsDifferFromTheVerdict) {
+    std::vector<Mat4> places;
+    for (int i = 0; i < 20; ++i)
+        for (int j = 0; j < 20; ++j) places.push_back(translation({(i - 9.5) * 2.5, 0, (j - 9.5) * 2.5}));
+    const ScenePointer scene = copiesOf(sphereMesh(320), places);
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const StrategyPointer frustum = makeStrategy("frustum");
+    frustum->build(*scene);
+    Random random(5);
+    for (int i = 0; i < 10; ++i) {
+        const View view({{random.between(-20, 20), 1, random.between(-20, 20)},
+                         {random.between(-5, 5), 0, random.between(-5, 5)},
+                         {0, 1, 0},
+                         Angle::fromDegrees(45),
+                         0.05,
+                         100},
+                        {160, 120});
+        Trace trace;
+        const Verdict verdict = frustum->cull(view, &trace);
+        const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, frustum->referenceFacing());
+        const uint64_t outside = verdict.culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)];
+        ASSERT_GT(outside, 0u);
+        for (const Reference* truth : {&reference, static_cast<const Reference*>(nullptr)}) {
+            const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, truth);
+            expectPartition(states, *scene);
+            EXPECT_EQ(count(states, TriangleState::OutsideFrustum), outside);
+            EXPECT_EQ(count(states, TriangleState::WronglyCulled), 0u);
+            EXPECT_EQ(count(states, TriangleState::InVain) > 0, truth != nullptr);
+        }
+    }
+}
+
+TEST(TriangleStates, nameIsMissingOrTwiceThere) {
+    std::set<std::string> names;
+    for (size_t i = 0; i < kTriangleStateCount; ++i) names.insert(triangleStateName(static_cast<TriangleState>(i)));
+    EXPECT_EQ(names.size(), kTriangleStateCount);
+}
+
+}  // namespace
+}  // namespace cullscope::test

@@ -1,0 +1,46 @@
+#include "ui/jobs/built_strategy.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/gpu/context.h"
+#include "core/image/overlays.h"
+
+namespace cullscope::ui {
+
+Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace, Renderer* renderer) {
+    const std::lock_guard lock(built.mutex);
+    return built.strategy->cull(view, trace, renderer);
+}
+
+ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
+    if (!look.boxes && !look.bands && !look.kernel) return look;
+    if (built.asks != Asks::Nothing) {
+        look.bands = look.kernel = false;
+        return look;
+    }
+    const std::lock_guard lock(built.mutex);
+    Trace trace;
+    (void)built.strategy->cull(view, &trace);
+    const Inside inside = built.strategy->inside(trace);
+    look.boxes = look.boxes && !(inside.nodes.empty() && inside.maps.empty());
+    look.bands =
+        look.bands && std::ranges::any_of(inside.maps, [](const InsideMap& map) { return map.decision.bands.has_value(); });
+    look.kernel = look.kernel && std::ranges::any_of(inside.maps, hasKernel);
+    return look;
+}
+
+FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,
+                         Framebuffer& target, const DrawStyle& style) {
+    std::unique_lock lock(built.mutex);
+    const auto start = std::chrono::steady_clock::now();
+    FrameResult result;
+    result.verdict = built.strategy->cull(view, nullptr, &renderer);
+    lock.unlock();
+    renderer.draw(buffers, view, result.verdict.drawList, target, style);
+    waitForGpu();
+    result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    return result;
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,237 @@
+#include "ui/jobs/paper_runner.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <new>
+
+#include "core/base/error.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kShownInterval = 50;  // ms
+constexpr double kOpened = 0.05;    // of a setting's progress
+const QString kMeasuring = QStringLiteral("measuring");
+
+Message sentenceOf(const std::exception& exception) {
+    if (const auto* error = dynamic_cast<const Error*>(&exception)) return error->message();
+    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr)
+        return {QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."), {}};
+    return {QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"), {exception.what()}};
+}
+
+}  // namespace
+
+PaperRunner::PaperRunner(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+    m_shownCheck.setInterval(kShownInterval);
+    connect(&m_shownCheck, &QTimer::timeout, this, &PaperRunner::measureWhenShown);
+    connect(&m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
+        if (!running()) return;
+        // Each strategy that is built before has shares of its own: they are not of the path.
+        const double measured = stage == kMeasuring ? share : 0.0;
+        showPose(measured);
+        tellProgress(kOpened + (1.0 - kOpened) * measured, stage);
+    });
+    connect(&m_runner, &ExperimentRunner::partial, this, [this](const MeasureResult& soFar) {
+        if (!running() || m_experiment->plotMeasured == nullptr) return;
+        m_experiment->plotMeasured(m_table, setting(), soFar);
+        emit plotsChanged();
+    });
+    connect(&m_runner, &ExperimentRunner::finished, this, [this](const MeasureResult& result) {
+        if (!running()) return;
+        addRows([result, setting = &setting(), experiment = m_experiment](PaperTable& table, const Progress&) {
+            addMeasured(table, *experiment, *setting, result);
+        });
+    });
+    connect(&m_runner, &ExperimentRunner::failed, this, &PaperRunner::fail);
+    connect(&session, &Session::sceneChanged, this, [this] {
+        if (!running() || m_showing) return;
+        m_before.reset();
+        cancel();
+    });
+}
+
+void PaperRunner::start(const PaperExperiment& experiment, int repetitions) {
+    if (running()) return;
+    m_experiment = &experiment;
+    m_repetitions = repetitions;
+    m_setting = 0;
+    m_share = 0.0;
+    m_specification.clear();
+    m_table = emptyTable(experiment);
+    m_openedBefore = m_session.opened();
+    m_before = captureState(m_session);
+    m_pickBefore = m_session.pick();
+    // What the window measures beside it would be in the experiment's times.
+    m_session.setMeasuring(false);
+    emit tableChanged();
+    nextSetting();
+}
+
+void PaperRunner::cancel() {
+    if (!running()) return;
+    m_table.interrupted = true;
+    m_shownCheck.stop();
+    // The poses measured so far come as a result.
+    if (m_resultDue) return m_runner.cancel();
+    m_background.cancel();
+    end();
+}
+
+void PaperRunner::nextSetting() {
+    if (m_table.interrupted || m_setting == m_experiment->settings.size()) return end();
+    if (m_specification == setting().scene) return showSetting();
+    openScene();
+}
+
+void PaperRunner::openScene() {
+    tellProgress(0.0, QString());
+    m_background.start([this, specification = setting().scene,
+                        source = m_session.sceneSource()](const std::stop_token& stop) -> Background::Delivery {
+        try {
+            auto opened = std::make_shared<const OpenedScene>(
+                cullscope::openScene(specification, source, progressOn(stop).part(0.0, kOpened)));
+            return [this, opened] {
+                m_showing = true;
+                m_session.show(opened);
+                m_showing = false;
+                m_specification = setting().scene;
+                showSetting();
+            };
+        } catch (const std::exception& error) {
+            return [this, message = sentenceOf(error)] { fail(message); };
+        }
+    });
+}
+
+void PaperRunner::showSetting() {
+    const PaperSetting& shown = setting();
+    m_session.setActiveView(0);
+    m_session.setViewCount(shown.windows);
+    ViewSetup setup;
+    setup.upload = shown.upload;
+    if (shown.size.width > 0) setup.size = shown.size;
+    try {
+        for (int view = 0; view < shown.windows; ++view) {
+            m_session.setSetup(view, setup);
+            if (!shown.shown.empty()) m_session.slot(view).choose(shown.shown);
+        }
+        m_path = shown.timed() ? cameraPath(shown.path, *m_session.opened()->scene) : CameraPath();
+    } catch (const Error& error) {
+        return fail(error.message());
+    }
+    showPose(0.0);
+    m_shownCheck.start();
+}
+
+void PaperRunner::measureWhenShown() {
+    for (const int view : m_session.shownViews())
+        if (m_session.slot(view).building()) return;
+    if (m_session.gpu() && m_session.uploadFailure().empty() && !m_session.buffers(setting().upload)) return;
+    m_shownCheck.stop();
+    setting().timed() ? measureSetting() : buildSetting();
+}
+
+void PaperRunner::measureSetting() {
+    const MeasureRequest request = measureRequest(setting(), m_session.opened()->scene, m_repetitions);
+    ExperimentRunner::Request asked;
+    asked.scene = request.scene;
+    asked.strategies = request.strategies;
+    asked.path = request.path;
+    asked.size = request.size;
+    asked.windows = request.windows;
+    asked.upload = request.upload;
+    asked.repetitions = m_repetitions;
+    asked.leaveOutUnavailable = request.leaveOutUnavailable;
+    m_resultDue = true;
+    m_runner.start(asked);
+}
+
+void PaperRunner::buildSetting() {
+    addRows([experiment = m_experiment, scene = m_session.opened()->scene](PaperTable& table, const Progress& progress) {
+        addBuilt(table, *experiment, *scene, progress);
+    });
+}
+
+/// Beside the window: hashing and counting what is in view take their time too.
+void PaperRunner::addRows(std::function<void(PaperTable& table, const Progress& progress)> add) {
+    m_background.start(
+        [this, add = std::move(add), table = m_table](const std::stop_token& stop) mutable -> Background::Delivery {
+            try {
+                add(table, progressOn(stop).part(kOpened, 1.0));
+                return [this, table = std::move(table)] {
+                    const bool stopped = m_table.interrupted;
+                    m_table = table;
+                    m_table.interrupted = m_table.interrupted || stopped;
+                    settingDone();
+                };
+            } catch (const std::exception& error) {
+                return [this, message = sentenceOf(error)] { fail(message); };
+            }
+        });
+}
+
+void PaperRunner::showPose(double share) {
+    if (m_path.poses.empty()) return;
+    const size_t pose = std::min(size_t(share * double(m_path.poses.size()) + 0.5), m_path.poses.size() - 1);
+    m_session.setCamera(m_path.camera(pose));
+}
+
+void PaperRunner::settingDone() {
+    m_resultDue = false;
+    ++m_setting;
+    emit tableChanged();
+    // Whoever saw the table may have stopped it.
+    if (running()) nextSetting();
+}
+
+void PaperRunner::fail(const Message& message) {
+    m_session.raise(Severity::Error, message);
+    // What was measured before a loss of the context came first, and ended it.
+    if (!running()) return;
+    m_table.interrupted = true;
+    end();
+}
+
+void PaperRunner::end() {
+    m_shownCheck.stop();
+    m_resultDue = false;
+    m_experiment = nullptr;
+    restoreSession();
+    m_session.setMeasuring(true);
+    emit ended();
+}
+
+void PaperRunner::restoreSession() {
+    const std::optional<SessionState> before = std::exchange(m_before, std::nullopt);
+    const OpenedScenePointer opened = std::exchange(m_openedBefore, nullptr);
+    // Without a scene before, the experiment's stays: there is no other.
+    if (!before || !opened) return;
+    if (m_session.opened() != opened) m_session.show(opened);
+    applyState(m_session, *before);
+    m_session.setPick(m_pickBefore);
+}
+
+/// Tells from whatever thread works, a thousand times at most.
+Progress PaperRunner::progressOn(const std::stop_token& stop) {
+    return {
+        [this, told = -1.0](double share, std::string_view stage) mutable {
+            if (share < told + 0.01) return;
+            told = share;
+            QMetaObject::invokeMethod(
+                this,
+                [this, share, words = QString::fromUtf8(stage.data(), qsizetype(stage.size()))] { tellProgress(share, words); },
+                Qt::QueuedConnection);
+        },
+        stop};
+}
+
+void PaperRunner::tellProgress(double share, const QString& stage) {
+    if (!running()) return;
+    const double all = double(m_experiment->settings.size());
+    m_share = std::max(m_share, (double(m_setting) + share) / all);
+    emit progressed(m_share, stage);
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,80 @@
+#include "ui/jobs/scene_loader.h"
+
+#include <QCoreApplication>
+#include <new>
+
+#include "core/base/error.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kProgressInterval = 50;  // ms
+
+}  // namespace
+
+SceneLoader::SceneLoader(Opener opener, QObject* parent) : QObject(parent), m_opener(std::move(opener)) {
+    m_poll.setInterval(kProgressInterval);
+    connect(&m_poll, &QTimer::timeout, this, &SceneLoader::showProgress);
+}
+
+void SceneLoader::open(const QString& specification) {
+    m_specification = specification;
+    m_board = std::make_shared<Board>();
+    m_background.start([this, text = specification.toStdString(), board = m_board](const std::stop_token& stop) {
+        return run(text, board, stop);
+    });
+    m_poll.start();
+    emit started(specification);
+}
+
+void SceneLoader::cancel() {
+    if (!loading()) return;
+    m_background.cancel();
+    m_poll.stop();
+    emit cancelled();
+}
+
+void SceneLoader::showProgress() {
+    double share = 0.0;
+    QString stage;
+    {
+        const std::lock_guard lock(m_board->mutex);
+        share = m_board->share;
+        stage = QString::fromStdString(m_board->stage);
+    }
+    emit progressed(share, stage);
+}
+
+Background::Delivery SceneLoader::run(const std::string& specification, const std::shared_ptr<Board>& board,
+                                      const std::stop_token& stop) {
+    Progress progress;
+    progress.stop = stop;
+    progress.report = [board](double share, std::string_view stage) {
+        const std::lock_guard lock(board->mutex);
+        board->share = share;
+        board->stage = stage;
+    };
+    const auto fail = [this](Message message) -> Background::Delivery {
+        return [this, message = std::move(message)] {
+            m_poll.stop();
+            emit failed(message);
+        };
+    };
+    try {
+        auto scene = std::make_shared<const OpenedScene>(m_opener(specification, progress));
+        return [this, scene] {
+            m_poll.stop();
+            emit loaded(scene);
+        };
+    } catch (const Error& error) {
+        return fail(error.message());
+    } catch (const std::bad_alloc&) {
+        return fail(
+            {QT_TRANSLATE_NOOP("core", "There is not enough memory to open %1. Choose a smaller model."), {specification}});
+    } catch (const std::exception& error) {
+        return fail({QT_TRANSLATE_NOOP("core", "%1 cannot be opened: %2"), {specification, error.what()}});
+    }
+}
+
+}  // namespace cullscope::ui

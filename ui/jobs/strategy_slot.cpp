@@ -1,0 +1,86 @@
+#include "ui/jobs/strategy_slot.h"
+
+#include <QCoreApplication>
+
+#include "core/base/error.h"
+#include "core/visibility/registry.h"
+
+namespace cullscope::ui {
+
+StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, QObject* parent)
+    : QObject(parent), m_refusal(std::move(refusal)), m_id(std::move(id)), m_parameters(std::move(parameters)) {}
+
+void StrategySlot::choose(const std::string& id) {
+    if (id == m_id) return;
+    // Throws where there is none, before anything changes.
+    m_parameters = ParameterSet(findStrategy(id).info.parameters);
+    m_id = id;
+    emit chosen();
+    build();
+}
+
+void StrategySlot::setParameters(const ParameterSet& parameters) {
+    if (parameters == m_parameters) return;
+    m_parameters = parameters;
+    emit chosen();
+    build();
+}
+
+void StrategySlot::setScene(const ScenePointer& scene) {
+    m_scene = scene;
+    m_background.cancel();
+    m_again = false;
+    m_built = nullptr;
+    emit builtChanged();
+    build();
+}
+
+void StrategySlot::build() {
+    if (!m_scene) return;
+    const std::optional<Message> why = m_refusal(findStrategy(m_id).info);
+    m_refused = why.has_value();
+    if (why) return refuse(*why);
+    m_again = m_background.busy();
+    if (!m_again) start();
+}
+
+void StrategySlot::refuse(const Message& why) {
+    m_background.cancel();
+    m_again = false;
+    m_built = nullptr;
+    emit builtChanged();
+    emit failed(why);
+}
+
+void StrategySlot::start() {
+    m_background.start(
+        [this, id = m_id, parameters = m_parameters, scene = m_scene](const std::stop_token& stop) -> Background::Delivery {
+            try {
+                auto built = std::make_shared<BuiltStrategy>();
+                built->id = id;
+                built->scene = scene;
+                built->asks = findStrategy(id).info.asks;
+                built->strategy = makeStrategy(id, parameters);
+                Progress progress;
+                progress.stop = stop;
+                built->strategy->build(*scene, progress);
+                return [this, built] {
+                    m_built = built;
+                    emit builtChanged();
+                    if (std::exchange(m_again, false)) start();
+                };
+            } catch (const Error& error) {
+                return [this, message = error.message()] {
+                    emit failed(message);
+                    if (std::exchange(m_again, false)) start();
+                };
+            } catch (const std::exception& error) {
+                return [this, id, what = std::string(error.what())] {
+                    emit failed({QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"), {id, what}});
+                    if (std::exchange(m_again, false)) start();
+                };
+            }
+        });
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,71 @@
+#include "ui/jobs/tiled_picture.h"
+
+#include "core/image/picture_file.h"
+
+namespace cullscope::ui {
+
+TiledPicture::TiledPicture(ViewRequest request, const Wanted& wanted)
+    : m_request(std::move(request)), m_wanted(wanted), m_tiles(tilesOf(m_request.size)) {
+    if (!wanted.truth) return;
+    m_cullingTiles = tilesOf(m_request.cullingSize);
+    m_visible.resize(m_request.buffers->scene().triangleCount());
+}
+
+size_t TiledPicture::steps() const { return m_cullingTiles.size() + m_tiles.size() * (m_wanted.items ? 2 : 1); }
+
+bool TiledPicture::drawNext(Renderer& renderer) {
+    size_t step = m_step++;
+    if (step < m_cullingTiles.size()) {
+        findVisible(renderer, m_cullingTiles[step]);
+        if (step + 1 == m_cullingTiles.size()) finishTruth(renderer);
+        return true;
+    }
+    step -= m_cullingTiles.size();
+    if (!m_drawing) m_drawing.emplace(m_request, renderer);
+    if (step < m_tiles.size()) {
+        Framebuffer target(m_tiles[step]);
+        m_drawing->draw(renderer, target);
+        if (step + 1 == m_tiles.size()) m_result.picture = m_drawing->finish(m_wanted.reach);
+    } else {
+        drawItems(renderer, m_tiles[step - m_tiles.size()]);
+    }
+    return m_step < steps();
+}
+
+void TiledPicture::findVisible(Renderer& renderer, const PictureTile& tile) {
+    const View culling(m_request.culling, m_request.cullingSize);
+    const DrawList all = everything(m_request.buffers->scene(), m_request.strategy->strategy->referenceFacing());
+    for (const uint32_t item : renderer.drawItemBuffer(*m_request.buffers, culling, all, tile).triangle)
+        if (item != 0) m_visible[item - 1] = true;
+}
+
+void TiledPicture::finishTruth(Renderer& renderer) {
+    Reference truth;
+    truth.size = m_request.cullingSize;
+    truth.facing = m_request.strategy->strategy->referenceFacing();
+    for (size_t triangle = 0; triangle < m_visible.size(); ++triangle)
+        if (m_visible[triangle]) truth.visibleTriangles.push_back(uint32_t(triangle));
+    const View culling(m_request.culling, m_request.cullingSize);
+    Trace trace;
+    const Verdict verdict = cullShared(*m_request.strategy, culling, &trace, &renderer);
+    m_request.states = std::make_shared<const TriangleStates>(
+        triangleStates(m_request.buffers->scene(), culling, verdict.drawList, trace, &truth));
+}
+
+void TiledPicture::drawItems(Renderer& renderer, const PictureTile& tile) {
+    const size_t pixels = size_t(m_request.size.width) * size_t(m_request.size.height);
+    m_result.depth.resize(pixels);
+    m_result.triangle.resize(pixels);
+    const View viewing(m_request.viewing, m_request.size);
+    const Renderer::ItemBuffer items = renderer.drawItemBuffer(*m_request.buffers, viewing, m_drawing->drawList(), tile);
+    copyTile(forwardDistances(items.depth, viewing), tile, m_result.depth, m_request.size.width);
+    copyTile(items.triangle, tile, m_result.triangle, m_request.size.width);
+}
+
+TiledPicture::Result TiledPicture::take() {
+    m_result.states = m_drawing->states();
+    m_drawing.reset();
+    return std::move(m_result);
+}
+
+}  // namespace cullscope::ui

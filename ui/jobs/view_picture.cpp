@@ -1,0 +1,138 @@
+#include "ui/jobs/view_picture.h"
+
+#include <QRgb>
+
+#include "core/image/spherical_model.h"
+#include "core/image/view_picture.h"
+#include "ui/session/navigation.h"
+#include "ui/jobs/picture_tiles.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kMarkReach = 2;  // 5 × 5 pixels, so that one in 300,000 is seen
+constexpr QRgb kAddedColour = 0xff3168f5;
+
+constexpr uint8_t kAdded = 1;
+constexpr uint8_t kMissed = 2;
+
+QRgb missedColour(const DrawStyle& style) {
+    const Vec3f colour = verdictPalette(style.background)[size_t(TriangleState::WronglyCulled)].colour;
+    return qRgb(int(std::lround(colour.x * 255.0f)), int(std::lround(colour.y * 255.0f)), int(std::lround(colour.z * 255.0f)));
+}
+
+void grow(QImage& marks, int x, int y, int reach, QRgb colour) {
+    const int left = std::max(0, x - reach), right = std::min(marks.width() - 1, x + reach);
+    for (int row = std::max(0, y - reach); row <= std::min(marks.height() - 1, y + reach); ++row) {
+        auto* pixels = reinterpret_cast<QRgb*>(marks.scanLine(row));
+        std::fill(pixels + left, pixels + right + 1, colour);
+    }
+}
+
+/// Marks what `colour` shows farther away or nearer than `other`; the missed ones lie on top.
+void markDifferences(ViewPicture& picture, const std::vector<uint8_t>& differences, int reach) {
+    const Viewport& size = picture.request.size;
+    picture.marks = newImage(size, QImage::Format_ARGB32_Premultiplied);
+    picture.marks.fill(Qt::transparent);
+    const QRgb missed = missedColour(picture.request.style);
+    for (const uint8_t difference : {kAdded, kMissed})
+        for (size_t i = 0; i < differences.size(); ++i) {
+            if (differences[i] != difference) continue;
+            ++(difference == kMissed ? picture.missed : picture.added);
+            const int y = size.height - 1 - int(i / size_t(size.width));
+            grow(picture.marks, int(i % size_t(size.width)), y, reach, difference == kMissed ? missed : kAddedColour);
+        }
+}
+
+}  // namespace
+
+QColor addedPixelColour() { return QColor::fromRgb(kAddedColour); }
+
+Renderer& ViewPictureDrawer::renderer() {
+    if (!m_renderer) m_renderer = std::make_unique<Renderer>();
+    return *m_renderer;
+}
+
+Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
+    if (!m_framebuffer || !(m_framebuffer->size() == size)) m_framebuffer = std::make_unique<Framebuffer>(size);
+    return *m_framebuffer;
+}
+
+PictureDrawing::PictureDrawing(const ViewRequest& request, Renderer& renderer)
+    : m_picture(std::make_shared<ViewPicture>()),
+      m_culling(request.culling, request.cullingSize),
+      m_viewing(request.viewing, request.size),
+      m_states(request.states) {
+    m_picture->request = request;
+    m_verdict = cullShared(*request.strategy, m_culling, needsTrace(request.look) ? &m_trace : nullptr, &renderer);
+    m_picture->consideredTriangles = m_verdict.consideredTriangles;
+    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->strategy->inside(m_trace));
+    m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(request.buffers->scene(), m_verdict.drawList);
+    if (request.look.colouring == Colouring::Verdicts && !m_states)
+        m_states = std::make_shared<const TriangleStates>(
+            triangleStates(request.buffers->scene(), m_culling, m_verdict.drawList, m_trace, nullptr));
+    const size_t pixels = size_t(request.size.width) * size_t(request.size.height);
+    m_picture->colour = newImage(request.size, QImage::Format_RGBA8888);
+    m_picture->depth.resize(pixels);
+    if (request.wipe == Wipe::Mode::None) return;
+    const bool truth = request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss;
+    if (!truth && !request.other) return;
+    m_beside = truth ? everything(request.buffers->scene(), request.strategy->strategy->referenceFacing())
+                     : cullShared(*request.other, m_culling, nullptr, &renderer).drawList;
+    m_picture->other = newImage(request.size, QImage::Format_RGBA8888);
+    m_differences.resize(pixels);
+}
+
+void PictureDrawing::draw(Renderer& renderer, Framebuffer& target) {
+    const ViewRequest& request = m_picture->request;
+    drawViewPicture(renderer, *request.buffers, *request.strategy->strategy, m_culling, m_viewing, m_verdict, m_trace,
+                    m_states.get(), request.look, request.style, target);
+    copyTile(target.readColour(), target.tile(), m_picture->colour);
+    copyTile(target.readDepth(), target.tile(), m_picture->depth, request.size.width);
+    if (m_beside) drawBeside(renderer, target);
+}
+
+void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
+    const ViewRequest& request = m_picture->request;
+    // Lines and colours of a verdict have depths of their own: what is compared is drawn plainly.
+    if (!(request.look == ViewLook{})) renderer.draw(*request.buffers, m_viewing, m_verdict.drawList, target, request.style);
+    const std::vector<float> mine = target.readDepth();
+    renderer.draw(*request.buffers, m_viewing, *m_beside, target, request.style);
+    copyTile(target.readColour(), target.tile(), m_picture->other);
+    const std::vector<float> truth = target.readDepth();
+    std::vector<uint8_t> differences(mine.size());
+    for (size_t i = 0; i < mine.size(); ++i) differences[i] = mine[i] < truth[i] ? kMissed : mine[i] > truth[i] ? kAdded : 0;
+    copyTile(differences, target.tile(), m_differences, request.size.width);
+}
+
+std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
+    if (m_beside) markDifferences(*m_picture, m_differences, reach);
+    return m_picture;
+}
+
+ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
+    PictureDrawing drawing(request, renderer());
+    drawing.draw(renderer(), target(request.size));
+    return drawing.finish(kMarkReach);
+}
+
+std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
+    if (request.look.sphericalModel) {
+        const View culling(request.culling, request.cullingSize);
+        const DrawList drawn = cullShared(*request.strategy, culling, nullptr, &renderer()).drawList;
+        const std::optional<DirectionPick> found =
+            pickSphericalModel(request.buffers->scene(), drawn, request.size, request.style, x, y);
+        return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
+    }
+    const View viewing(request.viewing, request.size);
+    const bool all = request.look.colouring == Colouring::Verdicts && request.look.culledToo;
+    const View culling(request.culling, request.cullingSize);
+    const DrawList list = all ? everything(request.buffers->scene(), Facing::TwoSided)
+                              : cullShared(*request.strategy, culling, nullptr, &renderer()).drawList;
+    const std::optional<PickedTriangle> picked = renderer().pick(*request.buffers, viewing, list, x, y);
+    if (!picked) return std::nullopt;
+    return Picked{picked->triangle, pointUnder(viewing, Vec2(x + 0.5, y + 0.5), picked->depth)};
+}
+
+}  // namespace cullscope::ui

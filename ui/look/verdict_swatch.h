@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QIcon>
+#include <QPainter>
+#include <QPalette>
+#include <QWidget>
+
+#include "core/visibility/triangle_states.h"
+
+namespace cullscope::ui {
+
+/// The colour of a state on the palette's base, as in the pictures. Never for text.
+[[nodiscard]] QColor verdictColour(TriangleState state, const QPalette& palette);
+
+/// A small rectangle that stands for a state as the pictures show it: outside the frustum as a wireframe, wrongly culled hatched,
+/// the others filled.
+void drawVerdictSwatch(QPainter& painter, const QRectF& place, TriangleState state, const QPalette& palette);
+
+/// The same as an icon that follows the application's palette.
+[[nodiscard]] QIcon verdictIcon(TriangleState state);
+
+/// The same as a widget of 14 × 14.
+class VerdictSwatch : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit VerdictSwatch(TriangleState state, QWidget* parent = nullptr);
+
+    void setState(TriangleState state);
+
+protected:
+    void paintEvent(QPaintEvent* event) override;
+
+private:
+    TriangleState m_state;
+};
+
+}  // namespace cullscope::ui

@@ -1,0 +1,210 @@
+#include "ui/screenshots/screenshot_plan.h"
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/gpu/colour.h"
+#include "core/scene/hidden.h"
+#include "core/visibility/registry.h"
+#include "ui/screenshots/screenshot_layout.h"
+#include "ui/screenshots/screenshot_words.h"
+#include "ui/session/session_state.h"
+#include "ui/look/appearance.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+#include "ui/views/scene_view.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+using Background = ScreenshotOptions::Background;
+
+constexpr Viewport kWidestSize{16384, 16384};
+
+DrawStyle styleOf(const Session& session, Background background) {
+    DrawStyle style = session.drawStyle();
+    if (background == Background::Transparent) style.backgroundAlpha = 0.0f;
+    if (background != Background::White && background != Background::Black) return style;
+    const bool white = background == Background::White;
+    // Surfaces that stand out against the one background may not against the other.
+    if (isLight(style.background) != white) style.surface = pictureStyle(Appearance::palette(!white)).surface;
+    style.background = Vec3f(white ? 1.0f : 0.0f);
+    return style;
+}
+
+std::vector<int> viewsOf(const Session& session, bool grid) {
+    return grid ? session.shownViews() : std::vector<int>{session.activeView()};
+}
+
+/// What is painted over the picture as shown, over a picture of another size: heights show the same, widths more or less.
+PictureExtras scaled(PictureExtras extras, const Viewport& shown, const Viewport& size, double unit) {
+    const double scale = double(size.height) / shown.height;
+    const QPointF middle(shown.width / 2.0, shown.height / 2.0), newMiddle(size.width / 2.0, size.height / 2.0);
+    const auto place = [&](const QPointF& point) { return (point - middle) * scale + newMiddle; };
+    // A loupe belongs to a marked loss here; the one that follows the pointer does not.
+    if (!extras.markedLoss) extras.loupe.reset();
+    if (extras.loupe) extras.loupe = place(*extras.loupe);
+    if (extras.markedLoss) extras.markedLoss = QRectF(place(extras.markedLoss->topLeft()), extras.markedLoss->size() * scale);
+    extras.unit = unit;
+    return extras;
+}
+
+/// The shape of the culling camera's picture: the view's own where it culls for itself with the shared camera, else as it is on
+/// the screen, at this picture's scale.
+Viewport cullingSize(const Session& session, int view, const ViewRequest& shown, const std::vector<ScreenshotPlan::Part>& parts,
+                     const Viewport& size) {
+    const int culling = session.culledBy(view);
+    if (session.setup(culling).role == Role::Linked) {
+        if (culling == view) return size;
+        for (const ScreenshotPlan::Part& part : parts)
+            if (part.view == culling) return {part.picture.width(), part.picture.height()};
+    }
+    const double scale = double(size.height) / shown.size.height;
+    const auto length = [&](int pixels) { return std::clamp(int(std::lround(pixels * scale)), 1, 16384); };
+    return {length(shown.cullingSize.width), length(shown.cullingSize.height)};
+}
+
+PictureSubject subjectOf(const Session& session, int view, const ViewRequest& request) {
+    const StrategySlot& slot = session.slot(session.culledBy(view));
+    PictureSubject subject;
+    subject.scene = withAbsoluteFiles(session.opened()->specification);
+    subject.hidden = hiddenToText(session.hidden());
+    subject.strategy = slot.id();
+    subject.parameters = slot.parameters();
+    subject.culling = request.culling;
+    subject.viewing = request.viewing;
+    subject.cullingSize = request.cullingSize;
+    subject.size = request.size;
+    subject.look = request.look;
+    const Figures& figures = session.figures(view);
+    if (figures.state != Figures::State::Ready) return subject;
+    subject.missedPixels = figures.accuracy.missedPixels;
+    subject.figuresSize = figures.size;
+    subject.speedup = figures.speedup;
+    return subject;
+}
+
+/// A view as it is on the screen, less what is not wanted over it.
+ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) {
+    const std::optional<ViewRequest> shown = session.viewRequest(view);
+    if (!shown)
+        throwUsage(QT_TRANSLATE_NOOP("core", "There is no picture to save yet: open a scene and wait until it is drawn."));
+    ScreenshotPlan::Part part;
+    part.view = view;
+    part.overlays = overlays;
+    part.request = *shown;
+    if (overlays) return part;
+    ViewLook& look = part.request.look;
+    look.frustum = look.boxes = look.bands = look.kernel = false;
+    part.request.wipe = Wipe::Mode::None;
+    return part;
+}
+
+/// Whether truth is asked for on the screen or, the scene being small, may be here.
+bool mayMeasure(const ViewRequest& shown) {
+    return shown.states || shown.buffers->scene().triangleCount() <= kOptionalAnalysisLimit;
+}
+
+/// From a part as shown, with its place known, to one of that size.
+void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Session& session, const ExtrasOf& extras) {
+    const ViewRequest shown = part.request;
+    const Viewport size{part.picture.width(), part.picture.height()};
+    const double unit = size.height <= shown.size.height ? 1.0 : std::max(1.0, size.height / kUnitHeight);
+    part.request.size = size;
+    part.request.cullingSize = cullingSize(session, part.view, shown, plan.parts, size);
+    part.request.style = plan.style;
+    part.request.style.unit = float(unit);
+    part.wanted.reach = int(std::lround(2.0 * unit));
+    if (!(part.request.cullingSize == shown.cullingSize)) part.request.states = nullptr;
+    part.wanted.truth = shown.look.colouring == Colouring::Verdicts && mayMeasure(shown) && !part.request.states;
+    part.extras = scaled(extras(part.view), shown.size, size, unit);
+    part.subject = subjectOf(session, part.view, part.request);
+    part.words = QStringLiteral("%1  %2 · %3")
+                     .arg(viewLetter(part.view), strategyText(session, part.view), figureLine(session.figures(part.view)));
+}
+
+void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
+    const auto colours = planePalette(background);
+    for (size_t plane = 0; plane < colours.size(); ++plane)
+        legend.push_back({std::nullopt, QColor::fromRgbF(colours[plane].x, colours[plane].y, colours[plane].z),
+                          QCoreApplication::translate("Screenshot", "box rejected by the %1", "name of a plane")
+                              .arg(translated(planeName(FrustumPlane(plane)))),
+                          QRect()});
+}
+
+std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
+    bool verdicts = false, culledToo = false, boxes = false, planes = false, bands = false, marks = false;
+    for (const ScreenshotPlan::Part& part : parts) {
+        const bool coloured = part.request.look.colouring == Colouring::Verdicts;
+        verdicts = verdicts || coloured;
+        culledToo = culledToo || (coloured && part.request.look.culledToo);
+        boxes = boxes || part.request.look.boxes;
+        planes = planes || part.request.look.byPlane();
+        bands = bands || part.request.look.bands;
+        marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
+    }
+    std::vector<LegendEntry> legend;
+    const auto palette = verdictPalette(style.background);
+    for (size_t i = 0; i < kTriangleStateCount; ++i) {
+        const auto state = TriangleState(i);
+        const bool drawn = state == TriangleState::Visible || state == TriangleState::InVain;
+        const bool ofBoxes = state == TriangleState::Visible || state == TriangleState::OutsideFrustum;
+        const bool ofBands = state == TriangleState::Visible || state == TriangleState::Hidden;
+        if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || (bands && ofBands))
+            legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
+    }
+    if (planes) addPlanes(legend, style.background);
+    if (marks) {
+        const Vec3f lost = palette[size_t(TriangleState::WronglyCulled)].colour;
+        legend.push_back({std::nullopt, QColor::fromRgbF(lost.x, lost.y, lost.z),
+                          QCoreApplication::translate("Screenshot", "farther away than beside it, or missing (pixels)"),
+                          QRect()});
+        legend.push_back({std::nullopt, addedPixelColour(),
+                          QCoreApplication::translate("Screenshot", "nearer than beside it (pixels)"), QRect()});
+    }
+    return legend;
+}
+
+/// The part whose counts the legend states: the one that is coloured by verdict, where all such show the same view's.
+int legendPartOf(const Session& session, const std::vector<ScreenshotPlan::Part>& parts) {
+    int found = -1;
+    for (size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i].request.look.colouring != Colouring::Verdicts) continue;
+        if (found >= 0 && session.culledBy(parts[size_t(found)].view) != session.culledBy(parts[i].view)) return -1;
+        if (found < 0) found = int(i);
+    }
+    return found;
+}
+
+PictureMetadata metadataOf(Session& session, const ScreenshotOptions& options, const Viewport& size) {
+    PictureMetadata metadata = programMetadata(session.gpu() ? session.gpu()->info().renderer : std::string());
+    metadata.emplace_back("cullscope:screenshot", toText(options));
+    metadata.emplace_back("cullscope:picture_size", sizeText(size));
+    return metadata;
+}
+
+}  // namespace
+
+ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options, const ExtrasOf& extras, bool keepsDepth) {
+    ScreenshotPlan plan;
+    plan.style = styleOf(session, options.background);
+    if (options.caption) plan.caption = options.captionText.isEmpty() ? madeCaption(session, options.grid) : options.captionText;
+    for (const int view : viewsOf(session, options.grid)) plan.parts.push_back(shownPart(session, view, options.overlays));
+    if (options.legend) plan.legend = legendOf(plan.parts, plan.style);
+    plan.legendPart = legendPartOf(session, plan.parts);
+    const bool counted = !plan.legend.empty() && plan.legendPart >= 0 && mayMeasure(plan.parts[size_t(plan.legendPart)].request);
+    // As wide as it may become: the size is known only when the legend has its place.
+    if (counted) plan.legend.insert(plan.legend.begin(), {std::nullopt, Qt::transparent, legendHeading(kWidestSize), QRect()});
+    layOut(plan, options, session.scene()->triangleCount());
+    for (ScreenshotPlan::Part& part : plan.parts) enlarge(part, plan, session, extras);
+    if (counted) plan.legend.front().words = legendHeading(plan.parts[size_t(plan.legendPart)].request.cullingSize);
+    // Directions have neither a depth nor a triangle that a camera sees.
+    if (keepsDepth && !options.grid) plan.parts.front().wanted.items = !plan.parts.front().request.look.sphericalModel;
+    plan.metadata = metadataOf(session, options, plan.size);
+    return plan;
+}
+
+}  // namespace cullscope::ui

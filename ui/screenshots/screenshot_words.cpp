@@ -1,0 +1,44 @@
+#include "ui/screenshots/screenshot_words.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "core/visibility/registry.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+QString strategyText(const Session& session, int view) {
+    const StrategySlot& slot = session.slot(session.culledBy(view));
+    QString text = translated(findStrategy(slot.id()).info.name);
+    for (const ParameterDeclaration& declaration : slot.parameters().declarations()) {
+        const ParameterValue& value = slot.parameters().value(declaration.key);
+        if (!(value == declaration.defaultValue))
+            text += QLatin1Char(' ') + QString::fromStdString(declaration.key + "=" + toText(value));
+    }
+    return text;
+}
+
+QString madeCaption(Session& session, bool grid) {
+    if (!session.opened()) return {};
+    const int view = session.activeView();
+    QStringList parts{QString::fromStdString(session.opened()->scene->name())};
+    const Figures& figures = session.figures(view);
+    if (!grid) parts << strategyText(session, view) << figureLine(figures);
+    if (figures.state == Figures::State::Ready)
+        parts << QCoreApplication::translate("Screenshot", "figures at %1 × %2 pixels")
+                     .arg(figures.size.width)
+                     .arg(figures.size.height);
+    // Wherever a time stands.
+    if (session.gpu() && session.gpu()->info().software) parts << QCoreApplication::translate("Screenshot", "software OpenGL");
+    return parts.join(QStringLiteral(" · "));
+}
+
+QString legendHeading(const Viewport& size) {
+    return QCoreApplication::translate("Screenshot", "Triangles at %1 × %2 pixels:", "heading of the legend's counts")
+        .arg(size.width)
+        .arg(size.height);
+}
+
+}  // namespace cullscope::ui
