@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/base/error.h"
+#include "core/scene/camera.h"
 #include "core/visibility/registry.h"
 #include "ui/startup/display.h"
 #include "ui/startup/first_views.h"
@@ -31,7 +32,7 @@ Viewport sizeFromText(const std::string& text) {
     Viewport size;
     char rest = 0;
     if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest) != 2 || size.width < 320 || size.height < 240 ||
-        size.width > 16384 || size.height > 16384)
+        size.width > cullscope::kMostPixels || size.height > cullscope::kMostPixels)
         throwUsage("--size %1: write a size such as 1366x768, between 320x240 and 16384x16384.", {text});
     return size;
 }

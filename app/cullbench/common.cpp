@@ -10,6 +10,7 @@
 #include "app/cullbench/commands.h"
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
+#include "core/scene/camera.h"
 #include "core/visibility/strategy_request.h"
 #include "core/scene/hidden.h"
 
@@ -85,7 +86,7 @@ Viewport sizeFromText(const std::string& text, const std::string& option) {
     Viewport size{0, 0};
     const auto number = [&](size_t from, size_t to, int& value) {
         const auto [end, error] = std::from_chars(text.data() + from, text.data() + to, value);
-        return error == std::errc() && end == text.data() + to && value >= 1 && value <= 16384;
+        return error == std::errc() && end == text.data() + to && value >= 1 && value <= kMostPixels;
     };
     if (x == std::string::npos || !number(0, x, size.width) || !number(x + 1, text.size(), size.height))
         throwUsage(CULLSCOPE_TR("%1 %2 is not WIDTHxHEIGHT with 1 to 16384 pixels, as in 640x480."), {option, text});

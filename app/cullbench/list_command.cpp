@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-struct Options {
+struct ListOptions {
     std::string what;
     bool json = false;
 };
@@ -128,7 +128,7 @@ void printExperiments() {
         fmt::print("  {:<12} {}. {}\n", experiment.id, experiment.title, experiment.source);
 }
 
-void run(const Options& options) {
+void run(const ListOptions& options) {
     const bool everything = options.what.empty();
     if (options.json) {
         Json json;
@@ -147,7 +147,7 @@ void run(const Options& options) {
 
 void addListCommand(CLI::App& app, Context& /*context*/) {
     CLI::App* command = app.add_subcommand("list", "What there is: scenes, strategies with their parameters, experiments");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<ListOptions>();
     command->add_option("what", options->what, "scenes, strategies or experiments")
         ->check(CLI::IsMember({"scenes", "strategies", "experiments"}));
     command->add_flag("--json", options->json, "as JSON");

@@ -10,7 +10,7 @@
 namespace cullscope::cullbench {
 namespace {
 
-struct Options {
+struct MeasureOptions {
     SceneChoice scene;
     std::string path, json, csv;
     std::vector<std::string> strategies, parameters;
@@ -90,7 +90,7 @@ void printTable(const MeasureResult& result, FILE* out) {
             fmt::print(out, "{} culled by cause: {}\n", nameOf(run.strategy), culled);
 }
 
-MeasureRequest requestOf(const Options& options, const OpenedScene& opened) {
+MeasureRequest requestOf(const MeasureOptions& options, const OpenedScene& opened) {
     MeasureRequest request;
     request.scene = opened.scene;
     request.strategies = strategiesFromText(options.strategies, options.parameters);
@@ -104,7 +104,7 @@ MeasureRequest requestOf(const Options& options, const OpenedScene& opened) {
 }
 
 /// The table first: a result file that cannot be written any more must not take it along, nor the other file.
-void report(const Options& options, const MeasureResult& result) {
+void report(const MeasureOptions& options, const MeasureResult& result) {
     // Where standard output carries data, the table goes beside it.
     printTable(result, options.json == "-" || options.csv == "-" ? stderr : stdout);
     std::optional<Error> failure;
@@ -116,7 +116,7 @@ void report(const Options& options, const MeasureResult& result) {
     if (failure) throw *failure;
 }
 
-void checkOutputs(const Options& options) {
+void checkOutputs(const MeasureOptions& options) {
     if (options.json == "-" && options.csv == "-")
         throwUsage(CULLSCOPE_TR("--json and --csv cannot both go to standard output: name a file for one of them."));
     checkOutputPlaces({options.json, options.csv});
@@ -132,7 +132,7 @@ int statusOf(const MeasureResult& result) {
     return result.interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
 }
 
-void run(const Options& options, Context& context) {
+void run(const MeasureOptions& options, Context& context) {
     // What can be wrong with the words is said before a long load.
     (void)strategiesFromText(options.strategies, options.parameters);
     (void)sizeFromText(options.size);
@@ -151,7 +151,7 @@ void run(const Options& options, Context& context) {
 
 void addMeasureCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("measure", "Times strategies side by side and counts what each one lost");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<MeasureOptions>();
     addSceneOptions(*command, options->scene);
     command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,key=value,B")
         ->required()

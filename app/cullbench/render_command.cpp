@@ -14,7 +14,7 @@
 namespace cullscope::cullbench {
 namespace {
 
-struct Options {
+struct RenderOptions {
     SceneChoice scene;
     std::string strategy, output, path, eye, target, up;
     std::vector<std::string> parameters;
@@ -25,7 +25,7 @@ struct Options {
     OverlayOptions overlays;
 };
 
-Camera cameraOf(const Options& options, const Scene& scene, const Viewport& size) {
+Camera cameraOf(const RenderOptions& options, const Scene& scene, const Viewport& size) {
     Camera camera = overviewCamera(scene, double(size.width) / size.height);
     if (!options.path.empty()) {
         const CameraPath path = cameraPath(options.path, scene);
@@ -57,7 +57,7 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
 }
 
 /// What the picture shows, for its metadata.
-PictureSubject subjectOf(const Options& options, const StrategyRequest& strategy, const OverlayChoice& choice,
+PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& strategy, const OverlayChoice& choice,
                          const View& culling, const View& viewing, const Verdict& verdict) {
     PictureSubject subject;
     subject.scene = options.scene.specification;
@@ -126,7 +126,7 @@ Drawn drawPicture(Renderer& renderer, Strategy& strategy, const std::string& id,
     const bool verdicts = choice.look.colouring == Colouring::Verdicts;
     if (verdicts) {
         const Reference truth = itemBufferReference(renderer, buffers, culling, strategy.referenceFacing());
-        drawn.states = triangleStates(*scene, culling, drawn.verdict.drawList, trace, &truth);
+        drawn.states = triangleStates(*scene, culling, drawn.verdict.drawList, trace, truth.visible());
     }
     drawViewPicture(renderer, buffers, strategy, culling, viewing, drawn.verdict, trace, verdicts ? &drawn.states : nullptr,
                     choice.look, style, target);
@@ -141,7 +141,7 @@ void addDepth(Renderer& renderer, Picture& picture, const ScenePointer& scene, c
     picture.triangle = std::move(items.triangle);
 }
 
-void run(const Options& options, const Context& context) {
+void run(const RenderOptions& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
     const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
     const OverlayChoice choice = overlaysOf(options.overlays, request.id);
@@ -189,7 +189,7 @@ void run(const Options& options, const Context& context) {
 
 void addRenderCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("render", "Draws one picture of a scene with a strategy");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<RenderOptions>();
     addSceneOptions(*command, options->scene);
     command->add_option("-s,--strategy", options->strategy, "strategy")->required();
     command->add_option("-p,--parameter", options->parameters, "parameter of the strategy: key=value")->allow_extra_args(false);

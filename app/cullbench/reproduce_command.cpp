@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kAll = "all";
 
-struct Options {
+struct CommandOptions {
     std::string experiment, json, svg;
     int repeat = 0;
 };
@@ -60,7 +60,7 @@ void checkPlots(const std::vector<const PaperExperiment*>& experiments) {
     throwUsage(CULLSCOPE_TR("--svg: %1 has a table and no plot. With a plot: %2."), {experiments.front()->id, known});
 }
 
-void checkOutputs(const Options& options, const std::vector<const PaperExperiment*>& experiments) {
+void checkOutputs(const CommandOptions& options, const std::vector<const PaperExperiment*>& experiments) {
     if (!options.svg.empty()) checkPlots(experiments);
     if (options.json == "-" && options.svg == "-")
         throwUsage(CULLSCOPE_TR("--json and --svg cannot both go to standard output: name a file for one of them."));
@@ -74,7 +74,7 @@ std::vector<LinePlot> plotsOf(const std::vector<PaperTable>& tables) {
 }
 
 /// A file that cannot be written any more must not take the other one along.
-void write(const Options& options, const std::vector<PaperTable>& tables) {
+void write(const CommandOptions& options, const std::vector<PaperTable>& tables) {
     std::optional<Error> failure;
     const auto writeTo = [&](const std::string& path, const auto& textOf) {
         if (path.empty()) return;
@@ -90,7 +90,7 @@ void write(const Options& options, const std::vector<PaperTable>& tables) {
     if (failure) throw *failure;
 }
 
-void run(const Options& options, Context& context) {
+void run(const CommandOptions& options, Context& context) {
     const std::vector<const PaperExperiment*> experiments = chosen(options.experiment);
     checkOutputs(options, experiments);
     // Where standard output carries data, the tables go beside it.
@@ -111,7 +111,7 @@ void run(const Options& options, Context& context) {
 
 void addReproduceCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("reproduce", "A paper's table beside the same measured here");
-    auto options = std::make_shared<Options>();
+    auto options = std::make_shared<CommandOptions>();
     command->add_option("EXPERIMENT", options->experiment, "one of `cullbench list experiments`, or all")->required();
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));

@@ -21,8 +21,6 @@ constexpr double kCullShare = 0.04;
 constexpr int kViewpoints = 40;
 constexpr Viewport kSize{650, 650};
 
-Message note(const char* text) { return {text, {}}; }
-
 std::vector<Message> notes() {
     return {note(CULLSCOPE_TR("The paper does not give its 40 viewpoints: here a walk on which the frustum leaves out about as "
                               "much, 79 % on average.")),
@@ -118,7 +116,7 @@ double largestCulledFraction(const RunMeasurement& run, const Scene& scene) {
     return 1.0 - double(least) / double(scene.triangleCount());
 }
 
-void addRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
+void addCullingRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
     const RunMeasurement* all = directRendering(result);
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
@@ -163,7 +161,7 @@ PaperExperiment choViews() {
     experiment.columns = columns();
     experiment.plots = {framesByViewpoint()};
     experiment.settings = {walkThroughTheField()};
-    experiment.addMeasured = addRuns;
+    experiment.addMeasured = addCullingRuns;
     experiment.plotMeasured = plotRuns;
     return experiment;
 }

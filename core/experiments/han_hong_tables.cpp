@@ -44,8 +44,6 @@ constexpr Range kTable5VboAll{700, 700, 700}, kTable5VboProposed{828, 738, 780};
 
 // ---- Notes
 
-Message note(const char* text) { return {text, {}}; }
-
 Message consideredNote() {
     return note(
         CULLSCOPE_TR("In the frustum are the faces on the far side of the object too; considered are those in the boxes around "
@@ -150,7 +148,7 @@ double facesInFrustum(const MeasureResult& result) {
     return faces / double(result.runs.front().frames.size());
 }
 
-void addRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
+void addSphericalRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
     if (result.runs.empty() || result.runs.front().frames.empty()) return;
     const double inFrustum = facesInFrustum(result);
     for (const RunMeasurement& run : result.runs) {
@@ -227,7 +225,7 @@ PaperExperiment casesExperiment(const char* id, const char* title, const char* t
     experiment.title = title;
     experiment.source = std::string(kSource) + ", " + table;
     experiment.notes = {facesNote(), consideredNote(), baselineNote(), lossNote(), machineNote()};
-    experiment.addMeasured = addRuns;
+    experiment.addMeasured = addSphericalRuns;
     return experiment;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/visibility/strategy_request.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope {
 namespace {

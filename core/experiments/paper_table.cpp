@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/experiments/result_file.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope {
 namespace {

@@ -9,6 +9,7 @@
 #include "core/gpu/context.h"
 #include "core/measure/meter.h"
 #include "core/image/line_plot.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope {
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/version.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope {
 namespace {

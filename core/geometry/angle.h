@@ -5,6 +5,11 @@
 
 namespace cullscope {
 
+// In radians.
+inline constexpr double kPi = std::numbers::pi;
+inline constexpr double kTurn = 2.0 * std::numbers::pi;
+inline constexpr double kRightAngle = 0.5 * std::numbers::pi;
+
 /// An angle that cannot be mistaken for a number of degrees or of radians.
 class Angle {
 public:

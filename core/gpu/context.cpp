@@ -1,5 +1,6 @@
 #include "core/gpu/context.h"
 
+#include <array>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 

@@ -13,7 +13,7 @@ using Look = PaletteEntry::Look;
 
 /// Widths of the lines around marked triangles, in units: contrast around the mark's colour.
 constexpr float kHaloWidth = 7.0f;
-constexpr float kMarkWidth = 3.0f;
+constexpr float kLossMarkWidth = 3.0f;
 /// Of 16 units along a row of a marked triangle, how many are black and how many white: with the mark's colour in the others the
 /// mean can be told from every other verdict colour, in grey too (tests/core/measure/verdict_colour_test.cpp).
 constexpr glm::vec2 kHatchOnLight(7.0f, 1.0f);
@@ -125,7 +125,7 @@ void Renderer::drawByState(const SceneBuffers& buffers, const View& view, Facing
     // Before the marked triangles themselves: within them only the hatch is seen, around them the halo.
     const std::vector<LineOnGpu> edges = markedEdges(scene, view.eye(), lists[size_t(Look::Marked)], stateOfTriangle, palette);
     drawLinesOnGpu(m_programs->line, m_programs->lineArray, view, recoloured(edges, contrast), kHaloWidth * style.unit);
-    drawLinesOnGpu(m_programs->line, m_programs->lineArray, view, edges, kMarkWidth * style.unit);
+    drawLinesOnGpu(m_programs->line, m_programs->lineArray, view, edges, kLossMarkWidth * style.unit);
     drawLook(Look::Marked);
 }
 

@@ -7,13 +7,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/image/map_line.h"
 
 namespace cullscope {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kRightAngle = 0.5 * std::numbers::pi;
 
 /// On the square, counter-clockwise; the first again at the end.
 std::array<Vec2, 5> cornersOf(const MapCell& cell) {

@@ -1,15 +1,14 @@
 // The borders between contour bands as curves on the map.
 
 #include <cmath>
-#include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/image/map_line.h"
 #include "core/image/map_picture.h"
 
 namespace cullscope {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kFirstPieces = 120;
 
 /// Cuts a curve where it goes over the seam, and puts every piece between 0 and 2π.

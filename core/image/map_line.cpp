@@ -3,12 +3,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/image/map_picture.h"
 
 namespace cullscope {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 /// How far apart two neighbouring points may lie on the map, radians, and how often a piece is halved for that: a line that
 /// passes close to a pole turns there within a hair's breadth.
 constexpr double kStep = std::numbers::pi / 90.0;

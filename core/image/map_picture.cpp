@@ -4,15 +4,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/gpu/colour.h"
 #include "core/image/canvas.h"
 #include "core/image/judged_cells.h"
 
 namespace cullscope {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
-constexpr double kRightAngle = 0.5 * std::numbers::pi;
 
 // Widths, lengths and radii in units (DrawStyle::unit).
 constexpr double kMargin = 14.0;  ///< around the map, for the ticks

@@ -2,6 +2,7 @@
 
 #include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/image/map_place.h"
 
 namespace cullscope {
@@ -17,7 +18,6 @@ constexpr double kMarkRadius = 5.0;
 
 constexpr double kLeastGap = 4.0;      ///< pixels between circles, where they are farthest apart
 constexpr double kLeastRadius = 40.0;  ///< pixels; a smaller sphere shows no axis and no sizes
-constexpr double kRightAngle = 0.5 * std::numbers::pi;
 
 class BandLines {
 public:

@@ -11,7 +11,7 @@ namespace {
 constexpr float kGridWidth = 1.5f;
 constexpr float kHorizonWidth = 3.0f;
 constexpr float kAxisWidth = 1.5f;
-constexpr float kMarkWidth = 2.0f;
+constexpr float kHorizonMarkWidth = 2.0f;
 constexpr double kMarkRadius = 5.0;
 
 constexpr double kLeastGap = 8.0;      ///< pixels between lines of the grid, on average
@@ -109,7 +109,7 @@ public:
         return {{std::move(m_grid), {kGridWidth, false}},
                 {std::move(m_axes), {kAxisWidth, false}, true},
                 {std::move(m_horizons), {kHorizonWidth, false}, true},
-                {std::move(m_marks), {kMarkWidth, false}, true}};
+                {std::move(m_marks), {kHorizonMarkWidth, false}, true}};
     }
 
 private:

@@ -12,7 +12,7 @@ namespace {
 constexpr float kCircleWidth = 1.0f;
 constexpr float kCellWidth = 1.0f;
 constexpr float kLineWidth = 1.5f;
-constexpr float kMarkWidth = 2.0f;
+constexpr float kRayMarkWidth = 2.0f;
 constexpr double kEntryRadius = 3.5;
 constexpr double kHitRadius = 4.0;
 constexpr double kMissRadius = 4.5;
@@ -47,7 +47,7 @@ public:
             cells.insert(cells.end(), m_cells[size_t(state)].begin(), m_cells[size_t(state)].end());
         return {{std::move(m_circles), {kCircleWidth, true}},
                 {std::move(m_lines), {kLineWidth, true}, true},
-                {std::move(m_marks), {kMarkWidth, false}, true},
+                {std::move(m_marks), {kRayMarkWidth, false}, true},
                 {std::move(cells), {kCellWidth, true}}};
     }
 

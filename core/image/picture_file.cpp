@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/image/picture_file_memory.h"
 #include "core/image/picture_pixels.h"
+#include "core/scene/camera.h"
 
 namespace cullscope {
 namespace {
@@ -201,7 +202,6 @@ Picture readPicture(const std::filesystem::path& path) {
     const auto input = OIIO::ImageInput::open(path.string(), &wishes);
     if (!input) refuseToRead(path, OIIO::geterror());
     const OIIO::ImageSpec spec = input->spec();
-    constexpr int kMostPixels = 16384;
     if (spec.width < 1 || spec.height < 1 || spec.width > kMostPixels || spec.height > kMostPixels || spec.depth > 1 || spec.deep)
         throwInput(CULLSCOPE_TR("%1 is %2x%3 pixels large or no flat picture: pictures of 1 to 16384 pixels a side are read."),
                    {path.string(), std::to_string(spec.width), std::to_string(spec.height)});

@@ -7,13 +7,13 @@ namespace {
 
 // By FrustumPlane; a plane's two have about the same hue. Found by search: any two, and each and a verdict's colour, differ by
 // ΔE₀₀ > 11 in every sight that plane_colour_test.cpp simulates.
-constexpr std::array<uint32_t, kFrustumPlaneCount> kOnLight{0x159076, 0x8F5E3A, 0x0C07FD, 0xB96EA9, 0x8B0541, 0x8D8C00};
-constexpr std::array<uint32_t, kFrustumPlaneCount> kOnDark{0x1D886C, 0xFF6C05, 0x6D5B95, 0xD083B3, 0xB14440, 0xB7E8B3};
+constexpr std::array<uint32_t, kFrustumPlaneCount> kPlanesOnLight{0x159076, 0x8F5E3A, 0x0C07FD, 0xB96EA9, 0x8B0541, 0x8D8C00};
+constexpr std::array<uint32_t, kFrustumPlaneCount> kPlanesOnDark{0x1D886C, 0xFF6C05, 0x6D5B95, 0xD083B3, 0xB14440, 0xB7E8B3};
 
 }  // namespace
 
 std::array<Vec3f, kFrustumPlaneCount> planePalette(const Vec3f& background) {
-    const auto& colours = isLight(background) ? kOnLight : kOnDark;
+    const auto& colours = isLight(background) ? kPlanesOnLight : kPlanesOnDark;
     std::array<Vec3f, kFrustumPlaneCount> palette;
     for (size_t plane = 0; plane < palette.size(); ++plane) palette[plane] = colourFromHexadecimal(colours[plane]);
     return palette;

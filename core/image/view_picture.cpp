@@ -86,7 +86,7 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     const VerdictPalette palette = verdictPalette(style.background);
     if (look.colouring == Colouring::Verdicts) {
         const TriangleStates own =
-            known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), culling, verdict.drawList, trace, nullptr);
+            known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), culling, verdict.drawList, trace, std::nullopt);
         const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;
         renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states), look.culledToo ? palette : drawnOnly(palette),
                              target, style);

@@ -8,17 +8,11 @@
 #include "core/base/progress.h"
 #include "core/gpu/context.h"
 #include "core/gpu/scene_buffers.h"
-#include "core/measure/reference.h"
+#include "core/measure/accuracy.h"
 #include "core/scene/camera_path.h"
-#include "core/visibility/registry.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope {
-
-/// A strategy to be measured, with its parameters.
-struct StrategyRequest {
-    std::string id;
-    ParameterSet parameters;
-};
 
 /// How often a frame is repeated (measurement.md, "Timing").
 struct TimingProtocol {
@@ -101,15 +95,5 @@ using PoseObserver = std::function<void(const std::function<MeasureResult()>& re
 /// what was measured; errors are thrown. `afterPose` is called on the measuring thread after every whole pose.
 [[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {},
                                     const PoseObserver& afterPose = {});
-
-/// Mean of per-pose ratios and its bootstrap 95 % interval (percentile method, 2000 resamples, fixed seed).
-struct RatioEstimate {
-    double mean = 0.0;
-    std::array<double, 2> ci95{};
-};
-[[nodiscard]] RatioEstimate bootstrapMean(const std::vector<double>& ratios);
-
-/// The value below which a share of the values lies (linear between ranks); 0 for none.
-[[nodiscard]] double quantile(std::vector<double> values, double share);
 
 }  // namespace cullscope

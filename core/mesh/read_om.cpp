@@ -13,8 +13,13 @@ namespace {
 
 constexpr size_t kValuesAtOnce = 8192;
 
-enum Entity : unsigned { Vertex = 0, Mesh = 1, Face = 2, Edge = 4, Halfedge = 6, Sentinel = 7 };
-enum Type : unsigned { Position = 0, Normal = 1, Status = 3, Custom = 6, Topology = 7 };
+/// Numbers of the format.
+struct Entity {
+    enum : unsigned { Vertex = 0, Mesh = 1, Face = 2, Edge = 4, Halfedge = 6, Sentinel = 7 };
+};
+struct Type {
+    enum : unsigned { Position = 0, Normal = 1, Status = 3, Custom = 6, Topology = 7 };
+};
 
 /// A chunk's header: 16 bits.
 struct Chunk {
@@ -45,7 +50,7 @@ public:
         m_mesh.name = m_job.objectName;
         while (m_source.remaining() > 0) {
             const Chunk chunk(static_cast<uint16_t>(unsignedValue(2)));
-            if (chunk.entity == Sentinel) break;
+            if (chunk.entity == Entity::Sentinel) break;
             readChunk(chunk);
         }
         walkFaces();
@@ -163,13 +168,13 @@ void OmReader::readHeader() {
 
 uint64_t OmReader::countOf(unsigned entity) const {
     switch (entity) {
-        case Vertex:
+        case Entity::Vertex:
             return m_vertices;
-        case Face:
+        case Entity::Face:
             return m_faces;
-        case Edge:
+        case Entity::Edge:
             return m_edges;
-        case Halfedge:
+        case Entity::Halfedge:
             return 2 * m_edges;
         default:
             return 1;
@@ -186,20 +191,20 @@ void OmReader::skipCustom() {
 
 void OmReader::readChunk(const Chunk& chunk) {
     if (chunk.named) m_source.skip(unsignedValue(1));
-    if (chunk.type == Custom) return skipCustom();
-    if (chunk.entity == Vertex && chunk.type == Position && m_mesh.wide.empty()) {
+    if (chunk.type == Type::Custom) return skipCustom();
+    if (chunk.entity == Entity::Vertex && chunk.type == Type::Position && m_mesh.wide.empty()) {
         m_mesh.wide.reserve(m_vertices);
         return readVectors(m_vertices, chunk, [&](const Vec3& position) { m_mesh.wide.push_back(position); });
     }
-    if (chunk.entity == Vertex && chunk.type == Normal && m_mesh.normals.empty())
+    if (chunk.entity == Entity::Vertex && chunk.type == Type::Normal && m_mesh.normals.empty())
         return readVectors(m_vertices, chunk, [&](const Vec3& normal) { m_mesh.normals.push_back(Vec3f(normal)); });
-    if (chunk.entity == Halfedge && chunk.type == Topology && m_to.empty()) return readHalfedges(chunk);
-    if (chunk.entity == Face && chunk.type == Topology && m_first.empty()) {
+    if (chunk.entity == Entity::Halfedge && chunk.type == Type::Topology && m_to.empty()) return readHalfedges(chunk);
+    if (chunk.entity == Entity::Face && chunk.type == Type::Topology && m_first.empty()) {
         if (m_majorVersion < 2) return readFaceCorners(chunk);
         return readIntegers(m_faces, chunk.integerBytes, [&](uint32_t halfedge) { m_first.push_back(halfedge); });
     }
-    const uint64_t element = chunk.type == Status     ? 4
-                             : chunk.type == Topology ? chunk.integerBytes
+    const uint64_t element = chunk.type == Type::Status     ? 4
+                             : chunk.type == Type::Topology ? chunk.integerBytes
                                                       : chunk.dimensions * chunk.scalarBytes;
     if (element * countOf(chunk.entity) > m_source.remaining()) refuse();
     m_source.skip(element * countOf(chunk.entity));

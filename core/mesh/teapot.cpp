@@ -103,9 +103,9 @@ Vec3 evaluate(const Patch& patch, double u, double v) {
 }
 
 /// Welds points of neighbouring patches: their borders are the same curves, evaluated with the same rounding up to 1e-9.
-class Welder {
+class PatchWelder {
 public:
-    explicit Welder(size_t vertices) { m_positions.reserve(vertices); }
+    explicit PatchWelder(size_t vertices) { m_positions.reserve(vertices); }
 
     /// The vertex at a point that several patches may have.
     uint32_t shared(const Vec3& p) {
@@ -139,7 +139,7 @@ MeshPointer teapotMesh(size_t triangles, const Progress& progress) {
     // Eight of the 32 patches end in a pole and lose one triangle a step there: 64 n² − 8 n in all.
     const auto steps = static_cast<uint32_t>(std::max(1.0, std::round((8 + std::sqrt(64 + 256.0 * double(triangles))) / 128)));
     const std::vector<Patch> patches = teapotPatches();
-    Welder welder(patches.size() * size_t{steps} * steps);
+    PatchWelder welder(patches.size() * size_t{steps} * steps);
     TriangleMesh::Data data;
     data.name = "teapot";
     data.indices.reserve(patches.size() * size_t{steps} * steps * 6);

@@ -36,7 +36,7 @@ void validate(const Camera& camera, const Viewport& viewport) {
     if (!(camera.nearDistance > 0.0) || !(camera.farDistance > camera.nearDistance) || !std::isfinite(camera.farDistance))
         throwUsage(CULLSCOPE_TR("The near distance must be above 0 and below the far distance (near %1, far %2)."),
                    {std::to_string(camera.nearDistance), std::to_string(camera.farDistance)});
-    if (viewport.width < 1 || viewport.height < 1 || viewport.width > 16384 || viewport.height > 16384)
+    if (viewport.width < 1 || viewport.height < 1 || viewport.width > kMostPixels || viewport.height > kMostPixels)
         throwUsage(CULLSCOPE_TR("A picture is 1 to 16384 pixels wide and high, not %1x%2."),
                    {std::to_string(viewport.width), std::to_string(viewport.height)});
 }

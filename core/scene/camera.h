@@ -18,6 +18,9 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
+/// The largest width and height of a picture.
+inline constexpr int kMostPixels = 16384;
+
 /// Size in pixels.
 struct Viewport {
     int width = 640;

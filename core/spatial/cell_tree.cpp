@@ -16,7 +16,7 @@ namespace {
 
 using Range = tbb::blocked_range<uint32_t>;
 
-constexpr uint32_t kTrianglesAPart = 8192;
+constexpr uint32_t kTrianglesPerPass = 8192;
 constexpr uint32_t kLeavesAPart = 64;
 // cos 84°: beyond it a cone hardly ever faces away as a whole, and its test loses its digits.
 constexpr double kWidestConeCosine = 0.104528;
@@ -24,17 +24,17 @@ constexpr double kWidestConeCosine = 0.104528;
 constexpr double kFloatError = 1e-6;
 constexpr float kNoCone = 2.0f;
 
-Vec3f below(const Vec3& v) {
+Vec3f roundedDown(const Vec3& v) {
     Vec3f result(v);
     for (int i = 0; i < 3; ++i)
         if (double(result[i]) > v[i]) result[i] = std::nextafter(result[i], -std::numeric_limits<float>::infinity());
     return result;
 }
-float above(double value) {
+float roundedUp(double value) {
     const auto result = float(value);
     return double(result) < value ? std::nextafter(result, std::numeric_limits<float>::infinity()) : result;
 }
-Vec3f above(const Vec3& v) { return {above(v.x), above(v.y), above(v.z)}; }
+Vec3f roundedUp(const Vec3& v) { return {roundedUp(v.x), roundedUp(v.y), roundedUp(v.z)}; }
 
 Vec3 middleOf(const CellTree::Node& node) { return 0.5 * (Vec3(node.low) + Vec3(node.high)); }
 
@@ -101,7 +101,7 @@ void CellTree::sortTriangles(const Progress& progress) {
     progress.tell(0.0, CULLSCOPE_TR("order of the triangles"));
     const auto count = uint32_t(m_mesh->triangleCount());
     std::vector<uint64_t> keys(count);  // the code above, the triangle's number below
-    tbb::parallel_for(Range(0, count, kTrianglesAPart), [&](const Range& part) {
+    tbb::parallel_for(Range(0, count, kTrianglesPerPass), [&](const Range& part) {
         if (progress.stopRequested()) return;
         for (uint32_t triangle = part.begin(); triangle < part.end(); ++triangle) {
             const std::array<Vec3, 3> points = corners(triangle);
@@ -116,7 +116,7 @@ void CellTree::sortTriangles(const Progress& progress) {
     m_codes.resize(count);
     m_order.resize(count);
     m_indices.resize(3 * size_t(count));
-    tbb::parallel_for(Range(0, count, kTrianglesAPart), [&](const Range& part) {
+    tbb::parallel_for(Range(0, count, kTrianglesPerPass), [&](const Range& part) {
         for (uint32_t place = part.begin(); place < part.end(); ++place) {
             m_codes[place] = uint32_t(keys[place] >> 32);
             m_order[place] = uint32_t(keys[place]);
@@ -185,9 +185,9 @@ void CellTree::boundLeaf(Node& node) const {
         planes.emplace_back(facet.normal, glm::dot(facet.normal, points[0]));
         sum += facet.normal;
     }
-    node.low = below(box.min);
-    node.high = above(box.max);
-    node.leastHeight = -above(-height);
+    node.low = roundedDown(box.min);
+    node.high = roundedUp(box.max);
+    node.leastHeight = -roundedUp(-height);
     node.coneCosine = planes.empty() ? 1.0f : kNoCone;
     if (glm::length(sum) < 1e-3) return;
     const Vec3 axis = glm::normalize(sum), middle = middleOf(node);
@@ -197,7 +197,7 @@ void CellTree::boundLeaf(Node& node) const {
         slack = std::max(slack, glm::dot(normal, middle) - offset);
     }
     setCone(node, axis, cosine);
-    node.planeSlack = above(slack + kFloatError * glm::length(box.halfExtent()));
+    node.planeSlack = roundedUp(slack + kFloatError * glm::length(box.halfExtent()));
 }
 
 void CellTree::boundInner(Node& node) const {
@@ -229,7 +229,7 @@ void CellTree::boundInner(Node& node) const {
         slack = std::max(slack, child.planeSlack + largestAlong(child, middle - middleOf(child)));
     }
     setCone(node, axis, angle < 1.5 ? std::cos(angle) : -1.0);
-    node.planeSlack = above(slack + kFloatError * glm::length(Vec3(node.high) - Vec3(node.low)));
+    node.planeSlack = roundedUp(slack + kFloatError * glm::length(Vec3(node.high) - Vec3(node.low)));
 }
 
 size_t CellTree::leafCount() const {

@@ -5,13 +5,12 @@
 #include <numbers>
 
 #include "core/base/error.h"
+#include "core/geometry/angle.h"
 #include "core/geometry/triangle.h"
 #include "core/spatial/spherical_grid.h"
 
 namespace cullscope {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 double withSign(double magnitude, double sign) { return sign < 0.0 ? -magnitude : magnitude; }
 

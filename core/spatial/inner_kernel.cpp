@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "core/base/message.h"
+#include "core/geometry/rounding.h"
 #include "core/geometry/triangle.h"
 
 namespace cullscope {
@@ -19,7 +20,7 @@ namespace {
 using Range = tbb::blocked_range<uint32_t>;
 
 // Fixed, so that sums are made in the same order on every machine.
-constexpr uint32_t kTrianglesAPart = 8192;
+constexpr uint32_t kTrianglesPerTask = 8192;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
 // Of the bounding sphere's radius: nothing is hidden behind less.
 constexpr double kThin = 0.02;
@@ -98,7 +99,7 @@ struct CapsByLevel {
 double windingNumber(const TriangleMesh& mesh) {
     const auto count = uint32_t(mesh.triangleCount());
     const double angle = tbb::parallel_deterministic_reduce(
-        Range(0, count, kTrianglesAPart), 0.0,
+        Range(0, count, kTrianglesPerTask), 0.0,
         [&](const Range& part, double sum) {
             for (uint32_t triangle = part.begin(); triangle < part.end(); ++triangle)
                 sum += solidAngle(cornersOf(mesh, triangle));
@@ -107,8 +108,6 @@ double windingNumber(const TriangleMesh& mesh) {
         std::plus<>());
     return angle / (4.0 * std::numbers::pi);
 }
-
-float below(double value) { return std::nextafter(float(value), 0.0f); }
 
 /// Adds triangles to cells. Those that reach far beyond their centroid's direction are told to every cell that they may reach.
 class NearestByCell {
@@ -125,7 +124,7 @@ public:
             const double product = length * glm::length(corner);
             cosine = product > 0.0 ? std::min(cosine, glm::dot(sum, corner) / product) : -1.0;
         }
-        const float nearest = below(nearestDistance(corners) * (1.0 - 1e-9));
+        const float nearest = floatBelow(nearestDistance(corners) * (1.0 - 1e-9));
         if (cosine > m_leastCosine) {
             const MapCell cell = octahedralCell(sum, m_caps.level);
             lower((cell.y << m_caps.level) + cell.x, nearest);
@@ -197,7 +196,7 @@ std::vector<float> InnerKernel::nearestSurface(const TriangleMesh& mesh) const {
     const CapsByLevel caps(m_level);
     tbb::enumerable_thread_specific<NearestByCell> parts([&] { return NearestByCell(mesh, caps, m_overhang); });
     const auto count = uint32_t(mesh.triangleCount());
-    tbb::parallel_for(Range(0, count, kTrianglesAPart), [&](const Range& range) {
+    tbb::parallel_for(Range(0, count, kTrianglesPerTask), [&](const Range& range) {
         NearestByCell& part = parts.local();
         for (uint32_t triangle = range.begin(); triangle < range.end(); ++triangle) part.add(triangle);
     });

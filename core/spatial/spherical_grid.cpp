@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <numbers>
+
+#include "core/geometry/angle.h"
 
 namespace cullscope {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 // 144,046 triangles have the paper's 360 × 180 cells.
 constexpr double kTrianglesPerSquaredRow = 144'046.0 / (180.0 * 180.0);
 constexpr double kFewestRows = 8.0;

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "core/base/error.h"
+#include "core/geometry/rounding.h"
 #include "core/geometry/triangle.h"
 #include "core/spatial/spherical_triangle.h"
 
@@ -30,9 +31,6 @@ double millisecondsSince(Clock::time_point start) {
 double farthestRadius(const std::array<Vec3, 3>& corners) {
     return std::max({glm::length(corners[0]), glm::length(corners[1]), glm::length(corners[2])});
 }
-
-float below(double value) { return std::nextafter(float(value), 0.0f); }
-float above(double value) { return std::nextafter(float(value), std::numeric_limits<float>::infinity()); }
 
 }  // namespace
 
@@ -111,8 +109,8 @@ void SphericalMaps::buildIndexMap(const Progress& progress, uint64_t mostEntries
             extent = {std::numeric_limits<float>::infinity(), 0.0f};
             for (const uint32_t triangle : m_index.of(cell)) {
                 const std::array<Vec3, 3> points = corners(triangle);
-                extent.nearest = std::min(extent.nearest, below(nearestDistance(points)));
-                extent.farthest = std::max(extent.farthest, above(farthestRadius(points)));
+                extent.nearest = std::min(extent.nearest, floatBelow(nearestDistance(points)));
+                extent.farthest = std::max(extent.farthest, floatAbove(farthestRadius(points)));
             }
         }
     });

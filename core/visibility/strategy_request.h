@@ -4,9 +4,15 @@
 #include <string_view>
 #include <utility>
 
-#include "core/measure/meter.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope {
+
+/// A strategy by its id, with its parameters: what is to be drawn or measured.
+struct StrategyRequest {
+    std::string id;
+    ParameterSet parameters;
+};
 
 /// A strategy written as `id` or `id:key=value:key=value`; what is not written is at its default. Throws Error(Usage) naming what
 /// is unknown and what there is.

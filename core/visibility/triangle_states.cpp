@@ -62,32 +62,32 @@ std::vector<TriangleState> causes(const Scene& scene, const DrawList& list, cons
 
 /// What a submitted triangle becomes; `inV` where there is a truth.
 struct Submitted {
-    const Reference* reference;
+    const std::optional<VisibleTriangles>& truth;
     Facing facing;
 
     [[nodiscard]] TriangleState state(TriangleState before, const InstanceFromEye& instance, uint64_t triangle) const {
         // Everything in V was marked as lost before; what a range before this one drew is Visible by now.
-        const bool inV = reference != nullptr && (before == TriangleState::WronglyCulled || before == TriangleState::Visible);
+        const bool inV = truth.has_value() && (before == TriangleState::WronglyCulled || before == TriangleState::Visible);
         const bool dropped = facing == Facing::Front && instance.facesAway(triangle);
         if (inV) {
-            // What a reference of front sides shows, the same OpenGL drew for the strategy too, edge-on or not.
-            return dropped && reference->facing == Facing::TwoSided ? TriangleState::WronglyCulled : TriangleState::Visible;
+            // What a truth of front sides shows, the same OpenGL drew for the strategy too, edge-on or not.
+            return dropped && truth->facing == Facing::TwoSided ? TriangleState::WronglyCulled : TriangleState::Visible;
         }
         if (dropped) return TriangleState::BackFacing;
-        return reference != nullptr ? TriangleState::InVain : TriangleState::Visible;
+        return truth.has_value() ? TriangleState::InVain : TriangleState::Visible;
     }
 };
 
 }  // namespace
 
 TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
-                              const Reference* reference) {
+                              const std::optional<VisibleTriangles>& truth) {
     TriangleStates result;
-    result.againstTruth = reference != nullptr;
+    result.againstTruth = truth.has_value();
     result.states = causes(scene, list, trace);
-    if (reference != nullptr)
-        for (const uint32_t triangle : reference->visibleTriangles) result.states[triangle] = TriangleState::WronglyCulled;
-    const Submitted submitted{reference, list.facing};
+    if (truth.has_value())
+        for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
+    const Submitted submitted{truth, list.facing};
     for (const DrawRange& range : list.ranges) {
         const InstanceFromEye instance(scene, range.instance, view.eye());
         const uint64_t first = scene.firstTriangle(range.instance);

@@ -2,9 +2,13 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
+#include <span>
 #include <vector>
 
-#include "core/measure/reference.h"
+#include "core/frame/draw_list.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
 #include "core/visibility/trace.h"
 
 namespace cullscope {
@@ -17,6 +21,12 @@ inline constexpr size_t kTriangleStateCount = 7;
 /// The state of what is culled for that cause.
 [[nodiscard]] TriangleState stateOfCause(Cause cause);
 
+/// The truth about a view: the triangles that are visible under a facing rule (measure/reference.h finds them).
+struct VisibleTriangles {
+    std::span<const uint32_t> triangles;  ///< scene triangle numbers, unique
+    Facing facing = Facing::TwoSided;
+};
+
 /// One state a scene triangle number, and how many triangles are in each.
 struct TriangleStates {
     std::vector<TriangleState> states;
@@ -27,13 +37,13 @@ struct TriangleStates {
 };
 
 /// The states of all triangles as `view`, the culling view, decided them; `list` and `trace` come from one cull of that view.
-/// With a reference (may be null) of the same view, V is its set of visible triangles. In V and drawn: Visible. In V and not
-/// drawn (not submitted; or submitted and dropped by OpenGL as back-facing, while the reference shows both sides): WronglyCulled.
+/// With `truth` (none: not known) of the same view, V is its set of visible triangles. In V and drawn: Visible. In V and not
+/// drawn (not submitted; or submitted and dropped by OpenGL as back-facing, while the truth shows both sides): WronglyCulled.
 /// Submitted and not in V: BackFacing where OpenGL draws front sides only and the triangle turns its back to the eye, else
 /// InVain. Not submitted: the cause that the trace names for its object; Hidden where it names none, which no registered strategy
 /// does.
 [[nodiscard]] TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
-                                            const Reference* reference);
+                                            const std::optional<VisibleTriangles>& truth);
 
 /// How two strategies' visible sets differ: triangles that are truly visible and drawn.
 struct VisibleSetDifference {

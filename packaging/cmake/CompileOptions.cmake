@@ -2,6 +2,7 @@
 # (no contraction, so that a SIMD path can be bit-identical to its scalar one).
 add_library(cullscope_options INTERFACE)
 target_compile_options(cullscope_options INTERFACE
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>  # says of a source in a unity what holds of headers
   -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -ffp-contract=off)
 target_include_directories(cullscope_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(cullscope_options INTERFACE

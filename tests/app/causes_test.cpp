@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "tests/app/process.h"
+#include "tests/support/process.h"
 
 namespace {
 

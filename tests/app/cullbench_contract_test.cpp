@@ -12,7 +12,7 @@
 #include <set>
 
 #include "core/image/picture_file.h"
-#include "tests/app/process.h"
+#include "tests/support/process.h"
 
 namespace {
 

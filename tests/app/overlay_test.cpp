@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "core/image/picture_file.h"
-#include "tests/app/process.h"
+#include "tests/support/process.h"
 
 namespace {
 

@@ -6,6 +6,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "core/visibility/registry.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope::benchmark {
 

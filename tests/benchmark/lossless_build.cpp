@@ -14,6 +14,7 @@
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "tests/benchmark/lossless_benchmark.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope::benchmark {
 namespace {

@@ -144,8 +144,8 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence) {
 }
 
 const std::vector<std::string>& layers() {
-    static const std::vector<std::string> kLayers = {"base",   "geometry", "mesh",       "scene", "frame",   "spatial",
-                                                     "raster", "gpu",      "visibility", "image", "measure", "experiments"};
+    static const std::vector<std::string> kLayers = {"base",   "geometry", "mesh",       "scene",  "spatial",
+                                                     "raster", "gpu",      "visibility", "measure"};
     return kLayers;
 }
 

@@ -9,7 +9,7 @@
 #include <atomic>
 
 #include "core/base/error.h"
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/small_experiment.h"
 #include "tests/ui/test_scene.h"
 #include "ui/jobs/experiment_runner.h"
 #include "ui/screenshots/screenshot.h"

@@ -7,7 +7,7 @@
 #include <QTest>
 
 #include "core/base/error.h"
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/small_experiment.h"
 
 namespace cullscope::ui {
 namespace {

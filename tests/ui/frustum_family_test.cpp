@@ -14,7 +14,7 @@
 #include "ui/panels/strategy_panel.h"
 #include "ui/panels/why_panel.h"
 #include "ui/session/inside_reader.h"
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
 
 namespace cullscope::ui {

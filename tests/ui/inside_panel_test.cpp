@@ -6,9 +6,10 @@
 #include <random>
 
 #include "tests/ui/test_scene.h"
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
 #include "ui/jobs/object_verdicts.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 namespace {

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/small_experiment.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 

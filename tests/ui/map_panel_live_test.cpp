@@ -3,7 +3,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/map_words.h"
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
 
 namespace cullscope::ui {

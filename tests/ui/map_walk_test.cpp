@@ -9,7 +9,7 @@
 #include "ui/panels/map_words.h"
 #include "ui/jobs/built_strategy.h"
 #include "ui/session/cullbench_command.h"
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
 #include "ui/statistics/plot_file.h"
 

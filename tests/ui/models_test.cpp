@@ -9,6 +9,7 @@
 #include "ui/models/scene_model.h"
 #include "ui/models/strategy_model.h"
 #include "ui/text/wording.h"
+#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 namespace {

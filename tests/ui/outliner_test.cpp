@@ -6,7 +6,7 @@
 
 #include "core/scene/hidden.h"
 #include "tests/ui/test_scene.h"
-#include "ui/dialogs/split_dialog.h"
+#include "ui/panels/split_dialog.h"
 #include "ui/panels/scene_panel.h"
 
 namespace cullscope::ui {

@@ -10,6 +10,7 @@
 
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope::ui {
 namespace {

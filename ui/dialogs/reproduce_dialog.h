@@ -11,7 +11,7 @@
 #include <filesystem>
 
 #include "ui/models/paper_table_model.h"
-#include "ui/jobs/paper_runner.h"
+#include "ui/session/paper_runner.h"
 #include "ui/statistics/line_plot_widget.h"
 #include "ui/statistics/result_exporter.h"
 

@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/image/picture_file.h"
+#include "core/scene/camera.h"
 #include "ui/screenshots/screenshot_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -19,7 +20,6 @@ namespace {
 using Behind = ScreenshotOptions::Background;
 
 constexpr std::array kSizes{Viewport{1280, 720}, Viewport{1920, 1080}, Viewport{3840, 2160}};
-constexpr int kMostPixels = 16384;
 /// Data of the size's entries that are none of kSizes.
 constexpr int kAsShown = -1;
 constexpr int kCustom = -2;

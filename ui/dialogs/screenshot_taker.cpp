@@ -10,7 +10,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kPatience = 700;  // ms that a screenshot may take without a window of its own
-constexpr int kProgressSteps = 100;
+constexpr int kPercent = 100;
 
 /// The wipe alone, where the window says nothing.
 PictureExtras wipeOf(const Session& session, int view) {
@@ -72,7 +72,7 @@ void ScreenshotTaker::startNext() {
     m_running = std::make_unique<Screenshot>(*m_session.gpu(), order.plan, path);
     showProgress();
     connect(m_running.get(), &Screenshot::progressed, this, [this](double share) {
-        if (m_progress) m_progress->setValue(std::min(int(share * kProgressSteps), kProgressSteps - 1));
+        if (m_progress) m_progress->setValue(std::min(int(share * kPercent), kPercent - 1));
         emit progressed(share);
     });
     connect(m_running.get(), &Screenshot::done, this, [this](const QString& file) {
@@ -90,7 +90,7 @@ void ScreenshotTaker::startNext() {
 
 void ScreenshotTaker::showProgress() {
     if (!m_window) return;
-    m_progress = new QProgressDialog(tr("Saving the screenshot…"), tr("Cancel"), 0, kProgressSteps, m_window);
+    m_progress = new QProgressDialog(tr("Saving the screenshot…"), tr("Cancel"), 0, kPercent, m_window);
     m_progress->setMinimumDuration(kPatience);
     m_progress->setAutoClose(false);
     m_progress->setAutoReset(false);

@@ -11,6 +11,7 @@
 #include "core/visibility/strategy.h"
 #include "ui/jobs/built_strategy.h"
 #include "ui/jobs/gpu_thread.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 

@@ -1,5 +1,7 @@
 #include "ui/jobs/gpu_thread.h"
 
+#include <QCoreApplication>
+
 #include "core/base/error.h"
 
 namespace cullscope::ui {

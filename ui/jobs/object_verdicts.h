@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/visibility/triangle_states.h"
-#include "ui/session/inside_reader.h"
+#include "ui/jobs/inside_reading.h"
 
 namespace cullscope::ui {
 

@@ -1,6 +1,7 @@
 #include "ui/jobs/tiled_picture.h"
 
 #include "core/image/picture_file.h"
+#include "core/measure/reference.h"
 
 namespace cullscope::ui {
 
@@ -49,7 +50,7 @@ void TiledPicture::finishTruth(Renderer& renderer) {
     Trace trace;
     const Verdict verdict = cullShared(*m_request.strategy, culling, &trace, &renderer);
     m_request.states = std::make_shared<const TriangleStates>(
-        triangleStates(m_request.buffers->scene(), culling, verdict.drawList, trace, &truth));
+        triangleStates(m_request.buffers->scene(), culling, verdict.drawList, trace, truth.visible()));
 }
 
 void TiledPicture::drawItems(Renderer& renderer, const PictureTile& tile) {

@@ -4,7 +4,7 @@
 
 #include "core/image/spherical_model.h"
 #include "core/image/view_picture.h"
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/jobs/picture_tiles.h"
 
 namespace cullscope::ui {
@@ -71,7 +71,7 @@ PictureDrawing::PictureDrawing(const ViewRequest& request, Renderer& renderer)
     m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(request.buffers->scene(), m_verdict.drawList);
     if (request.look.colouring == Colouring::Verdicts && !m_states)
         m_states = std::make_shared<const TriangleStates>(
-            triangleStates(request.buffers->scene(), m_culling, m_verdict.drawList, m_trace, nullptr));
+            triangleStates(request.buffers->scene(), m_culling, m_verdict.drawList, m_trace, std::nullopt));
     const size_t pixels = size_t(request.size.width) * size_t(request.size.height);
     m_picture->colour = newImage(request.size, QImage::Format_RGBA8888);
     m_picture->depth.resize(pixels);

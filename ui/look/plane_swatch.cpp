@@ -9,7 +9,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kSwatchSize = 14;
+constexpr int kPlaneSwatchSize = 14;
 constexpr double kFrame = 3.5;  // pixels
 
 /// A frame, because a plane's colour is seen on edges alone.
@@ -34,7 +34,7 @@ QIcon planeIcon(FrustumPlane plane) {
 }
 
 PlaneSwatch::PlaneSwatch(FrustumPlane plane, QWidget* parent) : QWidget(parent), m_plane(plane) {
-    setFixedSize(kSwatchSize, kSwatchSize);
+    setFixedSize(kPlaneSwatchSize, kPlaneSwatchSize);
 }
 
 void PlaneSwatch::paintEvent(QPaintEvent*) {

@@ -1,6 +1,7 @@
 #include "ui/models/figure_model.h"
 
 #include "ui/text/wording.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 

@@ -4,6 +4,7 @@
 #include <QLocale>
 
 #include "ui/text/translated.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope::ui {
 

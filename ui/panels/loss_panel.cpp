@@ -8,6 +8,7 @@
 #include "ui/session/object_pick.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 

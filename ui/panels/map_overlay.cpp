@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/image/judged_cells.h"
 #include "core/image/map_picture.h"
 #include "ui/panels/map_edges.h"
@@ -14,7 +15,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr int kLabelStep = 30;              // degrees between labelled contours
 constexpr double kLeastContourStep = 15.0;  // degrees between drawn ones
 constexpr double kNumberDistance = 15.0;

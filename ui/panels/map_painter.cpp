@@ -16,11 +16,11 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kMargin = 4.0;
-constexpr double kLeading = 2.0;
+constexpr double kScaleLeading = 2.0;
 constexpr double kScaleWidth = 110.0;
-constexpr double kGap = 5.0;
+constexpr double kScaleGap = 5.0;
 
-double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kLeading; }
+double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kScaleLeading; }
 
 void append(std::vector<MapLegend::Entry>& entries, const std::vector<MapLegend::Entry>& more) {
     entries.insert(entries.end(), more.begin(), more.end());
@@ -254,7 +254,7 @@ void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalet
     const auto say = [&](const QString& words) {
         painter.setPen(palette.color(QPalette::Text));
         painter.drawText(at + QPointF(0.0, metrics.ascent()), words);
-        at.rx() += metrics.horizontalAdvance(words) + kGap;
+        at.rx() += metrics.horizontalAdvance(words) + kScaleGap;
     };
     say(least);
     const QRectF bar(at, QSizeF(kScaleWidth, metrics.height() - 2.0));
@@ -263,9 +263,9 @@ void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalet
     for (int stop = 0; stop <= kStops; ++stop)
         gradient.setColorAt(double(stop) / kStops, QColor(colours[1 + stop * qsizetype(CellTones::kTones - 2) / kStops]));
     painter.fillRect(bar, gradient);
-    at.rx() += kScaleWidth + kGap;
+    at.rx() += kScaleWidth + kScaleGap;
     say(most);
-    at.rx() += kGap;
+    at.rx() += kScaleGap;
     say(scaleWords(colouring()));
 }
 

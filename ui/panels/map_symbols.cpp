@@ -13,9 +13,9 @@ namespace {
 constexpr double kMarkerRadius = 5.0;
 constexpr double kSymbol = 22.0;
 constexpr double kSwatch = 12.0;
-constexpr double kGap = 4.0;
+constexpr double kSymbolGap = 4.0;
 constexpr double kApart = 12.0;
-constexpr double kLeading = 2.0;
+constexpr double kLineLeading = 2.0;
 
 QPainterPath diamond(const QPointF& centre, double radius) {
     QPainterPath path;
@@ -144,12 +144,12 @@ std::vector<QPointF> MapLegend::places(double width) const {
     std::vector<QPointF> places;
     QPointF at(0.0, 0.0);
     for (const Entry& entry : m_entries) {
-        const double needed = kSymbol + kGap + m_metrics.horizontalAdvance(entry.words);
-        if (at.x() > 0.0 && at.x() + needed > width) at = {0.0, at.y() + m_metrics.height() + kLeading};
+        const double needed = kSymbol + kSymbolGap + m_metrics.horizontalAdvance(entry.words);
+        if (at.x() > 0.0 && at.x() + needed > width) at = {0.0, at.y() + m_metrics.height() + kLineLeading};
         places.push_back(at);
         at.rx() += needed + kApart;
     }
-    places.push_back({0.0, at.y() + m_metrics.height() + kLeading});
+    places.push_back({0.0, at.y() + m_metrics.height() + kLineLeading});
     return places;
 }
 
@@ -166,7 +166,7 @@ void MapLegend::paint(QPainter& painter, const QRectF& place, const MapColours& 
         else
             paintSymbol(painter, symbol, m_entries[i].symbol, colours);
         painter.setPen(colours.text);
-        painter.drawText(at + QPointF(kSymbol + kGap, m_metrics.ascent()), m_entries[i].words);
+        painter.drawText(at + QPointF(kSymbol + kSymbolGap, m_metrics.ascent()), m_entries[i].words);
     }
 }
 

@@ -4,7 +4,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
-#include "ui/dialogs/split_dialog.h"
+#include "ui/panels/split_dialog.h"
 
 namespace cullscope::ui {
 

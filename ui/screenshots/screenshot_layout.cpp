@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/scene/camera.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -16,7 +17,6 @@ constexpr double kFontPixels = 14.0;
 constexpr double kMarkRoom = 18.0;   // a mark and the gap to its words
 constexpr double kLeastUnit = 0.75;  // smaller type is not read
 constexpr int kFewestPicturePixels = 16;
-constexpr int kMostPixels = 16384;
 
 /// Lengths in pixels from lengths in units.
 struct Units {

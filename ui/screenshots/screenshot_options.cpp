@@ -3,16 +3,16 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "core/scene/camera.h"
+
 namespace cullscope::ui {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
-using Background = ScreenshotOptions::Background;
 
-constexpr std::array kBackgrounds{std::pair{"as shown", Background::AsShown}, std::pair{"white", Background::White},
-                                  std::pair{"black", Background::Black}, std::pair{"transparent", Background::Transparent}};
-constexpr int kMostPixels = 16384;
+constexpr std::array kBackgrounds{std::pair{"as shown", ScreenshotOptions::Background::AsShown}, std::pair{"white", ScreenshotOptions::Background::White},
+                                  std::pair{"black", ScreenshotOptions::Background::Black}, std::pair{"transparent", ScreenshotOptions::Background::Transparent}};
 
 void read(const Json& json, const char* key, bool& value) {
     if (json.contains(key) && json[key].is_boolean()) value = json[key].get<bool>();
@@ -27,7 +27,7 @@ std::optional<Viewport> sizeOf(const Json& json) {
 
 }  // namespace
 
-std::string toText(const ScreenshotOptions& options) {
+std::string optionsText(const ScreenshotOptions& options) {
     Json json;
     if (options.size) json["size"] = {options.size->width, options.size->height};
     json["grid"] = options.grid;

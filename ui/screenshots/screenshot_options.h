@@ -24,7 +24,7 @@ struct ScreenshotOptions {
 };
 
 /// One JSON object, for settings and for a picture's metadata.
-[[nodiscard]] std::string toText(const ScreenshotOptions& options);
+[[nodiscard]] std::string optionsText(const ScreenshotOptions& options);
 /// What is missing or wrong keeps its default.
 [[nodiscard]] ScreenshotOptions screenshotOptionsFromText(std::string_view text);
 

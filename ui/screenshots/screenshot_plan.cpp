@@ -15,20 +15,20 @@
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/views/scene_view.h"
+#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-using Background = ScreenshotOptions::Background;
 
-constexpr Viewport kWidestSize{16384, 16384};
+constexpr Viewport kWidestSize{kMostPixels, kMostPixels};
 
-DrawStyle styleOf(const Session& session, Background background) {
+DrawStyle styleOf(const Session& session, ScreenshotOptions::Background background) {
     DrawStyle style = session.drawStyle();
-    if (background == Background::Transparent) style.backgroundAlpha = 0.0f;
-    if (background != Background::White && background != Background::Black) return style;
-    const bool white = background == Background::White;
+    if (background == ScreenshotOptions::Background::Transparent) style.backgroundAlpha = 0.0f;
+    if (background != ScreenshotOptions::Background::White && background != ScreenshotOptions::Background::Black) return style;
+    const bool white = background == ScreenshotOptions::Background::White;
     // Surfaces that stand out against the one background may not against the other.
     if (isLight(style.background) != white) style.surface = pictureStyle(Appearance::palette(!white)).surface;
     style.background = Vec3f(white ? 1.0f : 0.0f);
@@ -63,7 +63,7 @@ Viewport cullingSize(const Session& session, int view, const ViewRequest& shown,
             if (part.view == culling) return {part.picture.width(), part.picture.height()};
     }
     const double scale = double(size.height) / shown.size.height;
-    const auto length = [&](int pixels) { return std::clamp(int(std::lround(pixels * scale)), 1, 16384); };
+    const auto length = [&](int pixels) { return std::clamp(int(std::lround(pixels * scale)), 1, kMostPixels); };
     return {length(shown.cullingSize.width), length(shown.cullingSize.height)};
 }
 
@@ -181,7 +181,7 @@ int legendPartOf(const Session& session, const std::vector<ScreenshotPlan::Part>
 
 PictureMetadata metadataOf(Session& session, const ScreenshotOptions& options, const Viewport& size) {
     PictureMetadata metadata = programMetadata(session.gpu() ? session.gpu()->info().renderer : std::string());
-    metadata.emplace_back("cullscope:screenshot", toText(options));
+    metadata.emplace_back("cullscope:screenshot", optionsText(options));
     metadata.emplace_back("cullscope:picture_size", sizeText(size));
     return metadata;
 }

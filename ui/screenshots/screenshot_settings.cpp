@@ -41,7 +41,7 @@ ScreenshotSettings ScreenshotSettings::load() {
 
 void ScreenshotSettings::save() const {
     QSettings stored;
-    stored.setValue(kOptions, QString::fromStdString(toText(options)));
+    stored.setValue(kOptions, QString::fromStdString(optionsText(options)));
     stored.setValue(kFolder, folder);
     stored.setValue(kPattern, pattern);
 }

@@ -6,6 +6,7 @@
 #include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "core/measure/render_frame.h"
 #include "core/visibility/registry.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
@@ -144,7 +145,7 @@ struct FigureMeter::Bench {
         figures.accuracy = compare(*truth, depth, frame.verdict.drawList, scene);
         if (figures.facing != truth->facing) figures.missedBeyondSnapping = missedBeyondSnapping(*truth, depth, scene, view);
         figures.states =
-            std::make_shared<const TriangleStates>(triangleStates(scene, view, frame.verdict.drawList, trace, truth.get()));
+            std::make_shared<const TriangleStates>(triangleStates(scene, view, frame.verdict.drawList, trace, truth->visible()));
         const std::vector<uint8_t> missed = missedMask(*truth, depth);
         figures.lostObjects = lostObjects(scene, *truth, missed);
         figures.holes = holes(missed, truth->size);

@@ -10,7 +10,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kPause = 100;  // ms between two culls' beginnings
+constexpr int kPauseBetweenCulls = 100;  // ms between two culls' beginnings
 
 /// Fills what is read from one traced cull; `known` are the boxes where they are known already.
 void read(InsideReading& reading, const std::shared_ptr<const Inside>& known, Renderer* renderer) {
@@ -33,18 +33,6 @@ void read(InsideReading& reading, const std::shared_ptr<const Inside>& known, Re
 
 }  // namespace
 
-size_t placeOfMap(const Inside& inside, const std::optional<uint32_t>& instance) {
-    const std::vector<InsideMap>& maps = inside.maps;
-    const auto place = [&](const auto& matches) {
-        return size_t(std::find_if(maps.begin(), maps.end(), matches) - maps.begin());
-    };
-    size_t found = maps.size();
-    if (instance) found = place([&](const InsideMap& map) { return map.decision.instance == *instance; });
-    if (found == maps.size())
-        found = place([](const InsideMap& map) { return map.decision.relation != SphereRelation::Outside; });
-    return found == maps.size() ? 0 : found;
-}
-
 InsideReadingPointer InsideReader::readingOf(const Request& request, const std::shared_ptr<const Inside>& known,
                                              Renderer* renderer) {
     auto reading = std::make_shared<InsideReading>();
@@ -63,7 +51,7 @@ InsideReadingPointer InsideReader::readingOf(const Request& request, const std::
 
 InsideReader::InsideReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     m_pause.setSingleShot(true);
-    m_pause.setInterval(kPause);
+    m_pause.setInterval(kPauseBetweenCulls);
     connect(&m_pause, &QTimer::timeout, this, &InsideReader::check);
     for (const auto signal : {&Session::sceneChanged, &Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged,
                               &Session::viewCountChanged, &Session::activeViewChanged, &Session::pickChanged})

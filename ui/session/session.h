@@ -12,7 +12,7 @@
 #include "ui/session/figure_meter.h"
 #include "ui/jobs/figures.h"
 #include "ui/jobs/gpu_thread.h"
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/jobs/picture_maker.h"
 #include "ui/jobs/scene_loader.h"
 #include "ui/jobs/scene_upload.h"

@@ -19,7 +19,6 @@ constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wip
                             Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
                             Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
 
-constexpr int kMostPixels = 16384;  // on a side, as core's validate has it
 
 template <typename Enum, size_t Count>
 const char* wordOf(const std::array<Word<Enum>, Count>& words, Enum value) {

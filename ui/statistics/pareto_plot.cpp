@@ -14,8 +14,8 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMargin = 4.0;
-constexpr int kLeastChart = 130;
+constexpr double kParetoMargin = 4.0;
+constexpr int kLeastParetoChart = 130;
 constexpr double kMarkerSize = 11.0;
 
 /// How a run's point looks; the baselines, both grey, are a dark and a light one.
@@ -170,7 +170,7 @@ PlotLegend ParetoPlot::legend(const PlotColours& colours, const QFont& font) con
 
 int ParetoPlot::neededHeight(int width) const {
     const PlotLegend words = legend(PlotColours(palette()), font());
-    return int(std::ceil(words.heightWith(kLeastChart, width - 2 * kMargin) + 2 * kMargin));
+    return int(std::ceil(words.heightWith(kLeastParetoChart, width - 2 * kParetoMargin) + 2 * kParetoMargin));
 }
 
 void ParetoPlot::paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours, const PlaceOf& placeOf) const {
@@ -188,7 +188,7 @@ void ParetoPlot::paintPoints(QPainter& painter, const QRectF& bounds, const Plot
 void ParetoPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
     const PlotColours colours(palette);
     PlotLegend words = legend(colours, painter.font());
-    const QRectF inner = words.takeFrom(place.adjusted(kMargin, kMargin, -kMargin, -kMargin));
+    const QRectF inner = words.takeFrom(place.adjusted(kParetoMargin, kParetoMargin, -kParetoMargin, -kParetoMargin));
     std::unique_ptr<QChart> chart = bareChart(colours);
     QValueAxis* speeds = speedAxis(m_runs);
     addAxis(*chart, speeds, Qt::AlignBottom, painter.font(), colours);

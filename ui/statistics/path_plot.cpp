@@ -11,9 +11,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMargin = 4.0;
+constexpr double kPathMargin = 4.0;
 constexpr double kBesideFrom = 560.0;
-constexpr int kLeastChart = 120;
+constexpr int kLeastPathChart = 120;
 constexpr size_t kMostDots = 60;
 
 }  // namespace
@@ -43,7 +43,7 @@ QString PathPlot::description() const {
 int PathPlot::neededHeight(int width) const {
     const PlotLegend legend(runStyles(m_runs, PlotColours(palette())), QFontMetricsF(font()));
     const int charts = lossKnown() && width < kBesideFrom ? 2 : 1;
-    return int(std::ceil(legend.heightWith(charts * kLeastChart, width - 2 * kMargin) + 2 * kMargin));
+    return int(std::ceil(legend.heightWith(charts * kLeastPathChart, width - 2 * kPathMargin) + 2 * kPathMargin));
 }
 
 void PathPlot::paintFigure(QPainter& painter, const QRectF& place, const PlotColours& colours, Figure figure) const {
@@ -71,7 +71,7 @@ void PathPlot::paintFigure(QPainter& painter, const QRectF& place, const PlotCol
 void PathPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
     const PlotColours colours(palette);
     PlotLegend legend(runStyles(m_runs, colours), QFontMetricsF(painter.font()));
-    const QRectF inner = legend.takeFrom(place.adjusted(kMargin, kMargin, -kMargin, -kMargin));
+    const QRectF inner = legend.takeFrom(place.adjusted(kPathMargin, kPathMargin, -kPathMargin, -kPathMargin));
     if (!lossKnown()) {
         paintFigure(painter, inner, colours, Figure::Time);
     } else {

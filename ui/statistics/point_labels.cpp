@@ -9,14 +9,14 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kGap = 2.0;
+constexpr double kLabelGap = 2.0;
 constexpr int kMostRows = 8;  // that words may be away from their point
 // How far to the side, pixels, that they may be moved.
 constexpr std::array kAside{0.0, 14.0, -14.0, 28.0, -28.0, 42.0, -42.0};
 
 /// Words so many rows above the point, below where negative, and so many pixels aside; moved sideways into the bounds.
 QRectF placeAt(const QPointF& point, const QSizeF& size, int row, double aside, const QRectF& bounds, double marker) {
-    const double away = marker / 2 + kGap + (std::abs(row) - 1) * size.height();
+    const double away = marker / 2 + kLabelGap + (std::abs(row) - 1) * size.height();
     const double top = row > 0 ? point.y() - away - size.height() : point.y() + away;
     const double left = std::max(bounds.left(), std::min(point.x() + aside - size.width() / 2, bounds.right() - size.width()));
     return {QPointF(left, top), size};
@@ -30,7 +30,7 @@ std::vector<QRectF> placeLabels(const std::vector<PointLabel>& labels, const QFo
     for (const PointLabel& label : labels) taken.emplace_back(label.point - QPointF(marker, marker) / 2, QSizeF(marker, marker));
     std::vector<QRectF> places;
     for (const PointLabel& label : labels) {
-        const QSizeF size(metrics.horizontalAdvance(label.words) + kGap, metrics.height());
+        const QSizeF size(metrics.horizontalAdvance(label.words) + kLabelGap, metrics.height());
         const auto isFree = [&](const QRectF& place) {
             return place.top() >= bounds.top() && place.bottom() <= bounds.bottom() &&
                    std::none_of(taken.begin(), taken.end(), [&](const QRectF& other) { return other.intersects(place); });

@@ -9,7 +9,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMargin = 10.0;
+constexpr double kStripMargin = 10.0;
 constexpr double kLossHeight = 34.0;
 constexpr double kLeastTimes = 40.0;
 constexpr double kWidestColumn = 40.0;
@@ -20,7 +20,7 @@ constexpr double kSharpFrom = 4.0;
 QString PoseStrip::subject() const { return tr("Time and loss by pose"); }
 
 int PoseStrip::neededHeight(int /*width*/) const {
-    return int(kLeastTimes + kLossHeight + 3.0 * QFontMetricsF(font()).height() + 2.0 * kMargin);
+    return int(kLeastTimes + kLossHeight + 3.0 * QFontMetricsF(font()).height() + 2.0 * kStripMargin);
 }
 
 double PoseStrip::longestFrame() const {
@@ -34,7 +34,7 @@ PoseStrip::Areas PoseStrip::areas(const QFontMetricsF& metrics, const QRectF& pl
     const double labels = std::max({metrics.horizontalAdvance(tr("frame")), metrics.horizontalAdvance(tr("missed")),
                                     metrics.horizontalAdvance(longest)}) +
                           6.0;
-    const QRectF inner = place.adjusted(kMargin, kMargin / 2, -kMargin, -kMargin / 2);
+    const QRectF inner = place.adjusted(kStripMargin, kStripMargin / 2, -kStripMargin, -kStripMargin / 2);
     const double bottom = inner.bottom() - metrics.height();
     Areas areas;
     const double most = kWidestColumn * double(std::max<size_t>(1, poseCount()));

@@ -10,7 +10,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMillion = 1e6;
+constexpr double kPartsPerMillion = 1e6;
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 constexpr double kLeastLossShare = 0.2;
 
@@ -20,7 +20,7 @@ PoseFigures poseFigures(const FrameMeasurement& frame, const MeasureResult& resu
     figures.frameMilliseconds = frame.frameMilliseconds;
     if (frame.accuracy) {
         figures.missedPixels = frame.accuracy->missedPixels;
-        figures.missedPpm = kMillion * frame.accuracy->missedPixelRate();
+        figures.missedPpm = kPartsPerMillion * frame.accuracy->missedPixelRate();
     }
     const Vec3 direction = result.request.path.poses.at(frame.pose).eye - result.request.scene->boundingSphere().centre;
     figures.azimuth = kDegrees * std::atan2(direction.x, direction.z);
@@ -52,7 +52,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;
         figures.speedup = run.summary.speedupVsBackface;
         figures.speedupCi95 = run.summary.speedupVsBackfaceCi95;
-        if (run.summary.missedPixelRate) figures.missedPpm = kMillion * *run.summary.missedPixelRate;
+        if (run.summary.missedPixelRate) figures.missedPpm = kPartsPerMillion * *run.summary.missedPixelRate;
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, result));
         all.push_back(std::move(figures));
     }

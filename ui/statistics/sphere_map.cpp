@@ -7,7 +7,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMargin = 8.0;
+constexpr double kMapMargin = 8.0;
 constexpr double kLeastHeight = 90.0;
 constexpr double kLeastRadius = 4.0;
 constexpr double kLargestRadius = 8.0;
@@ -21,7 +21,7 @@ int SphereMap::neededHeight(int /*width*/) const { return int(kLeastHeight + 3.0
 
 QRectF SphereMap::map(const QFontMetricsF& metrics, const QRectF& place) const {
     const double left = metrics.horizontalAdvance(QStringLiteral("−90°")) + 6.0;
-    const QRectF inner = place.adjusted(kMargin + left, kMargin, -kMargin - left / 2, -kMargin - metrics.height());
+    const QRectF inner = place.adjusted(kMapMargin + left, kMapMargin, -kMapMargin - left / 2, -kMapMargin - metrics.height());
     const double legend = inner.width() > 560.0 ? 170.0 : 0.0;
     const double width = std::min(inner.width() - legend, 3.0 * inner.height());
     const double height = std::min(inner.height(), width / 2.0);

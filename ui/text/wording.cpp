@@ -2,10 +2,8 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <QStringList>
 #include <cmath>
 
-#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 
@@ -63,53 +61,5 @@ QString millisecondsText(double milliseconds) {
 }
 
 QString bytesText(uint64_t bytes) { return QLocale().formattedDataSize(qint64(bytes), 1, QLocale::DataSizeSIFormat); }
-
-QString figureLine(const Figures& figures) {
-    switch (figures.state) {
-        case Figures::State::Nothing:
-            return {};
-        case Figures::State::Stale:
-            return QStringLiteral("…");
-        case Figures::State::OnRequest:
-            return QCoreApplication::translate("Wording", "large scene: figures on request");
-        case Figures::State::Failed:
-            return QCoreApplication::translate("Wording", "no figures");
-        case Figures::State::Ready:
-            break;
-    }
-    const QString speed = figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : QStringLiteral("×…");
-    //: Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.
-    return QCoreApplication::translate("Wording", "%1 · %2 % · %3 missed")
-        .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
-}
-
-QString figureDetails(const Figures& figures, const GlInfo& gl) {
-    if (figures.state == Figures::State::Failed) return translated(figures.failure);
-    QStringList lines;
-    if (figures.state == Figures::State::Ready) {
-        const double fps = figures.frameMilliseconds > 0.0 ? 1000.0 / figures.frameMilliseconds : 0.0;
-        lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
-                     .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds), millisecondsText(figures.cullMilliseconds))
-              << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")
-                     .arg(countText(figures.consideredTriangles), countText(figures.sceneTriangles),
-                          countText(figures.accuracy.visibleTriangles))
-              << QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
-                     .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
-                          countText(figures.accuracy.largestHolePixels));
-        if (figures.missedBeyondSnapping)
-            lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")
-                         .arg(countText(*figures.missedBeyondSnapping));
-        lines << QCoreApplication::translate("Wording", "Truth: item buffer of %1 × %2 pixels, %3")
-                     .arg(figures.size.width)
-                     .arg(figures.size.height)
-                     .arg(facingWord(figures.facing));
-    }
-    if (!gl.renderer.empty()) {
-        const QString renderer = QString::fromStdString(gl.renderer);
-        lines << (gl.software ? QCoreApplication::translate("Wording", "Software OpenGL: %1").arg(renderer)
-                              : QCoreApplication::translate("Wording", "OpenGL: %1").arg(renderer));
-    }
-    return lines.join(QLatin1Char('\n'));
-}
 
 }  // namespace cullscope::ui

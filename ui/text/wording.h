@@ -2,9 +2,7 @@
 
 #include <QString>
 
-#include "core/gpu/context.h"
 #include "core/visibility/strategy.h"
-#include "ui/jobs/figures.h"
 
 namespace cullscope::ui {
 
@@ -17,11 +15,6 @@ namespace cullscope::ui {
 [[nodiscard]] QString facingWord(Facing facing);
 /// "A", "B".
 [[nodiscard]] QString viewLetter(int view);
-
-/// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`; "…" while stale.
-[[nodiscard]] QString figureLine(const Figures& figures);
-/// Everything that the header has no place for, several lines.
-[[nodiscard]] QString figureDetails(const Figures& figures, const GlInfo& gl);
 
 /// A ratio with two significant digits: "0.97", "3.1", "15".
 [[nodiscard]] QString ratioText(double ratio);

@@ -13,7 +13,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kNarrowestLoss = 2;
-constexpr double kPale = 0.35;
+constexpr double kPaleShare = 0.35;
 constexpr auto kLoss = size_t(TriangleState::WronglyCulled);
 
 }  // namespace
@@ -90,7 +90,7 @@ void BudgetBar::describe() {
 void BudgetBar::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Window));
-    if (m_stale) painter.setOpacity(kPale);
+    if (m_stale) painter.setOpacity(kPaleShare);
     const auto widths = this->widths();
     int left = 0;
     for (size_t state = 0; state < kTriangleStateCount; ++state) {

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDegreeStep = 90;
 constexpr double kTick = 6.0;  // units; ticks lie in the picture
-constexpr double kGap = 4.0;
+constexpr double kTickGap = 4.0;
 constexpr double kRampWidth = 64.0;
 constexpr double kLeastLetters = 7.0;  // units; smaller ones cannot be read
 constexpr double kLettersWide = 2.2;   // "180°" in heights of its letters
@@ -36,7 +36,7 @@ public:
 
     /// The numbers at the ticks, as large as their margin allows; none where it allows none that can be read.
     void paintDegrees() {
-        const double tick = kTick * m_unit, gap = 0.5 * kGap * m_unit;
+        const double tick = kTick * m_unit, gap = 0.5 * kTickGap * m_unit;
         if (setLetters((m_target.bottom() - m_map.bottom() - tick) / kLinesHigh)) {
             for (int phi = 0; phi <= 360; phi += kDegreeStep) writeBelow(phi, QStringLiteral("%1°").arg(phi));
             writeBelow(0.5 * kDegreeStep, QStringLiteral("φ"));
@@ -53,7 +53,7 @@ public:
         const QString nearest = words(QT_TRANSLATE_NOOP("SphericalModel", "R: near"));
         const QString farthest = words(QT_TRANSLATE_NOOP("SphericalModel", "far"));
         setLetters(letterHeight());
-        const double gap = kGap * m_unit, ramp = kRampWidth * m_unit, line = metrics().height();
+        const double gap = kTickGap * m_unit, ramp = kRampWidth * m_unit, line = metrics().height();
         const double before = metrics().horizontalAdvance(nearest), after = metrics().horizontalAdvance(farthest);
         const double width = before + after + ramp + 2.0 * gap;
         const QRectF place(m_map.right() - width, std::max(m_target.top(), m_map.top() - line - gap), width, line);
@@ -73,7 +73,7 @@ public:
         if (!m_picture.partOfModel) return;
         const QString hint = words(QT_TRANSLATE_NOOP(
             "SphericalModel", "Only what the strategy submits is drawn: choose All triangles for the whole model."));
-        const double gap = kGap * m_unit;
+        const double gap = kTickGap * m_unit;
         const QRectF room(m_target.left() + gap, m_below, m_target.width() - 2.0 * gap, m_target.bottom() - m_below);
         double height = 0.0;
         for (double letters = letterHeight(); setLetters(letters); letters -= m_unit) {
@@ -113,7 +113,7 @@ private:
 
     void writeBeside(double theta, const QString& text) {
         const double y = m_map.top() + theta / 180.0 * m_map.height(), line = metrics().height();
-        const double right = m_map.left() - (kTick + 0.5 * kGap) * m_unit, width = 80.0 * m_unit;
+        const double right = m_map.left() - (kTick + 0.5 * kTickGap) * m_unit, width = 80.0 * m_unit;
         write(QRectF(right - width, y - 0.5 * line, width, line), Qt::AlignRight, text);
     }
 

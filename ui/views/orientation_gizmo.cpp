@@ -9,7 +9,7 @@ namespace {
 constexpr double kReach = 34.0;       // from the middle to an end, in a picture of more than kRoomy
 constexpr double kSmallReach = 20.0;  // in a smaller one
 constexpr double kBallShare = 0.26;   // of the reach
-constexpr double kMargin = 6.0;
+constexpr double kGizmoMargin = 6.0;
 constexpr double kRoomy = 360.0;  // of the picture's width
 
 // As in other programs; dark enough for white letters, and unlike the verdicts' colours, which say something else.
@@ -21,7 +21,7 @@ constexpr std::array kNames{"X", "Y", "Z"};
 OrientationGizmo::OrientationGizmo(const View& camera, const QRectF& picture) {
     const double reach = picture.width() > kRoomy ? kReach : kSmallReach;
     m_ball = kBallShare * reach;
-    const double away = kMargin + reach + m_ball;
+    const double away = kGizmoMargin + reach + m_ball;
     m_middle = picture.bottomLeft() + QPointF(away, -away);
     const Frustum& frustum = camera.frustum();
     for (int axis = 0; axis < 3; ++axis)

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLoupeZoom = 8.0;
 constexpr double kLoupeRadius = 72.0;
 constexpr double kPale = 0.65;  // how far the picture under marks is taken back towards the background
-constexpr QColor kLine(255, 255, 255);
+constexpr QColor kWipeLine(255, 255, 255);
 constexpr QColor kLineEdge(0, 0, 0);
 
 QColor colour(const Vec3f& rgb) { return QColor::fromRgbF(rgb.x, rgb.y, rgb.z); }
@@ -46,7 +46,7 @@ void strokeTwice(QPainter& painter, const QPainterPath& path, double unit) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kLineEdge, 4.0 * unit));
     painter.drawPath(path);
-    painter.setPen(QPen(kLine, 2.0 * unit));
+    painter.setPen(QPen(kWipeLine, 2.0 * unit));
     painter.drawPath(path);
 }
 

@@ -9,6 +9,7 @@
 #include "ui/text/wording.h"
 #include "ui/views/pick_painter.h"
 #include "ui/views/view_input.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 

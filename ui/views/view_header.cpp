@@ -7,6 +7,7 @@
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/look/promise_marker.h"
+#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 

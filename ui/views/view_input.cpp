@@ -1,5 +1,6 @@
 #include "ui/views/view_input.h"
 
+#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QWheelEvent>

@@ -5,6 +5,7 @@
 
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 

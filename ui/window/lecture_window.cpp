@@ -26,7 +26,7 @@ constexpr int kButton = 44;
 constexpr int kSmallestLetters = 20;
 constexpr int kTitleLetters = 28;
 constexpr int kNumberLetters = 26;
-constexpr int kMargin = 16;
+constexpr int kPageMargin = 16;
 
 void setLetters(QWidget& widget, int pixels, bool bold = false) {
     QFont font = widget.font();
@@ -66,7 +66,7 @@ LectureWindow::~LectureWindow() { giveBack(); }
 
 void LectureWindow::makeFoot() {
     auto* row = new QHBoxLayout(m_foot);
-    row->setSpacing(kMargin);
+    row->setSpacing(kPageMargin);
     for (QLabel*& number : m_numbers) {
         number = new QLabel(m_foot);
         row->addWidget(number, 1);
@@ -145,9 +145,9 @@ void LectureWindow::arrange() {
         setLetters(*button, scaled(kSmallestLetters));
         button->setMinimumSize(scaled(3 * kButton), scaled(kButton));
     }
-    m_title->setGeometry(scaled(kMargin), 0, width() - 2 * scaled(kMargin), title);
+    m_title->setGeometry(scaled(kPageMargin), 0, width() - 2 * scaled(kPageMargin), title);
     if (m_pane) m_pane->setGeometry(0, title, picture, middle);
-    const int margin = scaled(kMargin), side = picture + margin, room = width() - side - margin;
+    const int margin = scaled(kPageMargin), side = picture + margin, room = width() - side - margin;
     m_structure->setGeometry(side, title + margin, room, scaled(kStructureHeight) - margin);
     m_explanation->setGeometry(side, title + scaled(kStructureHeight) + margin, room, middle - scaled(kStructureHeight) - margin);
     m_foot->setGeometry(0, height() - foot, width(), foot);

@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "ui/jobs/paper_runner.h"
+#include "ui/session/paper_runner.h"
 #include "ui/session/undo_recorder.h"
 #include "ui/window/experiments.h"
 #include "ui/window/window_actions.h"

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::array kUsualSizes{Viewport{320, 240}, Viewport{640, 480}, Viewport{1280, 720}};
 
-QString sizeText(const Viewport& size) { return QStringLiteral("%1 × %2").arg(size.width).arg(size.height); }
+QString pixelText(const Viewport& size) { return QStringLiteral("%1 × %2").arg(size.width).arg(size.height); }
 
 }  // namespace
 
@@ -125,9 +125,9 @@ void ViewMenu::addSizes(const std::function<void()>& askForSize) {
     bool usual = !size;
     for (const Viewport& one : kUsualSizes) {
         usual = usual || size == one;
-        change(*menu, sizeText(one), size == one, [one](ViewSetup& setup) { setup.size = one; });
+        change(*menu, pixelText(one), size == one, [one](ViewSetup& setup) { setup.size = one; });
     }
-    option(*menu, usual ? tr("Other…") : tr("Other (%1)…").arg(sizeText(*size)), !usual, askForSize);
+    option(*menu, usual ? tr("Other…") : tr("Other (%1)…").arg(pixelText(*size)), !usual, askForSize);
     menu->addSeparator();
     QObject::connect(menu->addAction(tr("The same in all views")), &QAction::triggered, menu, [session = &m_session, size] {
         for (int view = 0; view < Session::kMostViews; ++view) {

@@ -5,12 +5,12 @@
 #include <limits>
 #include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/visibility/spherical/cell_directions.h"
 
 namespace cullscope {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 // α from 18° to 154° in equal steps of its cosine: denser about 90°, where slopes are largest.
 constexpr double kFirstCosine = 0.95;
 constexpr double kLastCosine = -0.90;

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <limits>
-#include <numbers>
 
+#include "core/geometry/angle.h"
 #include "core/geometry/triangle.h"
 
 namespace cullscope {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Of cosines that are kept as float.
 constexpr double kFloatError = 1e-7;

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/geometry/angle.h"
 
 namespace cullscope {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr size_t kStepsOfAnArc = 16;  // of the outline that is shown; boxes take the exact extreme
 
 /// From `from` to `to` the shorter way round, in [−π, π].

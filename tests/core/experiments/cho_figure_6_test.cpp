@@ -6,8 +6,9 @@
 #include <sstream>
 
 #include "core/visibility/strategy_request.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/small_experiment.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::test {
 namespace {

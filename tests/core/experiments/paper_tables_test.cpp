@@ -8,8 +8,10 @@
 
 #include "core/base/error.h"
 #include "core/experiments/han_hong_tables.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/small_experiment.h"
+#include "core/measure/accuracy.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope::test {
 namespace {

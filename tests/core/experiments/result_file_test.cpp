@@ -3,8 +3,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/small_experiment.h"
 
 namespace cullscope::test {
 namespace {

@@ -3,8 +3,8 @@
 
 #include "core/geometry/random.h"
 #include "core/geometry/separation.h"
-#include "tests/core/geometry/exact_frustum.h"
-#include "tests/long_mode.h"
+#include "tests/support/exact_frustum.h"
+#include "tests/support/long_mode.h"
 
 namespace cullscope::test {
 namespace {

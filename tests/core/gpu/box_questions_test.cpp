@@ -1,6 +1,6 @@
 #include "core/base/error.h"
 #include "core/geometry/random.h"
-#include "tests/core/gpu/gl_environment.h"
+#include "tests/support/gl_environment.h"
 
 // OpenGL asked about boxes; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1,
 // near 0.1, far 10 unless said.

@@ -3,9 +3,9 @@
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/gpu/pixel_edges.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/pixel_edges.h"
+#include "tests/support/test_scenes.h"
 
 // Case 21: the whole scene moved by (1e7, −1e7, 1e7), through its instances' transforms and as a mesh that lies there.
 

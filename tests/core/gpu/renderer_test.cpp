@@ -1,9 +1,9 @@
 #include "core/gpu/renderer.h"
 
 #include "core/mesh/parametric.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/gpu/pixel_edges.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/pixel_edges.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

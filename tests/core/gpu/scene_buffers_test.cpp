@@ -6,8 +6,8 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/hidden.h"
 #include "core/scene/split_scene.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

@@ -5,8 +5,8 @@
 #include <numeric>
 
 #include "core/mesh/parametric.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

@@ -9,8 +9,8 @@
 #include "core/image/map_picture.h"
 #include "core/image/view_picture.h"
 #include "core/visibility/spherical/cell_directions.h"
-#include "tests/core/image/hand_made_map.h"
-#include "tests/core/image/lossless_map.h"
+#include "tests/support/hand_made_map.h"
+#include "tests/support/lossless_map.h"
 
 namespace cullscope::test {
 namespace {

@@ -4,7 +4,7 @@
 #include "core/gpu/colour.h"
 #include "core/image/canvas.h"
 #include "core/image/view_picture.h"
-#include "tests/core/image/hand_made_map.h"
+#include "tests/support/hand_made_map.h"
 
 namespace cullscope::test {
 namespace {

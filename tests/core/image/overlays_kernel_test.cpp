@@ -5,8 +5,8 @@
 #include "core/gpu/colour.h"
 #include "core/image/overlays.h"
 #include "core/image/view_picture.h"
-#include "tests/core/image/hand_made_map.h"
-#include "tests/core/image/lossless_map.h"
+#include "tests/support/hand_made_map.h"
+#include "tests/support/lossless_map.h"
 
 namespace cullscope::test {
 namespace {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/image/view_picture.h"
-#include "tests/core/image/colour_difference.h"
+#include "tests/support/colour_difference.h"
 
 // The colours of the six planes can be told apart from each other, from the verdicts' colours, which stand beside them, and from
 // the background: in normal sight and with three colour-vision deficiencies. Thirteen greys cannot all be told apart, so that the

@@ -3,9 +3,9 @@
 #include "core/gpu/colour.h"
 #include "core/image/view_picture.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/image/hand_made_map.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/hand_made_map.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

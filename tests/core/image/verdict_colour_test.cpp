@@ -7,9 +7,9 @@
 #include "core/image/view_picture.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/image/colour_difference.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/colour_difference.h"
+#include "tests/support/test_scenes.h"
 
 // Verdict colours can be told apart: any two that are neighbours in a picture of the field differ by ΔE₀₀ ≥ 8, in normal sight,
 // in grey and with each of three colour-vision deficiencies, on the light and on the dark background.
@@ -42,7 +42,7 @@ TriangleStates statesOf(const ScenePointer& scene, const char* id, const Vec3& e
     Trace trace;
     const Verdict verdict = strategy->cull(culling, &trace);
     const Reference truth = itemBufferReference(GlEnvironment::renderer(), buffers, culling, strategy->referenceFacing());
-    return triangleStates(*scene, culling, verdict.drawList, trace, &truth);
+    return triangleStates(*scene, culling, verdict.drawList, trace, truth.visible());
 }
 
 /// States that no strategy of today gives: each object in one of the seven, drawn at random, so that all meet in the picture.

@@ -3,9 +3,9 @@
 #include "core/gpu/colour.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/grouped_frustum.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/grouped_frustum.h"
 
 namespace cullscope::test {
 namespace {

@@ -1,8 +1,9 @@
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::test {
 namespace {

@@ -2,10 +2,10 @@
 
 #include "core/measure/reference.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/exact_visibility.h"
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/exact_visibility.h"
+#include "tests/support/random_views.h"
 
 // The other half of the bound in geometry/frustum.h: what the GPU's float arithmetic puts on the raster, `frustum` must have
 // drawn, also where an object touches a plane to within rounding. The judge is the picture of everything; for `frustum-select`,

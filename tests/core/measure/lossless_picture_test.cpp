@@ -5,9 +5,10 @@
 
 #include "core/measure/reference.h"
 #include "core/scene/camera_path.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/visibility/exact_visibility.h"
-#include "tests/core/visibility/lossless_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/exact_visibility.h"
+#include "tests/support/lossless_scenes.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::test {
 namespace {

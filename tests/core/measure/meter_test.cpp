@@ -1,8 +1,9 @@
 #include "core/measure/meter.h"
 
 #include "core/base/error.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/measure/small_experiment.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/small_experiment.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::test {
 namespace {

@@ -6,9 +6,10 @@
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
 #include "core/scene/scene_source.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/gpu/pixel_edges.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/pixel_edges.h"
+#include "tests/support/test_scenes.h"
+#include "core/measure/accuracy.h"
 
 // The item buffer against Embree's rays: they share no code, so what both say is so. They agree at a pixel where their depths
 // differ by no more than a shift of 1/256 pixel explains (the raster's snapping) and float's rounding of a depth; both of them

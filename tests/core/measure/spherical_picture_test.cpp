@@ -8,9 +8,10 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/frustum_share.h"
 #include "core/scene/scene_source.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/visibility/exact_visibility.h"
-#include "tests/core/visibility/spherical_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/exact_visibility.h"
+#include "tests/support/spherical_scenes.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::test {
 namespace {

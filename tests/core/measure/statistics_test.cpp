@@ -1,4 +1,5 @@
 #include "core/measure/meter.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope {
 namespace {

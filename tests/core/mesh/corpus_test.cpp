@@ -1,7 +1,7 @@
 // Every malformed file loads or is refused with one sentence; none crashes, hangs or takes memory by a number that it claims.
 #include <algorithm>
 
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

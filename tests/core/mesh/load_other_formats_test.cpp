@@ -1,4 +1,4 @@
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

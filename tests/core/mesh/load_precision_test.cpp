@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

@@ -1,7 +1,7 @@
 #include <sys/stat.h>
 
 #include "core/base/error.h"
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

@@ -1,6 +1,6 @@
 // How often loading asks whether to stop is counted in bytes, not timed: the same on any machine.
 #include "core/base/error.h"
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

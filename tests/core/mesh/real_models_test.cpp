@@ -1,5 +1,5 @@
 // The real models, where they are at hand: counts as their manifest states them.
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

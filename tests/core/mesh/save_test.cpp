@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/base/error.h"
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 namespace cullscope::test {
 namespace {

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/scene/scene_source.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

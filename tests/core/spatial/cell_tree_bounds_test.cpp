@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "tests/core/spatial/tested_trees.h"
+#include "tests/support/tested_trees.h"
 
 namespace cullscope::test {
 namespace {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <tuple>
 
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/spatial/tested_trees.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/tested_trees.h"
 
 namespace cullscope::test {
 namespace {

@@ -9,8 +9,8 @@
 
 #include "core/geometry/triangle.h"
 #include "core/mesh/parametric.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/spatial/spherical_meshes.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/spherical_meshes.h"
 
 namespace cullscope::test {
 namespace {

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/geometry/random.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/mesh/parametric.h"
 #include "core/spatial/spherical_search.h"
 #include "core/spatial/spherical_triangle.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

@@ -11,8 +11,8 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/spherical_triangle.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/spatial/spherical_meshes.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/spherical_meshes.h"
 
 namespace cullscope::test {
 namespace {

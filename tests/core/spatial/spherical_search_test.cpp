@@ -7,8 +7,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/spatial/spherical_meshes.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/spherical_meshes.h"
 
 namespace cullscope::test {
 namespace {

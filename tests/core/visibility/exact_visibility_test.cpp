@@ -1,6 +1,6 @@
-#include "tests/core/visibility/exact_visibility.h"
+#include "tests/support/exact_visibility.h"
 
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

@@ -4,10 +4,10 @@
 #include <optional>
 
 #include "core/geometry/random.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/exact_visibility.h"
-#include "tests/core/visibility/grouped_frustum.h"
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/exact_visibility.h"
+#include "tests/support/grouped_frustum.h"
+#include "tests/support/random_views.h"
 
 namespace cullscope::test {
 namespace {

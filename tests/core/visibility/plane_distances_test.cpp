@@ -4,7 +4,7 @@
 
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

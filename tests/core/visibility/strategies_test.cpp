@@ -2,9 +2,9 @@
 
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/random_views.h"
 
 namespace cullscope::test {
 namespace {

@@ -4,9 +4,10 @@
 
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/random_views.h"
+#include "core/measure/accuracy.h"
 
 namespace cullscope::test {
 namespace {
@@ -78,7 +79,7 @@ TEST(TriangleStates, randomViewOfAStrategyIsNoPartition) {
                 const Verdict verdict = strategy->cull(view, &trace, &GlEnvironment::renderer());
                 const Reference reference =
                     itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
-                const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, &reference);
+                const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, reference.visible());
                 EXPECT_TRUE(states.againstTruth);
                 expectPartition(states, *scene);
                 // Where OpenGL drops nothing that the truth shows, what is lost is V∖S.
@@ -117,7 +118,7 @@ TEST(TriangleStates, wrongDrawListLosesNothing) {
             lossy.ranges[removed].indexCount -= lossy.ranges[removed].firstIndex;
             Trace trace;
             trace.events.push_back({.kind = TraceEvent::Kind::Culled, .instance = removed, .cause = Cause::TooSmall});
-            const TriangleStates states = triangleStates(*scene, overThree(), lossy, trace, &reference);
+            const TriangleStates states = triangleStates(*scene, overThree(), lossy, trace, reference.visible());
             expectPartition(states, *scene);
             const std::vector<uint32_t> lost = inState(states, TriangleState::WronglyCulled);
             EXPECT_EQ(lost, visibleNotSubmitted(reference, lossy, *scene));
@@ -135,7 +136,7 @@ TEST(TriangleStates, causeBecomesAnotherState) {
     Trace trace;
     for (uint32_t i = 0; i < kCauseCount; ++i)
         trace.events.push_back({.kind = TraceEvent::Kind::Culled, .instance = i, .cause = static_cast<Cause>(i)});
-    const TriangleStates states = triangleStates(*scene, overThree(), {}, trace, nullptr);
+    const TriangleStates states = triangleStates(*scene, overThree(), {}, trace, std::nullopt);
     using enum TriangleState;
     EXPECT_THAT(states.states,
                 testing::ElementsAre(OutsideFrustum, OutsideFrustum, BackFacing, BackFacing, Hidden, Hidden, TooSmall, TooSmall));
@@ -150,13 +151,13 @@ TEST(TriangleStates, backFaceThatTheTruthShowsIsNotLost) {
     const DrawList list = everything(*scene, Facing::Front);
     const auto states = [&](Facing truth) {
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, behind, truth);
-        return triangleStates(*scene, behind, list, {}, &reference);
+        return triangleStates(*scene, behind, list, {}, reference.visible());
     };
     EXPECT_EQ(count(states(Facing::TwoSided), TriangleState::WronglyCulled), 2u);
     EXPECT_EQ(count(states(Facing::Front), TriangleState::BackFacing), 2u);
-    EXPECT_EQ(count(triangleStates(*scene, behind, list, {}, nullptr), TriangleState::BackFacing), 2u);
+    EXPECT_EQ(count(triangleStates(*scene, behind, list, {}, std::nullopt), TriangleState::BackFacing), 2u);
     const View before({{0, 0, 4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
-    EXPECT_EQ(count(triangleStates(*scene, before, list, {}, nullptr), TriangleState::Visible), 2u);
+    EXPECT_EQ(count(triangleStates(*scene, before, list, {}, std::nullopt), TriangleState::Visible), 2u);
 }
 
 TEST(TriangleStates, triangleDrawnTwiceChangesItsState) {
@@ -164,8 +165,8 @@ TEST(TriangleStates, triangleDrawnTwiceChangesItsState) {
     const SceneBuffers buffers(scene, Upload::Vbo);
     const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), Facing::TwoSided);
     const DrawList twice{Facing::TwoSided, {{0, 0, 6}, {1, 0, 6}, {0, 0, 3}, {1, 3, 3}}};
-    EXPECT_EQ(triangleStates(*scene, overThree(), twice, {}, &reference).states,
-              triangleStates(*scene, overThree(), everything(*scene, Facing::TwoSided), {}, &reference).states);
+    EXPECT_EQ(triangleStates(*scene, overThree(), twice, {}, reference.visible()).states,
+              triangleStates(*scene, overThree(), everything(*scene, Facing::TwoSided), {}, reference.visible()).states);
 }
 
 /// Whether the outer side of a triangle of a body around `centre` is turned away from the eye, without its winding.
@@ -184,7 +185,7 @@ TEST(TriangleStates, mirroredInstanceShowsItsBack) {
                                    translation({0, 2, 0}) * scaling({1, -2, .5}),
                                    translation({0, -2, 0}) * scaling({-1, -1, -1})};
     const ScenePointer scene = copiesOf(sphereMesh(20000), places);
-    const TriangleStates states = triangleStates(*scene, overThree(), everything(*scene, Facing::Front), {}, nullptr);
+    const TriangleStates states = triangleStates(*scene, overThree(), everything(*scene, Facing::Front), {}, std::nullopt);
     expectPartition(states, *scene);
     for (uint32_t i = 0; i < places.size(); ++i) {
         const auto triangles = static_cast<uint32_t>(scene->meshOf(i).triangleCount());

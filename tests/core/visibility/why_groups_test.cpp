@@ -3,8 +3,8 @@
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/why.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/grouped_frustum.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/grouped_frustum.h"
 
 namespace cullscope::test {
 namespace {

@@ -1,8 +1,8 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/core/gpu/gl_environment.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
 
 // `frustum-select` and `frustum-query`; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°,
 // aspect 1, near 0.1, far 10 unless said.

@@ -3,9 +3,9 @@
 
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/registry.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/exact_visibility.h"
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/exact_visibility.h"
+#include "tests/support/random_views.h"
 
 // The strategies that test bounds against the frustum, over the same random object-frustum pairs and beside the same exact
 // oracle.

@@ -2,8 +2,8 @@
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/plane_distances.h"
 #include "core/visibility/registry.h"
-#include "tests/core/scene/test_scenes.h"
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/test_scenes.h"
+#include "tests/support/random_views.h"
 
 // The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
 // said.

@@ -2,7 +2,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "core/visibility/registry.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 // The walk through the 20 × 20 field at 650 × 650: the frustum culls 79 % of the objects on average, as in Cho et al.
 

@@ -8,7 +8,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/eye_triangle.h"
 #include "core/visibility/spherical/cell_walk.h"
-#include "tests/core/visibility/lossless_scenes.h"
+#include "tests/support/lossless_scenes.h"
 
 namespace cullscope::test {
 namespace {

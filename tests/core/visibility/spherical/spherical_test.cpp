@@ -7,8 +7,8 @@
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
 #include "core/visibility/why.h"
-#include "tests/core/visibility/random_views.h"
-#include "tests/core/visibility/spherical_scenes.h"
+#include "tests/support/random_views.h"
+#include "tests/support/spherical_scenes.h"
 
 namespace cullscope::test {
 namespace {

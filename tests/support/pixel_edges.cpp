@@ -1,4 +1,4 @@
-#include "tests/core/gpu/pixel_edges.h"
+#include "tests/support/pixel_edges.h"
 
 #include <cmath>
 

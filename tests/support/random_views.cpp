@@ -1,7 +1,7 @@
-#include "tests/core/visibility/random_views.h"
+#include "tests/support/random_views.h"
 
 #include "core/mesh/parametric.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 namespace {

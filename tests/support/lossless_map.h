@@ -2,7 +2,7 @@
 
 #include "core/scene/camera_path.h"
 #include "core/visibility/registry.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 

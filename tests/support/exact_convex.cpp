@@ -1,4 +1,4 @@
-#include "tests/core/geometry/exact_convex.h"
+#include "tests/support/exact_convex.h"
 
 #include <cmath>
 

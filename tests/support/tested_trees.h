@@ -8,7 +8,7 @@
 
 #include "core/mesh/parametric.h"
 #include "core/spatial/cell_tree.h"
-#include "tests/core/spatial/spherical_meshes.h"
+#include "tests/support/spherical_meshes.h"
 
 namespace cullscope::test {
 

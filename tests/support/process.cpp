@@ -1,4 +1,4 @@
-#include "tests/app/process.h"
+#include "tests/support/process.h"
 
 #include <fcntl.h>
 #include <sys/wait.h>

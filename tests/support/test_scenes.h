@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "tests/long_mode.h"
+#include "tests/support/long_mode.h"
 
 namespace cullscope::test {
 

@@ -1,4 +1,4 @@
-#include "tests/core/mesh/mesh_files.h"
+#include "tests/support/mesh_files.h"
 
 #include <sys/mman.h>
 #include <sys/resource.h>

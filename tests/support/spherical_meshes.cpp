@@ -1,4 +1,4 @@
-#include "tests/core/spatial/spherical_meshes.h"
+#include "tests/support/spherical_meshes.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/mesh/load.h"
 #include "core/mesh/parametric.h"
-#include "tests/core/scene/test_scenes.h"
+#include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 

@@ -1,4 +1,4 @@
-#include "ui/dialogs/split_dialog.h"
+#include "ui/panels/split_dialog.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>

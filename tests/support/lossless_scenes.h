@@ -3,7 +3,7 @@
 #include <filesystem>
 
 #include "core/scene/scene_source.h"
-#include "tests/core/visibility/spherical_scenes.h"
+#include "tests/support/spherical_scenes.h"
 
 namespace cullscope::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/geometry/frustum.h"
-#include "tests/core/geometry/exact_convex.h"
+#include "tests/support/exact_convex.h"
 
 namespace cullscope::test {
 

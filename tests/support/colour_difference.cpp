@@ -1,4 +1,4 @@
-#include "tests/core/image/colour_difference.h"
+#include "tests/support/colour_difference.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 #include "ui/views/orientation_gizmo.h"
 
 #include <gtest/gtest.h>

@@ -1,11 +1,11 @@
-#include "ui/session/navigation.h"
+#include "core/scene/camera_moves.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/scene/camera_path.h"
 
-namespace cullscope::ui {
+namespace cullscope {
 
 namespace {
 
@@ -171,4 +171,4 @@ Vec3 pointUnder(const View& view, const Vec2& pixel, double depth) {
     return camera.eye + distance * view.direction(pixel.x, pixel.y);
 }
 
-}  // namespace cullscope::ui
+}  // namespace cullscope

@@ -6,7 +6,7 @@
 
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
-#include "tests/core/geometry/exact_convex.h"
+#include "tests/support/exact_convex.h"
 
 namespace cullscope::test {
 

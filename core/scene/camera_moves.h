@@ -6,7 +6,7 @@
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 
-namespace cullscope::ui {
+namespace cullscope {
 
 /// Which world axis points up on the screen.
 enum class UpAxis { Y, Z };
@@ -45,4 +45,4 @@ enum class UpAxis { Y, Z };
 /// the point in the target's plane.
 [[nodiscard]] Vec3 pointUnder(const View& view, const Vec2& pixel, double depth);
 
-}  // namespace cullscope::ui
+}  // namespace cullscope

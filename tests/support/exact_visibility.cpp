@@ -1,4 +1,4 @@
-#include "tests/core/visibility/exact_visibility.h"
+#include "tests/support/exact_visibility.h"
 
 #include <cmath>
 #include <cstdio>

@@ -1,4 +1,4 @@
-#include "ui/jobs/paper_runner.h"
+#include "ui/session/paper_runner.h"
 
 #include <QCoreApplication>
 #include <algorithm>
