@@ -137,7 +137,7 @@ std::string wordsOf(const Strategy& strategy, const char* mesh, uint64_t seed) {
            " layout " + strategy.parameters().choice("layout") + " level " + toText(strategy.parameters().value("level"));
 }
 
-TEST(LosslessPicture, aMeshLostAPixel) {
+TEST(LosslessPicture, noMeshLosesAPixel) {
     LosslessProperty property;
     const std::vector<NamedMesh> meshes = losslessMeshes(longMode());
     const uint64_t views = longMode() ? kAllViews : kSample;
@@ -237,7 +237,7 @@ std::vector<BatteryCase> batteryCases() {
          {from({0, 0.5, 6}, 40), from({1, 5, 2}, 40)}}};
 }
 
-TEST(LosslessPicture, caseOfTheBatteryLostAPixel) {
+TEST(LosslessPicture, noCaseOfTheBatteryLosesAPixel) {
     for (const BatteryCase& each : batteryCases())
         for (const char* layout : {"octahedral", "latitude-longitude"})
             for (const char* facing : {"auto", "two-sided"}) {
@@ -248,7 +248,7 @@ TEST(LosslessPicture, caseOfTheBatteryLostAPixel) {
             }
 }
 
-TEST(LosslessPicture, sceneOfManyObjectsLostAPixel) {
+TEST(LosslessPicture, noSceneOfManyObjectsLosesAPixel) {
     std::vector<Mat4> field;
     for (int i = 0; i < 400; ++i) field.push_back(translation({2.5 * (i % 20 - 9.5), 0.0, 2.5 * (i / 20 - 9.5)}));
     std::vector<ScenePointer> scenes{copiesOf(bumpyMesh(4, longMode() ? 5'000 : 1'500, 0.3), field)};

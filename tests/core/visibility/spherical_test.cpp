@@ -67,7 +67,7 @@ double shareLost(double latitude, Join join) {
     return shareOutsideBoxes(visibleRegion(maps, corners, join), maps.grid(), view);
 }
 
-TEST(Spherical, cornerBoxLosesWhatThePaperDidNotSee) {
+TEST(Spherical, case12CornerBoxLosesTheSharesThatAreKnown) {
     // Case 12: 0, 10 and 25 % of the rays at 3 R and 20°. At 75° the corners' box alone would lose 64 % and at 80° 81 %; the pole
     // is in view there, so that case 1 draws full rows.
     EXPECT_NEAR(shareLost(0.0, Join::Chart), 0.0, 0.005);
@@ -78,7 +78,7 @@ TEST(Spherical, cornerBoxLosesWhatThePaperDidNotSee) {
     for (const double latitude : {45.0, 60.0}) EXPECT_LT(shareLost(latitude, Join::Arcs), shareLost(latitude, Join::Chart));
 }
 
-TEST(Spherical, caseIsWrong) {
+TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
     const ScenePointer scene = sceneOf({sphereMesh(80'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
@@ -103,7 +103,7 @@ TEST(Spherical, caseIsWrong) {
     }
 }
 
-TEST(Spherical, seenFromThePolarAxisLeftAGap) {
+TEST(Spherical, viewAlongThePolarAxisGivesFullRows) {
     // Case 13: the cap around the pole, all azimuths.
     const ScenePointer scene = sceneOf({sphereMesh(80'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
@@ -131,7 +131,7 @@ TEST(Spherical, seenFromThePolarAxisLeftAGap) {
     }
 }
 
-TEST(Spherical, allCornerRaysMissedAPartlyVisibleSphere) {
+TEST(Spherical, partlyVisibleSphereThatAllCornerRaysMissIsDrawn) {
     // Case 14: far 100, sphere (11, 0, −10), r 2.
     const ScenePointer scene = sceneOf({sphereMesh(5'000)}, {translation({11, 0, -10}) * scaling(Vec3(2.0))});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {64, 64});
@@ -150,7 +150,7 @@ TEST(Spherical, allCornerRaysMissedAPartlyVisibleSphere) {
     }
 }
 
-TEST(Spherical, eyeInsideTheSphereLostSomething) {
+TEST(Spherical, eyeInsideTheSphereLosesNothing) {
     // Case 17: inside, and exactly at the centre: the frustum's set.
     const ScenePointer scene = sceneOf({sphereMesh(5'000)});
     for (const char* id : {"spherical", "spherical-horizon"}) {
@@ -206,7 +206,7 @@ void expectSound(const Verdict& verdict, const Scene& scene, const std::string& 
     EXPECT_EQ(drawn + culled, scene.triangleCount()) << where;
 }
 
-TEST(Spherical, triangleIsDrawnTwiceOrInAnUnsoundRange) {
+TEST(Spherical, everyTriangleIsDrawnOnceAtMostAndInSoundRanges) {
     Random random(99);
     for (uint64_t seed = 1; seed <= (longMode() ? 200u : 30u); ++seed) {
         const ScenePointer scene = randomScene(seed);
@@ -224,7 +224,7 @@ TEST(Spherical, triangleIsDrawnTwiceOrInAnUnsoundRange) {
     }
 }
 
-TEST(SphericalHorizon, resultDependsOnTheThreads) {
+TEST(SphericalHorizon, resultDoesNotDependOnTheThreads) {
     const ScenePointer scene = sceneOf({bumpyMesh(3, 20'000, 0.4)});
     const View view = lookingAt({2, 3, 1.5}, Vec3(0.0), 50.0);
     const StrategyPointer strategy = makeStrategy("spherical-horizon");
@@ -237,7 +237,7 @@ TEST(SphericalHorizon, resultDependsOnTheThreads) {
     EXPECT_LT(serial.consideredTriangles, scene->triangleCount() * 3 / 4);
 }
 
-TEST(SphericalHorizon, promiseIsTooLarge) {
+TEST(SphericalHorizon, promiseIsConservativeForStarShapedMeshesOnly) {
     const auto promiseOver = [](const MeshPointer& mesh) {
         const ScenePointer scene = sceneOf({mesh});
         const StrategyPointer strategy = makeStrategy("spherical-horizon");
@@ -262,7 +262,7 @@ TEST(SphericalHorizon, promiseIsTooLarge) {
     EXPECT_EQ(promiseOver(meshOf(positions, indices)), Promise::Approximate);
 }
 
-TEST(SphericalHorizon, inwardFrontsHidWhatOpenGlDidNotDraw) {
+TEST(SphericalHorizon, promiseForInwardFrontsAloneIsApproximate) {
     // Its fronts are its inner sides: what the horizon takes for a surface is dropped by OpenGL.
     const MeshPointer star = bumpyMesh(5, 5'000, 0.2);
     std::vector<uint32_t> turned(star->indices().begin(), star->indices().end());
@@ -276,7 +276,7 @@ TEST(SphericalHorizon, inwardFrontsHidWhatOpenGlDidNotDraw) {
     }
 }
 
-TEST(Spherical, cornerRaysHitWhatTheNearPlaneCutsAway) {
+TEST(Spherical, cornerRaysPassWhatTheNearPlaneCutsAway) {
     // Two walls; the near plane lies between them. The rays must go on to the second.
     std::vector<Vec3f> positions;
     std::vector<uint32_t> indices;
@@ -296,7 +296,7 @@ TEST(Spherical, cornerRaysHitWhatTheNearPlaneCutsAway) {
     }
 }
 
-TEST(Spherical, mapsOfManySmallMeshesTookGigabytes) {
+TEST(Spherical, mapsOfManySmallMeshesStaySmall) {
     std::vector<MeshPointer> meshes(200, nullptr);
     for (MeshPointer& mesh : meshes) mesh = boxMesh({-1, -1, -1}, {1, 1, 1});
     const ScenePointer scene = sceneOf(std::move(meshes));
@@ -329,7 +329,7 @@ TEST(Spherical, bandsAreFromNearToFar) {
     EXPECT_NEAR(angles.y, 4.0, 1e-12);
 }
 
-TEST(Spherical, quickAnglesAreFarOff) {
+TEST(Spherical, quickAnglesAreWithinTheirError) {
     for (int i = -100'000; i <= 100'000; ++i) {
         const double x = i / 100'000.0;
         ASSERT_NEAR(quickAcos(x), std::acos(x), kQuickAngleError) << x;
@@ -340,7 +340,7 @@ TEST(Spherical, quickAnglesAreFarOff) {
     EXPECT_EQ(quickAzimuth(0.0, 0.0), 0.0);
 }
 
-TEST(Spherical, whyDoesNotNameCellAndCause) {
+TEST(Spherical, whyNamesCaseAndCause) {
     const ScenePointer scene = sceneOf({sphereMesh(5'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
