@@ -240,13 +240,6 @@ TEST(BandOverlay, sizesHaveTheirLengths) {
     }
 }
 
-TEST(BandOverlay, sizesHideTheModel) {
-    const Seen seen(bandedMap(directionOf(50, 70)));
-    const OverlayLines sizes = bandOverlay(seen.context(), seen.inside)[2];
-    EXPECT_LE(sizes.style.width, 1.0f);
-    EXPECT_FALSE(sizes.cased);
-}
-
 TEST(BandOverlay, smallObjectHasFewerLines) {
     const InsideMap map = bandedMap(directionOf(50, 70));
     Seen seen(map);

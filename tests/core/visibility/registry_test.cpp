@@ -52,11 +52,5 @@ TEST(Registry, madeStrategyHasTheGivenParameters) {
     EXPECT_EQ(makeStrategy("frustum")->parameters().choice("box"), "p-vertex");
 }
 
-TEST(Registry, promiseHasNoName) {
-    EXPECT_STREQ(promiseId(Promise::Exact), "exact");
-    EXPECT_STREQ(promiseId(Promise::Conservative), "conservative");
-    EXPECT_STREQ(promiseId(Promise::Approximate), "approximate");
-}
-
 }  // namespace
 }  // namespace cullscope
