@@ -1,7 +1,6 @@
-// Cases 12 to 17 of the battery and what else `spherical` and `spherical-horizon` must get right, without pictures.
+// Cases 12 to 17 of the battery and what else `spherical` must get right, and `spherical-horizon` with it, without pictures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <tbb/global_control.h>
 
 #include "core/visibility/map_view.h"
 #include "core/visibility/spherical_horizon.h"
@@ -9,17 +8,12 @@
 #include "core/visibility/why.h"
 #include "tests/core/visibility/random_views.h"
 #include "tests/core/visibility/spherical_scenes.h"
+#include "tests/core/visibility/spherical_views.h"
 
 namespace cullscope::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-
-View lookingAt(const Vec3& eye, const Vec3& target, double fovy, Viewport size = {64, 64}) {
-    return {{eye, target, std::abs(glm::normalize(target - eye).z) > 0.999 ? Vec3(0, 1, 0) : Vec3(0, 0, 1),
-             Angle::fromDegrees(fovy), 0.01, 1000},
-            size};
-}
 
 SphericalDecision decisionOf(Strategy& strategy, const View& view, size_t instance = 0) {
     Trace trace;
@@ -221,58 +215,6 @@ TEST(Spherical, everyTriangleIsDrawnOnceAtMostAndInSoundRanges) {
                 EXPECT_EQ(verdict.drawList.ranges, strategy->cull(View(view.camera, view.viewport)).drawList.ranges);
             }
         }
-    }
-}
-
-TEST(SphericalHorizon, resultDoesNotDependOnTheThreads) {
-    const ScenePointer scene = sceneOf({bumpyMesh(3, 20'000, 0.4)});
-    const View view = lookingAt({2, 3, 1.5}, Vec3(0.0), 50.0);
-    const StrategyPointer strategy = makeStrategy("spherical-horizon");
-    strategy->build(*scene);
-    const Verdict parallel = strategy->cull(view);
-    const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-    strategy->build(*scene);
-    const Verdict serial = strategy->cull(view);
-    EXPECT_EQ(serial.drawList.ranges, parallel.drawList.ranges);
-    EXPECT_LT(serial.consideredTriangles, scene->triangleCount() * 3 / 4);
-}
-
-TEST(SphericalHorizon, promiseIsConservativeForStarShapedMeshesOnly) {
-    const auto promiseOver = [](const MeshPointer& mesh) {
-        const ScenePointer scene = sceneOf({mesh});
-        const StrategyPointer strategy = makeStrategy("spherical-horizon");
-        strategy->build(*scene);
-        return strategy->promise();
-    };
-    EXPECT_EQ(promiseOver(sphereMesh(2'000)), Promise::Conservative);
-    EXPECT_EQ(promiseOver(boxMesh({-1, -2, -3}, {1, 2, 3})), Promise::Conservative);
-    EXPECT_EQ(promiseOver(bumpyMesh(5, 5'000, 0.2)), Promise::Conservative);
-    EXPECT_EQ(promiseOver(torusMesh(2'000)), Promise::Approximate);
-    EXPECT_EQ(promiseOver(bowlMesh(6'000)), Promise::Approximate);
-    EXPECT_EQ(promiseOver(squareMesh(1, 0)), Promise::Approximate);
-    // Two spheres, one in the other: each direction meets the surface twice.
-    std::vector<Vec3f> positions;
-    std::vector<uint32_t> indices;
-    for (const float scale : {1.0f, 0.5f}) {
-        const MeshPointer sphere = sphereMesh(500);
-        const auto base = uint32_t(positions.size());
-        for (const Vec3f& position : sphere->positions()) positions.push_back(scale * position);
-        for (const uint32_t index : sphere->indices()) indices.push_back(base + index);
-    }
-    EXPECT_EQ(promiseOver(meshOf(positions, indices)), Promise::Approximate);
-}
-
-TEST(SphericalHorizon, promiseForInwardFrontsAloneIsApproximate) {
-    // Its fronts are its inner sides: what the horizon takes for a surface is dropped by OpenGL.
-    const MeshPointer star = bumpyMesh(5, 5'000, 0.2);
-    std::vector<uint32_t> turned(star->indices().begin(), star->indices().end());
-    for (size_t i = 0; i < turned.size(); i += 3) std::swap(turned[i], turned[i + 1]);
-    const ScenePointer scene = sceneOf({meshOf({star->positions().begin(), star->positions().end()}, turned)});
-    for (const char* facing : {"front", "two-sided", "auto"}) {
-        const StrategyPointer strategy = strategyWith("spherical-horizon", {{"facing", facing}});
-        strategy->build(*scene);
-        EXPECT_EQ(strategy->promise(), std::string_view(facing) == "front" ? Promise::Approximate : Promise::Conservative)
-            << facing;
     }
 }
 
