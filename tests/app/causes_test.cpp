@@ -19,7 +19,7 @@ ProcessResult cullbench(std::vector<std::string> arguments) {
     return runProcess(arguments);
 }
 
-TEST(CullbenchCauses, causesDoNotAddUp) {
+TEST(CullbenchCauses, causesAddUpToTheScene) {
     const ProcessResult result = cullbench({"measure", "star:seed=3,triangles=20000", "-s", "frustum,spherical-lossless",
                                             "--path", "case-2", "--size", "64x48", "--repeat", "1", "--json", "-"});
     ASSERT_EQ(result.exitStatus, 0) << result.err;
@@ -44,7 +44,7 @@ TEST(CullbenchCauses, causesDoNotAddUp) {
     EXPECT_THAT(result.err, testing::Not(HasSubstr("frustum culled by cause"))) << "the table says all";
 }
 
-TEST(CullbenchCauses, inspectDoesNotTellOfTheKernels) {
+TEST(CullbenchCauses, inspectTellsOfLayoutAndKernels) {
     const ProcessResult words = cullbench({"inspect", "knot:triangles=4000", "-s", "spherical-lossless"});
     EXPECT_THAT(words.out, HasSubstr("layout octahedral"));
     EXPECT_THAT(words.out, HasSubstr("inner kernel of 1 mesh: the centre of the bounding sphere lies outside the solid"));
@@ -59,7 +59,7 @@ TEST(CullbenchCauses, inspectDoesNotTellOfTheKernels) {
     EXPECT_EQ(cullbench({"inspect", "sphere:triangles=200", "-s", "spherical-lossless", "--hide", "0"}).exitStatus, 0);
 }
 
-TEST(CullbenchCauses, secondParameterWasTakenForAStrategy) {
+TEST(CullbenchCauses, parameterAfterACommaBelongsToItsStrategy) {
     const ProcessResult result =
         cullbench({"measure", "sphere:triangles=2000", "-s", "spherical-lossless:facing=front,level=4,backface", "--size",
                    "32x32", "--repeat", "1", "--json", "-"});
@@ -73,7 +73,7 @@ TEST(CullbenchCauses, secondParameterWasTakenForAStrategy) {
     EXPECT_EQ(alone.exitStatus, 2);
 }
 
-TEST(CullbenchCauses, partThatDoesNotHoldIsSaidToBeUsed) {
+TEST(CullbenchCauses, onlyPartsThatHoldAreSaidToBeUsed) {
     const auto measured = [](const char* facing) {
         const ProcessResult result = cullbench({"measure", "torus:triangles=8000", "-s", facing, "--path", "orbit:3", "--size",
                                                 "32x32", "--repeat", "1", "--json", "-"});

@@ -55,7 +55,7 @@ void expectRefusal(const ProcessResult& result, const std::string& mentions) {
     EXPECT_EQ(result.out, "");
 }
 
-TEST_F(CullbenchOverlay, unknownOneIsDrawn) {
+TEST_F(CullbenchOverlay, unknownOrUnavailableOneIsRefused) {
     const std::string sphere = "sphere:triangles=200";
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, boxes, frustum");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "\"frustum\" has no such overlay");
@@ -72,7 +72,7 @@ TEST_F(CullbenchOverlay, unknownOneIsDrawn) {
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }
 
-TEST_F(CullbenchOverlay, whatCannotBeShownIsDrawn) {
+TEST_F(CullbenchOverlay, whatCannotBeShownIsRefused) {
     const std::string knot = "knot:triangles=2000";
     const auto refused = [&](const std::vector<std::string>& more, const std::string& mentions) {
         expectRefusal(render(knot, "spherical", "a.png", more), mentions);
@@ -88,7 +88,7 @@ TEST_F(CullbenchOverlay, whatCannotBeShownIsDrawn) {
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }
 
-TEST_F(CullbenchOverlay, kernelThatIsNotThereIsDrawn) {
+TEST_F(CullbenchOverlay, kernelThatIsNotThereIsRefused) {
     const auto refused = [&](const std::string& scene, const std::vector<std::string>& more, const std::string& mentions) {
         expectRefusal(render(scene, "spherical-lossless", "a.png", more), mentions);
     };
@@ -104,7 +104,7 @@ TEST_F(CullbenchOverlay, kernelThatIsNotThereIsDrawn) {
     EXPECT_FALSE(std::filesystem::exists(file("a.png")));
 }
 
-TEST_F(CullbenchOverlay, pictureOfTheQuadtreeOrTheKernelIsMissing) {
+TEST_F(CullbenchOverlay, picturesOfQuadtreeAndKernelAllDiffer) {
     const std::vector<std::vector<std::string>> figures{{},
                                                         {"--overlay", "boxes"},
                                                         {"--overlay", "kernel"},
@@ -135,7 +135,7 @@ TEST_F(CullbenchOverlay, pictureOfTheQuadtreeOrTheKernelIsMissing) {
         HasSubstr("cones: not used; horizon: not used"));
 }
 
-TEST_F(CullbenchOverlay, figureOfThePaperIsMissing) {
+TEST_F(CullbenchOverlay, figuresOfThePaperAllDiffer) {
     const std::string knot = "knot:triangles=2000";
     const std::vector<std::string> cut{"--eye", "0,0,3", "--target", "1.5,0,0", "--fovy", "20"};
     const std::vector<std::vector<std::string>> figures{{},
@@ -167,7 +167,7 @@ TEST_F(CullbenchOverlay, figureOfThePaperIsMissing) {
     EXPECT_THAT(readPicture(file("3.png")).metadata, testing::Contains(Pair("cullscope:overlay", "verdicts,bands")));
 }
 
-TEST_F(CullbenchOverlay, directionsHaveDepths) {
+TEST_F(CullbenchOverlay, picturesOfDirectionsHaveNoDepths) {
     for (const char* name : {"index-map", "spherical-model"}) {
         ASSERT_EQ(render("sphere:triangles=200", "spherical", "a.exr", {"--overlay", name}).exitStatus, 0);
         const cullscope::Picture picture = readPicture(file("a.exr"));
@@ -177,7 +177,7 @@ TEST_F(CullbenchOverlay, directionsHaveDepths) {
     EXPECT_FALSE(readPicture(file("b.exr")).depth.empty());
 }
 
-TEST_F(CullbenchOverlay, mapIsNotOfTheFirstObjectInTheFrustum) {
+TEST_F(CullbenchOverlay, mapIsOfTheFirstObjectInTheFrustum) {
     // From above one of sixteen is seen, the last; alone it has the same map.
     const std::vector<std::string> place{"--overlay",   "index-map", "--eye", "3.75,12,3.75", "--target",
                                          "3.75,0,3.75", "--up",      "0,0,1", "--fovy",       "6"};
@@ -188,7 +188,7 @@ TEST_F(CullbenchOverlay, mapIsNotOfTheFirstObjectInTheFrustum) {
     EXPECT_EQ(readPicture(file("a.png")).rgba, readPicture(file("b.png")).rgba);
 }
 
-TEST_F(CullbenchOverlay, overlayShowsNothing) {
+TEST_F(CullbenchOverlay, everyOverlayChangesThePicture) {
     const std::vector<std::vector<std::string>> sets{{}, {"verdicts"}, {"boxes"}, {"frustum"}, {"verdicts", "boxes", "frustum"}};
     std::vector<std::vector<uint8_t>> pictures;
     for (size_t i = 0; i < sets.size(); ++i) pictures.push_back(observed(std::to_string(i) + ".png", sets[i]));
@@ -200,7 +200,7 @@ TEST_F(CullbenchOverlay, overlayShowsNothing) {
                                                       Pair("cullscope:view_eye", "2,20,18"), Pair("cullscope:eye", "0,0.5,3")}));
 }
 
-TEST_F(CullbenchOverlay, countsOfVerdictsAreAnothers) {
+TEST_F(CullbenchOverlay, verdictsAreCountedWhereTheyAreShown) {
     // Closed and convex, from outside: about half is seen, about half is turned away.
     const ProcessResult result = render("sphere:triangles=2000", "frustum", "a.png", {"--overlay", "verdicts"});
     ASSERT_EQ(result.exitStatus, 0) << result.err;
@@ -211,7 +211,7 @@ TEST_F(CullbenchOverlay, countsOfVerdictsAreAnothers) {
     EXPECT_THAT(plain.out, testing::Not(HasSubstr("drawn and visible")));
 }
 
-TEST_F(CullbenchOverlay, drawnOnlyShowsWhatWasCulled) {
+TEST_F(CullbenchOverlay, drawnOnlyHidesWhatWasCulled) {
     const auto background = [&](const std::vector<std::string>& more) {
         std::vector<std::string> all{"--overlay", "verdicts",   "--background", "FFFFFF",        "--eye",
                                      "0,0,3",     "--view-eye", "0,0,-3",       "--view-target", "0,0,0"};
@@ -226,7 +226,7 @@ TEST_F(CullbenchOverlay, drawnOnlyShowsWhatWasCulled) {
     EXPECT_LT(background({}), background({"--drawn-only"}));
 }
 
-TEST_F(CullbenchOverlay, observerOfThePlainPictureSeesAnotherScene) {
+TEST_F(CullbenchOverlay, observerSeesWhatACameraThereSees) {
     const std::vector<std::string> place{"--eye", "2,3,4", "--target", "0,0,0"};
     const std::vector<std::string> observer{"--eye", "0,0,5", "--view-eye", "2,3,4", "--view-target", "0,0,0"};
     ASSERT_EQ(render("torus:triangles=2000", "all", "a.png", place).exitStatus, 0);
@@ -234,7 +234,7 @@ TEST_F(CullbenchOverlay, observerOfThePlainPictureSeesAnotherScene) {
     EXPECT_EQ(readPicture(file("a.png")).rgba, readPicture(file("b.png")).rgba);
 }
 
-TEST_F(CullbenchOverlay, figureOfTwoPartsTakesTwoCalls) {
+TEST_F(CullbenchOverlay, oneCallDrawsAFigureOfTwoParts) {
     const auto rgba = [&](const std::vector<std::string>& more) {
         const ProcessResult result = render("torus:triangles=2000", "spherical", "a.png", more);
         EXPECT_EQ(result.exitStatus, 0) << result.err;
@@ -259,7 +259,7 @@ TEST_F(CullbenchOverlay, figureOfTwoPartsTakesTwoCalls) {
     expectRefusal(render(sphere, "frustum", "a.png", {"--below", "index-map"}), "has no index map");
 }
 
-TEST_F(CullbenchOverlay, mapDoesNotSayHowItsObjectLies) {
+TEST_F(CullbenchOverlay, mapSaysHowItsObjectLies) {
     const auto words = [&](const std::vector<std::string>& place) {
         std::vector<std::string> more{"--overlay", "index-map"};
         more.insert(more.end(), place.begin(), place.end());

@@ -60,19 +60,19 @@ private:
     fs::path m_folder;
 };
 
-TEST_F(PlantedSystem, listWithSections) {
+TEST_F(PlantedSystem, sectionedListIsRead) {
     const PackageList list =
         readPackageList(write("# words\n\n# [build] programs\ng++   compiles\n# [run] data\nlibmesh-dev  meshes\n"));
     EXPECT_EQ(list, (PackageList{{"build", {"g++"}}, {"run", {"libmesh-dev"}}}));
 }
 
-TEST_F(PlantedSystem, listWithAPackageTwiceOrWithoutReason) {
+TEST_F(PlantedSystem, packageTwiceOrWithoutReasonOrSectionIsRefused) {
     EXPECT_THROW((void)readPackageList(write("# [build] programs\ng++  compiles\ng++  again\n")), std::runtime_error);
     EXPECT_THROW((void)readPackageList(write("# [build] programs\ng++\n")), std::runtime_error);
     EXPECT_THROW((void)readPackageList(write("g++  before any section\n")), std::runtime_error);
 }
 
-TEST_F(PlantedSystem, ownersAndDependencies) {
+TEST_F(PlantedSystem, ownersAndDependenciesAreFound) {
     const PackageDatabase system = database();
     EXPECT_EQ(system.owner("/usr/include/mesh/mesh.h"), "libmesh-dev");
     EXPECT_EQ(system.owner("/usr/lib/libstray.so.1"), "libstray1");
@@ -82,7 +82,7 @@ TEST_F(PlantedSystem, ownersAndDependencies) {
                 UnorderedElementsAre("libmesh-dev", "libmesh1", "libmath-dev", "libdeep1", "libc6"));
 }
 
-TEST_F(PlantedSystem, useOfAPackageThatIsNotListed) {
+TEST_F(PlantedSystem, useOfAnUnlistedPackageIsReported) {
     const std::vector<Use> uses = {{"/usr/include/mesh/mesh.h", "a.cpp"},
                                    {"/usr/include/math3d.h", "a.cpp"},
                                    {"/usr/lib/libmesh.so.1", "tool"},
@@ -95,12 +95,12 @@ TEST_F(PlantedSystem, useOfAPackageThatIsNotListed) {
     EXPECT_EQ(unlistedUses({"libmesh-dev"}, database(), {{"/usr/include/gone.h", "b.cpp"}}).size(), 1u);
 }
 
-TEST_F(PlantedSystem, useOfAPackageThatWouldNotBeInstalled) {
+TEST_F(PlantedSystem, useOfAPackageThatWouldNotBeInstalledIsReported) {
     EXPECT_THAT(usesOutsideClosure({"libmesh-dev"}, database(), {{"/usr/lib/libdeep.so.1", "tool"}}), IsEmpty());
     EXPECT_EQ(usesOutsideClosure({"libmesh-dev"}, database(), {{"/usr/include/stray.h", "the build"}}).size(), 1u);
 }
 
-TEST_F(PlantedSystem, packageThatNothingUses) {
+TEST_F(PlantedSystem, packageThatNothingUsesIsReported) {
     const std::vector<std::string> listed = {"libmesh-dev", "libstray-dev", "glmark2-data"};
     EXPECT_THAT(unusedPackages(listed, database(), {{"/usr/lib/libmesh.so.1", "tool"}}), ElementsAre("libstray-dev"));
     EXPECT_THAT(unusedPackages(listed, database(), {{"/usr/include/stray.h", "a.cpp"}}), ElementsAre("libmesh-dev"));
@@ -189,7 +189,7 @@ protected:
     const PackageList list = readPackageList(kProject / "packaging/packages.txt");
 };
 
-TEST_F(Packages, sectionsThatTheScriptsName) {
+TEST_F(Packages, listHasTheSectionsThatTheScriptsName) {
     for (const char* section : {"build", "libraries", "desktop", "modules", "run", "tests", "long", "deb"})
         EXPECT_TRUE(list.contains(section)) << section;
 }

@@ -42,60 +42,60 @@ private:
     fs::path m_root;
 };
 
-TEST_F(PlantedTree, treeWithoutOffence) {
+TEST_F(PlantedTree, treeWithoutOffenceIsNotReported) {
     EXPECT_THAT(layeringOffences(root()), IsEmpty());
     EXPECT_THAT(libraryOffences(root()), IsEmpty());
     EXPECT_THAT(linkOffences(root()), IsEmpty());
     EXPECT_THAT(topLevelOffences(root()), IsEmpty());
 }
 
-TEST_F(PlantedTree, layerThatIncludesAHigherOne) {
+TEST_F(PlantedTree, includeOfAHigherLayerIsReported) {
     write("core/mesh/save.cpp", "\n  #  include \"core/scene/scene.h\"\n");
     EXPECT_THAT(layeringOffences(root()),
                 ElementsAre(Offence{"core/mesh/save.cpp", 2, "layer mesh includes the higher layer scene: core/scene/scene.h"}));
 }
 
-TEST_F(PlantedTree, coreThatIncludesUiOrApp) {
+TEST_F(PlantedTree, includeOfUiOrAppInCoreIsReported) {
     write("core/measure/run.cpp", "#include \"ui/session.h\"\n#include \"app/version.h\"\n");
     EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"core/measure/run.cpp", 1, "core includes ui: ui/session.h"},
                                                       Offence{"core/measure/run.cpp", 2, "core includes app: app/version.h"}));
 }
 
-TEST_F(PlantedTree, includeThatHidesItsLayer) {
+TEST_F(PlantedTree, includeThatHidesItsLayerIsReported) {
     write("core/mesh/save.cpp", "#include \"../scene/scene.h\"\n#include <core/scene/scene.h>\n");
     EXPECT_EQ(layeringOffences(root()).size(), 2u);
 }
 
-TEST_F(PlantedTree, commonHeaderThatIncludesALayer) {
+TEST_F(PlantedTree, includeOfALayerInACommonHeaderIsReported) {
     write("core/precompiled.h", "#include \"core/mesh/load.h\"\n");
     EXPECT_EQ(layeringOffences(root()).size(), 1u);
 }
 
-TEST_F(PlantedTree, folderThatIsNoLayer) {
+TEST_F(PlantedTree, folderThatIsNoLayerIsReported) {
     write("core/helpers/text.h", "");
     EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"core/helpers", 0, "is a folder of core but no layer"}));
 }
 
-TEST_F(PlantedTree, uiThatIncludesApp) {
+TEST_F(PlantedTree, includeOfAppInUiIsReported) {
     write("ui/panel.cpp", "#include \"app/arguments.h\"\n");
     EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"ui/panel.cpp", 1, "ui includes app: app/arguments.h"}));
 }
 
-TEST_F(PlantedTree, cullbenchThatIncludesUiOrQt) {
+TEST_F(PlantedTree, includeOfUiOrQtInCullbenchIsReported) {
     write("app/cullbench_render.cpp", "#include \"ui/session.h\"\n#include <QImage>\n");
     EXPECT_THAT(layeringOffences(root()),
                 ElementsAre(Offence{"app/cullbench_render.cpp", 1, "cullbench includes ui: ui/session.h"}));
     EXPECT_THAT(libraryOffences(root()), ElementsAre(Offence{"app/cullbench_render.cpp", 2, "uses Qt: QImage"}));
 }
 
-TEST_F(PlantedTree, qtInCore) {
+TEST_F(PlantedTree, includeOfQtInCoreIsReported) {
     for (const char* header : {"QString", "QtCore/QString", "QtGlobal", "qstring.h"}) {
         write("core/base/text.cpp", std::string("#include <") + header + ">\n");
         EXPECT_THAT(libraryOffences(root()), ElementsAre(Offence{"core/base/text.cpp", 1, std::string("uses Qt: ") + header}));
     }
 }
 
-TEST_F(PlantedTree, openGlOutsideItsLayer) {
+TEST_F(PlantedTree, includeOfOpenGlOutsideItsLayerIsReported) {
     for (const char* header : {"epoxy/gl.h", "GL/gl.h", "EGL/egl.h", "QOpenGLFunctions_4_5_Core", "QOpenGLFramebufferObject"}) {
         write("ui/view.cpp", std::string("#include <") + header + ">\n");
         EXPECT_THAT(libraryOffences(root()),
@@ -105,13 +105,13 @@ TEST_F(PlantedTree, openGlOutsideItsLayer) {
     EXPECT_THAT(libraryOffences(root()), IsEmpty());
 }
 
-TEST_F(PlantedTree, openMeshOutsideItsLayer) {
+TEST_F(PlantedTree, includeOfOpenMeshOutsideItsLayerIsReported) {
     write("core/scene/scene.cpp", "#include <OpenMesh/Core/Mesh/Traits.hh>\n");
     EXPECT_THAT(libraryOffences(root()),
                 ElementsAre(Offence{"core/scene/scene.cpp", 1, "uses OpenMesh outside core/mesh: OpenMesh/Core/Mesh/Traits.hh"}));
 }
 
-TEST_F(PlantedTree, linksToHigherLayersAndForeignLibraries) {
+TEST_F(PlantedTree, linksToHigherLayersAndForeignLibrariesAreReported) {
     write("core/mesh/CMakeLists.txt",
           "cullscope_layer(mesh\n  LINKS cullscope::scene cullscope::ui\n  PRIVATE_LINKS Qt6::Core PkgConfig::epoxy)\n");
     write("core/scene/CMakeLists.txt", "cullscope_layer(scene LINKS cullscope_mesh OpenMeshTools)\n");
@@ -126,7 +126,7 @@ TEST_F(PlantedTree, linksToHigherLayersAndForeignLibraries) {
                             Offence{"ui/CMakeLists.txt", 1, "ui links app"}));
 }
 
-TEST_F(PlantedTree, strayFileAtTheTop) {
+TEST_F(PlantedTree, strayFileAtTheTopIsReported) {
     write("notes.txt", "");
     write("build-clang/x", "");
     write(".gitignore", "");

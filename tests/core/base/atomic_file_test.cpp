@@ -28,7 +28,7 @@ private:
     std::filesystem::path m_folder;
 };
 
-TEST_F(AtomicFile, failedWriteTouchesTheOldFile) {
+TEST_F(AtomicFile, failedWriteLeavesTheOldFile) {
     writeFileAtomically(file("a.txt"), [](std::ostream& out) { out << "old"; });
     EXPECT_THROW(writeFileAtomically(file("a.txt"),
                                      [](std::ostream& out) {
@@ -40,12 +40,12 @@ TEST_F(AtomicFile, failedWriteTouchesTheOldFile) {
     EXPECT_EQ(filesInFolder(), 1);
 }
 
-TEST_F(AtomicFile, failedStreamLeavesAFile) {
+TEST_F(AtomicFile, failedStreamLeavesNoFile) {
     EXPECT_THROW(writeFileAtomically(file("b.txt"), [](std::ostream& out) { out.setstate(std::ios::badbit); }), Error);
     EXPECT_EQ(filesInFolder(), 0);
 }
 
-TEST_F(AtomicFile, placeThatDoesNotExistIsNotNamed) {
+TEST_F(AtomicFile, placeThatDoesNotExistIsNamed) {
     try {
         writeFileAtomically(file("none") / "c.txt", [](std::ostream& out) { out << 1; });
         FAIL() << "written into a folder that does not exist";
@@ -55,14 +55,14 @@ TEST_F(AtomicFile, placeThatDoesNotExistIsNotNamed) {
     }
 }
 
-TEST_F(AtomicFile, deviceIsReplacedByAFile) {
+TEST_F(AtomicFile, deviceStaysADevice) {
     EXPECT_THROW(writeFileAtomically("/dev/full", [](std::ostream& out) { out << "no room"; }), Error);
     writeFileAtomically("/dev/null", [](std::ostream& out) { out << "gone"; });
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
 }
 
-TEST_F(AtomicFile, linkIsReplacedByAFileOrFolderOverwritten) {
+TEST_F(AtomicFile, linkIsFollowedAndFolderRefused) {
     writeFileAtomically(file("real.txt"), [](std::ostream& out) { out << "old"; });
     std::filesystem::create_symlink(file("real.txt"), file("link.txt"));
     writeFileAtomically(file("link.txt"), [](std::ostream& out) { out << "new"; });
@@ -72,7 +72,7 @@ TEST_F(AtomicFile, linkIsReplacedByAFileOrFolderOverwritten) {
     EXPECT_THROW(writeFileAtomically(file("folder"), [](std::ostream& out) { out << 1; }), Error);
 }
 
-TEST_F(AtomicFile, newFileHasOtherContents) {
+TEST_F(AtomicFile, writingAgainReplacesTheContents) {
     writeFileAtomically(file("d.txt"), [](std::ostream& out) { out << "old and long"; });
     writeFileAtomically(file("d.txt"), [](std::ostream& out) { out << "new"; });
     EXPECT_EQ(contents(file("d.txt")), "new");

@@ -4,18 +4,18 @@
 namespace cullscope {
 namespace {
 
-TEST(Message, argumentIsFilledInTwiceOrInItsOwnText) {
+TEST(Message, placesAreFilledInAndArgumentsStayAsTheyAre) {
     EXPECT_EQ(fillIn("%1 and %2, %1 again", {"a", "b"}), "a and b, a again");
     // A value that looks like a place is text.
     EXPECT_EQ(fillIn("%1 %2", {"%2", "b"}), "%2 b");
 }
 
-TEST(Message, placeWithoutArgumentOrLonePercentVanishes) {
+TEST(Message, placeWithoutArgumentAndLonePercentStay) {
     EXPECT_EQ(fillIn("%1 %2 100 % %", {"a"}), "a %2 100 % %");
     EXPECT_EQ(fillIn("", {"a"}), "");
 }
 
-TEST(Error, kindIsNoExitStatus) {
+TEST(Error, kindIsTheExitStatus) {
     try {
         throwInput("%1 is broken.", {"mesh.obj"});
     } catch (const Error& error) {

@@ -4,7 +4,7 @@
 namespace cullscope {
 namespace {
 
-TEST(Progress, partReportsBeyondItsShare) {
+TEST(Progress, partReportsWithinItsShare) {
     std::vector<double> shares;
     const Progress whole{[&](double share, std::string_view) { shares.push_back(share); }, {}};
     const Progress part = whole.part(0.25, 0.75);
@@ -14,7 +14,7 @@ TEST(Progress, partReportsBeyondItsShare) {
     EXPECT_THAT(shares, testing::ElementsAre(0.25, 0.5, 0.75));
 }
 
-TEST(Progress, stopIsNotSeenThroughAPart) {
+TEST(Progress, stopIsSeenThroughAPart) {
     std::stop_source source;
     const Progress whole{nullptr, source.get_token()};
     const Progress part = whole.part(0.0, 0.5);

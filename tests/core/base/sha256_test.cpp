@@ -3,7 +3,7 @@
 namespace cullscope {
 namespace {
 
-TEST(Sha256, differsFromTheStandardsExamples) {
+TEST(Sha256, givesTheStandardsExamples) {
     // FIPS 180-4: the empty message and "abc".
     EXPECT_EQ(Sha256().hexadecimal(), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
     Sha256 hash;

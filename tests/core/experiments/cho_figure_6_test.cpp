@@ -68,7 +68,7 @@ PaperTable madeUpTable() {
     return table;
 }
 
-TEST(ChoViews, settingIsNotThePapers) {
+TEST(ChoViews, settingIsThePapers) {
     ASSERT_EQ(experiment().settings.size(), 1u);
     const PaperSetting& setting = experiment().settings[0];
     EXPECT_EQ(setting.scene, "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5");
@@ -83,7 +83,7 @@ TEST(ChoViews, settingIsNotThePapers) {
     for (const auto& [strategy, cells] : setting.paper) EXPECT_THAT(setting.strategies, testing::Contains(strategy));
 }
 
-TEST(ChoViews, paperSaysOtherwise) {
+TEST(ChoViews, figuresAreThoseThatThePaperPrints) {
     const auto& paper = experiment().settings[0].paper;
     const auto stated = [&](const std::string& strategy, const std::string& key) {
         return std::get<double>(paper.at(strategy).at(key));
@@ -98,7 +98,7 @@ TEST(ChoViews, paperSaysOtherwise) {
     EXPECT_FALSE(paper.contains("frustum")) << "the paper draws both sides";
 }
 
-TEST(ChoViews, rowsAreNotWhatWasMeasured) {
+TEST(ChoViews, rowsAreWhatWasMeasured) {
     const PaperTable table = madeUpTable();
     ASSERT_EQ(table.rows.size(), 4u);
     EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "strategy")), "frustum:facing=two-sided");
@@ -127,7 +127,7 @@ TEST(ChoViews, ratioToAllNeedsAll) {
     EXPECT_TRUE(empty(table, 0, "speedup_vs_all_max"));
 }
 
-TEST(ChoViews, figureShowsOtherThanMeasured) {
+TEST(ChoViews, figureShowsWhatWasMeasured) {
     const PaperTable table = madeUpTable();
     ASSERT_EQ(table.plots.size(), 1u);
     const LinePlot& plot = table.plots[0];
@@ -147,7 +147,7 @@ TEST(ChoViews, figureShowsOtherThanMeasured) {
     EXPECT_THAT(levels, testing::ElementsAre(33.0, 10.0, 0.83));
 }
 
-TEST(ChoViews, pointsOfAnEarlierViewStayBesideTheNewOnes) {
+TEST(ChoViews, newPointsReplaceThoseOfAnEarlierView) {
     PaperTable table = emptyTable(experiment());
     ASSERT_EQ(table.plots.size(), 1u);
     EXPECT_TRUE(table.plots[0].lines.empty());
@@ -161,7 +161,7 @@ TEST(ChoViews, pointsOfAnEarlierViewStayBesideTheNewOnes) {
     EXPECT_EQ(table.plots[0].lines[0].points.size(), 3u);
 }
 
-TEST(ChoViews, filesLackTheFigure) {
+TEST(ChoViews, filesHoldTheFigure) {
     const PaperTable table = madeUpTable();
     const Json plot = Json::parse(paperTablesJson({table}))["experiments"][0]["plots"][0];
     EXPECT_EQ(plot["x"]["scale"], "linear");
@@ -181,7 +181,7 @@ TEST(ChoViews, filesLackTheFigure) {
     EXPECT_EQ(lines[9], "3,10,100,12.5,200");
 }
 
-TEST(ChoViews, whatWasLeftOutIsNotSaid) {
+TEST(ChoViews, whatWasLeftOutIsSaidOnce) {
     MeasureResult result = madeUp();
     result.leftOut = {{"\"%1\" is not there.", {"frustum-select"}}};
     PaperTable table = emptyTable(experiment());
@@ -192,7 +192,7 @@ TEST(ChoViews, whatWasLeftOutIsNotSaid) {
 }
 
 /// The same code over nine bodies: every strategy of the experiment, and none of them loses a pixel of its own picture.
-TEST(ChoViews, smallWalkCannotBeReproduced) {
+TEST(ChoViews, smallWalkIsReproduced) {
     PaperExperiment small = experiment();
     small.settings[0].scene = "field:mesh=star:triangles=500,n=4,spacing=2.5";
     small.settings[0].path = "walk:4";

@@ -82,7 +82,7 @@ PaperSetting settingWithFrustum() {
     return setting;
 }
 
-TEST(PaperTables, theirNumbersAreNotThoseInPrint) {
+TEST(PaperTables, theirNumbersAreThoseInPrint) {
     EXPECT_EQ(stated("table-2", "all", "paper_faces"), (Numbers{144078, 144078, 144078}));
     EXPECT_EQ(stated("table-2", "spherical", "paper_faces"), (Numbers{13508, 16434, 26308}));
     EXPECT_EQ(stated("table-2", "all", "paper_fps"), (Numbers{295, 300, 295}));
@@ -97,7 +97,7 @@ TEST(PaperTables, theirNumbersAreNotThoseInPrint) {
     EXPECT_EQ(stated("table-5", "spherical", "paper_fps_mean"), (Numbers{170, 780}));
 }
 
-TEST(PaperTables, theirRatioIsNotProposedOverAll) {
+TEST(PaperTables, theirRatioIsProposedOverAll) {
     for (const char* id : {"table-2", "table-3", "table-4"}) {
         const Numbers all = stated(id, "all", "paper_fps"), proposed = stated(id, "spherical", "paper_fps");
         const Numbers ratios = stated(id, "spherical", "paper_speedup_vs_all");
@@ -106,7 +106,7 @@ TEST(PaperTables, theirRatioIsNotProposedOverAll) {
     EXPECT_DOUBLE_EQ(stated("table-5", "spherical", "paper_speedup_vs_all")[1], 780.0 / 700.0);
 }
 
-TEST(PaperTables, settingsAreNotThePapers) {
+TEST(PaperTables, settingsAreThePapers) {
     using Setup = std::tuple<std::string, int, int, Upload>;
     const auto setupsOf = [](const std::string& id) {
         std::vector<Setup> setups;
@@ -140,7 +140,7 @@ TEST(PaperTables, settingsAreNotThePapers) {
         }
 }
 
-TEST(PaperTables, viewsOfTable5LetTheObjectOutOfTheFrustum) {
+TEST(PaperTables, viewsOfTable5KeepTheObjectInTheFrustum) {
     const MeasureRequest small = smallExperiment({"all"});
     const PaperSetting& setting = findPaperExperiment("table-5").settings[0];
     const CameraPath path = cameraPath(setting.path, *small.scene);
@@ -152,7 +152,7 @@ TEST(PaperTables, viewsOfTable5LetTheObjectOutOfTheFrustum) {
     }
 }
 
-TEST(PaperTables, columnsShareAKeyOrRowsLackCells) {
+TEST(PaperTables, columnsHaveKeysOfTheirOwnThatHoldEveryCell) {
     for (const PaperExperiment& experiment : paperExperiments()) {
         std::set<std::string> keys;
         for (const PaperColumn& column : experiment.columns) EXPECT_TRUE(keys.insert(column.key).second) << column.key;
@@ -162,7 +162,7 @@ TEST(PaperTables, columnsShareAKeyOrRowsLackCells) {
     }
 }
 
-TEST(PaperTables, rowsAreNotWhatWasMeasured) {
+TEST(PaperTables, rowsAreWhatWasMeasured) {
     const PaperExperiment& experiment = findPaperExperiment("table-2");
     PaperTable table = emptyTable(experiment);
     addMeasured(table, experiment, settingWithFrustum(), madeUp());
@@ -189,7 +189,7 @@ TEST(PaperTables, rowsAreNotWhatWasMeasured) {
     EXPECT_EQ(paperText(table.columns[columnOf(table, "missed_pixel_rate")], valueOf(table, 1, "missed_pixel_rate")), "10667");
 }
 
-TEST(PaperTables, brokenPromiseIsNotKept) {
+TEST(PaperTables, brokenPromiseIsRecordedOnce) {
     const PaperExperiment& experiment = findPaperExperiment("table-2");
     PaperTable table = emptyTable(experiment);
     MeasureResult result = madeUp();
@@ -201,7 +201,7 @@ TEST(PaperTables, brokenPromiseIsNotKept) {
     EXPECT_THAT(table.brokenPromises, testing::ElementsAre("frustum"));
 }
 
-TEST(PaperTables, jsonLacksThePapersOrOurNumbers) {
+TEST(PaperTables, jsonHasThePapersAndOurNumbers) {
     const PaperExperiment& experiment = findPaperExperiment("table-2");
     PaperTable table = emptyTable(experiment);
     addMeasured(table, experiment, settingWithFrustum(), madeUp());
@@ -220,7 +220,7 @@ TEST(PaperTables, jsonLacksThePapersOrOurNumbers) {
     for (const Json& column : written["columns"]) EXPECT_TRUE(row.contains(column["key"].get<std::string>())) << column;
 }
 
-TEST(PaperTables, csvRowsAreOfDifferentLengths) {
+TEST(PaperTables, csvRowsAreOfOneLength) {
     const PaperExperiment& experiment = findPaperExperiment("table-2");
     PaperTable table = emptyTable(experiment);
     addMeasured(table, experiment, settingWithFrustum(), madeUp());
@@ -249,7 +249,7 @@ PaperExperiment smallTable() {
     return experiment;
 }
 
-TEST(Reproduce, measuresOtherThanDeclared) {
+TEST(Reproduce, measuresWhatIsDeclared) {
     std::vector<size_t> rowsSeen;
     const PaperTable table =
         reproduce(smallTable(), {{}, 1}, {}, [&](const PaperTable& soFar) { rowsSeen.push_back(soFar.rows.size()); });
@@ -261,7 +261,7 @@ TEST(Reproduce, measuresOtherThanDeclared) {
     EXPECT_DOUBLE_EQ(std::get<RatioEstimate>(valueOf(table, 0, "speedup_vs_all")).mean, 1.0);
 }
 
-TEST(Reproduce, stopLosesRows) {
+TEST(Reproduce, stopKeepsRows) {
     std::stop_source stop;
     Progress progress;
     progress.stop = stop.get_token();
@@ -270,7 +270,7 @@ TEST(Reproduce, stopLosesRows) {
     EXPECT_EQ(table.rows.size(), 3u) << "the first setting was measured whole";
 }
 
-TEST(Reproduce, stopInTheMiddleOfASettingLosesItsPoses) {
+TEST(Reproduce, stopInTheMiddleOfASettingKeepsItsPoses) {
     std::stop_source stop;
     double last = 0.0;
     const Progress progress{[&](double share, std::string_view) {
@@ -287,7 +287,7 @@ TEST(Reproduce, stopInTheMiddleOfASettingLosesItsPoses) {
     EXPECT_EQ(number(table, 5, "poses"), 1.0);
 }
 
-TEST(Reproduce, sizesOfTheMapsAreNotThoseOfTheStructures) {
+TEST(Reproduce, sizesOfTheMapsAreThoseOfTheStructures) {
     PaperExperiment experiment = findPaperExperiment("table-1");
     experiment.settings[0].scene = "sphere:triangles=5000";
     const PaperTable table = reproduce(experiment, {});
@@ -306,7 +306,7 @@ TEST(Reproduce, sizesOfTheMapsAreNotThoseOfTheStructures) {
     EXPECT_NEAR(number(table, 4, "paper_megabytes"), 11.5, 0.02);
 }
 
-TEST(PaperTables, unknownExperimentNamesNoKnownOnes) {
+TEST(PaperTables, refusalOfAnUnknownExperimentNamesTheKnownOnes) {
     try {
         (void)findPaperExperiment("table-9");
         FAIL() << "found";

@@ -50,7 +50,7 @@ std::vector<std::string> lines(const std::string& text) {
     return lines;
 }
 
-TEST(ResultJson, fieldOfTheContractIsMissing) {
+TEST(ResultJson, everyFieldOfTheContractIsThere) {
     const MeasureRequest experiment = smallExperiment({"frustum", "all"});
     const Json json = Json::parse(resultJson(measure(experiment)));
     expectFields(json["tool"], {"name", "version", "commit"});
@@ -80,7 +80,7 @@ TEST(ResultJson, fieldOfTheContractIsMissing) {
     EXPECT_EQ(json["runs"][0]["upload"], "vbo");
 }
 
-TEST(ResultJson, figureThatWasNotMeasuredIsANumber) {
+TEST(ResultJson, figureThatWasNotMeasuredIsNull) {
     MeasureRequest experiment = smallExperiment({"all"});
     experiment.accuracy = false;
     const Json json = Json::parse(resultJson(measure(experiment)));
@@ -89,7 +89,7 @@ TEST(ResultJson, figureThatWasNotMeasuredIsANumber) {
     EXPECT_TRUE(json["runs"][0]["summary"]["missed_pixel_rate"].is_null());
 }
 
-TEST(ResultJson, caseIsLost) {
+TEST(ResultJson, caseIsKept) {
     MeasureResult result = measure(smallExperiment({"frustum"}));
     result.runs[0].frames[1].caseNumber = 3;
     const Json frames = Json::parse(resultJson(result))["runs"][0]["frames"];
@@ -101,7 +101,7 @@ TEST(ResultJson, caseIsLost) {
     EXPECT_EQ(cells(rows[2]).back(), "3");
 }
 
-TEST(ResultJson, interruptedMeasurementIsNoJson) {
+TEST(ResultJson, interruptedMeasurementIsJson) {
     std::stop_source source;
     source.request_stop();
     Progress progress;
@@ -113,7 +113,7 @@ TEST(ResultJson, interruptedMeasurementIsNoJson) {
     EXPECT_EQ(lines(resultCsv(result)).size(), 1u) << "the names alone";
 }
 
-TEST(ResultJson, nameOfTheSceneBreaksTheText) {
+TEST(ResultJson, nameOfTheSceneDoesNotBreakTheText) {
     MeasureRequest experiment = smallExperiment({"all"});
     experiment.scene = std::make_shared<Scene>("quote \" comma , newline \n bad utf-8 \xff", experiment.scene->meshes(),
                                                experiment.scene->instances());
@@ -124,7 +124,7 @@ TEST(ResultJson, nameOfTheSceneBreaksTheText) {
     EXPECT_THAT(csv, testing::HasSubstr("quote \"\" comma , newline"));
 }
 
-TEST(ResultCsv, rowIsMissingOrItsCellsShift) {
+TEST(ResultCsv, everyFrameHasARowWithEveryCell) {
     const MeasureResult result = measure(smallExperiment({"frustum", "all"}));
     const std::vector<std::string> rows = lines(resultCsv(result));
     ASSERT_EQ(rows.size(), 1u + 2u * 3u) << "a row a frame below the names";
@@ -141,7 +141,7 @@ TEST(ResultCsv, rowIsMissingOrItsCellsShift) {
     }
 }
 
-TEST(ResultFile, toolOrMachineHasNoName) {
+TEST(ResultFile, toolAndMachineHaveNames) {
     EXPECT_EQ(toolVersion().name, "cullscope");
     EXPECT_FALSE(toolVersion().version.empty());
     EXPECT_FALSE(toolVersion().commit.empty());

@@ -26,7 +26,7 @@ std::array<long double, 3> moved(const Mat4& matrix, const Vec3& point) {
     return result;
 }
 
-TEST(Box, emptyBoxHoldsSomething) {
+TEST(Box, emptyBoxHoldsNothing) {
     EXPECT_TRUE(Box3{}.empty());
     EXPECT_EQ(Box3{}.diagonal(), 0.0);
     EXPECT_TRUE(transformed(Box3{}, Mat4(2.0)).empty());
@@ -38,7 +38,7 @@ TEST(Box, emptyBoxHoldsSomething) {
     EXPECT_EQ(box.diagonal(), 0.0) << "an empty box adds nothing";
 }
 
-TEST(Box, transformedBoxLosesACorner) {
+TEST(Box, transformedBoxHoldsEveryCorner) {
     Random random(11);
     for (int i = 0; i < 5000; ++i) {
         const Vec3 centre = random.direction() * std::pow(10.0, random.between(-3, 7));
@@ -58,7 +58,7 @@ TEST(Box, transformedBoxLosesACorner) {
     }
 }
 
-TEST(Sphere, boundingSphereLosesAPointOrIsLarge) {
+TEST(Sphere, boundingSphereHoldsEveryPointAndIsNoLargerThanTheBoxs) {
     Random random(12);
     for (int i = 0; i < 300; ++i) {
         std::vector<Vec3f> points;
@@ -75,7 +75,7 @@ TEST(Sphere, boundingSphereLosesAPointOrIsLarge) {
     EXPECT_EQ(boundingSphere({}).radius, 0.0);
 }
 
-TEST(Sphere, transformedSphereLosesAPoint) {
+TEST(Sphere, transformedSphereHoldsEveryPoint) {
     Random random(13);
     for (int i = 0; i < 2000; ++i) {
         const Sphere sphere{random.direction() * std::pow(10.0, random.between(-3, 7)), std::pow(10.0, random.between(-3, 3))};
@@ -93,7 +93,7 @@ TEST(Sphere, transformedSphereLosesAPoint) {
     }
 }
 
-TEST(Sphere, rotationAndScaleLoosenASphere) {
+TEST(Sphere, rotationAndScaleKeepASphereTight) {
     const double c = std::cos(0.3);
     const double s = std::sin(0.3);
     const Mat4 matrix(Mat3(Vec3(2 * c, 2 * s, 0), Vec3(-2 * s, 2 * c, 0), Vec3(0, 0, -2)));

@@ -180,7 +180,7 @@ void expectExact(const Object& object, const Frustum& frustum, const Vec3& eye, 
     counts.inside += inside ? 1 : 0;
 }
 
-TEST(FrustumBatch, levelsLackTheScalarOrDoNotEndWithTheBest) {
+TEST(FrustumBatch, levelsBeginWithTheScalarAndEndWithTheBest) {
     ASSERT_FALSE(availableSimdLevels().empty());
     EXPECT_EQ(availableSimdLevels().front(), SimdLevel::Scalar);
     EXPECT_EQ(availableSimdLevels().back(), bestSimdLevel());
@@ -190,7 +190,7 @@ TEST(FrustumBatch, levelsLackTheScalarOrDoNotEndWithTheBest) {
     EXPECT_EQ(bestSimdLevel() == SimdLevel::Avx512, avx512);
 }
 
-TEST(FrustumBatch, levelsDifferOrAVerdictIsNotExact) {
+TEST(FrustumBatch, levelsAgreeAndVerdictsHoldExactly) {
     Random random(601);
     Counts boxCounts, sphereCounts;
     for (int round = 0; round < 400; ++round) {
@@ -216,7 +216,7 @@ TEST(FrustumBatch, levelsDifferOrAVerdictIsNotExact) {
     }
 }
 
-TEST(FrustumBatch, levelsDifferOnNumbersThatBreakArithmetic) {
+TEST(FrustumBatch, levelsAgreeOnNumbersThatBreakArithmetic) {
     Random random(602);
     for (int round = 0; round < 200; ++round) {
         Frustum frustum = randomFrustum(random);
@@ -237,7 +237,7 @@ TEST(FrustumBatch, levelsDifferOnNumbersThatBreakArithmetic) {
     }
 }
 
-TEST(FrustumBatch, lastBlockOfEverySizeIsTakenForObjects) {
+TEST(FrustumBatch, nothingIsSaidBeyondTheLastObject) {
     Random random(603);
     const Vec3 eye(1, 2, 3);
     for (int size = 0; size <= 200; ++size) {
@@ -258,7 +258,7 @@ TEST(FrustumBatch, lastBlockOfEverySizeIsTakenForObjects) {
     }
 }
 
-TEST(FrustumBatch, undecidableObjectIsCulledOrTakesItsNeighbourAlong) {
+TEST(FrustumBatch, undecidableObjectStraddlesAndItsNeighboursDoNot) {
     const Box3 behind{Vec3(4, 4, 40), Vec3(5, 5, 50)};
     const std::vector<Box3> boxes{{},
                                   behind,
@@ -283,7 +283,7 @@ TEST(FrustumBatch, undecidableObjectIsCulledOrTakesItsNeighbourAlong) {
         EXPECT_EQ(boxVerdict(behind, standardFrustum(), eye), Containment::Straddles);
 }
 
-TEST(FrustumBatch, sizesAtTheEndsOfDoubleOverflow) {
+TEST(FrustumBatch, sizesAtTheEndsOfDoubleAreJudgedRight) {
     const auto cube = [](double z, double half) { return Box3{Vec3(-half, -half, z - half), Vec3(half, half, z + half)}; };
     for (const double size : {1e-320, 1e-300, 1e-18, 1e18, 1e290, 1e300}) {
         const Frustum frustum = makeFrustum({0, 0, -1}, {1, 0, 0}, {0, 1, 0}, 1.0, 1.0, 1e-323, 1e308);
@@ -295,14 +295,14 @@ TEST(FrustumBatch, sizesAtTheEndsOfDoubleOverflow) {
     }
 }
 
-TEST(FrustumBatch, case3BoxThatOnlyItsExtentLengthKeeps) {
+TEST(FrustumBatch, case3BoxThatOnlyItsExtentLengthKeepsIsOutside) {
     const Frustum below = onePlane({{0, -1, 0}, 0.0});
     const Box3 flat{Vec3(-60, 9, -1), Vec3(60, 11, 1)};
     EXPECT_EQ(BatchFrustum(below, Vec3(0.0)).distances(FrustumPlane::Near, flat).farthestInside, -9.0);
     EXPECT_EQ(boxVerdict(flat, below), Containment::Outside);
 }
 
-TEST(FrustumBatch, case4SphereFarFromTheOriginIsCulled) {
+TEST(FrustumBatch, case4SphereFarFromTheOriginIsKept) {
     const Vec3 on(1e7 + 5.5, 0, -1e7 + 6.5), normal(.6, 0, -.8);
     const Sphere sphere{{1e7 + 8.5, 0, -1e7 + 7.5}, 1.0};
     // Seen from nearby, and from the origin of the world. The centre lies 1 inside; float makes it 2 outside, and the sphere with
@@ -319,7 +319,7 @@ TEST(FrustumBatch, case4SphereFarFromTheOriginIsCulled) {
         << "the slack hides a sphere that is outside";
 }
 
-TEST(FrustumBatch, case22BoxAroundTheCameraOrBeyondFarIsCulled) {
+TEST(FrustumBatch, case22BoxAroundTheCameraOrBeyondFarStraddles) {
     EXPECT_EQ(boxVerdict({Vec3(0.0), Vec3(0.0)}, onePlane({{0, 0, -1}, 0.0})), Containment::Straddles) << "neither: slack 0";
     for (const Vec3& eye : {Vec3(0.0), Vec3(1e7, -1e7, 1e7)}) {
         EXPECT_EQ(boxVerdict({eye + Vec3(-1, -1, -3), eye + Vec3(1, 1, 3)}, standardFrustum(), eye), Containment::Straddles);
@@ -328,7 +328,7 @@ TEST(FrustumBatch, case22BoxAroundTheCameraOrBeyondFarIsCulled) {
     }
 }
 
-TEST(FrustumBatch, case23ExtremeFieldsAndSizesOverflow) {
+TEST(FrustumBatch, case23ExtremeFieldsAndSizesAreJudgedRight) {
     for (const double fovy : {0.01, 179.0})
         for (const double aspect : {1.0 / 16384, 1.0, 16384.0}) {
             const double y = std::tan(Angle::fromDegrees(fovy).radians() / 2), x = y * aspect;

@@ -39,7 +39,7 @@ Frustum frustumOf(const Vec3& forward, const Vec3& up, Hand hand, Angle fovy, do
     return makeFrustum(forward, right, upward, tall * aspect, tall, nearDistance, farDistance);
 }
 
-TEST(FrustumPlanes, rowsCornersAndMakeFrustumDisagree) {
+TEST(FrustumPlanes, rowsCornersAndMakeFrustumAgree) {
     Random random(31);
     double worstAngle = 0.0, worstOffset = 0.0;
     for (int i = 0; i < 3000; ++i) {
@@ -69,7 +69,7 @@ TEST(FrustumPlanes, rowsCornersAndMakeFrustumDisagree) {
     EXPECT_LT(worstOffset, 1e-10);
 }
 
-TEST(FrustumPlanes, viewFarFromTheOriginHasOtherPlanes) {
+TEST(FrustumPlanes, viewFarFromTheOriginHasTheMovedPlanes) {
     Random random(32);
     for (int i = 0; i < 1000; ++i) {
         const Vec3 forward = random.direction();
@@ -88,7 +88,7 @@ TEST(FrustumPlanes, viewFarFromTheOriginHasOtherPlanes) {
     }
 }
 
-TEST(FrustumPlanes, mirroredOrUpsideDownMatrixPointsItsNormalsOutward) {
+TEST(FrustumPlanes, mirroredOrUpsideDownMatrixPointsItsNormalsInward) {
     Random random(33);
     const Frustum frustum = frustumOf({0, 0, -1}, {0, 1, 0}, Hand::Right, Angle::fromDegrees(70), 1.6, 0.5, 50);
     for (const ClipDepth depth : kDepths) {
@@ -117,7 +117,7 @@ TEST(FrustumPlanes, mirroredOrUpsideDownMatrixPointsItsNormalsOutward) {
     }
 }
 
-TEST(FrustumPlanes, orthographicViewHasNoPlanes) {
+TEST(FrustumPlanes, orthographicViewHasItsPlanes) {
     const Mat4 clip = glm::orthoRH_ZO(-3.0, 5.0, -1.0, 2.0, 0.5, 20.0);
     const auto rows = planesFromRows(clip, ClipDepth::ZeroToOne);
     const auto corners = planesFromCorners(clip, ClipDepth::ZeroToOne);
@@ -130,7 +130,7 @@ TEST(FrustumPlanes, orthographicViewHasNoPlanes) {
     EXPECT_LT(largestDifference(*rows, exact).angle.radians(), 1e-13);
 }
 
-TEST(FrustumPlanes, extremeRatioLosesMoreThanItsCommentSays) {
+TEST(FrustumPlanes, extremeRatioLosesWhatItsCommentSays) {
     // Near : far = 1e-6 : 1e9. The reversed matrix as View makes it; GLM's, asked for far : near, cancels while it is made.
     const double n = 1e-6, f = 1e9;
     Mat4 reversed(0.0);
@@ -164,7 +164,7 @@ TEST(FrustumPlanes, extremeRatioLosesMoreThanItsCommentSays) {
     EXPECT_LT(largestDifference(*corners, made.planes).angle.radians(), 1e-13);
 }
 
-TEST(FrustumPlanes, matrixWithoutPlanesIsTaken) {
+TEST(FrustumPlanes, matrixWithoutPlanesGivesNone) {
     const Mat4 good =
         textbookMatrix(Vec3(0), {0, 0, -1}, {0, 1, 0}, Hand::Right, ClipDepth::ZeroToOne, Angle::fromDegrees(90), 1, 1, 9);
     Mat4 flat = good, notANumber = good, endless(0.0);
@@ -216,7 +216,7 @@ Printed asPrinted(const Mat4& clip) {
     return blog;
 }
 
-TEST(BlogAsPrinted, worksAfterAll) {
+TEST(BlogAsPrinted, keepsNothingOutWhereTheMendedFormDoes) {
     const Mat4 clip =
         textbookMatrix(Vec3(0), {0, 0, 1}, {0, 1, 0}, Hand::Left, ClipDepth::ZeroToOne, Angle::fromDegrees(90), 1, 2, 10);
     const Printed blog = asPrinted(clip);

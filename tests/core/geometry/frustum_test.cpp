@@ -18,7 +18,7 @@ Frustum standardFrustum(double farDistance = 10.0) { return makeFrustum(kForward
 
 EyeBox box(const Vec3& min, const Vec3& max) { return {0.5 * (min + max), 0.5 * (max - min)}; }
 
-TEST(Frustum, planesDoNotPointInward) {
+TEST(Frustum, planesPointInward) {
     const Frustum frustum = standardFrustum();
     for (const Plane& plane : frustum.planes) {
         EXPECT_NEAR(glm::length(plane.normal), 1.0, 1e-15);
@@ -33,7 +33,7 @@ TEST(Frustum, planesDoNotPointInward) {
     EXPECT_NEAR(plane(FrustumPlane::Far).distance({3, 2, -1}), 9.0, 1e-15);
 }
 
-TEST(Frustum, cornersLieOffTheirPlanes) {
+TEST(Frustum, cornersLieOnTheirPlanes) {
     const Frustum frustum = makeFrustum(kForward, kRight, kUp, 1.7, 0.6, 1e-6, 1e9);
     const auto corners = frustum.corners();
     for (size_t i = 0; i < corners.size(); ++i) {
@@ -59,7 +59,7 @@ TEST(Frustum, case2BoxThatPassesEveryPlaneButLiesOutsideIsAKnownFalsePositive) {
     // Outside all the same: the frustum's points have x <= −z and −z <= 10, so x <= 10 < 15.
 }
 
-TEST(Plane, case3BoxThatOnlyItsExtentLengthKeeps) {
+TEST(Plane, case3BoxThatOnlyItsExtentLengthKeepsIsOutside) {
     const Plane below{{0, -1, 0}, 0.0};
     const EyeBox flat{{0, 10, 0}, {60, 1, 1}};
     EXPECT_EQ(pVertexDistance(below, flat), -9.0) << "p-vertex: outside";
@@ -67,7 +67,7 @@ TEST(Plane, case3BoxThatOnlyItsExtentLengthKeeps) {
     EXPECT_EQ(classify(below, flat, 0.0), Containment::Outside);
 }
 
-TEST(Plane, case4SphereFarFromTheOriginJudgedInFloat) {
+TEST(Plane, case4SphereFarFromTheOriginIsJudgedRightInDouble) {
     const Vec3 on(1e7 + 5.5, 0, -1e7 + 6.5);
     const Vec3 normal(.6, 0, -.8);
     const Sphere sphere{{1e7 + 8.5, 0, -1e7 + 7.5}, 1.0};
@@ -85,17 +85,17 @@ TEST(Plane, case4SphereFarFromTheOriginJudgedInFloat) {
     EXPECT_NEAR(fromEye.distance(sphere.centre - eye), 1.0, 1e-15);
 }
 
-TEST(Frustum, case14SphereThatEveryCornerRayMissesIsCulled) {
+TEST(Frustum, case14SphereThatEveryCornerRayMissesStraddles) {
     EXPECT_EQ(classify(standardFrustum(100.0), Sphere{{11, 0, -10}, 2.0}), Containment::Straddles);
 }
 
-TEST(Frustum, case22BoxAroundTheCameraOrBeyondFarIsCulled) {
+TEST(Frustum, case22BoxAroundTheCameraOrBeyondFarStraddles) {
     EXPECT_EQ(classify(standardFrustum(), box({-1, -1, -3}, {1, 1, 3})), Containment::Straddles);
     EXPECT_EQ(classify(standardFrustum(), box(Vec3(-1000), Vec3(1000))), Containment::Straddles);
     EXPECT_EQ(classify(standardFrustum(), Sphere{Vec3(0.0), 1000.0}), Containment::Straddles);
 }
 
-TEST(Frustum, case23ExtremeFieldsAndSizesOverflow) {
+TEST(Frustum, case23ExtremeFieldsAndSizesAreJudgedRight) {
     for (const double fovy : {0.01, 179.0})
         for (const double aspect : {1.0 / 16384, 1.0, 16384.0}) {
             const double tanHalfHeight = std::tan(Angle::fromDegrees(fovy).radians() / 2);
@@ -116,7 +116,7 @@ TEST(Frustum, case23ExtremeFieldsAndSizesOverflow) {
         }
 }
 
-TEST(Frustum, insideIsSaidOfWhatReachesOut) {
+TEST(Frustum, onlyWhatLiesWhollyWithinIsInside) {
     EXPECT_EQ(classify(standardFrustum(), box({-1, -1, -6}, {1, 1, -4})), Containment::Inside);
     EXPECT_EQ(classify(standardFrustum(), box({-1, -1, -6}, {5, 1, -4})), Containment::Straddles);
     EXPECT_EQ(classify(standardFrustum(), Sphere{{0, 0, -5}, 1}), Containment::Inside);
@@ -124,7 +124,7 @@ TEST(Frustum, insideIsSaidOfWhatReachesOut) {
     EXPECT_EQ(classify(standardFrustum(), Sphere{{0, 0, 1}, 1}), Containment::Outside);
 }
 
-TEST(Frustum, boxIsJudgedOtherwiseThanItsCorners) {
+TEST(Frustum, boxIsOutsideOrInsideOnlyWhereAllItsCornersAre) {
     // A box is outside only if one plane has all its corners outside; inside only if every plane has all of them inside.
     Random random(5);
     int outside = 0, inside = 0;
@@ -154,7 +154,7 @@ TEST(Frustum, boxIsJudgedOtherwiseThanItsCorners) {
     EXPECT_GT(inside, 100);
 }
 
-TEST(Frustum, boxLosesItsCornersOnTheWayToTheEye) {
+TEST(Frustum, boxFromTheEyeHoldsItsCorners) {
     Random random(6);
     for (int i = 0; i < 10000; ++i) {
         const Vec3 eye = random.direction() * std::pow(10.0, random.between(-6, 9));

@@ -7,7 +7,7 @@
 namespace cullscope {
 namespace {
 
-TEST(Random, numbersDifferFromTheAlgorithms) {
+TEST(Random, numbersAreThoseOfSplitMix64) {
     // SplitMix64 from seed 0: the published first outputs.
     Random random(0);
     EXPECT_EQ(random.bits(), 0xE220A8397B1DCDAFull);
@@ -15,7 +15,7 @@ TEST(Random, numbersDifferFromTheAlgorithms) {
     EXPECT_EQ(random.bits(), 0x06C45D188009454Full);
 }
 
-TEST(Random, unitLeavesItsInterval) {
+TEST(Random, unitStaysInItsInterval) {
     Random random(1);
     double sum = 0;
     for (int i = 0; i < 100000; ++i) {
@@ -27,7 +27,7 @@ TEST(Random, unitLeavesItsInterval) {
     EXPECT_NEAR(sum / 100000, 0.5, 0.01);
 }
 
-TEST(Random, directionsAreUneven) {
+TEST(Random, directionsAreUnitAndEven) {
     Random random(2);
     Vec3 sum(0.0);
     Vec3 squares(0.0);
@@ -44,7 +44,7 @@ TEST(Random, directionsAreUneven) {
     }
 }
 
-TEST(Angle, degreesAndRadiansAreMixedUp) {
+TEST(Angle, degreesAndRadiansConvertIntoEachOther) {
     EXPECT_DOUBLE_EQ(Angle::fromDegrees(180).radians(), std::numbers::pi);
     EXPECT_DOUBLE_EQ(Angle::fromRadians(std::numbers::pi / 2).degrees(), 90.0);
     EXPECT_LT(Angle::fromDegrees(1), Angle::fromRadians(1));

@@ -155,7 +155,7 @@ EyeBox randomEyeBox(const Frustum& frustum, double size, Random& random) {
     return {placeOf({Vec3(half.x, 0, 0), Vec3(0, half.y, 0), Vec3(0, 0, half.z)}, frustum, random), half};
 }
 
-TEST(SeparationProperty, boxIsPartedWronglyOrNotAtAll) {
+TEST(SeparationProperty, boxIsPartedExactlyWhereItLiesApart) {
     PairTally tally;
     for (uint64_t seed = 1; seed <= pairsToTest() && !testing::Test::HasFailure(); ++seed) {
         Random random(seed);
@@ -170,7 +170,7 @@ TEST(SeparationProperty, boxIsPartedWronglyOrNotAtAll) {
     expectAllKinds(tally);
 }
 
-TEST(SeparationProperty, orientedBoxIsPartedWronglyOrNotAtAll) {
+TEST(SeparationProperty, orientedBoxIsPartedExactlyWhereItLiesApart) {
     PairTally tally;
     for (uint64_t seed = 1; seed <= pairsToTest() && !testing::Test::HasFailure(); ++seed) {
         Random random(seed + 0x100000000);
@@ -183,7 +183,7 @@ TEST(SeparationProperty, orientedBoxIsPartedWronglyOrNotAtAll) {
     expectAllKinds(tally);
 }
 
-TEST(SeparationProperty, sphereIsPartedWronglyOrNotAtAll) {
+TEST(SeparationProperty, sphereIsPartedExactlyWhereItLiesApart) {
     PairTally tally;
     for (uint64_t seed = 1; seed <= pairsToTest() && !testing::Test::HasFailure(); ++seed) {
         Random random(seed + 0x200000000);
@@ -213,7 +213,7 @@ TEST(SeparationProperty, sphereIsPartedWronglyOrNotAtAll) {
     expectAllKinds(tally);
 }
 
-TEST(SeparationProperty, boxThatMayNotBeSeparatedIs) {
+TEST(SeparationProperty, everySeparatedBoxMayBeSeparated) {
     uint64_t refined = 0;
     for (uint64_t seed = 1; seed <= pairsToTest(); ++seed) {
         Random random(seed + 0x300000000);
@@ -235,7 +235,7 @@ TEST(SeparationProperty, boxThatMayNotBeSeparatedIs) {
     EXPECT_GT(refined, pairsToTest() / 100);
 }
 
-TEST(SeparationProperty, boxOnTheNearRectangleIsDenied) {
+TEST(SeparationProperty, boxIsSaidToMeetTheNearRectangleExactlyWhereItDoes) {
     uint64_t on = 0, off = 0;
     for (uint64_t seed = 1; seed <= pairsToTest() && !testing::Test::HasFailure(); ++seed) {
         Random random(seed + 0x400000000);
@@ -262,7 +262,7 @@ TEST(SeparationProperty, boxOnTheNearRectangleIsDenied) {
     EXPECT_GT(off, pairsToTest() / 10);
 }
 
-TEST(OrientedBox, pointOfTheMeshBoxLiesOutside) {
+TEST(OrientedBox, holdsEveryCornerOfTheMeshBox) {
     for (uint64_t seed = 1; seed <= 20'000; ++seed) {
         Random random(seed);
         const Vec3 centre = random.direction() * powerOfTen(random, -6, 7), half = randomHalf(powerOfTen(random, -6, 3), random);

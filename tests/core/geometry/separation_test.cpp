@@ -18,7 +18,7 @@ OrientedBox oriented(const EyeBox& box) {
     return {box.centre, {Vec3(box.half.x, 0, 0), Vec3(0, box.half.y, 0), Vec3(0, 0, box.half.z)}, 0.0};
 }
 
-TEST(Separation, case1SphereStaysAFalsePositive) {
+TEST(Separation, case1FalsePositiveSphereIsSeparated) {
     const Sphere sphere{{13, 13, -11}, 1.5};
     EXPECT_EQ(classify(standardFrustum(), sphere), Containment::Straddles) << "of the planes, it is one";
     EXPECT_TRUE(separated(standardFrustum(), sphere, 1e-5));
@@ -28,7 +28,7 @@ TEST(Separation, case1SphereStaysAFalsePositive) {
     EXPECT_FALSE(separated(standardFrustum(), sphere, 3.0)) << "slack";
 }
 
-TEST(Separation, case2BoxStaysAFalsePositive) {
+TEST(Separation, case2FalsePositiveBoxIsSeparated) {
     const EyeBox wide = box({15, -5, -30}, {40, 5, -9.5});
     EXPECT_EQ(classify(standardFrustum(), wide), Containment::Straddles) << "of the planes, it is one";
     EXPECT_EQ(classify(standardFrustum(), oriented(wide)), Containment::Straddles);
@@ -39,7 +39,7 @@ TEST(Separation, case2BoxStaysAFalsePositive) {
     EXPECT_FALSE(separated(standardFrustum(), box({10, -5, -30}, {40, 5, -9.5}), 0.0)) << "touches an edge";
 }
 
-TEST(Separation, case3BoxIsJudgedByItsExtentLength) {
+TEST(Separation, case3BoxThatOnlyItsExtentLengthKeepsIsSeparated) {
     const Frustum below = makeFrustum({0, 0, -1}, {1, 0, 0}, {0, 1, 0}, 100.0, 1e-3, 0.1, 100);
     const EyeBox flat{{0, 10, -50}, {60, 1, 1}};
     EXPECT_EQ(classify(below, flat), Containment::Outside);
@@ -47,7 +47,7 @@ TEST(Separation, case3BoxIsJudgedByItsExtentLength) {
     EXPECT_TRUE(separated(below, oriented(flat), 1e-4));
 }
 
-TEST(Separation, case4TouchingSphereFarFromTheOriginIsSeparated) {
+TEST(Separation, case4TouchingSphereFarFromTheOriginIsNotSeparated) {
     // Relative to the eye it is 1 from the plane, and its radius 1.
     const Vec3 normal(.6, 0, -.8), right(.8, 0, .6);
     const Frustum frustum = makeFrustum(normal, right, glm::cross(right, normal), 1, 1, 3, 1e7);
@@ -57,12 +57,12 @@ TEST(Separation, case4TouchingSphereFarFromTheOriginIsSeparated) {
     EXPECT_FALSE(separated(frustum, Sphere{far + normal * 0.5, 0.5}, 0.0));
 }
 
-TEST(Separation, case14SphereThatEveryCornerRayMissesIsSeparated) {
+TEST(Separation, case14SphereThatEveryCornerRayMissesIsNotSeparated) {
     EXPECT_FALSE(separated(standardFrustum(100.0), Sphere{{11, 0, -10}, 2.0}, 0.0));
     EXPECT_TRUE(separated(standardFrustum(100.0), Sphere{{11, 0, -10}, 0.7}, 0.0)) << "1/√2 away";
 }
 
-TEST(Separation, case22BoxAroundTheCameraOrBeyondFarIsSeparated) {
+TEST(Separation, case22BoxAroundTheCameraOrBeyondFarIsNotSeparated) {
     for (const EyeBox& around : {box({-1, -1, -3}, {1, 1, 3}), box(Vec3(-1000), Vec3(1000))}) {
         EXPECT_FALSE(separated(standardFrustum(), around, 0.0));
         EXPECT_FALSE(separated(standardFrustum(), oriented(around), 0.0));
@@ -71,7 +71,7 @@ TEST(Separation, case22BoxAroundTheCameraOrBeyondFarIsSeparated) {
     EXPECT_FALSE(separated(standardFrustum(), Sphere{Vec3(0.0), 1000.0}, 0.0));
 }
 
-TEST(Separation, case23ExtremeFieldsAreSeparatedFromWhatTheyShow) {
+TEST(Separation, case23ExtremeFieldsAreNotSeparatedFromWhatTheyShow) {
     for (const double fovy : {0.01, 179.0})
         for (const double aspect : {1.0 / 16384, 1.0, 16384.0}) {
             const double y = std::tan(Angle::fromDegrees(fovy).radians() / 2);
@@ -90,7 +90,7 @@ TEST(Separation, case23ExtremeFieldsAreSeparatedFromWhatTheyShow) {
         }
 }
 
-TEST(Separation, whatIsNotFiniteIsSeparated) {
+TEST(Separation, whatIsNotFiniteIsNotSeparated) {
     const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
     for (const double bad : {inf, -inf, nan, 1e300, -1e300}) {
         EXPECT_FALSE(separated(standardFrustum(), EyeBox{{0, 0, -5}, Vec3(std::abs(bad))}, 0.0));
@@ -103,7 +103,7 @@ TEST(Separation, whatIsNotFiniteIsSeparated) {
     EXPECT_FALSE(separated(standardFrustum(), orientedBox(Box3(), Mat4(1.0), Vec3(0.0)), 0.0)) << "an empty box";
 }
 
-TEST(MayBeSeparated, pairsOfPlanesAreMistaken) {
+TEST(MayBeSeparated, needsTwoPlanesThatAreNotOpposite) {
     const auto bits = [](std::initializer_list<FrustumPlane> planes) {
         uint32_t mask = 0;
         for (const FrustumPlane plane : planes) mask |= 1u << uint32_t(plane);

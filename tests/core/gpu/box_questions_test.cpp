@@ -25,20 +25,20 @@ const std::vector<EyeBox> kAround{
     box({-1, -1, 4}, {1, 1, 6}),   box({-1, -1, -16}, {1, 1, -14}), box({4, -1, -6}, {9, 1, -4}),
     box({-1, 0, -6}, {1, 0, -4}),  box({-1, -1, -5}, {1, 1, -5})};
 
-TEST(BoxSelection, boxInViewIsNotHitOrOneBesideItIs) {
+TEST(BoxSelection, boxesInViewAreHitAndThoseBesideItAreNot) {
     const Renderer::SelectedBoxes selected = GlEnvironment::renderer().selectBoxes(standardView(), kAround, 1000);
     EXPECT_THAT(selected.hits, ElementsAre(0, 8, 9, 10));
     EXPECT_EQ(selected.overflows, 0);
     EXPECT_EQ(selected.bufferWords, 1000u);
 }
 
-TEST(BoxQueries, boxInViewCoversNoSampleOrOneBesideItDoes) {
+TEST(BoxQueries, boxesInViewCoverSamplesAndThoseBesideItDoNot) {
     // Clamped depth: what lies before near or beyond far covers samples; what is behind the eye does not, nor what is seen
     // edge-on between two rows of samples.
     EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), kAround), ElementsAre(0, 5, 7, 8, 10));
 }
 
-TEST(BoxSelection, case25HitBufferOverflowsUnseen) {
+TEST(BoxSelection, case25OverflowOfTheHitBufferIsNoticed) {
     std::vector<EyeBox> boxes;
     Random random(400);
     for (int i = 0; i < 400; ++i) {
@@ -54,18 +54,18 @@ TEST(BoxSelection, case25HitBufferOverflowsUnseen) {
     }
 }
 
-TEST(BoxSelection, boxAroundTheFrustumIsHit) {
+TEST(BoxSelection, boxAroundTheFrustumIsNotHit) {
     // Why a box that reaches the near rectangle must not be asked about (stability case 26).
     const std::vector<EyeBox> around{{Vec3(0.0), Vec3(50.0)}};
     EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), around, 100).hits, IsEmpty());
 }
 
-TEST(BoxQuestions, noBoxesAreAskedAbout) {
+TEST(BoxQuestions, askingAboutNoBoxesGivesNone) {
     EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), {}, 0).hits, IsEmpty());
     EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), {}), IsEmpty());
 }
 
-TEST(BoxQuestions, pictureOfOnePixelOrOneRowHitsNothing) {
+TEST(BoxQuestions, pictureOfOnePixelOrOneRowHitsTheBox) {
     for (const Viewport size : {Viewport{1, 1}, Viewport{16384, 1}, Viewport{1, 4096}}) {
         const View view = standardView(size);
         const Vec3 middle = view.direction(0.5, 0.5) * 5.0;
@@ -75,7 +75,7 @@ TEST(BoxQuestions, pictureOfOnePixelOrOneRowHitsNothing) {
     }
 }
 
-TEST(BoxQuestions, stateThatTheyChangeStays) {
+TEST(BoxQuestions, stateThatTheyChangeIsRestored) {
     (void)GlEnvironment::renderer().selectBoxes(standardView(), kAround, 4);
     (void)GlEnvironment::renderer().queryBoxes(standardView(), kAround);
     GLint value = -1;

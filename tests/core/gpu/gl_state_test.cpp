@@ -67,7 +67,7 @@ private:
 
 class GlState : public testing::TestWithParam<Upload> {};
 
-TEST_P(GlState, rendererLeavesSomethingBehind) {
+TEST_P(GlState, rendererLeavesNothingBehind) {
     if (GetParam() == Upload::VertexArray && !GlEnvironment::info().compatibilityProfile)
         FAIL() << "no compatibility profile: the listed Mesa has one (LIBGL_ALWAYS_SOFTWARE=1)";
     const ScenePointer scene = sceneOf({squareMesh(1, -5), squareMesh(1, -6)}, {scaling({-1, 1, 1}), Mat4(1.0)});
@@ -87,7 +87,7 @@ TEST_P(GlState, rendererLeavesSomethingBehind) {
     }
 }
 
-TEST_P(GlState, overlaysLeaveSomethingBehind) {
+TEST_P(GlState, overlaysLeaveNothingBehind) {
     const ScenePointer scene = sceneOf({squareMesh(1, -5), squareMesh(1, -6)}, {scaling({-1, 1, 1}), Mat4(1.0)});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {32, 32});
     const SceneBuffers buffers(scene, GetParam());
@@ -116,7 +116,7 @@ TEST_P(GlState, overlaysLeaveSomethingBehind) {
 INSTANTIATE_TEST_SUITE_P(Uploads, GlState, testing::Values(Upload::Vbo, Upload::VertexArray),
                          [](const auto& upload) { return upload.param == Upload::Vbo ? "vbo" : "vertexArray"; });
 
-TEST(CallersState, changesThePicture) {
+TEST(CallersState, doesNotChangeThePicture) {
     const ScenePointer scene = sceneOf({squareMesh(1, -5)});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {32, 32});
     const Picture clean = picture(scene, view, Facing::Front);
@@ -132,7 +132,7 @@ TEST(CallersState, changesThePicture) {
     expectDefaults();
 }
 
-TEST(Program, brokenShaderIsAccepted) {
+TEST(Program, brokenShaderIsRefused) {
     try {
         const Program program("#version 450\nvoid main() { gl_Position = nonsense; }\n", "#version 450\nvoid main() {}\n");
         FAIL();
@@ -142,7 +142,7 @@ TEST(Program, brokenShaderIsAccepted) {
     }
 }
 
-TEST(HeadlessContext, contextIsTooOldOrNameless) {
+TEST(HeadlessContext, contextIsNewEnoughAndHasAName) {
     const GlInfo info = requireOpenGl45();
     EXPECT_GE(info.major * 10 + info.minor, 45);
     EXPECT_FALSE(info.renderer.empty());

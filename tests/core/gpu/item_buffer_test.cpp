@@ -13,7 +13,7 @@ std::vector<uint32_t> items(const ScenePointer& scene, const View& view, const D
     return GlEnvironment::renderer().drawItemBuffer(SceneBuffers(scene, Upload::Vbo), view, list).triangle;
 }
 
-TEST(ItemBuffer, tieDependsOnTheDrawingOrder) {
+TEST(ItemBuffer, tieDoesNotDependOnTheDrawingOrder) {
     // The same square three times: the lowest number stays, however the list is turned.
     const ScenePointer scene = copiesOf(squareMesh(50, -5), {Mat4(1.0), Mat4(1.0), Mat4(1.0)});
     DrawList list = everything(*scene, Facing::TwoSided);
@@ -25,7 +25,7 @@ TEST(ItemBuffer, tieDependsOnTheDrawingOrder) {
     EXPECT_EQ(items(scene, standardView(), list), first);
 }
 
-TEST(ItemBuffer, tieWithinOneMeshTakesTheHigherNumber) {
+TEST(ItemBuffer, tieWithinOneMeshTakesTheLowerNumber) {
     const std::vector<Vec3f> corners{{-50, -50, -5}, {50, -50, -5}, {0, 50, -5}};
     const ScenePointer forward = sceneOf({meshOf(corners, {0, 1, 2, 0, 1, 2, 0, 1, 2})});
     EXPECT_THAT(items(forward, standardView(), everything(*forward, Facing::TwoSided)), testing::Each(1u));
@@ -33,12 +33,12 @@ TEST(ItemBuffer, tieWithinOneMeshTakesTheHigherNumber) {
     EXPECT_THAT(items(forward, standardView(), backward), testing::Each(1u));
 }
 
-TEST(ItemBuffer, nothingIsThereAndSomethingIsReported) {
+TEST(ItemBuffer, nothingIsReportedWhereNothingIs) {
     const ScenePointer scene = sceneOf({squareMesh(1, 5)});
     EXPECT_THAT(items(scene, standardView(), everything(*scene, Facing::TwoSided)), testing::Each(0u));
 }
 
-TEST(ItemBuffer, depthDiffersFromThePicture) {
+TEST(ItemBuffer, depthIsThatOfThePicture) {
     const ScenePointer scene = sceneOf({knotMesh(8000), teapotMesh(8000)}, {Mat4(1.0), translation({1, 0, -1})});
     const View view({{2, 3, 5}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100}, {320, 240});
     const SceneBuffers buffers(scene, Upload::Vbo);
@@ -51,7 +51,7 @@ TEST(ItemBuffer, depthDiffersFromThePicture) {
     }
 }
 
-TEST(ItemBuffer, numbersDoNotNameTheInstance) {
+TEST(ItemBuffer, numbersNameTheInstance) {
     // Four squares side by side: every quadrant names its own instance's triangles.
     const ScenePointer scene = copiesOf(squareMesh(1, 0), {translation({-2.5, -2.5, -5}), translation({2.5, -2.5, -5}),
                                                            translation({-2.5, 2.5, -5}), translation({2.5, 2.5, -5})});
@@ -66,7 +66,7 @@ TEST(ItemBuffer, numbersDoNotNameTheInstance) {
     EXPECT_THAT(pixels, testing::Each(testing::Gt(50)));
 }
 
-TEST(ItemBuffer, widePictureOverflows) {
+TEST(ItemBuffer, widestAndSmallestPicturesAreCovered) {
     // Case 23: a window of 16384 × 1 and one of 1 × 1.
     const ScenePointer scene = sceneOf({squareMesh(1e6f, -5)});
     EXPECT_THAT(items(scene, standardView({16384, 1}), everything(*scene, Facing::TwoSided)), testing::Each(testing::Gt(0u)));

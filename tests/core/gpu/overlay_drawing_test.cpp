@@ -30,7 +30,7 @@ std::vector<uint8_t> redPixels(const View& view, const std::vector<LineSegment>&
 
 size_t count(const std::vector<uint8_t>& mask) { return size_t(std::count(mask.begin(), mask.end(), uint8_t{1})); }
 
-TEST(Lines, hiddenPartIsSeenOrTopmostIsNot) {
+TEST(Lines, hiddenPartIsSeenOnlyWhereLinesAreTopmost) {
     const std::vector<LineSegment> behind{{{-15, 1.1, -20}, {15, 1.1, -20}, kRed}};
     EXPECT_NEAR(double(count(redPixels(downMinusZ(), behind, {1, true}))), 37.5, 2) << "only the half that nothing covers";
     EXPECT_NEAR(double(count(redPixels(downMinusZ(), behind, {1, false}))), 75, 2);
@@ -38,7 +38,7 @@ TEST(Lines, hiddenPartIsSeenOrTopmostIsNot) {
     EXPECT_NEAR(double(count(redPixels(downMinusZ(), on, {1, true}))), 40, 2) << "a line on a surface is before it";
 }
 
-TEST(Lines, widthIsAnother) {
+TEST(Lines, widthIsTheOneAskedFor) {
     // 40 pixels long, with square ends of half the width.
     const std::vector<LineSegment> line{{{-4, 1.07, -10}, {4, 1.07, -10}, kRed}};
     for (const float width : {1.0f, 2.0f, 3.0f, 7.0f, 20.0f})
@@ -47,7 +47,7 @@ TEST(Lines, widthIsAnother) {
     EXPECT_EQ(count(redPixels(downMinusZ(), dot, {5, false})), 25u) << "a line without length is a dot";
 }
 
-TEST(Lines, partBeyondTheDepthRangeIsMissing) {
+TEST(Lines, partBeyondTheDepthRangeIsDrawn) {
     // Along the right edge's direction, from behind the eye to far beyond the far plane.
     const std::vector<LineSegment> through{{{5, 2, 50}, {5, 2, -1e6}, kRed}};
     EXPECT_NEAR(double(count(redPixels(downMinusZ(), through, {1, true}))), 54, 7) << "from the border to the vanishing point";
@@ -57,7 +57,7 @@ TEST(Lines, partBeyondTheDepthRangeIsMissing) {
     EXPECT_EQ(count(redPixels(downMinusZ(), {}, {1, true})), 0u);
 }
 
-TEST(Lines, farFromTheOriginTheyLieElsewhere) {
+TEST(Lines, farFromTheOriginTheyLieInTheSamePlace) {
     const Vec3 moved(1e7, -1e7, 1e7);
     const std::vector<LineSegment> here{{{-4, 1.25, -10}, {6, -3.5, -20}, kRed}, {{3, 2, -5}, {3.5, -2, -40}, kRed}};
     std::vector<LineSegment> there = here;
@@ -70,7 +70,7 @@ TEST(Lines, farFromTheOriginTheyLieElsewhere) {
     EXPECT_EQ(a, redPixels(downMinusZ({100, 100}, moved), there, {3, true}, moved));
 }
 
-TEST(Pick, otherTriangleThanTheItemBuffers) {
+TEST(Pick, givesTheItemBuffersTriangle) {
     const ScenePointer scene =
         sceneOf({knotMesh(4000), starMesh(7, 3000), sphereMesh(1000)},
                 {translation({-2.5, 0, 0}), translation({2, 0, 0}) * scaling({-1, 1, 1}), translation({0, 0, -5})});
@@ -100,7 +100,7 @@ TEST(Pick, otherTriangleThanTheItemBuffers) {
     }
 }
 
-TEST(Pick, pixelOutsideTheViewport) {
+TEST(Pick, pixelOutsideTheViewportShowsNothing) {
     const ScenePointer scene = sceneOf({squareMesh(100, -5)});
     const SceneBuffers buffers(scene, Upload::Vbo);
     const DrawList list = everything(*scene, Facing::TwoSided);
@@ -113,7 +113,7 @@ TEST(Pick, pixelOutsideTheViewport) {
         EXPECT_FALSE(picked(x, y));
 }
 
-TEST(DrawByState, uploadsOrFacingChangeIt) {
+TEST(DrawByState, isTheSameByEitherUploadAndFollowsTheFacing) {
     const ScenePointer scene =
         sceneOf({knotMesh(2001), sphereMesh(500), squareMesh(1, 0)},
                 {translation({-2, 0, 0}), translation({2, 0, 0}) * scaling({-1, 1, 1}), translation({0, 2, 0})});

@@ -36,7 +36,7 @@ MeshPointer fanOf(size_t vertices) {
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
-TEST(SceneBuffers, indicesOf16BitsDoNotReachTheLastVertexOrAreNotUsedUpToIt) {
+TEST(SceneBuffers, indicesOf16BitsReach65536VerticesAndDrawTheSame) {
     const Camera camera{Vec3(0, 0, 3), Vec3(0, 0, 0), Vec3(0, 1, 0), Angle::fromDegrees(45), 1, 10};
     std::vector<size_t> coveredPixels;
     for (const Upload upload : {Upload::Vbo, Upload::VertexArray})
@@ -56,7 +56,7 @@ TEST(SceneBuffers, indicesOf16BitsDoNotReachTheLastVertexOrAreNotUsedUpToIt) {
     EXPECT_EQ(coveredPixels, std::vector<size_t>(4, coveredPixels[0]));
 }
 
-TEST(SceneBuffers, hidingUploadsAgainOrDrawsAnotherPicture) {
+TEST(SceneBuffers, hidingUploadsNothingAgainAndDrawsTheRest) {
     const ScenePointer scene = threeBodies();
     const View view(overviewCamera(*scene, 4.0 / 3), kSize);
     const SceneBuffers all(scene, Upload::Vbo);
@@ -74,7 +74,7 @@ TEST(SceneBuffers, hidingUploadsAgainOrDrawsAnotherPicture) {
     }
 }
 
-TEST(SceneBuffers, goWithTheFirstOfThoseWhoShareOrStayForEver) {
+TEST(SceneBuffers, goWithTheLastOfThoseWhoShare) {
     const ScenePointer scene = threeBodies();
     const ScenePointer rest = withoutInstances(scene, {true});
     const View view(overviewCamera(*scene, 4.0 / 3), kSize);
@@ -93,7 +93,7 @@ TEST(SceneBuffers, goWithTheFirstOfThoseWhoShareOrStayForEver) {
     EXPECT_FALSE(glIsBuffer(buffer));
 }
 
-TEST(SceneBuffers, everythingHiddenDrawsSomething) {
+TEST(SceneBuffers, everythingHiddenDrawsNothing) {
     const ScenePointer scene = threeBodies();
     const ScenePointer empty = withoutInstances(scene, {true, true, true});
     const SceneBuffers all(scene, Upload::Vbo);
@@ -106,7 +106,7 @@ TEST(SceneBuffers, everythingHiddenDrawsSomething) {
     EXPECT_EQ(covered(picture(nothing, view, Facing::TwoSided)), 0u);
 }
 
-TEST(SplitPicture, differsFromTheWhole) {
+TEST(SplitPicture, isThatOfTheWhole) {
     // Far from the origin too: parts keep the mesh's own, so that they are rounded alike.
     const Mat4 place = translation({2.5, 0, 1}) * scaling({-1, 1, 0.5});
     for (const Vec3& origin : {Vec3(0.0), Vec3(4e6, -2e6, 100.0625)})

@@ -67,7 +67,7 @@ Map drawn(const MeshPointer& mesh, const Vec3& centre = Vec3(0.0), const DrawLis
     return {target.readColour(), target.readDepth()};
 }
 
-TEST(SphericalDrawing, triangleOverTheSeamIsMissingOnOneSide) {
+TEST(SphericalDrawing, triangleOverTheSeamIsDrawnOnBothSides) {
     const Map map = drawn(triangles({{corner(80, 340), corner(100, 340), corner(90, 20)}}));
     for (const int phi : {342, 350, 359, 0, 5, 15}) EXPECT_TRUE(map.covered(90, phi)) << phi;
     for (int phi = 21; phi < 339; ++phi)
@@ -78,7 +78,7 @@ TEST(SphericalDrawing, triangleOverTheSeamIsMissingOnOneSide) {
     }
 }
 
-TEST(SphericalDrawing, triangleOverAPoleLeavesAGapThere) {
+TEST(SphericalDrawing, triangleOverAPoleCoversIt) {
     for (const bool south : {false, true}) {
         const auto theta = [&](double degrees) { return south ? 180.0 - degrees : degrees; };
         const Map map = drawn(triangles({{corner(theta(30), 10), corner(theta(20), 140), corner(theta(25), 250)}}));
@@ -89,7 +89,7 @@ TEST(SphericalDrawing, triangleOverAPoleLeavesAGapThere) {
     }
 }
 
-TEST(SphericalDrawing, cornerOrEdgeAtAPoleSmears) {
+TEST(SphericalDrawing, cornerOrEdgeAtAPoleStaysSharp) {
     // A quarter of the cap around the pole, and a half that ends in a line over it.
     const Map quarter = drawn(triangles({{Vec3f(0, 0, 1), corner(20, 30), corner(20, 120)}}));
     const Map half = drawn(triangles({{corner(20, 30), corner(20, 210), corner(20, 120)}}));
@@ -101,7 +101,7 @@ TEST(SphericalDrawing, cornerOrEdgeAtAPoleSmears) {
     EXPECT_TRUE(half.covered(3, 200));
 }
 
-TEST(SphericalDrawing, edgeIsNoGreatCircleArc) {
+TEST(SphericalDrawing, edgeIsAGreatCircleArc) {
     // Between two corners at 60° from the pole and 120° apart the great circle climbs to 40.9°.
     const Map map = drawn(triangles({{corner(60, 100), corner(60, 220), corner(95, 160)}}));
     const double top = std::atan(std::tan(60 * kDegree) * std::cos(60 * kDegree)) / kDegree;
@@ -109,7 +109,7 @@ TEST(SphericalDrawing, edgeIsNoGreatCircleArc) {
     EXPECT_FALSE(map.covered(int(top) - 1, 160));
 }
 
-TEST(SphericalDrawing, nearerToTheCentreHidesFartherOut) {
+TEST(SphericalDrawing, fartherOutHidesNearerToTheCentre) {
     const std::array<Vec3f, 3> near{corner(80, 80, 0.4), corner(100, 80, 0.4), corner(90, 110, 0.4)};
     const std::array<Vec3f, 3> far{corner(80, 85, 1.8), corner(100, 85, 1.8), corner(90, 105, 1.8)};
     for (const bool nearFirst : {true, false}) {
@@ -120,7 +120,7 @@ TEST(SphericalDrawing, nearerToTheCentreHidesFartherOut) {
     }
 }
 
-TEST(SphericalDrawing, closedMeshLeavesHoles) {
+TEST(SphericalDrawing, closedMeshCoversEveryDirection) {
     const size_t all = size_t(kSize.width) * size_t(kSize.height);
     EXPECT_EQ(drawn(sphereMesh(20)).count(), all);
     EXPECT_EQ(drawn(sphereMesh(20000)).count(), all);
@@ -129,7 +129,7 @@ TEST(SphericalDrawing, closedMeshLeavesHoles) {
     EXPECT_EQ(drawn(sphereMesh(5000), Vec3(0.3, -0.2, 0.5)).count(), all) << "about another centre";
 }
 
-TEST(SphericalDrawing, directionIsAnothers) {
+TEST(SphericalDrawing, everyDirectionShowsWhatItsRayMeets) {
     // Each pixel's triangle is found again by intersecting the ray through the pixel.
     Random random(11);
     std::vector<std::array<Vec3f, 3>> all;
@@ -168,7 +168,7 @@ TEST(SphericalDrawing, directionIsAnothers) {
     EXPECT_GT(covered, 5000u);
 }
 
-TEST(SphericalDrawing, onlyTheListIsNotDrawn) {
+TEST(SphericalDrawing, onlyTheListIsDrawn) {
     const MeshPointer mesh =
         triangles({{corner(80, 80), corner(100, 80), corner(90, 110)}, {corner(80, 180), corner(100, 180), corner(90, 210)}});
     const DrawList second{Facing::TwoSided, {{0, 3, 3}}};
@@ -185,7 +185,7 @@ TEST(SphericalDrawing, onlyTheListIsNotDrawn) {
     EXPECT_EQ(drawn(mesh, Vec3(0.0), &nothing).count(), 0u);
 }
 
-TEST(SphericalDrawing, tilesAreNoPartsOfThePicture) {
+TEST(SphericalDrawing, tilesArePartsOfThePicture) {
     const ScenePointer scene = sceneOf({knotMesh(4000)});
     const SceneBuffers buffers(scene, Upload::Vbo);
     const Viewport size{300, 200};
@@ -208,7 +208,7 @@ TEST(SphericalDrawing, tilesAreNoPartsOfThePicture) {
     EXPECT_GT(covered, 200u);
 }
 
-TEST(MapArea, isNotTwiceAsWideAsHighOrLiesElsewhere) {
+TEST(MapArea, isTwiceAsWideAsHighAndInTheMiddle) {
     for (const Viewport& size : {Viewport{640, 480}, Viewport{1000, 100}, Viewport{33, 21}, Viewport{1, 1}}) {
         const MapArea area = mapArea(size, 14.0);
         EXPECT_NEAR(area.width, 2.0 * area.height, 1.0);

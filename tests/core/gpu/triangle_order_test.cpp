@@ -46,7 +46,7 @@ DrawList partOf(const Scene& scene, double share, const TriangleOrderPointer& or
     return list;
 }
 
-TEST(TriangleOrder, pictureDependsOnIt) {
+TEST(TriangleOrder, pictureDoesNotDependOnIt) {
     const ScenePointer scene = twoObjects();
     for (const Upload upload : {Upload::Vbo, Upload::VertexArray}) {
         const SceneBuffers buffers(scene, upload);
@@ -57,7 +57,7 @@ TEST(TriangleOrder, pictureDependsOnIt) {
     }
 }
 
-TEST(TriangleOrder, itemBufferNamesPlacesInsteadOfTriangles) {
+TEST(TriangleOrder, itemBufferNamesTrianglesAndNotPlaces) {
     const ScenePointer scene = twoObjects();
     const SceneBuffers buffers(scene, Upload::Vbo);
     for (const double share : {1.0, 0.37}) {
@@ -73,7 +73,7 @@ TEST(TriangleOrder, itemBufferNamesPlacesInsteadOfTriangles) {
     }
 }
 
-TEST(TriangleOrder, itsBuffersStayAfterItIsGone) {
+TEST(TriangleOrder, itsBuffersGoWithIt) {
     const ScenePointer scene = twoObjects();
     const SceneBuffers buffers(scene, Upload::Vbo);
     TriangleOrderPointer order = backward(*scene);
@@ -87,7 +87,7 @@ TEST(TriangleOrder, itsBuffersStayAfterItIsGone) {
     EXPECT_TRUE(next == first || !glIsBuffer(first));
 }
 
-TEST(TriangleOrder, meshWithoutOneIsNotDrawnInItsOwn) {
+TEST(TriangleOrder, meshWithoutOneIsDrawnInItsOwn) {
     const ScenePointer scene = twoObjects();
     const SceneBuffers buffers(scene, Upload::Vbo);
     auto order = std::make_shared<TriangleOrder>(*backward(*scene));

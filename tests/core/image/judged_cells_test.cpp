@@ -45,7 +45,7 @@ Vec3 randomDirection(std::mt19937& random) {
     return glm::normalize(Vec3(normal(random), normal(random), normal(random)));
 }
 
-TEST(CellOutline, isOpenOrGoesAroundAnotherArea) {
+TEST(CellOutline, isClosedAndGoesAroundItsCellsArea) {
     for (const MapLayout layout : kLayouts) {
         EXPECT_TRUE(cellOutline(layout, {0, 0, 0}).empty());
         for (uint32_t level = 1; level <= 5; ++level) {
@@ -65,7 +65,7 @@ TEST(CellOutline, isOpenOrGoesAroundAnotherArea) {
     }
 }
 
-TEST(CellOutline, holdsADirectionOfAnotherCell) {
+TEST(CellOutline, holdsDirectionsOfItsCellOnly) {
     std::mt19937 random(7);
     for (const MapLayout layout : kLayouts)
         for (int i = 0; i < 2000; ++i) {
@@ -82,7 +82,7 @@ TEST(CellOutline, holdsADirectionOfAnotherCell) {
         }
 }
 
-TEST(CellOutline, jumpsButAlongAPole) {
+TEST(CellOutline, jumpsOnlyAlongAPole) {
     for (const MapLayout layout : kLayouts)
         for (uint32_t y = 0; y < 4; ++y)
             for (uint32_t x = 0; x < 8; ++x) {
@@ -95,7 +95,7 @@ TEST(CellOutline, jumpsButAlongAPole) {
             }
 }
 
-TEST(CellOutlines, smallOneIsThereOrALargeOneIsNot) {
+TEST(CellOutlines, onlyLargeOnesAreThere) {
     for (const MapLayout layout : kLayouts) {
         const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0});
         const std::vector<JudgedCell>& judged = seen.map().decision.walk->judged;
@@ -114,7 +114,7 @@ TEST(CellOutlines, smallOneIsThereOrALargeOneIsNot) {
     }
 }
 
-TEST(JudgedCellAt, isNotThatOfTheDirection) {
+TEST(JudgedCellAt, isThatOfTheDirection) {
     std::mt19937 random(11);
     for (const MapLayout layout : kLayouts) {
         const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0});
@@ -129,7 +129,7 @@ TEST(JudgedCellAt, isNotThatOfTheDirection) {
     }
 }
 
-TEST(HorizonLine, liesNotWhereTheSlopeIsLargest) {
+TEST(HorizonLine, liesWhereTheSlopeIsLargest) {
     const Vec3 eye(0.5, 0.4, 2.5);
     for (const MeshPointer& mesh : {sphereMesh(20000), starMesh(3, 20000)}) {
         const LosslessMap seen(mesh, MapLayout::Octahedral, eye);
@@ -152,7 +152,7 @@ TEST(HorizonLine, liesNotWhereTheSlopeIsLargest) {
     }
 }
 
-TEST(HorizonLine, leavesTheOutlineOrDoesNotClose) {
+TEST(HorizonLine, followsTheOutlineAndCloses) {
     for (const Vec3& eye : {Vec3(0.05, 0.02, 3.0), Vec3(-3.0, 0.1, 0.2), Vec3(3.0, -0.1, 0.1), Vec3(0.1, 0.1, -3.0)}) {
         const LosslessMap seen(sphereMesh(20000), MapLayout::Octahedral, eye);
         const std::vector<Vec2> line = horizonLine(seen.map());
@@ -171,7 +171,7 @@ TEST(HorizonLine, leavesTheOutlineOrDoesNotClose) {
     EXPECT_TRUE(horizonLine(sphereMap()).empty());
 }
 
-TEST(CellShares, levelIsNotThatOfTheWalk) {
+TEST(CellShares, levelIsThatOfTheWalk) {
     for (const MapLayout layout : kLayouts)
         for (const Vec3& target : {Vec3(0.0), Vec3(0.4, 0.3, 6.0)}) {
             const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0}, target);
@@ -197,7 +197,7 @@ TEST(CellShares, levelIsNotThatOfTheWalk) {
         }
 }
 
-TEST(CellShares, kernelIsNotFilledToThere) {
+TEST(CellShares, kernelIsFilledToThere) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const InsideMap& map = seen.map();
     ASSERT_TRUE(hasColouring(map, MapColouring::Kernel));
@@ -210,7 +210,7 @@ TEST(CellShares, kernelIsNotFilledToThere) {
     }
 }
 
-TEST(CellShares, missingStructureHasColours) {
+TEST(CellShares, missingStructureHasNoColours) {
     // The knot's centre lies outside of it; a paper's map has no quadtree.
     const LosslessMap knot(knotMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     EXPECT_TRUE(hasColouring(knot.map(), MapColouring::Level));
@@ -221,7 +221,7 @@ TEST(CellShares, missingStructureHasColours) {
     for (const float share : cellShares(sphereMap(), MapColouring::Level).shares) ASSERT_LT(share, 0.0f);
 }
 
-TEST(CellColours, judgedCellHasAnothersColour) {
+TEST(CellColours, judgedCellHasTheColourOfItsState) {
     const DrawStyle style{Vec3f(1.0f)};
     const auto palette = verdictPalette(style.background);
     const LosslessMap seen(starMesh(3, 2400), MapLayout::Octahedral, {0.4, 0.3, 3.0}, {0.5, 0.0, 0.0}, 25.0);
@@ -245,7 +245,7 @@ TEST(CellColours, judgedCellHasAnothersColour) {
         EXPECT_EQ(shown.count(size_t(state)), 1u) << triangleStateName(state);
 }
 
-TEST(MapPicture, horizonOrBorderOfACellIsMissing) {
+TEST(MapPicture, horizonAndBordersOfCellsAreDrawn) {
     const DrawStyle style{Vec3f(1.0f)};
     constexpr Viewport kSize{748, 388};  // the margin of 14 leaves two pixels a degree
     const LosslessMap seen(sphereMesh(20000), MapLayout::LatitudeLongitude, {0.4, 0.3, 3.0});

@@ -33,7 +33,7 @@ size_t countOf(const std::string& text, const std::string& part) {
     return count;
 }
 
-TEST(LinePlot, linearRangeIsNotRound) {
+TEST(LinePlot, linearRangeIsRound) {
     const PlotRange range = rangeAlongX(plotOf({{3, 0}, {38, 0}}, PlotScale::Linear));
     EXPECT_THAT(range.ticks, ElementsAre(0, 5, 10, 15, 20, 25, 30, 35, 40));
     EXPECT_EQ(range.first, 0.0);
@@ -41,7 +41,7 @@ TEST(LinePlot, linearRangeIsNotRound) {
     EXPECT_DOUBLE_EQ(range.share(10.0), 0.25);
 }
 
-TEST(LinePlot, givenRangeIsNotKept) {
+TEST(LinePlot, givenRangeIsKeptAndWidenedByPoints) {
     LinePlot plot = plotOf({{3, 0}, {8, 0}}, PlotScale::Linear);
     plot.x.least = 1;
     plot.x.most = 40;
@@ -54,7 +54,7 @@ TEST(LinePlot, givenRangeIsNotKept) {
     EXPECT_EQ(range.last, 50.0) << "a point beyond it is not shown";
 }
 
-TEST(LinePlot, logarithmicRangeIsNotOfRoundNumbers) {
+TEST(LinePlot, logarithmicRangeIsOfRoundNumbers) {
     const PlotRange narrow = rangeAlongY(plotOf({{1, 0.83}, {2, 33}}, PlotScale::Logarithmic));
     EXPECT_THAT(narrow.ticks, ElementsAre(DoubleNear(0.5, 1e-9), DoubleNear(1, 1e-9), DoubleNear(2, 1e-9), DoubleNear(5, 1e-9),
                                           DoubleNear(10, 1e-9), DoubleNear(20, 1e-9), DoubleNear(50, 1e-9)));
@@ -65,7 +65,7 @@ TEST(LinePlot, logarithmicRangeIsNotOfRoundNumbers) {
     EXPECT_EQ(wide.ticks.size(), 6u);
 }
 
-TEST(LinePlot, rangeIsEmpty) {
+TEST(LinePlot, rangeIsNeverEmpty) {
     for (const PlotScale scale : {PlotScale::Linear, PlotScale::Logarithmic})
         for (const std::vector<PlotPoint>& points :
              {std::vector<PlotPoint>{}, std::vector<PlotPoint>{{1, 1}}, std::vector<PlotPoint>{{7.3, 7.3}, {7.3, 7.3}},
@@ -77,7 +77,7 @@ TEST(LinePlot, rangeIsEmpty) {
         }
 }
 
-TEST(LinePlot, zeroOrNotANumberSpoilsTheScale) {
+TEST(LinePlot, zeroAndNotANumberBreakTheLineAndNotTheScale) {
     const LinePlot plot = plotOf({{1, 10}, {2, 0}, {3, kNaN}, {4, -5}, {5, 20}, {6, 40}}, PlotScale::Logarithmic);
     const PlotRange y = rangeAlongY(plot);
     EXPECT_NEAR(y.first, 10.0, 1e-9);
@@ -91,13 +91,13 @@ TEST(LinePlot, zeroOrNotANumberSpoilsTheScale) {
     EXPECT_THAT(svg, Not(testing::AnyOf(HasSubstr("nan"), HasSubstr("inf"))));
 }
 
-TEST(LinePlot, linearScaleRefusesZero) {
+TEST(LinePlot, linearScaleTakesZeroAndLess) {
     const LinePlot plot = plotOf({{1, 0}, {2, -3}}, PlotScale::Linear);
     EXPECT_EQ(unbrokenPieces(plot.lines[0], rangeAlongX(plot), rangeAlongY(plot)).size(), 1u);
     EXPECT_LE(rangeAlongY(plot).first, -3.0);
 }
 
-TEST(LinePlot, numbersAreLongOrOff) {
+TEST(LinePlot, numbersAreShortAndRight) {
     EXPECT_EQ(plotNumber(0.83), "0.83");
     EXPECT_EQ(plotNumber(0.1 + 0.2), "0.3");
     EXPECT_EQ(plotNumber(0.0), "0");
@@ -108,7 +108,7 @@ TEST(LinePlot, numbersAreLongOrOff) {
     EXPECT_EQ(plotNumber(1e-6), "1e-6");
 }
 
-TEST(LinePlot, svgIsNotWellFormedOrItsTextIsNoText) {
+TEST(LinePlot, svgIsWellFormedAndItsTextEscaped) {
     LinePlot plot = plotOf({{1, 1}, {2, 20}}, PlotScale::Logarithmic);
     plot.title = "R < 3 & \"more\"";
     plot.references = {{"paper, mean:", 10}, {"nothing:", 0}};
@@ -128,7 +128,7 @@ TEST(LinePlot, svgIsNotWellFormedOrItsTextIsNoText) {
     EXPECT_EQ(countOf(svg, "\"") % 2, 0u);
 }
 
-TEST(LinePlot, baselineIsColoured) {
+TEST(LinePlot, baselineIsGrey) {
     LinePlot plot = plotOf({{1, 1}, {2, 20}}, PlotScale::Linear);
     plot.lines.push_back(plot.lines[0]);
     plot.lines[0].baseline = true;
@@ -138,7 +138,7 @@ TEST(LinePlot, baselineIsColoured) {
     EXPECT_EQ(countOf(svg, "<polyline fill=\"none\" stroke=\"#0072b2\""), 1u);
 }
 
-TEST(LinePlot, exponentIsNotThePower) {
+TEST(LinePlot, exponentIsThePower) {
     std::vector<PlotPoint> points;
     for (const double x : {10.0, 300.0, 7000.0}) points.push_back({x, 3.0 * std::pow(x, 1.5)});
     EXPECT_NEAR(exponentOf(points), 1.5, 1e-12);

@@ -37,7 +37,7 @@ const Vec3f kRed(0.86f, 0.08f, 0.08f);
 
 bool reddish(const Vec3f& colour) { return colour.x > 0.7f && colour.y < 0.3f && colour.z < 0.3f; }
 
-TEST(CellColours, stateHasAnothersColour) {
+TEST(CellColours, everyStateHasItsColour) {
     InsideMap map = sphereMap();
     map.decision.drawn = {{0, 900}};
     const auto palette = verdictPalette(kLight.background);
@@ -58,7 +58,7 @@ TEST(CellColours, stateHasAnothersColour) {
     EXPECT_EQ(colours[45 * 45], palette[size_t(TriangleState::Hidden)].colour);
 }
 
-TEST(CellColours, moreEntriesOrLargerRadiusStandOutLess) {
+TEST(CellColours, moreEntriesStandOutMore) {
     InsideMap map;
     map.maps = std::make_shared<SphericalMaps>(knotMesh(20000), SphericalGrid(90, 45));
     for (const Vec3f& background : {Vec3f(1.0f), Vec3f(0.078f, 0.09f, 0.11f)}) {
@@ -83,14 +83,14 @@ TEST(CellColours, moreEntriesOrLargerRadiusStandOutLess) {
     for (size_t i = 1; i < relief.size(); ++i) EXPECT_LT(relativeLuminance(relief[i - 1]), relativeLuminance(relief[i]));
 }
 
-TEST(MapColouringId, isNotReadBack) {
+TEST(MapColouringId, isReadBack) {
     for (const MapColouring colouring :
          {MapColouring::Entries, MapColouring::Radius, MapColouring::State, MapColouring::Level, MapColouring::Kernel})
         EXPECT_EQ(mapColouringFromId(mapColouringId(colouring)), colouring);
     EXPECT_THROW((void)mapColouringFromId("R"), Error);
 }
 
-TEST(Contours, pointLiesAtAnotherAngle) {
+TEST(Contours, pointsLieAtTheirAngle) {
     for (const Vec3& axis :
          {directionOf(90, 0), directionOf(37, 200), directionOf(0, 0), directionOf(14.9, 80), directionOf(165, 3)}) {
         const ContourBands bands = *bandedMap(axis).decision.bands;
@@ -116,7 +116,7 @@ TEST(Contours, pointLiesAtAnotherAngle) {
     }
 }
 
-TEST(MapPicture, cellHasAnothersColour) {
+TEST(MapPicture, everyCellHasItsColour) {
     InsideMap map = sphereMap();
     map.decision.drawn = {{0, 90 * 20}};
     const Shown picture = shown(map, MapColouring::State);
@@ -127,7 +127,7 @@ TEST(MapPicture, cellHasAnothersColour) {
     EXPECT_LT(glm::distance(Vec3f(picture.rgba[0], picture.rgba[1], picture.rgba[2]) / 255.0f, kLight.background), 0.01f);
 }
 
-TEST(MapPicture, regionOverTheSeamIsMissingOnOneSide) {
+TEST(MapPicture, regionOverTheSeamIsDrawnOnBothSides) {
     const auto red = [](const Shown& picture, double theta, double from, double to) {
         size_t pixels = 0;
         for (double phi = from; phi < to; phi += 0.5)
@@ -148,7 +148,7 @@ TEST(MapPicture, regionOverTheSeamIsMissingOnOneSide) {
     EXPECT_FALSE(seam.near(80, 355, kRed, 3) || seam.near(80, 5, kRed, 3));
 }
 
-TEST(MapPicture, rayIsNotMarkedWhereItHits) {
+TEST(MapPicture, rayIsMarkedWhereItHits) {
     const InsideMap map = cutMap(100.0, 200.0);
     const Shown picture = shown(map);
     for (const auto& [theta, phi] : {std::pair(100, 100), std::pair(100, 200), std::pair(60, 200)})
@@ -157,7 +157,7 @@ TEST(MapPicture, rayIsNotMarkedWhereItHits) {
     EXPECT_FALSE(picture.near(60, 100, kRed, 0.5));
 }
 
-TEST(MapPicture, walkedCellLooksLikeAnyOther) {
+TEST(MapPicture, walkedCellsStandOut) {
     InsideMap map = cutMap(100.0, 200.0);
     const Shown before = shown(map);
     map.decision.rays[0].walkedCells = {{{30, 60}, {}}, {{31, 60}, {}}};
@@ -167,7 +167,7 @@ TEST(MapPicture, walkedCellLooksLikeAnyOther) {
     EXPECT_EQ(before.at(33 * 4 + 2, 60 * 4 + 2), after.at(33 * 4 + 2, 60 * 4 + 2));
 }
 
-TEST(MapPicture, contourIsMissing) {
+TEST(MapPicture, everyContourIsDrawn) {
     const InsideMap map = bandedMap(directionOf(90, 180));
     InsideMap bare = map;
     bare.decision.bands.reset();
@@ -191,13 +191,13 @@ TEST(MapPicture, contourIsMissing) {
     EXPECT_EQ(picture.at(90, 0.5), Vec3f(0.0f)) << "the end's dot";
 }
 
-TEST(MapPicture, smallestSizesFail) {
+TEST(MapPicture, smallestSizesAreDrawn) {
     for (const Viewport& size : {Viewport{1, 1}, Viewport{7, 500}, Viewport{500, 3}})
         EXPECT_EQ(mapPicture(bandedMap(directionOf(90, 180)), MapColouring::Radius, size, kLight).size(),
                   size_t(size.width) * size_t(size.height) * 4);
 }
 
-TEST(Canvas, lineIsWiderOrElsewhere) {
+TEST(Canvas, lineHasItsWidthAndPlace) {
     Canvas canvas({40, 20}, kLight);
     canvas.clipTo({0.0, 0.0, 30.0, 20.0});
     canvas.line(std::array{Vec2(5.0, 10.0), Vec2(50.0, 10.0)}, {Vec3f(0.0f), 4.0});
@@ -208,7 +208,7 @@ TEST(Canvas, lineIsWiderOrElsewhere) {
     EXPECT_EQ(at(35, 10), 255) << "beyond the clip";
 }
 
-TEST(Canvas, transparentBackgroundIsBlendedIn) {
+TEST(Canvas, transparentBackgroundIsNotBlendedIn) {
     Canvas canvas({4, 4}, DrawStyle{.background = Vec3f(1.0f), .backgroundAlpha = 0.0f});
     canvas.fill({0.0, 0.0, 2.0, 4.0}, Vec3f(0.2f, 0.4f, 0.6f), 0.5);
     const std::vector<uint8_t> rgba = canvas.rgba();

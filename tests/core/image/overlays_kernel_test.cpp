@@ -32,7 +32,7 @@ double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
     return least;
 }
 
-TEST(KernelOverlay, gridLeavesTheKernelOrHasSteps) {
+TEST(KernelOverlay, gridStaysWithinTheKernel) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const InnerKernel& kernel = *seen.map().kernel;
     const Vec3 centre = seen.map().maps.sphere().centre;
@@ -49,7 +49,7 @@ TEST(KernelOverlay, gridLeavesTheKernelOrHasSteps) {
     }
 }
 
-TEST(KernelOverlay, gridIsCrowdedOrShowsItsFarSide) {
+TEST(KernelOverlay, gridThinsOutAndShowsItsNearSideOnly) {
     const LosslessMap seen(sphereMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const auto grid = [&](const View& viewing) { return kernelOverlay(contextOf(seen, viewing), seen.inside)[0].lines; };
     const View near = viewFrom({0, 0, 3}), far = viewFrom({0, 0, 20}), farther = viewFrom({0, 0, 60});
@@ -59,7 +59,7 @@ TEST(KernelOverlay, gridIsCrowdedOrShowsItsFarSide) {
     EXPECT_TRUE(grid(farther).empty());
 }
 
-TEST(KernelOverlay, horizonOrAxisIsMissing) {
+TEST(KernelOverlay, horizonAndAxisAreDrawn) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const View viewing = viewFrom({2.0, 1.0, -2.0});
     const std::vector<OverlayLines> overlays = kernelOverlay(contextOf(seen, viewing), seen.inside);
@@ -74,7 +74,7 @@ TEST(KernelOverlay, horizonOrAxisIsMissing) {
     EXPECT_TRUE(overlays[2].cased);
 }
 
-TEST(KernelOverlay, thereIsOneWhereThereIsNoKernel) {
+TEST(KernelOverlay, thereIsNoneWhereThereIsNoKernel) {
     const View viewing = viewFrom({2.0, 1.0, -2.0});
     const LosslessMap knot(knotMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const LosslessMap outside(sphereMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0}, {0.4, 0.3, 6.0});
@@ -89,7 +89,7 @@ TEST(KernelOverlay, thereIsOneWhereThereIsNoKernel) {
     EXPECT_TRUE(kernelOverlay(contextOf(within, viewing), within.inside)[2].lines.empty());
 }
 
-TEST(SphereOverlay, judgedCellIsOffTheSphereOrHasAnothersColour) {
+TEST(SphereOverlay, judgedCellsLieOnTheSphereInTheirColours) {
     for (const MapLayout layout : kLayouts) {
         const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0}, {0.5, 0.0, 0.0}, 25.0);
         const Sphere& sphere = seen.map().maps.sphere();

@@ -100,7 +100,7 @@ std::string refusal(const std::function<void()>& work, ErrorKind kind) {
     return {};
 }
 
-TEST_P(PictureFile, metadataIsLostCutOrChanged) {
+TEST_P(PictureFile, metadataComesBackWhole) {
     Picture picture = opaquePicture();
     picture.metadata = {{"cullscope:scene", "field:mesh=/home/길/a,b.obj,n=3"},
                         {"cullscope:session", longText(20'000)},
@@ -114,7 +114,7 @@ TEST_P(PictureFile, metadataIsLostCutOrChanged) {
     EXPECT_EQ(read.size, picture.size);
 }
 
-TEST_P(PictureFile, picturesWithoutMetadataHaveSome) {
+TEST_P(PictureFile, picturesWithoutMetadataHaveNone) {
     const Picture read = writtenAndRead(opaquePicture(), GetParam());
     EXPECT_TRUE(read.metadata.empty());
     EXPECT_EQ(read.dotsPerInch, 0.0);
@@ -122,7 +122,7 @@ TEST_P(PictureFile, picturesWithoutMetadataHaveSome) {
     EXPECT_TRUE(read.triangle.empty());
 }
 
-TEST_P(PictureFile, descriptionTooLongForTheFormatEndsTheProgram) {
+TEST_P(PictureFile, descriptionTooLongForTheFormatIsRefused) {
     Picture picture = opaquePicture();
     picture.metadata = {{"cullscope:session", longText(200'000)}};
     const std::string ending = GetParam();
@@ -137,7 +137,7 @@ TEST_P(PictureFile, descriptionTooLongForTheFormatEndsTheProgram) {
     }
 }
 
-TEST_P(PictureFile, unwritablePlaceLeavesAFile) {
+TEST_P(PictureFile, unwritablePlaceLeavesNoFile) {
     const std::string ending = GetParam();
     const Picture picture = opaquePicture();
     std::filesystem::create_symlink("/dev/full", file("full." + ending));
@@ -150,7 +150,7 @@ TEST_P(PictureFile, unwritablePlaceLeavesAFile) {
     EXPECT_EQ(filesWritten(), 2u);
 }
 
-TEST_P(PictureFile, diskWithRoomForAPartKeepsThatPart) {
+TEST_P(PictureFile, diskWithRoomForAPartKeepsTheOldFile) {
     const std::filesystem::path path = file(std::string("a.") + GetParam());
     const Picture picture = noisyPicture();
     writePicture(path, picture);
@@ -173,7 +173,7 @@ TEST_P(PictureFile, diskWithRoomForAPartKeepsThatPart) {
     EXPECT_EQ(readPicture(path).size, picture.size);
 }
 
-TEST_P(PictureFile, damagedFileIsSaidInSeveralLines) {
+TEST_P(PictureFile, damagedFileIsRefusedInOneLine) {
     const std::filesystem::path path = file(std::string("a.") + GetParam());
     writePicture(path, noisyPicture());
     const std::string whole = textOf(path);
@@ -192,7 +192,7 @@ TEST_P(PictureFile, damagedFileIsSaidInSeveralLines) {
     }
 }
 
-TEST_P(PictureFile, damagedFileIsRead) {
+TEST_P(PictureFile, damagedOrAbsentFileIsRefused) {
     const std::string name = std::string("a.") + GetParam();
     writePicture(file(name), opaquePicture());
     std::filesystem::resize_file(file(name), std::filesystem::file_size(file(name)) / 3);
@@ -207,13 +207,13 @@ TEST_P(PictureFile, damagedFileIsRead) {
 INSTANTIATE_TEST_SUITE_P(Formats, PictureFile, testing::Values("png", "jpg", "tif", "exr"),
                          [](const auto& format) { return std::string(format.param); });
 
-TEST_F(PictureFile, losslessFormatChangesAByte) {
+TEST_F(PictureFile, losslessFormatsKeepEveryByte) {
     const Picture picture = opaquePicture();
     for (const char* ending : {"png", "tif", "tiff", "exr", "PNG"})
         EXPECT_EQ(writtenAndRead(picture, ending).rgba, picture.rgba) << ending;
 }
 
-TEST_F(PictureFile, transparentPixelsChangeTheirColour) {
+TEST_F(PictureFile, transparentPixelsKeepTheirColour) {
     Picture picture = opaquePicture();
     for (size_t pixel = 0; pixel < picture.rgba.size() / 4; ++pixel)
         picture.rgba[4 * pixel + 3] = static_cast<uint8_t>(pixel % 7 * 42);
@@ -229,7 +229,7 @@ TEST_F(PictureFile, transparentPixelsChangeTheirColour) {
     }
 }
 
-TEST_F(PictureFile, jpegShowsWhatLiesBehindTheTransparentPixels) {
+TEST_F(PictureFile, jpegShowsTheBackgroundThroughTransparentPixels) {
     Picture picture{{16, 16}, std::vector<uint8_t>(16 * 16 * 4, 0), {}};
     for (size_t pixel = 0; pixel < 256; ++pixel) {
         picture.rgba[4 * pixel] = 200;
@@ -242,7 +242,7 @@ TEST_F(PictureFile, jpegShowsWhatLiesBehindTheTransparentPixels) {
     EXPECT_EQ(read.rgba[3], 255);
 }
 
-TEST_F(PictureFile, jpegBlursAThinLine) {
+TEST_F(PictureFile, jpegKeepsAThinLineSharp) {
     Picture picture{{64, 64}, std::vector<uint8_t>(64 * 64 * 4, 255), {}};
     for (size_t y = 0; y < 64; ++y)
         for (size_t c = 1; c < 3; ++c) picture.rgba[4 * (y * 64 + 31) + c] = 0;  // a red line on white
@@ -251,7 +251,7 @@ TEST_F(PictureFile, jpegBlursAThinLine) {
     EXPECT_LT(read.rgba[4 * (20 * 64 + 30)] - read.rgba[4 * (20 * 64 + 30) + 1], 60);
 }
 
-TEST_F(PictureFile, exrLosesDepthOrTriangles) {
+TEST_F(PictureFile, exrKeepsDepthAndTriangles) {
     Picture picture = opaquePicture();
     for (size_t i = 0; i < 256 * 5; ++i) {
         picture.depth.push_back(i % 3 == 0 ? kNothing : 0.1F + static_cast<float>(i) * 1234.567F);
@@ -270,7 +270,7 @@ TEST_F(PictureFile, exrLosesDepthOrTriangles) {
     EXPECT_FALSE(keepsDepth("x.png"));
 }
 
-TEST_F(PictureFile, rowsAreUpsideDownInTheFile) {
+TEST_F(PictureFile, lowestRowOfTheFileComesFirst) {
     // A portable pixel map, written by hand: rows from the top, a red one over a blue one.
     std::ofstream(file("hand.ppm"), std::ios::binary)
         << "P6 2 2 255\n"
@@ -280,7 +280,7 @@ TEST_F(PictureFile, rowsAreUpsideDownInTheFile) {
     EXPECT_EQ(picture.rgba, (std::vector<uint8_t>{0, 0, 255, 255, 0, 0, 255, 255, 255, 0, 0, 255, 255, 0, 0, 255}));
 }
 
-TEST_F(PictureFile, unknownEndingIsWritten) {
+TEST_F(PictureFile, unknownEndingIsRefused) {
     for (const char* name : {"a.xyz", "a", "a.bmp", ".png"})
         EXPECT_THAT(refusal([&] { writePicture(file(name), opaquePicture()); }, ErrorKind::Usage),
                     HasSubstr("choose one of these endings"))
@@ -288,7 +288,7 @@ TEST_F(PictureFile, unknownEndingIsWritten) {
     EXPECT_EQ(filesWritten(), 0u);
 }
 
-TEST(ForwardDistances, nothingHasADistance) {
+TEST(ForwardDistances, depthsGiveDistancesAndNothingIsInfinitelyFar) {
     const View view({{0, 0, 0}, {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.5, 1000}, {2, 2});
     const std::vector<float> distances = forwardDistances(
         {0.0F, 1.0F, static_cast<float>(view.depthFromDistance(7.0)), static_cast<float>(view.depthFromDistance(900.0))}, view);

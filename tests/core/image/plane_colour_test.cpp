@@ -23,7 +23,7 @@ double difference(const Sight& sight, const Vec3f& a, const Vec3f& b) {
     return ciede2000(labOf(sight.seen(linearOf(Vec3(a)))), labOf(sight.seen(linearOf(Vec3(b)))));
 }
 
-TEST(PlaneColours, twoPlanesOrAPlaneAndAVerdictLookAlike) {
+TEST(PlaneColours, planesAndVerdictsAreToldApart) {
     for (const Vec3f& background : kBackgrounds) {
         const auto planes = planePalette(background);
         const auto verdicts = verdictPalette(background);
@@ -41,7 +41,7 @@ TEST(PlaneColours, twoPlanesOrAPlaneAndAVerdictLookAlike) {
     }
 }
 
-TEST(PlaneColours, linesAreLostOnTheBackground) {
+TEST(PlaneColours, linesStandOutFromTheBackground) {
     for (const Vec3f& background : kBackgrounds)
         for (const Vec3f& plane : planePalette(background)) {
             const double one = luminance(plane) + 0.05, other = luminance(background) + 0.05;
@@ -49,7 +49,7 @@ TEST(PlaneColours, linesAreLostOnTheBackground) {
         }
 }
 
-TEST(PlaneCounts, groupsAreCountedOrAnObjectIsNot) {
+TEST(PlaneCounts, objectsAreCountedAndGroupsAreNot) {
     const auto node = [](uint32_t instance, bool culled, std::optional<FrustumPlane> plane) {
         InsideNode made;
         made.instance = instance;

@@ -26,7 +26,7 @@ std::vector<uint8_t> shown(const ScenePointer& scene, const char* id, const View
     return target.readColour();
 }
 
-TEST(SphericalModelPicture, pickIsNotWhatIsShown) {
+TEST(SphericalModelPicture, pickIsWhatIsShown) {
     // Of two objects the first; a strategy with an order of its own, so that numbers are those of the mesh.
     const ScenePointer scene = sceneOf({knotMesh(4000), sphereMesh(80)}, {translation({5, 1, 2}) * scaling(Vec3(3.0))});
     const View view({{5, 1, 20}, {5, 1, 2}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
@@ -57,7 +57,7 @@ TEST(SphericalModelPicture, pickIsNotWhatIsShown) {
     EXPECT_FALSE(pickSphericalModel(*scene, DrawList{}, kSize, style, 100, 100));
 }
 
-TEST(SphericalModelPicture, showsMoreThanWasDrawn) {
+TEST(SphericalModelPicture, showsOnlyWhatWasDrawn) {
     const ScenePointer scene = sceneOf({sphereMesh(20000)});
     const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style{Vec3f(1.0f)};
@@ -75,7 +75,7 @@ TEST(SphericalModelPicture, showsMoreThanWasDrawn) {
     EXPECT_GT(covered("spherical-horizon"), 176u * 356u / 3);
 }
 
-TEST(SphericalModelPicture, overlaysAreDrawnOverIt) {
+TEST(SphericalModelPicture, overlaysAreNotDrawnOverIt) {
     const ScenePointer scene = sceneOf({knotMesh(3000)});
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style;
@@ -88,7 +88,7 @@ TEST(SphericalModelPicture, overlaysAreDrawnOverIt) {
     EXPECT_EQ(std::max(at(kBottom - 1), at(kBottom)), 255.0f * frame.x) << "the frame";
 }
 
-TEST(SphericalModelPicture, anglesHaveNoTicks) {
+TEST(SphericalModelPicture, anglesHaveTicks) {
     const ScenePointer scene = sceneOf({knotMesh(3000)});
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, {Vec3f(1.0f)});
@@ -108,7 +108,7 @@ TEST(SphericalModelPicture, anglesHaveNoTicks) {
     }
 }
 
-TEST(SphericalModelPicture, partIsTakenForTheWhole) {
+TEST(SphericalModelPicture, partIsNotTakenForTheWhole) {
     const ScenePointer scene = sceneOf({sphereMesh(2000), knotMesh(3000)});
     const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const auto whole = [&](const char* id) {

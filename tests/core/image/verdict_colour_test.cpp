@@ -151,7 +151,7 @@ std::set<int> check(const LabelledPicture& picture, const char* what) {
     return occurring;
 }
 
-TEST(Ciede2000, differsFromThePublishedPairs) {
+TEST(Ciede2000, givesThePublishedPairs) {
     // Table 1 of Sharma, Wu & Dalal 2005.
     struct Row {
         Lab first, second;
@@ -199,7 +199,7 @@ TEST(Ciede2000, differsFromThePublishedPairs) {
     }
 }
 
-TEST(VerdictColours, neighboursInAPictureOfTheFieldLookAlike) {
+TEST(VerdictColours, neighboursInAPictureOfTheFieldAreToldApart) {
     const ScenePointer scene = field(8, 2.5);
     for (const char* id : {"frustum", "backface"})
         for (const Vec3f& background : kBackgrounds) {
@@ -212,7 +212,7 @@ TEST(VerdictColours, neighboursInAPictureOfTheFieldLookAlike) {
         }
 }
 
-TEST(VerdictColours, anyTwoStatesLookAlikeBesideEachOther) {
+TEST(VerdictColours, anyTwoStatesAreToldApartBesideEachOther) {
     const ScenePointer scene = field(14, 1.4);
     const TriangleStates states = everyState(*scene);
     for (const Vec3f& background : kBackgrounds) {

@@ -72,7 +72,7 @@ ScenePointer field(int n) {
 Camera inTheField() { return {{0, .5, 4}, {.5, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100}; }
 Camera above() { return {{3, 18, 22}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 1, 100}; }
 
-TEST(ViewPicture, defaultLookDiffersFromTheRenderer) {
+TEST(ViewPicture, defaultLookIsTheRenderers) {
     const ScenePointer scene = field(6);
     const SceneBuffers buffers(scene, Upload::Vbo);
     const View view(inTheField(), {320, 240});
@@ -112,7 +112,7 @@ bool within(const Vec3f& colour, const Vec3f& of, float share) {
 
 Vec3f shaded(const PaletteEntry& entry) { return glm::min(entry.colour * entry.shade, Vec3f(1.0f)); }
 
-TEST(ViewPicture, stateHasAnotherColourOrLook) {
+TEST(ViewPicture, everyStateHasItsColourAndLook) {
     const TriangleStates states = oneOfEach();
     for (const Vec3f& background : {kLight.background, DrawStyle{}.background}) {
         const DrawStyle style{background};
@@ -146,7 +146,7 @@ TEST(ViewPicture, stateHasAnotherColourOrLook) {
     }
 }
 
-TEST(ViewPicture, drawnOnlyShowsWhatWasCulled) {
+TEST(ViewPicture, drawnOnlyHidesWhatWasCulled) {
     const TriangleStates states = oneOfEach();
     const ViewLook drawnOnly{.colouring = Colouring::Verdicts, .culledToo = false};
     const Shown look = shown(rowOfSquares(), "all", overTheRow(), overTheRow(), drawnOnly, kLight, &states);
@@ -154,7 +154,7 @@ TEST(ViewPicture, drawnOnlyShowsWhatWasCulled) {
     EXPECT_EQ(look.count(kLight.background), all - 2 * 20 * 20) << "only the two squares that were drawn";
 }
 
-TEST(ViewPicture, triangleWithoutAPixelIsNotSeen) {
+TEST(ViewPicture, wronglyCulledTriangleWithoutAPixelIsSeen) {
     // A thousandth of a pixel wide, between pixel centres.
     const ScenePointer scene = sceneOf({squareMesh(1e-4f, 0)}, {translation({0.0, 0.0, -10})});
     TriangleStates states;
@@ -173,7 +173,7 @@ TEST(ViewPicture, triangleWithoutAPixelIsNotSeen) {
     EXPECT_EQ(plain.count(kLight.background), size_t(280 * 40)) << "it covers a pixel: the test shows nothing";
 }
 
-TEST(ViewPicture, haloOfAHiddenTriangleShowsThrough) {
+TEST(ViewPicture, haloOfAHiddenTriangleDoesNotShowThrough) {
     // A marked square straight behind a larger one that is drawn.
     const ScenePointer scene = sceneOf({squareMesh(2, -10), squareMesh(.5f, -12)});
     TriangleStates states;
@@ -184,7 +184,7 @@ TEST(ViewPicture, haloOfAHiddenTriangleShowsThrough) {
     EXPECT_EQ(look.count(contrastTo(kLight.background)), 0u);
 }
 
-TEST(ViewPicture, observerColoursByTheViewingCamera) {
+TEST(ViewPicture, observerColoursByTheCullingCamera) {
     // Without truth: what lies outside the culling camera's frustum is a wireframe, wherever the observer stands.
     const ScenePointer scene = field(6);
     const View culling(inTheField(), {320, 240});
@@ -208,7 +208,7 @@ TEST(ViewPicture, observerColoursByTheViewingCamera) {
     EXPECT_LT(culled, 31u);
 }
 
-TEST(ViewPicture, boxOfAnObjectIsMissing) {
+TEST(ViewPicture, everyObjectHasItsBox) {
     const ScenePointer scene = field(45);
     const View culling(inTheField(), {320, 240});
     Camera camera = above();
@@ -236,7 +236,7 @@ TEST(ViewPicture, boxOfAnObjectIsMissing) {
     EXPECT_LT(culled, 2025u);
 }
 
-TEST(ViewPicture, boxOfAGroupIsMissing) {
+TEST(ViewPicture, testedGroupsHaveTheirBoxes) {
     const ScenePointer scene = field(20);
     const View culling(inTheField(), {320, 240});
     Camera camera = above();
@@ -268,7 +268,7 @@ TEST(ViewPicture, boxOfAGroupIsMissing) {
     EXPECT_GT(seen[1], 3);
 }
 
-TEST(ViewPicture, frustumIsNotWhereTheCameraLooks) {
+TEST(ViewPicture, frustumIsWhereTheCameraLooks) {
     // A scene of one small sphere, so that nothing hides the lines; the far plane is cut to it.
     const ScenePointer scene = sceneOf({sphereMesh(80)}, {translation({0, 0, -8}) * scaling(Vec3(.2))});
     Camera camera = downMinusZ();
@@ -297,7 +297,7 @@ TEST(ViewPicture, frustumIsNotWhereTheCameraLooks) {
 }
 
 /// Numbers are multiples of 2^-20, so that moving everything loses nothing.
-TEST(ViewPicture, farFromTheOriginStatesOrLinesDiffer) {
+TEST(ViewPicture, farFromTheOriginStatesAndLinesAreTheSame) {
     const Vec3 moved(1e7, -1e7, 1e7);
     const TriangleStates states = oneOfEach();
     const ViewLook look{.colouring = Colouring::Verdicts, .boxes = true};
@@ -327,14 +327,14 @@ TEST(ViewPicture, farFromTheOriginStatesOrLinesDiffer) {
     EXPECT_LE(differing(near, observed(moved)), 320u * 240u / 200u);
 }
 
-TEST(ViewPicture, traceIsReadThoughNotNeeded) {
+TEST(ViewPicture, traceIsNeededForVerdictsAndBoxes) {
     EXPECT_FALSE(needsTrace({}));
     EXPECT_FALSE(needsTrace({.frustum = true}));
     EXPECT_TRUE(needsTrace({.colouring = Colouring::Verdicts}));
     EXPECT_TRUE(needsTrace({.boxes = true}));
 }
 
-TEST(VerdictPalette, backgroundChoosesTheWrongColours) {
+TEST(VerdictPalette, backgroundChoosesTheColours) {
     const auto light = verdictPalette(Vec3f(1.0f));
     const auto dark = verdictPalette(DrawStyle{}.background);
     EXPECT_EQ(light[0].colour, Vec3f(0x1F, 0xC3, 0xE3) / 255.0f);

@@ -37,7 +37,7 @@ Reference someReference() {
 
 const DrawList kAllFour{Facing::TwoSided, {{0, 0, 6}, {1, 0, 6}}};
 
-TEST(Compare, equalPicturesDiffer) {
+TEST(Compare, equalPicturesMissNothing) {
     const Reference reference = someReference();
     const Accuracy accuracy = compare(reference, reference.depth, kAllFour, *fourTriangles());
     EXPECT_EQ(accuracy.coveredPixels, 8u);
@@ -52,7 +52,7 @@ TEST(Compare, equalPicturesDiffer) {
     EXPECT_EQ(accuracy.needlesslyDrawnShare(), 0.25);
 }
 
-TEST(Compare, missedAndExtraPixelsAreMixedUp) {
+TEST(Compare, missedAndExtraPixelsAreToldApart) {
     const Reference reference = someReference();
     std::vector<float> depth = reference.depth;
     depth[0] = 0.0f;                              // nothing where a surface is: missed
@@ -68,7 +68,7 @@ TEST(Compare, missedAndExtraPixelsAreMixedUp) {
     EXPECT_EQ(missedMask(reference, depth), (std::vector<uint8_t>{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}));
 }
 
-TEST(Compare, holeGrowsAcrossACornerOrAroundTheRowsEnd) {
+TEST(Compare, holeGrowsNeitherAcrossACornerNorAroundTheRowsEnd) {
     Reference reference = handMade(std::vector<float>(12, .5f), std::vector<uint32_t>(12, 1));
     const auto hole = [&](std::vector<size_t> missing) {
         std::vector<float> depth = reference.depth;
@@ -85,7 +85,7 @@ TEST(Compare, holeGrowsAcrossACornerOrAroundTheRowsEnd) {
     EXPECT_EQ(hole(everything), 12u);
 }
 
-TEST(Compare, triangleOutsideTheListCountsAsDrawn) {
+TEST(Compare, onlyTrianglesOfTheListCountAsDrawn) {
     const Reference reference = someReference();  // sees 0, 1 and 2
     const auto counts = [&](std::vector<DrawRange> ranges) {
         const Accuracy accuracy = compare(reference, reference.depth, {Facing::TwoSided, std::move(ranges)}, *fourTriangles());
@@ -101,7 +101,7 @@ TEST(Compare, triangleOutsideTheListCountsAsDrawn) {
     EXPECT_EQ(counts({{0, 0, 0}, {1, 3, 0}}), (Counts{0, 3, 0})) << "an empty range draws nothing";
 }
 
-TEST(Compare, emptyReferenceDividesByZero) {
+TEST(Compare, emptyReferenceHasRatesOfZero) {
     const Reference reference = handMade(std::vector<float>(12, 0.0f), std::vector<uint32_t>(12, 0));
     const Accuracy accuracy = compare(reference, reference.depth, {}, *fourTriangles());
     EXPECT_EQ(accuracy.missedPixelRate(), 0.0);
@@ -115,7 +115,7 @@ ScenePointer threeBodies() {
                    {translation({-2.5, 0, 0}), translation({2, 0, 0}), translation({0, 0, -5}), translation({50, 0, 0})});
 }
 
-TEST(Accuracy, conservativeStrategyMissesAPixel) {
+TEST(Accuracy, conservativeStrategiesMissNoPixel) {
     const ScenePointer scene = threeBodies();
     const SceneBuffers buffers(scene, Upload::Vbo);
     size_t conservative = 0;
@@ -137,7 +137,7 @@ TEST(Accuracy, conservativeStrategyMissesAPixel) {
     EXPECT_GE(conservative, 3u);
 }
 
-TEST(Accuracy, removedObjectIsMiscounted) {
+TEST(Accuracy, removedObjectIsCountedExactly) {
     const ScenePointer scene = threeBodies();
     const SceneBuffers buffers(scene, Upload::Vbo);
     const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), Facing::TwoSided);
@@ -169,7 +169,7 @@ TEST(Accuracy, removedObjectIsMiscounted) {
     }
 }
 
-TEST(MissedBeyondSnapping, edgePixelCountsOrInnerPixelDoesNot) {
+TEST(MissedBeyondSnapping, innerPixelsCountAndEdgePixelsDoNot) {
     // A square from (−1, −1) to (1, 1), 64 × 64 pixels of 1/32 each: its diagonal runs through pixel centres, its middle
     // triangles do not.
     const ScenePointer scene = sceneOf({squareMesh(1, -1)});
@@ -188,7 +188,7 @@ TEST(MissedBeyondSnapping, edgePixelCountsOrInnerPixelDoesNot) {
     EXPECT_EQ(missedBeyondSnapping(reference, std::vector<float>(64 * 64, 0.0f), *scene, view), 64u * 64u - 64u);
 }
 
-TEST(MissedBeyondSnapping, backFaceCullingLosesASurfaceOfAClosedMesh) {
+TEST(MissedBeyondSnapping, backFaceCullingLosesNoSurfaceOfAClosedMesh) {
     for (const MeshPointer& mesh : {knotMesh(20000), torusMesh(20000), starMesh(7, 20000), sphereMesh(50000)}) {
         const ScenePointer scene = sceneOf({mesh});
         const SceneBuffers buffers(scene, Upload::Vbo);

@@ -18,7 +18,7 @@ constexpr Viewport kSize{40, 30};
 
 ScenePointer emptyScene() { return withoutInstances(sceneOf({boxMesh(Vec3f(0), Vec3f(1)), squareMesh(1, 0)}), {true, true}); }
 
-TEST(EmptyScene, strategySubmitsOrLosesSomething) {
+TEST(EmptyScene, strategiesSubmitAndLoseNothing) {
     const ScenePointer scene = emptyScene();
     const SceneBuffers buffers(scene, Upload::Vbo);
     const View view(overviewCamera(*scene, 4.0 / 3), kSize);
@@ -38,13 +38,13 @@ TEST(EmptyScene, strategySubmitsOrLosesSomething) {
     }
 }
 
-TEST(EmptyScene, rayHitsSomething) {
+TEST(EmptyScene, raysHitNothing) {
     const ScenePointer scene = emptyScene();
     const View view(overviewCamera(*scene, 4.0 / 3), kSize);
     for (const Facing facing : {Facing::TwoSided, Facing::Front}) EXPECT_EQ(rayReference(*scene, view, facing).coveredPixels, 0u);
 }
 
-TEST(EmptyScene, measurementDividesByNothing) {
+TEST(EmptyScene, measurementIsRefused) {
     MeasureRequest request;
     request.scene = emptyScene();
     request.strategies = {{"all", ParameterSet(findStrategy("all").info.parameters)}};

@@ -123,7 +123,7 @@ private:
     std::array<Tally, kContestants.size()> m_tallies;
 };
 
-TEST(FrustumPicture, meshAwayFromTheZeroOfItsCoordinatesIsCulledThoughItsFloatsShow) {
+TEST(FrustumPicture, meshAwayFromTheZeroOfItsCoordinatesIsDrawnWhereItsFloatsShow) {
     // An object of a thousandth at 3.8 from its mesh's zero, seen from a thousandth away: floats put it before the far plane.
     FrustumPicture property;
     property.run(5180, 5184);
@@ -156,7 +156,7 @@ View farPlaneJustBefore(const Scene& scene, Random& random) {
     return {{nearest + Vec3(0, 0, 3), nearest, Vec3(0, 1, 0), Angle::fromDegrees(0.01), 0.1, distance}, {64, 64}};
 }
 
-TEST(FrustumPicture, meshTurnedFlattenedAndTurnedFarFromItsZeroIsCulledThoughItsFloatsShow) {
+TEST(FrustumPicture, meshTurnedFlattenedAndTurnedFarFromItsZeroIsDrawnWhereItsFloatsShow) {
     // The products that cancel in the vertices' sums are rounded all the same.
     uint64_t shown = 0;
     for (const double thickness : {1e-2, 1e-3}) {
@@ -178,7 +178,7 @@ TEST(FrustumPicture, meshTurnedFlattenedAndTurnedFarFromItsZeroIsCulledThoughIts
     EXPECT_GT(shown, 20u);
 }
 
-TEST(FrustumPicture, pixelOfACulledObjectMissing) {
+TEST(FrustumPicture, noPixelOfACulledObjectIsMissing) {
     FrustumPicture property;
     property.run(0, longMode() ? kAllViews : kSample);
     for (size_t i = 0; i < kContestants.size(); ++i) {

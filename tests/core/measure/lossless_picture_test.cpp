@@ -138,7 +138,7 @@ std::string wordsOf(const Strategy& strategy, const char* mesh, uint64_t seed) {
            " layout " + strategy.parameters().choice("layout") + " level " + toText(strategy.parameters().value("level"));
 }
 
-TEST(LosslessPicture, aMeshLostAPixel) {
+TEST(LosslessPicture, noMeshLosesAPixel) {
     LosslessProperty property;
     const std::vector<NamedMesh> meshes = losslessMeshes(longMode());
     const uint64_t views = longMode() ? kAllViews : kSample;
@@ -238,7 +238,7 @@ std::vector<BatteryCase> batteryCases() {
          {from({0, 0.5, 6}, 40), from({1, 5, 2}, 40)}}};
 }
 
-TEST(LosslessPicture, caseOfTheBatteryLostAPixel) {
+TEST(LosslessPicture, noCaseOfTheBatteryLosesAPixel) {
     for (const BatteryCase& each : batteryCases())
         for (const char* layout : {"octahedral", "latitude-longitude"})
             for (const char* facing : {"auto", "two-sided"}) {
@@ -249,22 +249,27 @@ TEST(LosslessPicture, caseOfTheBatteryLostAPixel) {
             }
 }
 
-TEST(LosslessPicture, sceneOfManyObjectsLostAPixel) {
+void expectNothingLostOf(const ScenePointer& scene) {
+    std::vector<Camera> cameras;
+    for (const char* name : {"walk:6", "fibonacci:4"}) {
+        const CameraPath path = cameraPath(name, *scene);
+        for (size_t pose = 0; pose < path.poses.size(); ++pose) cameras.push_back(path.camera(pose));
+    }
+    uint64_t covered = 0;
+    EXPECT_EQ(missedOf(scene, cameras, {240, 180}, {}, covered), 0u) << scene->name();
+    EXPECT_GT(covered, 10'000u);
+}
+
+TEST(LosslessPicture, fieldOfManyObjectsLosesNoPixel) {
     std::vector<Mat4> field;
     for (int i = 0; i < 400; ++i) field.push_back(translation({2.5 * (i % 20 - 9.5), 0.0, 2.5 * (i / 20 - 9.5)}));
-    std::vector<ScenePointer> scenes{copiesOf(bumpyMesh(4, longMode() ? 5'000 : 1'500, 0.3), field)};
+    expectNothingLostOf(copiesOf(bumpyMesh(4, longMode() ? 5'000 : 1'500, 0.3), field));
+}
+
+TEST(LosslessPicture, castleOfManyObjectsLosesNoPixel) {
     const std::string castle = CULLSCOPE_SOURCE_DIR "/../shared/models/scenes/intel-castle-occluders-114obj.obj";
-    if (std::filesystem::exists(castle)) scenes.push_back(openScene(castle).scene);
-    for (const ScenePointer& scene : scenes) {
-        std::vector<Camera> cameras;
-        for (const char* name : {"walk:6", "fibonacci:4"}) {
-            const CameraPath path = cameraPath(name, *scene);
-            for (size_t pose = 0; pose < path.poses.size(); ++pose) cameras.push_back(path.camera(pose));
-        }
-        uint64_t covered = 0;
-        EXPECT_EQ(missedOf(scene, cameras, {240, 180}, {}, covered), 0u) << scene->name();
-        EXPECT_GT(covered, 10'000u);
-    }
+    if (!std::filesystem::exists(castle)) GTEST_SKIP() << "The castle is missing in ../shared/models/scenes.";
+    expectNothingLostOf(openScene(castle).scene);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 namespace cullscope::test {
 namespace {
 
-TEST(Measure, fieldsDoNotFitTogether) {
+TEST(Measure, fieldsFitTogether) {
     MeasureRequest experiment = smallExperiment({"all", "frustum", "backface"});
     const MeasureResult result = measure(experiment);
     EXPECT_FALSE(result.interrupted);
@@ -48,14 +48,14 @@ TEST(Measure, fieldsDoNotFitTogether) {
     EXPECT_EQ(result.runs[2].summary.speedupVsBackface, 1.0);
 }
 
-TEST(Measure, baselineIsMissingWhereNobodyAskedForIt) {
+TEST(Measure, baselinesRunAlongUnasked) {
     const MeasureResult result = measure(smallExperiment({"frustum"}));
     ASSERT_EQ(result.runs.size(), 1u) << "baselines run along, but are not reported";
     EXPECT_GT(result.runs[0].summary.speedupVsAll, 0.0);
     EXPECT_GT(result.runs[0].summary.speedupVsBackface, 0.0);
 }
 
-TEST(Measure, accuracyIsMeasuredThoughNobodyAskedForIt) {
+TEST(Measure, accuracyIsNotMeasuredWhereItIsOff) {
     MeasureRequest experiment = smallExperiment({"all"});
     experiment.accuracy = false;
     const MeasureResult result = measure(experiment);
@@ -64,7 +64,7 @@ TEST(Measure, accuracyIsMeasuredThoughNobodyAskedForIt) {
     EXPECT_FALSE(result.runs[0].promiseBroken());
 }
 
-TEST(Measure, stopLosesWhatWasMeasured) {
+TEST(Measure, stopKeepsWhatWasMeasured) {
     // Stopped from the progress report of the third pose: two whole poses stay.
     std::stop_source source;
     Progress progress;
@@ -85,7 +85,7 @@ TEST(Measure, stopLosesWhatWasMeasured) {
     }
 }
 
-TEST(Measure, resultSoFarLacksAPoseOrASummary) {
+TEST(Measure, resultSoFarHasEveryPoseAndASummary) {
     size_t calls = 0;
     const MeasureResult result = measure(smallExperiment({"frustum", "all"}), {}, [&](const auto& resultSoFar) {
         const MeasureResult partial = resultSoFar();
@@ -103,7 +103,7 @@ TEST(Measure, resultSoFarLacksAPoseOrASummary) {
     EXPECT_FALSE(result.interrupted);
 }
 
-TEST(Measure, stopAfterTheLastPoseCountsAsInterrupted) {
+TEST(Measure, stopAfterTheLastPoseDoesNotCountAsInterrupted) {
     std::stop_source source;
     Progress progress;
     progress.stop = source.get_token();
@@ -115,7 +115,7 @@ TEST(Measure, stopAfterTheLastPoseCountsAsInterrupted) {
     EXPECT_EQ(result.runs[0].frames.size(), 3u);
 }
 
-TEST(Measure, stopBeforeTheFirstPoseCrashes) {
+TEST(Measure, stopBeforeTheFirstPoseGivesRunsWithoutFrames) {
     std::stop_source source;
     source.request_stop();
     Progress progress;
@@ -126,7 +126,7 @@ TEST(Measure, stopBeforeTheFirstPoseCrashes) {
     EXPECT_TRUE(result.runs[0].frames.empty());
 }
 
-TEST(Measure, nothingToMeasureIsMeasured) {
+TEST(Measure, nothingToMeasureIsRefused) {
     MeasureRequest noStrategies = smallExperiment({});
     EXPECT_THROW((void)measure(noStrategies), Error);
     MeasureRequest noPoses = smallExperiment({"all"});
@@ -137,7 +137,7 @@ TEST(Measure, nothingToMeasureIsMeasured) {
     EXPECT_THROW((void)measure(noTriangles), Error);
 }
 
-TEST(Measure, windowsOrRepetitionsAreIgnored) {
+TEST(Measure, windowsAndRepetitionsAreHeeded) {
     MeasureRequest experiment = smallExperiment({"all"});
     experiment.timing.fixedRepetitions = 0;
     experiment.timing.leastRepetitions = 3;
@@ -151,7 +151,7 @@ TEST(Measure, windowsOrRepetitionsAreIgnored) {
     }
 }
 
-TEST(Measure, fewRepetitionsCrash) {
+TEST(Measure, fewRepetitionsAreEnough) {
     MeasureRequest experiment = smallExperiment({"all"});
     experiment.timing.fixedRepetitions = 0;
     experiment.timing.leastRepetitions = 1;
@@ -159,7 +159,7 @@ TEST(Measure, fewRepetitionsCrash) {
     EXPECT_EQ(measure(experiment).runs[0].frames.size(), 3u);
 }
 
-TEST(RunMeasurement, brokenPromiseIsHidden) {
+TEST(RunMeasurement, brokenPromiseIsTold) {
     RunMeasurement run;
     run.promise = Promise::Conservative;
     run.frames.resize(2);

@@ -128,21 +128,21 @@ void compareAround(const std::string& name, const ScenePointer& scene, size_t vi
     comparison.print();
 }
 
-TEST(ReferenceAgreement, solids) {
+TEST(ReferenceAgreement, holdsForSolids) {
     compareAround("knot", sceneOf({knotMesh(20000)}), 3, 40);
     compareAround("torus", sceneOf({torusMesh(5000)}), 3, 40);
     compareAround("star", sceneOf({starMesh(7, 10000)}), 3, 40);
     compareAround("sphere-fine", sceneOf({sphereMesh(200000)}), 1, 10);
 }
 
-TEST(ReferenceAgreement, teapot) { compareAround("teapot", sceneOf({teapotMesh(20000)}), 3, 40); }
+TEST(ReferenceAgreement, holdsForTheTeapot) { compareAround("teapot", sceneOf({teapotMesh(20000)}), 3, 40); }
 
-TEST(ReferenceAgreement, bunny) {
+TEST(ReferenceAgreement, holdsForTheBunny) {
     ASSERT_TRUE(findBunny({}).has_value()) << "glmark2-data is in packaging/packages.txt and not installed";
     compareAround("bunny", openScene("bunny").scene, 3, 40);
 }
 
-TEST(ReferenceAgreement, mirroredAndFlattenedInstances) {
+TEST(ReferenceAgreement, holdsForMirroredAndFlattenedInstances) {
     compareAround("instances",
                   sceneOf({starMesh(7, 3000), knotMesh(3000), torusMesh(2000), teapotMesh(3000)},
                           {scaling({-1, 1, 1}), translation({2.5, 0, 0}) * scaling({1, 1, .1}),
@@ -161,9 +161,9 @@ ScenePointer boxField() {
     return sceneOf(std::move(boxes));
 }
 
-TEST(ReferenceAgreement, fieldOfBoxesThatCutEachOther) { compareAround("boxes", boxField(), 4, 40); }
+TEST(ReferenceAgreement, holdsForAFieldOfBoxesThatCutEachOther) { compareAround("boxes", boxField(), 4, 40); }
 
-TEST(ReferenceAgreement, surfacesCutByTheNearPlane) {
+TEST(ReferenceAgreement, holdsForSurfacesCutByTheNearPlane) {
     // From within: the eye near or inside objects, the near plane through some of them.
     for (const auto& [name, scene] :
          {std::pair<const char*, ScenePointer>{"boxes-within", boxField()}, {"knot-within", sceneOf({knotMesh(20000)})}}) {
@@ -183,7 +183,7 @@ TEST(ReferenceAgreement, surfacesCutByTheNearPlane) {
     }
 }
 
-TEST(ReferenceAgreement, farFromTheOrigin) {
+TEST(ReferenceAgreement, holdsFarFromTheOrigin) {
     const Vec3 far(1e7, -1e7, 1e7);
     compareAround("far-by-transform",
                   sceneOf({knotMesh(5000), starMesh(7, 3000)}, {translation(far), translation(far + Vec3(2, 0, 1))}), 2, 20);
@@ -191,14 +191,14 @@ TEST(ReferenceAgreement, farFromTheOrigin) {
                   sceneOf({withOrigin(*knotMesh(5000), far), withOrigin(*starMesh(7, 3000), far + Vec3(2, 0, 1))}), 2, 20);
 }
 
-TEST(ReferenceAgreement, tinyAndHugeScenes) {
+TEST(ReferenceAgreement, holdsForTinyAndHugeScenes) {
     // Case 20: nothing is lost at either scale alone.
     for (const double scale : {1e-18, 1e-6, 1e6, 1e18})
         compareAround("scale-" + std::to_string(int(std::round(std::log10(scale)))),
                       sceneOf({knotMesh(5000)}, {scaling(Vec3(scale))}), 1, 10);
 }
 
-TEST(RayReference, stopIsNotAnswered) {
+TEST(RayReference, stopIsAnswered) {
     std::stop_source source;
     source.request_stop();
     Progress progress;
@@ -207,7 +207,7 @@ TEST(RayReference, stopIsNotAnswered) {
     EXPECT_ANY_THROW((void)rayReference(*scene, View({Vec3(0.0), {0, 0, -1}}, kSize), Facing::TwoSided, progress));
 }
 
-TEST(RayReference, emptySceneHasSurfaces) {
+TEST(RayReference, emptySceneHasNoSurfaces) {
     const Scene scene("empty", {}, {});
     const RayReference rays = rayReference(scene, View({Vec3(0.0), {0, 0, -1}}, kSize), Facing::Front);
     EXPECT_EQ(rays.coveredPixels, 0u);

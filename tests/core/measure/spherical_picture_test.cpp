@@ -125,7 +125,7 @@ private:
     Tally m_tally;
 };
 
-TEST(SphericalPicture, horizonLostAPixelOfAStarShapedMesh) {
+TEST(SphericalPicture, horizonLosesNoPixelOfAStarShapedMesh) {
     HorizonPicture property;
     property.run(longMode() ? kAllViews : kSample);
     const Tally& t = property.tally();
@@ -160,7 +160,7 @@ Camera from(const Vec3& eye, double fovy, const Vec3& up = {0, 1, 0.1}) {
     return {eye, Vec3(0.0), up, Angle::fromDegrees(fovy), 0.1, 1000};
 }
 
-TEST(SphericalPicture, knownLossesOfSAndSlopeChanged) {
+TEST(SphericalPicture, knownLossesOfSAndSlopeAreUnchanged) {
     // Case 16: a torus (1, 0.25) whose axis is tilted by 60° from the sight line, far away, and a thick bowl seen into its
     // opening. These are expected losses, written down so that a change of them is noticed.
     const ScenePointer torus = sceneOf({torusMesh(40'000)}, {rotation({1, 0, 0}, std::numbers::pi / 6)});
@@ -175,7 +175,7 @@ TEST(SphericalPicture, knownLossesOfSAndSlopeChanged) {
     EXPECT_GT(bowlBySlope, 0.2);
 }
 
-TEST(SphericalPicture, lossAtHighLatitudesIsNotSeen) {
+TEST(SphericalPicture, lossAtHighLatitudesIsOfSphericalAlone) {
     // Case 12 in pixels: `spherical` shows its loss, spherical-horizon none.
     const ScenePointer scene = sceneOf({sphereMesh(40'000)});
     const auto at = [](double degrees) {
@@ -188,7 +188,7 @@ TEST(SphericalPicture, lossAtHighLatitudesIsNotSeen) {
         EXPECT_EQ(lossOver("spherical-horizon", scene, {at(latitude)}), 0.0) << latitude;
 }
 
-TEST(SphericalPicture, pathsDoNotShowThePapersCases) {
+TEST(SphericalPicture, pathsShowThePapersCases) {
     const std::string file = CULLSCOPE_SOURCE_DIR "/../shared/models/bunny.obj";
     // Where the bunny is not at hand a body of its proportions stands in.
     const bool bunny = std::filesystem::exists(file);

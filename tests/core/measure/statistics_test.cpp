@@ -4,7 +4,7 @@
 namespace cullscope {
 namespace {
 
-TEST(Quantile, rankIsOffByOne) {
+TEST(Quantile, interpolatesBetweenRanks) {
     EXPECT_EQ(quantile({}, 0.5), 0.0);
     EXPECT_EQ(quantile({7}, 0.0), 7.0);
     EXPECT_EQ(quantile({7}, 1.0), 7.0);
@@ -16,7 +16,7 @@ TEST(Quantile, rankIsOffByOne) {
     EXPECT_DOUBLE_EQ(quantile({0, 10}, 0.95), 9.5);
 }
 
-TEST(BootstrapMean, intervalMissesTheMean) {
+TEST(BootstrapMean, meanAndIntervalAreThoseOfTheory) {
     EXPECT_EQ(bootstrapMean({}).mean, 0.0);
     const RatioEstimate constant = bootstrapMean({2, 2, 2, 2});
     EXPECT_EQ(constant.mean, 2.0);

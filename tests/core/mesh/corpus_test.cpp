@@ -11,9 +11,6 @@ constexpr unsigned kSecondsForAFile = 20;
 const std::filesystem::path kOwnCorpus = CULLSCOPE_SOURCE_DIR "/tests/core/mesh/data";
 const std::filesystem::path kSharedCorpus = CULLSCOPE_SOURCE_DIR "/../shared/malformed";
 
-/// The collected files of other projects where they are at hand, else the project's own few.
-std::filesystem::path corpus() { return std::filesystem::is_directory(kSharedCorpus) ? kSharedCorpus : kOwnCorpus; }
-
 std::vector<std::filesystem::path> filesUnder(const std::filesystem::path& folder) {
     std::vector<std::filesystem::path> files;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
@@ -34,7 +31,10 @@ void expectEachLoadsOrIsRefused(const std::filesystem::path& folder, size_t atLe
 
 TEST(MalformedFiles, ownCorpusLoadsOrIsRefused) { expectEachLoadsOrIsRefused(kOwnCorpus, 6); }
 
-TEST(MalformedFiles, collectedCorpusLoadsOrIsRefused) { expectEachLoadsOrIsRefused(corpus(), 6); }
+TEST(MalformedFiles, collectedCorpusLoadsOrIsRefused) {
+    if (!std::filesystem::is_directory(kSharedCorpus)) GTEST_SKIP() << "The collected files, ../shared/malformed, are missing.";
+    expectEachLoadsOrIsRefused(kSharedCorpus, 6);
+}
 
 }  // namespace
 }  // namespace cullscope::test

@@ -83,7 +83,7 @@ Progress stopped() {
     return progress;
 }
 
-TEST(Components, fallApartOtherwiseThanByPosition) {
+TEST(Components, fallApartByPosition) {
     const MeshPointer sphere = sphereMesh(500);
     const MeshPointer torus = torusMesh(2000);
     const std::vector<MeshPointer> bodies{sphere, moved(torus, {3, 0, 0}), moved(sphere, {6, 0, 0})};
@@ -101,7 +101,7 @@ TEST(Components, fallApartOtherwiseThanByPosition) {
     }
 }
 
-TEST(Components, meshOfOnePartIsCopied) {
+TEST(Components, meshOfOnePartIsNotCopied) {
     const MeshPointer knot = knotMesh(1000);
     EXPECT_EQ(components(knot), std::vector<MeshPointer>{knot});
     EXPECT_EQ(clusters(knot, knot->triangleCount()), std::vector<MeshPointer>{knot});
@@ -110,14 +110,14 @@ TEST(Components, meshOfOnePartIsCopied) {
     EXPECT_EQ(clusters(nothing, 10), std::vector<MeshPointer>{nothing});
 }
 
-TEST(Components, touchingInACornerOrAMinusZeroFallApart) {
+TEST(Components, holdTogetherByACornerAndAMinusZero) {
     TriangleMesh::Data data;
     data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {-0.0F, 1, 0}, {-1, 1, 0}, {-1, 2, 0}, {5, 5, 5}, {6, 5, 5}, {5, 6, 5}};
     data.indices = {0, 1, 2, 3, 4, 5, 6, 7, 8};
     EXPECT_EQ(components(std::make_shared<TriangleMesh>(std::move(data))).size(), 2u);
 }
 
-TEST(Clusters, areTooLargeTooManyOrNotCompact) {
+TEST(Clusters, areAsFewAsCanBeAndOfLikeSizeAndCompact) {
     for (const MeshPointer& mesh : {knotMesh(4000), joined({starMesh(3, 3000), torusMesh(777)}, true)})
         for (const size_t most : {size_t{1}, size_t{7}, size_t{100}, size_t{999}, mesh->triangleCount() - 1}) {
             const std::vector<MeshPointer> parts = clusters(mesh, most);
@@ -136,7 +136,7 @@ TEST(Clusters, areTooLargeTooManyOrNotCompact) {
         EXPECT_LT(part->localBounds().diagonal(), 1.4) << part->name() << " of a sphere of diameter 2";
 }
 
-TEST(Clusters, differBetweenRunsOrWhereCentroidsAreEqual) {
+TEST(Clusters, areTheSameInEveryRunAndDivideEqualCentroids) {
     TriangleMesh::Data data;
     data.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     for (int i = 0; i < 100; ++i) data.indices.insert(data.indices.end(), {0, 1, 2});
@@ -149,7 +149,7 @@ TEST(Clusters, differBetweenRunsOrWhereCentroidsAreEqual) {
     for (size_t i = 0; i < once.size(); ++i) EXPECT_EQ(trianglesOf(*once[i]), trianglesOf(*again[i]));
 }
 
-TEST(Split, makesMorePartsThanAScenesObjects) {
+TEST(Split, morePartsThanASceneMayHaveAreRefused) {
     const MeshPointer mesh = sphereMesh(200'000);
     try {
         (void)clusters(mesh, 1);
@@ -160,7 +160,7 @@ TEST(Split, makesMorePartsThanAScenesObjects) {
     }
 }
 
-TEST(Split, stopIsNotAnswered) {
+TEST(Split, stopIsAnswered) {
     const MeshPointer mesh = sphereMesh(20'000);
     for (const auto& split : {std::function([&] { (void)components(mesh, stopped()); }),
                               std::function([&] { (void)clusters(mesh, 100, stopped()); })})
@@ -172,7 +172,7 @@ TEST(Split, stopIsNotAnswered) {
         }
 }
 
-TEST(Split, progressGoesBackOrBeyondTheEnd) {
+TEST(Split, progressNeverGoesBackOrBeyondTheEnd) {
     const MeshPointer mesh = sphereMesh(20'000);
     for (const bool byClusters : {false, true}) {
         double last = 0.0;

@@ -84,7 +84,7 @@ TEST(Normals, surviveTheSmallestAndLargestScales) {
     }
 }
 
-TEST(Normals, largeMeshesGetTheNormalsThatTheirPartsWouldGet) {
+TEST(Normals, ofALargeSphereAreItsDirections) {
     const MeshPointer sphere = sphereMesh(500'000);  // in parallel
     const std::vector<Vec3f> normals = areaWeightedNormals(sphere->positions(), sphere->indices());
     for (size_t i = 0; i < normals.size(); i += 97)

@@ -35,7 +35,7 @@ std::vector<uint32_t> shuffled(std::span<const uint32_t> indices) {
     return result;
 }
 
-TEST(VertexCache, orderLosesOrTurnsATriangleOrIsNoBetter) {
+TEST(VertexCache, orderKeepsEveryTriangleAndIsBetter) {
     const MeshPointer mesh = sphereMesh(20'000);
     const std::vector<uint32_t> bad = shuffled(mesh->indices());
     const std::vector<uint32_t> good = inVertexCacheOrder(bad, mesh->vertexCount());
@@ -44,7 +44,7 @@ TEST(VertexCache, orderLosesOrTurnsATriangleOrIsNoBetter) {
     EXPECT_LT(verticesPerTriangle(good, mesh->vertexCount()), 0.9);
 }
 
-TEST(VertexCache, goodOrderIsMadeWorse) {
+TEST(VertexCache, goodOrderIsNotMadeWorse) {
     const MeshPointer mesh = sphereMesh(20'000);
     const std::vector<uint32_t> good = inVertexCacheOrder(mesh->indices(), mesh->vertexCount());
     EXPECT_LE(verticesPerTriangle(good, mesh->vertexCount()), verticesPerTriangle(mesh->indices(), mesh->vertexCount()));
@@ -52,7 +52,7 @@ TEST(VertexCache, goodOrderIsMadeWorse) {
               verticesPerTriangle(good, mesh->vertexCount()));
 }
 
-TEST(VertexCache, fanOfAMillionTrianglesTakesForEver) {
+TEST(VertexCache, fanOfAMillionTrianglesIsOrderedInTime) {
     // Forsyth's order weighs all triangles at a vertex anew for each of them.
     std::vector<uint32_t> fan;
     for (uint32_t i = 1; i <= 1'000'000; ++i) fan.insert(fan.end(), {0, i, i + 1});
@@ -63,7 +63,7 @@ TEST(VertexCache, fanOfAMillionTrianglesTakesForEver) {
     EXPECT_EQ(inVertexCacheOrder(fan, 1'000'002), fan);
 }
 
-TEST(VertexCache, nothingIsOrdered) {
+TEST(VertexCache, emptyOrderStaysEmpty) {
     EXPECT_TRUE(inVertexCacheOrder({}, 0).empty());
     EXPECT_EQ(verticesPerTriangle({}, 0), 0.0);
 }

@@ -45,7 +45,7 @@ std::string refusal(const std::string& content) {
     return {};
 }
 
-TEST(CameraPathFile, roundTripLosesSomething) {
+TEST(CameraPathFile, roundTripLosesNothing) {
     CameraPath path;
     path.fovy = Angle::fromDegrees(37.123456789012345);
     path.nearDistance = 1e-6;
@@ -65,7 +65,7 @@ TEST(CameraPathFile, roundTripLosesSomething) {
     }
 }
 
-TEST(CameraPathFile, sentenceDoesNotNameTheField) {
+TEST(CameraPathFile, refusalNamesTheField) {
     const std::string pose = R"({"eye": [0,0,3], "target": [0,0,0], "up": [0,1,0]})";
     EXPECT_EQ(refusal(R"({"poses": [)" + pose + "]}"), "");
     EXPECT_THAT(refusal(R"({"poses": [)" + pose), testing::HasSubstr("not JSON"));
@@ -89,7 +89,7 @@ TEST(CameraPathFile, sentenceDoesNotNameTheField) {
     EXPECT_THAT(refusal(R"({"fovy_deg": 180, "poses": [)" + pose + "]}"), testing::HasSubstr("field of view"));
 }
 
-TEST(CameraPath, unknownNameIsTaken) {
+TEST(CameraPath, unknownOrMalformedNameIsRefused) {
     const ScenePointer scene = sceneOf({squareMesh(1, 0)});
     for (const char* name : {"orbi:4", "case-4", "case-0", "/no/such/path.json", ""}) {
         try {
@@ -105,7 +105,7 @@ TEST(CameraPath, unknownNameIsTaken) {
     EXPECT_EQ(cameraPath("walk", *scene).poses.size(), 16u);
 }
 
-TEST(CameraPath, builtInPathMakesNoPictureOfSomeScene) {
+TEST(CameraPath, builtInPathsMakePicturesOfEveryScene) {
     const MeshPointer point = meshOf({{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, {0, 1, 2});
     const std::vector<ScenePointer> scenes{sceneOf({sphereMesh(80)}),
                                            sceneOf({squareMesh(1, 0)}),
@@ -125,7 +125,7 @@ TEST(CameraPath, builtInPathMakesNoPictureOfSomeScene) {
         }
 }
 
-TEST(CameraPath, fibonacciLeavesTheSphereOfThreeRadii) {
+TEST(CameraPath, fibonacciLiesEvenlyOnTheSphereOfThreeRadii) {
     const ScenePointer scene = sceneOf({sphereMesh(320)}, {translation({5, 6, 7}) * scaling(Vec3(2.0))});
     const CameraPath path = cameraPath("fibonacci:200", *scene);
     const Sphere& sphere = scene->boundingSphere();
@@ -139,12 +139,12 @@ TEST(CameraPath, fibonacciLeavesTheSphereOfThreeRadii) {
     EXPECT_NEAR(path.fovy.degrees(), 45, 1e-12);
 }
 
-TEST(CameraPath, sceneOfManyObjectsIsSeenFromOutside) {
+TEST(CameraPath, sceneOfManyObjectsIsWalkedThroughByDefault) {
     EXPECT_EQ(defaultPathName(*sceneOf({squareMesh(1, 0)})), "fibonacci:16");
     EXPECT_EQ(defaultPathName(*sceneOf({squareMesh(1, 0), squareMesh(1, 1)})), "walk:16");
 }
 
-TEST(CameraPath, overviewLeavesSomethingOutOfView) {
+TEST(CameraPath, overviewShowsEverything) {
     for (const double aspect : {0.2, 1.0, 3.0}) {
         const ScenePointer scene = sceneOf({sphereMesh(320), squareMesh(4, 3)}, {translation({5, 6, 7}), Mat4(1.0)});
         const View view(overviewCamera(*scene, aspect), {int(1000 * aspect), 1000});

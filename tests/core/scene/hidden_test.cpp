@@ -11,7 +11,7 @@ using Marks = std::vector<bool>;
 
 ScenePointer threeSquares() { return sceneOf({squareMesh(1, 0), boxMesh(Vec3f(0), Vec3f(1)), squareMesh(1, 5)}); }
 
-TEST(Hidden, instanceStaysOrTakesItsMeshAlong) {
+TEST(Hidden, instanceIsLeftOutAndItsMeshStays) {
     const ScenePointer scene = threeSquares();
     const ScenePointer rest = withoutInstances(scene, {false, true});
     EXPECT_EQ(rest->meshes(), scene->meshes()) << "the meshes keep their numbers";
@@ -25,19 +25,19 @@ TEST(Hidden, instanceStaysOrTakesItsMeshAlong) {
     EXPECT_NE(rest->sha256(), scene->sha256());
 }
 
-TEST(Hidden, nothingHiddenMakesAnotherScene) {
+TEST(Hidden, nothingHiddenGivesTheSameScene) {
     const ScenePointer scene = threeSquares();
     EXPECT_EQ(withoutInstances(scene, {}), scene);
     EXPECT_EQ(withoutInstances(scene, {false, false, false}), scene);
 }
 
-TEST(Hidden, openMeshThatIsNotDrawnCounts) {
+TEST(Hidden, openMeshThatIsNotDrawnDoesNotCount) {
     const ScenePointer scene = threeSquares();
     EXPECT_FALSE(scene->frontFacesSuffice());
     EXPECT_TRUE(withoutInstances(scene, {true, false, true})->frontFacesSuffice());
 }
 
-TEST(Hidden, camerasOfAnEmptySceneAreNotANumber) {
+TEST(Hidden, camerasOfAnEmptySceneAreValid) {
     const ScenePointer empty = withoutInstances(threeSquares(), {true, true, true});
     EXPECT_EQ(empty->instances().size(), 0u);
     EXPECT_EQ(empty->triangleCount(), 0u);
@@ -58,7 +58,7 @@ TEST(Hidden, camerasOfAnEmptySceneAreNotANumber) {
     EXPECT_NO_THROW((void)cameraPath(defaultPathName(*empty), *empty));
 }
 
-TEST(Hidden, listIsReadOrWrittenWrongly) {
+TEST(Hidden, listIsReadAndWritten) {
     EXPECT_EQ(hiddenFromText("", 3), (Marks{false, false, false}));
     EXPECT_EQ(hiddenFromText("", 0), Marks{});
     EXPECT_EQ(hiddenFromText("1", 3), (Marks{false, true, false}));
@@ -70,7 +70,7 @@ TEST(Hidden, listIsReadOrWrittenWrongly) {
     for (const char* text : {"0", "9", "0-9", "3,7-9", "0,2,4,6,8"}) EXPECT_EQ(hiddenToText(hiddenFromText(text, 10)), text);
 }
 
-TEST(Hidden, wrongListIsTaken) {
+TEST(Hidden, wrongListIsRefused) {
     using testing::HasSubstr;
     const auto refusal = [](std::string_view text, size_t objects) -> std::string {
         try {

@@ -23,7 +23,7 @@ const std::array<Shape, 6> kShapes{{{"sphere", sphereMesh, true},
 
 class Parametric : public testing::TestWithParam<Shape> {};
 
-TEST_P(Parametric, tessellatingGoesOnAfterAStop) {
+TEST_P(Parametric, tessellatingEndsAtAStop) {
     std::stop_source source;
     int reports = 0;
     const auto stopAtThird = [&](double, std::string_view) {
@@ -33,14 +33,14 @@ TEST_P(Parametric, tessellatingGoesOnAfterAStop) {
     EXPECT_EQ(reports, 3);
 }
 
-TEST_P(Parametric, triangleCountIsFarFromTheOneAskedFor) {
+TEST_P(Parametric, triangleCountIsNearTheOneAskedFor) {
     for (const size_t asked : {500u, 3000u, 20000u, 100000u}) {
         const MeshPointer mesh = GetParam().make(asked, {});
         EXPECT_NEAR(double(mesh->triangleCount()), double(asked), 0.25 * double(asked)) << asked;
     }
 }
 
-TEST_P(Parametric, surfaceIsOpenTornOrInsideOut) {
+TEST_P(Parametric, surfaceIsWholeAndOutward) {
     for (const size_t asked : {100u, 3000u, 20000u}) {
         // So few patches of the teapot fold onto each other.
         if (asked < 1000 && !GetParam().closed) continue;
@@ -54,7 +54,7 @@ TEST_P(Parametric, surfaceIsOpenTornOrInsideOut) {
     }
 }
 
-TEST_P(Parametric, normalPointsInwardOrIsNotUnit) {
+TEST_P(Parametric, normalsAreUnitAndPointOutward) {
     const MeshPointer mesh = GetParam().make(20000, {});
     ASSERT_EQ(mesh->normals().size(), mesh->vertexCount());
     std::vector<Vec3> sums(mesh->vertexCount(), Vec3(0.0));
@@ -72,7 +72,7 @@ TEST_P(Parametric, normalPointsInwardOrIsNotUnit) {
     }
 }
 
-TEST_P(Parametric, tooFewTrianglesAreTaken) {
+TEST_P(Parametric, tooFewOrTooManyTrianglesAreRefused) {
     EXPECT_THROW((void)GetParam().make(0, {}), Error);
     EXPECT_THROW((void)GetParam().make(17, {}), Error);
     EXPECT_THROW((void)GetParam().make(size_t{1} << 32, {}), Error);
@@ -80,7 +80,7 @@ TEST_P(Parametric, tooFewTrianglesAreTaken) {
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Parametric, testing::ValuesIn(kShapes), [](const auto& shape) { return shape.param.name; });
 
-TEST(ParametricShape, sphereOrTorusHasAnotherSize) {
+TEST(ParametricShape, sphereAndTorusHaveTheirSizes) {
     const MeshPointer sphere = sphereMesh(2000);
     for (size_t v = 0; v < sphere->vertexCount(); ++v) EXPECT_NEAR(glm::length(sphere->position(v)), 1.0, 1e-6);
     const MeshPointer torus = torusMesh(2000);
@@ -90,7 +90,7 @@ TEST(ParametricShape, sphereOrTorusHasAnotherSize) {
     }
 }
 
-TEST(ParametricShape, starIsNotStarShapedOrDoesNotFollowItsSeed) {
+TEST(ParametricShape, starIsStarShapedAndFollowsItsSeed) {
     const MeshPointer mesh = starMesh(3, 5000);
     for (size_t i = 0; i < mesh->indices().size(); i += 3) {
         const auto corner = [&](size_t k) { return mesh->position(mesh->indices()[i + k]); };
@@ -102,7 +102,7 @@ TEST(ParametricShape, starIsNotStarShapedOrDoesNotFollowItsSeed) {
     for (size_t v = 0; v < mesh->vertexCount(); ++v) EXPECT_NEAR(glm::length(mesh->position(v)), 1.0, 0.45 + 1e-6);
 }
 
-TEST(ParametricShape, teapotLiesOnItsSide) {
+TEST(ParametricShape, teapotStandsUpright) {
     // Handle and spout along x (6.4 and more), the body's width 4 along z, and 3.15 high.
     const Vec3 size = 2.0 * teapotMesh(20000)->localBounds().halfExtent();
     EXPECT_NEAR(size.y, 3.15, 0.01);

@@ -43,7 +43,7 @@ std::string refusal(std::string_view specification, ErrorKind kind = ErrorKind::
     return {};
 }
 
-TEST(SceneSource, badSpecificationIsTaken) {
+TEST(SceneSource, badSpecificationIsRefused) {
     using testing::HasSubstr;
     EXPECT_THAT(refusal(""), HasSubstr("No scene"));
     EXPECT_THAT(refusal("spere"), HasSubstr("\"spere\" is neither a file nor a generator. Generators: bunny, teapot, sphere"));
@@ -61,7 +61,7 @@ TEST(SceneSource, badSpecificationIsTaken) {
     EXPECT_THAT(refusal("field:mesh=/no/such/file.obj", ErrorKind::Input), HasSubstr("/no/such/file.obj"));
 }
 
-TEST(SceneSource, generatorGivesFarFromTheTrianglesAskedFor) {
+TEST(SceneSource, generatorGivesAboutTheTrianglesAskedFor) {
     for (const char* generator : {"sphere", "torus", "knot", "star", "teapot"}) {
         const OpenedScene opened = openScene(std::string(generator) + ":triangles=2e4");
         EXPECT_NEAR(double(opened.scene->triangleCount()), 2e4, 3e3) << generator;
@@ -73,7 +73,7 @@ TEST(SceneSource, generatorGivesFarFromTheTrianglesAskedFor) {
     EXPECT_EQ(openScene("star:seed=2,triangles=2000").scene->sha256(), openScene("star:triangles=2000,seed=2").scene->sha256());
 }
 
-TEST(SceneSource, listedDefaultIsNotTheOneUsed) {
+TEST(SceneSource, listedDefaultIsTheOneUsed) {
     for (const GeneratorInfo& info : sceneGenerators()) {
         EXPECT_FALSE(info.description.empty()) << info.id;
         if (info.id == "bunny" || info.id == "field" || info.id == "mesh" || info.id == "split") continue;
@@ -84,7 +84,7 @@ TEST(SceneSource, listedDefaultIsNotTheOneUsed) {
     }
 }
 
-TEST(SceneSource, fileWithCommaColonOrTheNameOfAGeneratorIsNotFound) {
+TEST(SceneSource, fileWithOddCharactersOrTheNameOfAGeneratorIsFound) {
     const TemporaryFolder folder;
     for (const char* name : {"a,b.obj", "n,5,x.obj", "with space.obj", "n=3.obj"}) {
         const std::string file = folder.tetrahedron(name);
@@ -96,7 +96,7 @@ TEST(SceneSource, fileWithCommaColonOrTheNameOfAGeneratorIsNotFound) {
     EXPECT_EQ(openScene(sphere).scene->triangleCount(), 4u);
 }
 
-TEST(SceneSource, fieldStandsElsewhere) {
+TEST(SceneSource, fieldStandsInItsGrid) {
     const TemporaryFolder folder;
     const std::string file = folder.tetrahedron("tetrahedron.obj");
     const ScenePointer scene = openScene("field:mesh=" + file + ",n=3,spacing=2.5").scene;
@@ -119,13 +119,13 @@ TEST(SceneSource, fieldStandsElsewhere) {
         }
 }
 
-TEST(SceneSource, fieldOfOneIsNotInTheMiddle) {
+TEST(SceneSource, fieldOfOneIsInTheMiddle) {
     const TemporaryFolder folder;
     const ScenePointer scene = openScene("field:mesh=" + folder.tetrahedron("one.obj") + ",n=1").scene;
     EXPECT_NEAR(glm::length(scene->bounds().centre()), 0.0, 1e-6);
 }
 
-TEST(SceneSource, fieldOfAPointBecomesNotANumber) {
+TEST(SceneSource, fieldOfAPointStaysFiniteOrIsRefused) {
     const TemporaryFolder folder;
     const std::string file = (folder.path() / "empty.obj").string();
     std::ofstream(file) << "v 1 2 3\n";
@@ -137,7 +137,7 @@ TEST(SceneSource, fieldOfAPointBecomesNotANumber) {
     }
 }
 
-TEST(SceneSource, bunnyIsLookedForElsewhere) {
+TEST(SceneSource, bunnyIsLookedForInTheGivenFoldersFirst) {
     const TemporaryFolder folder;
     const std::string file = folder.tetrahedron("bunny.obj");
     SceneSourceOptions options;
@@ -149,7 +149,7 @@ TEST(SceneSource, bunnyIsLookedForElsewhere) {
     EXPECT_TRUE(openScene("bunny", options).report.has_value());
 }
 
-TEST(SceneSource, stopIsNotAnswered) {
+TEST(SceneSource, stopIsAnswered) {
     std::stop_source source;
     source.request_stop();
     Progress progress;

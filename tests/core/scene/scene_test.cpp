@@ -7,7 +7,7 @@
 namespace cullscope::test {
 namespace {
 
-TEST(Scene, triangleHasTheWrongOwner) {
+TEST(Scene, everyTriangleHasItsInstance) {
     const ScenePointer scene =
         sceneOf({squareMesh(1, 0), meshOf({{0, 0, 0}}, {}), boxMesh(Vec3f(0), Vec3f(1)), squareMesh(1, 1)});
     EXPECT_EQ(scene->triangleCount(), 16u);
@@ -19,7 +19,7 @@ TEST(Scene, triangleHasTheWrongOwner) {
     }
 }
 
-TEST(Scene, boundsLoseAVertex) {
+TEST(Scene, boundsHoldEveryVertex) {
     Random random(41);
     const MeshPointer star = starMesh(5, 400);
     for (int i = 0; i < 200; ++i) {
@@ -57,7 +57,7 @@ TEST(Scene, boundsLoseAVertex) {
     }
 }
 
-TEST(Scene, hashIgnoresWhatIsDrawn) {
+TEST(Scene, hashFollowsWhatIsDrawn) {
     const MeshPointer square = squareMesh(1, 0);
     const std::string plain = sceneOf({square})->sha256();
     EXPECT_EQ(plain.size(), 64u);
@@ -69,13 +69,13 @@ TEST(Scene, hashIgnoresWhatIsDrawn) {
     EXPECT_NE(sceneOf({meshOf({{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}}, {0, 1, 2, 0, 2, 1})})->sha256(), plain);
 }
 
-TEST(Scene, frontFacesAreSaidToSufficeForAnOpenOrInsideOutMesh) {
+TEST(Scene, frontFacesSufficeForClosedOutwardMeshesOnly) {
     EXPECT_TRUE(sceneOf({boxMesh(Vec3f(-1), Vec3f(1)), sphereMesh(80)})->frontFacesSuffice());
     EXPECT_FALSE(sceneOf({boxMesh(Vec3f(-1), Vec3f(1)), squareMesh(1, 0)})->frontFacesSuffice());
     EXPECT_FALSE(sceneOf({boxMesh(Vec3f(1), Vec3f(-1))})->frontFacesSuffice()) << "turned inside out by three reflections";
 }
 
-TEST(Scene, emptySceneHasBounds) {
+TEST(Scene, emptySceneHasNoBounds) {
     const Scene scene("empty", {}, {});
     EXPECT_EQ(scene.triangleCount(), 0u);
     EXPECT_TRUE(scene.bounds().empty());

@@ -22,7 +22,7 @@ MeshPointer twoBoxes() {
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
-TEST(SplitScene, copiesDoNotShareTheirPartsOrStandElsewhere) {
+TEST(SplitScene, copiesShareTheirPartsAndStayInPlace) {
     const MeshPointer boxes = twoBoxes();
     const MeshPointer square = squareMesh(1, 0);
     const Scene scene("s", {boxes, square},
@@ -40,7 +40,7 @@ TEST(SplitScene, copiesDoNotShareTheirPartsOrStandElsewhere) {
     EXPECT_EQ(split->instances()[2].worldFromMesh, scene.instances()[1].worldFromMesh);
 }
 
-TEST(SplitScene, camerasStandElsewhereThanBeforeTheWhole) {
+TEST(SplitScene, camerasStandAsBeforeTheWhole) {
     const ScenePointer whole = openScene("knot:triangles=5000").scene;
     const ScenePointer split = openScene("split:mesh=knot:triangles=5000,by=clusters,triangles=300").scene;
     ASSERT_GT(split->instances().size(), 10u);
@@ -56,7 +56,7 @@ TEST(SplitScene, camerasStandElsewhereThanBeforeTheWhole) {
         }
 }
 
-TEST(SplitScene, hasMoreObjectsThanAreGoodForIt) {
+TEST(SplitScene, moreObjectsThanASceneMayHaveAreRefused) {
     const MeshPointer sphere = sphereMesh(80'000);
     const ScenePointer scene = copiesOf(sphere, std::vector<Mat4>(60, Mat4(1.0)));
     EXPECT_THROW((void)splitScene(*scene, "s", {SplitRule::By::Clusters, 1}), Error);
@@ -73,7 +73,7 @@ std::string refusal(std::string_view specification) {
     return {};
 }
 
-TEST(SplitScene, badSpecificationIsTaken) {
+TEST(SplitScene, badSpecificationIsRefused) {
     using testing::HasSubstr;
     EXPECT_THAT(refusal("split:mesh=sphere,by=lumps"), HasSubstr("by=lumps is unknown. Write by=components or by=clusters"));
     EXPECT_THAT(refusal("split:mesh=sphere,triangles=50"), HasSubstr("Write by=clusters"));
@@ -86,7 +86,7 @@ TEST(SplitScene, badSpecificationIsTaken) {
     EXPECT_THAT(refusal("split:mesh=speere"), HasSubstr("\"speere\" is neither a file nor a generator"));
 }
 
-TEST(SplitScene, nestedParametersGoToTheWrongGenerator) {
+TEST(SplitScene, nestedParametersGoToTheirGenerator) {
     const auto objects = [](const char* specification) { return openScene(specification).scene->instances().size(); };
     const auto triangles = [](const char* specification) { return openScene(specification).scene->triangleCount(); };
     const size_t hundreds = (triangles("torus:triangles=2000") + 99) / 100;
@@ -102,7 +102,7 @@ TEST(SplitScene, nestedParametersGoToTheWrongGenerator) {
               "split:mesh=torus:triangles=2000,by=clusters");
 }
 
-TEST(SceneFiles, areChangedWhereTheyAreNoneOrMissed) {
+TEST(SceneFiles, areChangedWhereverTheyStand) {
     const auto changed = [](const char* specification) {
         return withFiles(specification, [](const std::string& file) { return "<" + file + ">"; });
     };

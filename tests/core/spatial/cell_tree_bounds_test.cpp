@@ -124,7 +124,7 @@ TEST(CellTreeBounds, planeSlackHoldsForAllPlanes) {
     });
 }
 
-TEST(CellTreeBounds, smoothSurfaceHasConesInNearlyAllLeaves) {
+TEST(CellTreeBounds, smoothSurfaceHasConesInAllLeaves) {
     for (const MapLayout layout : {MapLayout::Octahedral, MapLayout::LatitudeLongitude}) {
         const CellTree tree(sphereMesh(100'000), {layout, 0});
         const auto cones = std::ranges::count_if(

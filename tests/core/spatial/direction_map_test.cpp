@@ -183,7 +183,7 @@ TEST(DirectionMapNeighbours, directionsBesideTheSeamAreInTheFirstAndTheLastColum
         }
 }
 
-TEST(DirectionMapCode, roundTrip) {
+TEST(DirectionMapCode, roundTripGivesTheCellBack) {
     Random random(6);
     for (uint32_t level = 0; level <= kFinestLevel; ++level)
         for (int i = 0; i < 2'000; ++i) {

@@ -200,7 +200,7 @@ TEST(InnerKernel, nestedShellsAreFilledUpToTheInnerOne) {
     for (int i = 0; i < 200; ++i) EXPECT_LE(kernel.radiusAround(random.direction()), 0.5f);
 }
 
-TEST(InnerKernel, shellOfTwoWallsAgainstEachOtherIsFilledWhereItIs) {
+TEST(InnerKernel, shellOfTwoWallsAgainstEachOtherHasItsCentreOutside) {
     // The outer one inward, the inner one outward: around the centre the surface winds 0 times.
     EXPECT_EQ(InnerKernel(*changed(*shells(kEvery), kStay, kEvery)).state(), State::CentreOutside);
 }
@@ -210,7 +210,7 @@ TEST(InnerKernel, thinSolidsAreTooThin) {
     EXPECT_EQ(InnerKernel(*changed(*sphereMesh(10'000), scaledBy({1e-3, 1.0, 2e-3}), kNone)).state(), State::TooThin);
 }
 
-TEST(InnerKernel, surfaceThroughTheCentreIsNoKernel) {
+TEST(InnerKernel, surfaceThroughTheCentreLeavesNoKernel) {
     // A box with one wall, and one with an edge, in the middle of the sphere that a far box makes.
     const MeshPointer far = boxMesh({-9, -1, -1}, {-8, 1, 1}), other = boxMesh({8, -1, -1}, {9, 1, 1});
     const MeshPointer ends = joined(*far, *other);

@@ -77,7 +77,7 @@ ScenePointer randomField(size_t count, const Vec3& size, uint64_t seed) {
     return copiesOf(smallBox(), places);
 }
 
-TEST(InstanceOctree, emptySceneHasNodes) {
+TEST(InstanceOctree, emptySceneHasNoNodes) {
     EXPECT_TRUE(InstanceOctree().nodes().empty());
     const Scene nothing("nothing", {}, {});
     EXPECT_TRUE(InstanceOctree(nothing).nodes().empty());
@@ -86,7 +86,7 @@ TEST(InstanceOctree, emptySceneHasNodes) {
     EXPECT_TRUE(InstanceOctree(*points).nodes().empty()) << "of instances without triangles";
 }
 
-TEST(InstanceOctree, oneInstance) {
+TEST(InstanceOctree, oneInstanceIsOneLeaf) {
     const ScenePointer scene = sceneOf({meshOf({{1, 2, 3}}, {}), smallBox()});
     const InstanceOctree octree(*scene);
     ASSERT_EQ(octree.nodes().size(), 1u);
@@ -96,7 +96,7 @@ TEST(InstanceOctree, oneInstance) {
     check(octree, *scene);
 }
 
-TEST(InstanceOctree, instanceIsLostOrOutsideItsBoxes) {
+TEST(InstanceOctree, everyInstanceIsInOneLeafAndInItsBoxes) {
     for (const Vec3& size : {Vec3(10), Vec3(100, 0, 100), Vec3(0, 1e-3, 0), Vec3(1e9, 1, 1e-9)})
         for (const size_t count : {2, 4, 5, 9, 100, 3000}) {
             const ScenePointer scene = randomField(count, size, count);
@@ -107,7 +107,7 @@ TEST(InstanceOctree, instanceIsLostOrOutsideItsBoxes) {
         }
 }
 
-TEST(InstanceOctree, cellIsNoEighthOfItsParent) {
+TEST(InstanceOctree, cellsAreEighthsOfTheirParents) {
     // A grid of 16³ falls apart evenly, level by level.
     std::vector<Mat4> places;
     for (int i = 0; i < 4096; ++i) places.push_back(translation(Vec3(i % 16, i / 16 % 16, i / 256)));
@@ -123,7 +123,7 @@ TEST(InstanceOctree, cellIsNoEighthOfItsParent) {
     }
 }
 
-TEST(InstanceOctree, coincidentCentresDoNotEnd) {
+TEST(InstanceOctree, coincidentCentresEndInOneLeaf) {
     std::vector<Mat4> places(500, translation({3, 4, 5}));
     const ScenePointer same = copiesOf(smallBox(), places);
     const InstanceOctree one(*same);
@@ -136,7 +136,7 @@ TEST(InstanceOctree, coincidentCentresDoNotEnd) {
     EXPECT_EQ(largestLeaf(octree), 500u);
 }
 
-TEST(InstanceOctree, objectFarAwayLeavesTheOthersUndivided) {
+TEST(InstanceOctree, objectFarAwayLeavesTheOthersDivided) {
     // Relative to 1e12, all of the field lies in one cell of a Morton code's 2^21 an axis.
     Random random(5);
     std::vector<Mat4> places{translation(Vec3(1e12))};
@@ -147,7 +147,7 @@ TEST(InstanceOctree, objectFarAwayLeavesTheOthersUndivided) {
     EXPECT_LE(largestLeaf(octree), InstanceOctree::kLeafInstances);
 }
 
-TEST(InstanceOctree, depthGrowsWithTheInstances) {
+TEST(InstanceOctree, depthEndsAtItsLimit) {
     // Each twice as far out as the one before: an octree of cells divides off a few at a level.
     std::vector<Mat4> places;
     for (int i = 0; i < 600; ++i) places.push_back(translation({std::ldexp(1.0, i - 300), 0, 0}) * scaling(Vec3(1e-200)));
@@ -157,7 +157,7 @@ TEST(InstanceOctree, depthGrowsWithTheInstances) {
     EXPECT_EQ(depthOf(octree), InstanceOctree::kMaxDepth);
 }
 
-TEST(InstanceOctree, instanceThatIsNotFiniteSpoilsABox) {
+TEST(InstanceOctree, instanceThatIsNotFiniteWidensOnlyBoxesThatHoldIt) {
     const double infinity = std::numeric_limits<double>::infinity();
     std::vector<Mat4> places;
     for (int i = 0; i < 40; ++i) places.push_back(translation({double(i), 0, 0}));
@@ -177,7 +177,7 @@ TEST(InstanceOctree, instanceThatIsNotFiniteSpoilsABox) {
     EXPECT_EQ(leaves, std::vector<int>(40, 1));
 }
 
-TEST(InstanceOctree, hundredThousandInstances) {
+TEST(InstanceOctree, hundredThousandInstancesMakeTheSameShallowTree) {
     const ScenePointer scene = randomField(100'000, Vec3(1000, 10, 1000), 3);
     const InstanceOctree octree(*scene);
     check(octree, *scene);

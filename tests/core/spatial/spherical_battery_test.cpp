@@ -28,26 +28,26 @@ std::set<uint32_t> columnsOf(const SphericalTriangle& triangle, uint32_t row) {
     return columns;
 }
 
-TEST(SphericalBattery, case6TriangleOverTheSeam) {
+TEST(SphericalBattery, case6TriangleOverTheSeamTouchesBothItsSides) {
     const std::array<Vec3, 3> corners{direction(89.2, 359.5), direction(89.5, 0.2), direction(89.8, 0.5)};
     EXPECT_THAT(columnsOf({corners[0], corners[1], corners[2]}, 89), testing::ElementsAre(0u, 359u));
     const SphericalPoint centroid = sphericalPoint((corners[0] + corners[1] + corners[2]) / 3.0);
     EXPECT_NEAR(centroid.phi / kDegree, 0.0667, 1e-3);
 }
 
-TEST(SphericalBattery, case7TriangleOverThePole) {
+TEST(SphericalBattery, case7TriangleOverThePoleTouchesEveryColumn) {
     const SphericalTriangle triangle(direction(1, 0), direction(1, 120), direction(1, 240));
     EXPECT_EQ(columnsOf(triangle, 0).size(), 360u);
 }
 
-TEST(SphericalBattery, cases8To10Angles) {
+TEST(SphericalBattery, cases8To10AnglesAreRight) {
     EXPECT_NEAR(sphericalPoint({-1, -1, 0}).phi / kDegree, 225.0, 1e-12);
     EXPECT_NEAR(sphericalPoint({0, 1, 0}).phi / kDegree, 90.0, 1e-12);
     EXPECT_THAT(SphericalGrid().cellOf({1, -1e-17, 0}).column, testing::AnyOf(0u, 359u));
     EXPECT_NEAR(sphericalPoint({1e-9, 0, 1}).theta / kDegree, 5.7296e-8, 1e-11);
 }
 
-TEST(SphericalBattery, case11CornerAndCentroidAtTheCentre) {
+TEST(SphericalBattery, case11CornerAndCentroidAtTheCentreAreFound) {
     // The bounding sphere is the first triangle's; the second has a corner at its centre, the third its centroid.
     const MeshPointer mesh = meshOf({{1, 0, 0},
                                      {-1, 0, 0},
@@ -77,7 +77,7 @@ TEST(SphericalBattery, case11CornerAndCentroidAtTheCentre) {
     }
 }
 
-TEST(SphericalBattery, case15RayOfImpact) {
+TEST(SphericalBattery, case15RayOfImpactIsWalkedToTheSurface) {
     // A ball of radius 0.5 and two far points that make the bounding sphere's radius 1.
     const MeshPointer ball = sphereMesh(80'000);
     std::vector<Vec3f> positions;

@@ -21,7 +21,7 @@ TEST(ExactVisibility, triangleInFrontIsVisible) {
     EXPECT_FALSE(truth.straddles);
 }
 
-TEST(ExactVisibility, triangleBehindBesideBeyondIsNot) {
+TEST(ExactVisibility, triangleBehindBesideOrBeyondIsNotVisible) {
     EXPECT_FALSE(judged({{-1, -1, 5}, {1, -1, 5}, {0, 1, 5}}).visible);
     EXPECT_FALSE(judged({{6, -1, -5}, {8, -1, -5}, {7, 1, -5}}).visible);
     EXPECT_FALSE(judged({{-1, -1, -11}, {1, -1, -11}, {0, 1, -11}}).visible);

@@ -121,7 +121,7 @@ private:
     Tally m_tally;
 };
 
-TEST(GroupWalkProperty, visibleObjectCulled) {
+TEST(GroupWalkProperty, noVisibleObjectIsCulled) {
     WalkProperty property;
     property.run(longMode() ? kAllViews : kSample);
     const Tally& t = property.tally();
@@ -140,7 +140,7 @@ TEST(GroupWalkProperty, visibleObjectCulled) {
     EXPECT_GT(t.keptInPart, t.views / 2);
 }
 
-TEST(GroupWalkTrace, culledObjectHasNoPlaneOrAKeptOneHas) {
+TEST(GroupWalkTrace, culledObjectsHaveAPlaneAndKeptOnesNone) {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         const ScenePointer scene = randomScene(seed);
         const InstanceOctree octree(*scene);
@@ -175,7 +175,7 @@ TEST(GroupWalkTrace, culledObjectHasNoPlaneOrAKeptOneHas) {
     }
 }
 
-TEST(GroupWalkTrace, boundIsWiderThanTheOneThatDecided) {
+TEST(GroupWalkTrace, boundIsTheOneThatDecided) {
     // Stretched, its sphere reaches farther than its box and has the larger slack; it lies before the near plane by a distance
     // between the two.
     const double groupSlack = (0.9 + 10.0) * 0x1p-20;
@@ -211,7 +211,7 @@ Walked walked(const Scene& scene, const Camera& camera) {
     return result;
 }
 
-TEST(GroupWalk, costGrowsWithTheCount) {
+TEST(GroupWalk, costGrowsWithTheBoundaryAndNotWithTheCount) {
     // The same square kilometre from the same place, in ever smaller steps: its boundary holds √n objects, its inside n.
     std::vector<Walked> at;
     for (const int n : {32, 100, 316}) {
@@ -227,7 +227,7 @@ TEST(GroupWalk, costGrowsWithTheCount) {
     EXPECT_LT(at[2].tests(), 15 * at[0].tests()) << "the boundary grew by ten";
 }
 
-TEST(GroupWalk, costGrowsWithWhatIsNotInThePicture) {
+TEST(GroupWalk, costDoesNotGrowWithWhatIsNotInThePicture) {
     const Camera camera{{0.3, 2, 0.2}, {5, 0, 3}, {0, 1, 0}, Angle::fromDegrees(50), 0.1, 15};
     const Walked small = walked(*field(32, 1.5), camera), large = walked(*field(316, 1.5), camera);
     EXPECT_EQ(small.kept, large.kept);
@@ -235,7 +235,7 @@ TEST(GroupWalk, costGrowsWithWhatIsNotInThePicture) {
     EXPECT_LT(large.tests(), small.tests() + 100) << "more than a path from the root";
 }
 
-TEST(GroupWalk, planeThatHasAGroupInsideIsTestedBelowIt) {
+TEST(GroupWalk, planeThatHasAGroupInsideIsNotTestedBelowIt) {
     // From above, with a picture 90° wide whose one side plane stands upright near the middle: no other cuts anything.
     const Angle fovy = Angle::fromRadians(2.0 * std::atan(480.0 / 640.0));
     const ScenePointer scene = field(100, 1.5);
@@ -246,7 +246,7 @@ TEST(GroupWalk, planeThatHasAGroupInsideIsTestedBelowIt) {
     EXPECT_LT(half.figures.planesTested, 2 * half.tests());
 }
 
-TEST(GroupWalk, wholeSceneInsideOrOutsideIsVisited) {
+TEST(GroupWalk, wholeSceneInsideOrOutsideTakesOneTest) {
     const ScenePointer scene = field(100, 1.5);
     const Camera over{{0, 500, 1}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 1, 1000};
     const Walked all = walked(*scene, over);
@@ -262,7 +262,7 @@ TEST(GroupWalk, wholeSceneInsideOrOutsideIsVisited) {
     EXPECT_EQ(none.figures.trianglesCulled, scene->triangleCount());
 }
 
-TEST(GroupWalk, emptySceneOrOneWithoutEndIsLeftOut) {
+TEST(GroupWalk, emptySceneIsNotVisitedAndWhatCannotBePlacedIsKept) {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100};
     EXPECT_EQ(walked(Scene("nothing", {}, {}), camera).figures.nodesVisited, 0u);
     std::vector<Mat4> places;
@@ -274,7 +274,7 @@ TEST(GroupWalk, emptySceneOrOneWithoutEndIsLeftOut) {
     EXPECT_EQ(kept[0].instance, 12u);
 }
 
-TEST(GroupNodes, verdictOrPlaceIsWrong) {
+TEST(GroupNodes, verdictsAndPlacesFitThoseOfTheParents) {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         const ScenePointer scene = randomScene(seed);
         GroupedFrustum strategy;
@@ -310,7 +310,7 @@ TEST(GroupNodes, verdictOrPlaceIsWrong) {
     }
 }
 
-TEST(GroupNodes, countsDoNotAddUp) {
+TEST(GroupNodes, countsAddUp) {
     const ScenePointer scene = field(12, 1.5);
     GroupedFrustum strategy;
     strategy.build(*scene);

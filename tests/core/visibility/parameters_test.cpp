@@ -39,7 +39,7 @@ std::string refusal(std::string_view key, std::string_view text) {
     return {};
 }
 
-TEST(ParameterSet, defaultsAreNotThere) {
+TEST(ParameterSet, startsWithTheDefaults) {
     const ParameterSet set(declarations());
     EXPECT_TRUE(set.boolean("flag"));
     EXPECT_EQ(set.integer("depth"), 4);
@@ -47,7 +47,7 @@ TEST(ParameterSet, defaultsAreNotThere) {
     EXPECT_EQ(set.choice("box"), "p-vertex");
 }
 
-TEST(ParameterSet, textIsNotUnderstood) {
+TEST(ParameterSet, textIsUnderstood) {
     ParameterSet set(declarations());
     for (const char* no : {"false", "0", "off", "no"}) {
         set.set("flag", true);
@@ -62,7 +62,7 @@ TEST(ParameterSet, textIsNotUnderstood) {
     EXPECT_EQ(set.choice("box"), "length");
 }
 
-TEST(ParameterSet, textOutOfRangeOrOfAnotherTypeIsTaken) {
+TEST(ParameterSet, textOutOfRangeOrOfAnotherTypeIsRefused) {
     EXPECT_EQ(refusal("depth", "13"), "depth=13: depth is a whole number between 1 and 12.");
     EXPECT_EQ(refusal("depth", "0"), "depth=0: depth is a whole number between 1 and 12.");
     EXPECT_EQ(refusal("share", "1.5"), "share=1.5: share is a number between -1 and 1.");
@@ -72,12 +72,12 @@ TEST(ParameterSet, textOutOfRangeOrOfAnotherTypeIsTaken) {
     for (const char* text : {"", "nan", "inf", "0,5", "0.5 ", "half"}) EXPECT_NE(refusal("share", text), "") << text;
 }
 
-TEST(ParameterSet, unknownKeyIsTaken) {
+TEST(ParameterSet, unknownKeyIsRefused) {
     EXPECT_EQ(refusal("dept", "4"), "There is no parameter \"dept\" here. Known: flag, depth, share, box.");
     EXPECT_THROW((void)ParameterSet().value("depth"), Error);
 }
 
-TEST(ParameterSet, valueOfAnotherTypeIsTaken) {
+TEST(ParameterSet, valueOfAnotherTypeIsRefused) {
     ParameterSet set(declarations());
     EXPECT_THROW(set.set("depth", 4.0), Error);
     EXPECT_THROW(set.set("share", int64_t{1}), Error);
@@ -86,7 +86,7 @@ TEST(ParameterSet, valueOfAnotherTypeIsTaken) {
     EXPECT_NO_THROW(set.set("box", std::string("length")));
 }
 
-TEST(ParameterSet, textDoesNotComeBackAsTheSameValue) {
+TEST(ParameterSet, textComesBackAsTheSameValue) {
     ParameterSet set(declarations());
     for (const double value : {0.1, 1.0 / 3.0, -1e-300, 1.0}) {
         set.set("share", value);

@@ -9,7 +9,7 @@
 namespace cullscope::test {
 namespace {
 
-TEST(PlaneDistances, planeLiesOtherwiseThanFrustumTestedIt) {
+TEST(PlaneDistances, planesLieAsFrustumTestedThem) {
     std::vector<Mat4> places;
     for (int x = -4; x <= 4; ++x)
         for (int z = -4; z <= 4; ++z) places.push_back(translation(Vec3(x, 0.3 * z, z) * 2.5));

@@ -7,14 +7,14 @@
 namespace cullscope {
 namespace {
 
-TEST(Registry, baselineIsMissingOrTwiceThere) {
+TEST(Registry, baselinesAreThereAndEveryIdIsThereOnce) {
     std::set<std::string> ids;
     for (const RegisteredStrategy& strategy : strategies())
         EXPECT_TRUE(ids.insert(strategy.info.id).second) << strategy.info.id << " twice";
     EXPECT_THAT(ids, testing::IsSupersetOf({"all", "backface", "frustum"}));
 }
 
-TEST(Registry, declarationIsIncomplete) {
+TEST(Registry, declarationsAreComplete) {
     for (const RegisteredStrategy& strategy : strategies()) {
         SCOPED_TRACE(strategy.info.id);
         EXPECT_FALSE(strategy.info.name.empty());
@@ -34,7 +34,7 @@ TEST(Registry, declarationIsIncomplete) {
     }
 }
 
-TEST(Registry, unknownStrategyIsMade) {
+TEST(Registry, unknownStrategyIsRefused) {
     try {
         (void)findStrategy("frustrum");
         FAIL();
@@ -45,17 +45,11 @@ TEST(Registry, unknownStrategyIsMade) {
     }
 }
 
-TEST(Registry, madeStrategyHasOtherParameters) {
+TEST(Registry, madeStrategyHasTheGivenParameters) {
     ParameterSet parameters(findStrategy("frustum").info.parameters);
     parameters.setFromText("box", "length");
     EXPECT_EQ(makeStrategy("frustum", parameters)->parameters(), parameters);
     EXPECT_EQ(makeStrategy("frustum")->parameters().choice("box"), "p-vertex");
-}
-
-TEST(Registry, promiseHasNoName) {
-    EXPECT_STREQ(promiseId(Promise::Exact), "exact");
-    EXPECT_STREQ(promiseId(Promise::Conservative), "conservative");
-    EXPECT_STREQ(promiseId(Promise::Approximate), "approximate");
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ std::vector<int> timesDrawn(const Verdict& verdict, const Scene& scene) {
 /// Standard camera of the battery: at the origin down −z, 90°, near 0.1, far 10.
 View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
 
-TEST(Strategies, countersDoNotAddUpToTheScene) {
+TEST(Strategies, countersAddUpToTheScene) {
     const StrategyPointer all = makeStrategy("all");
     const StrategyPointer backface = makeStrategy("backface");
     const StrategyPointer frustum = makeStrategy("frustum");
@@ -64,7 +64,7 @@ TEST(Strategies, countersDoNotAddUpToTheScene) {
     });
 }
 
-TEST(Strategies, lengthDrawsLessThanPVertex) {
+TEST(Strategies, lengthDrawsAllThatPVertexDraws) {
     const StrategyPointer frustum = frustumBy("p-vertex");
     const StrategyPointer length = frustumBy("length");
     uint64_t wasted = 0;
@@ -79,7 +79,7 @@ TEST(Strategies, lengthDrawsLessThanPVertex) {
     EXPECT_GT(wasted, 0u) << "the views show no corner that the length test wastes";
 }
 
-TEST(Strategies, traceDisagreesWithVerdict) {
+TEST(Strategies, traceAgreesWithVerdict) {
     const StrategyPointer frustum = frustumBy("p-vertex");
     const StrategyPointer length = frustumBy("length");
     const StrategyPointer oriented = frustumBy("oriented");
@@ -112,7 +112,7 @@ TEST(Strategies, traceDisagreesWithVerdict) {
     });
 }
 
-TEST(Strategies, traceChangesTheVerdict) {
+TEST(Strategies, traceDoesNotChangeTheVerdict) {
     const StrategyPointer frustum = makeStrategy("frustum");
     const StrategyPointer octree = makeStrategy("frustum-octree");
     onRandomViews({frustum.get(), octree.get()}, [&](const Scene&, const View& view) {
@@ -123,7 +123,7 @@ TEST(Strategies, traceChangesTheVerdict) {
     });
 }
 
-TEST(Strategies, traceOfBaselinesLacksAnInstance) {
+TEST(Strategies, traceOfBaselinesHasEveryInstance) {
     const ScenePointer scene = randomScene(3);
     for (const char* id : {"all", "backface"}) {
         const StrategyPointer strategy = makeStrategy(id);
@@ -138,7 +138,7 @@ TEST(Strategies, traceOfBaselinesLacksAnInstance) {
     }
 }
 
-TEST(Strategies, instanceWithoutTrianglesIsDrawnOrTraced) {
+TEST(Strategies, instanceWithoutTrianglesIsNotDrawn) {
     const ScenePointer scene = sceneOf({meshOf({{0, 0, -5}}, {}), squareMesh(1, -5)});
     for (const RegisteredStrategy& registered : strategies()) {
         const StrategyPointer strategy = makeStrategy(registered.info.id);
@@ -149,7 +149,7 @@ TEST(Strategies, instanceWithoutTrianglesIsDrawnOrTraced) {
     }
 }
 
-TEST(Strategies, emptySceneCrashes) {
+TEST(Strategies, emptySceneGivesAnEmptyList) {
     const Scene scene("empty", {}, {});
     for (const RegisteredStrategy& registered : strategies()) {
         const StrategyPointer strategy = makeStrategy(registered.info.id);
@@ -158,7 +158,7 @@ TEST(Strategies, emptySceneCrashes) {
     }
 }
 
-TEST(Frustum, objectInViewCulledOrObjectBesideItDrawn) {
+TEST(Frustum, objectInViewIsDrawnAndObjectBesideItCulled) {
     const MeshPointer sphere = sphereMesh(80);
     const ScenePointer scene = copiesOf(sphere, {translation({0, 0, -5}), translation({0, 0, 5}), translation({9, 0, -5}),
                                                  translation({0, 0, -13}), translation({5.5, 0, -5}), scaling(Vec3(50.0))});
@@ -167,7 +167,7 @@ TEST(Frustum, objectInViewCulledOrObjectBesideItDrawn) {
     EXPECT_THAT(timesDrawn(frustum->cull(standardView()), *scene), testing::ElementsAre(1, 0, 0, 0, 1, 1));
 }
 
-TEST(Frustum, axisAlignedBoxThatItsLengthKeeps) {
+TEST(Frustum, axisAlignedBoxThatOnlyItsLengthKeepsIsCulled) {
     // Flat along x, above the view: its corner reaches nowhere, its circumscribed sphere does (stability case 3, as an object).
     const ScenePointer scene = sceneOf({boxMesh({-60, 9, -6}, {60, 11, -4})});
     const StrategyPointer tight = frustumBy("p-vertex");
@@ -178,7 +178,7 @@ TEST(Frustum, axisAlignedBoxThatItsLengthKeeps) {
     EXPECT_EQ(loose->cull(standardView()).drawList.ranges.size(), 1u);
 }
 
-TEST(Facing, autoIgnoresWhetherMeshesAreClosed) {
+TEST(Facing, autoFollowsWhetherMeshesAreClosed) {
     ParameterSet parameters(findStrategy("frustum").info.parameters);
     const auto resolved = [&](const Scene& scene) {
         const StrategyPointer strategy = makeStrategy("frustum", parameters);
@@ -195,7 +195,7 @@ TEST(Facing, autoIgnoresWhetherMeshesAreClosed) {
     EXPECT_EQ(resolved(*open), Facing::Front);
 }
 
-TEST(Baselines, facingRulesDifferFromTheirNames) {
+TEST(Baselines, facingRulesAreThoseOfTheirNames) {
     const ScenePointer open = sceneOf({squareMesh(1, -5)});
     const StrategyPointer all = makeStrategy("all");
     const StrategyPointer backface = makeStrategy("backface");

@@ -17,7 +17,7 @@ std::string refusal(const std::string& text) {
     return "";
 }
 
-TEST(StrategyText, parametersAreLostOnTheWay) {
+TEST(StrategyText, parametersAreReadAndWritten) {
     const StrategyRequest strategy = strategyFromText("frustum:facing=two-sided:box=length");
     EXPECT_EQ(strategy.id, "frustum");
     EXPECT_EQ(strategy.parameters.choice("facing"), "two-sided");
@@ -25,12 +25,12 @@ TEST(StrategyText, parametersAreLostOnTheWay) {
     EXPECT_EQ(strategyText(strategy), "frustum:facing=two-sided:box=length");
 }
 
-TEST(StrategyText, defaultsAreWritten) {
+TEST(StrategyText, defaultsAreNotWritten) {
     EXPECT_EQ(strategyText(strategyFromText("all")), "all");
     EXPECT_EQ(strategyText(strategyFromText("frustum:facing=auto")), "frustum");
 }
 
-TEST(StrategyText, whatIsUnknownIsTaken) {
+TEST(StrategyText, whatIsUnknownIsRefused) {
     EXPECT_NE(refusal("frustrum").find("Known: all"), std::string::npos);
     EXPECT_NE(refusal("frustum:faces=both").find("Known: "), std::string::npos);
     EXPECT_NE(refusal("frustum:facing=both").find("two-sided"), std::string::npos);

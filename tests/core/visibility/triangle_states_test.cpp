@@ -63,7 +63,7 @@ uint64_t falselyCulled(const Reference& reference, const SceneBuffers& buffers, 
 
 Viewport small(const Viewport& size) { return {std::min(size.width, 96), std::min(size.height, 64)}; }
 
-TEST(TriangleStates, randomViewOfAStrategyIsNoPartition) {
+TEST(TriangleStates, statesOfARandomViewAreAPartition) {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         const ScenePointer scene = randomScene(seed);
         const SceneBuffers buffers(scene, Upload::Vbo);
@@ -106,7 +106,7 @@ ScenePointer threeBodies() {
                    {translation({-2.5, 0, 0}), translation({2, 0, 0}), translation({0, 0, -5})});
 }
 
-TEST(TriangleStates, wrongDrawListLosesNothing) {
+TEST(TriangleStates, wrongDrawListLosesWhatIsSeen) {
     const ScenePointer scene = threeBodies();
     const SceneBuffers buffers(scene, Upload::Vbo);
     for (const Facing facing : {Facing::TwoSided, Facing::Front}) {
@@ -131,7 +131,7 @@ TEST(TriangleStates, wrongDrawListLosesNothing) {
     }
 }
 
-TEST(TriangleStates, causeBecomesAnotherState) {
+TEST(TriangleStates, everyCauseBecomesItsState) {
     const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1), squareMesh(1, -2), squareMesh(1, -3)});
     Trace trace;
     for (uint32_t i = 0; i < kCauseCount; ++i)
@@ -143,7 +143,7 @@ TEST(TriangleStates, causeBecomesAnotherState) {
     EXPECT_FALSE(states.againstTruth);
 }
 
-TEST(TriangleStates, backFaceThatTheTruthShowsIsNotLost) {
+TEST(TriangleStates, backFaceThatTheTruthShowsIsLost) {
     // An open square seen from behind: OpenGL drops it, and with both sides it would be seen.
     const ScenePointer scene = sceneOf({squareMesh(1, 0)});
     const SceneBuffers buffers(scene, Upload::Vbo);
@@ -160,7 +160,7 @@ TEST(TriangleStates, backFaceThatTheTruthShowsIsNotLost) {
     EXPECT_EQ(count(triangleStates(*scene, before, list, {}, std::nullopt), TriangleState::Visible), 2u);
 }
 
-TEST(TriangleStates, triangleDrawnTwiceChangesItsState) {
+TEST(TriangleStates, triangleDrawnTwiceKeepsItsState) {
     const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1)});
     const SceneBuffers buffers(scene, Upload::Vbo);
     const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), Facing::TwoSided);
@@ -180,7 +180,7 @@ bool outerSideTurnedAway(const Scene& scene, uint32_t instance, uint32_t triangl
     return glm::dot(normal, eye - corners[0]) < 0.0;
 }
 
-TEST(TriangleStates, mirroredInstanceShowsItsBack) {
+TEST(TriangleStates, mirroredInstanceShowsItsFront) {
     const std::vector<Mat4> places{translation({-2, 0, 0}), translation({2, 0, 0}) * scaling({-1, 1, 1}),
                                    translation({0, 2, 0}) * scaling({1, -2, .5}),
                                    translation({0, -2, 0}) * scaling({-1, -1, -1})};
@@ -198,7 +198,7 @@ TEST(TriangleStates, mirroredInstanceShowsItsBack) {
     EXPECT_GT(count(states, TriangleState::BackFacing), scene->triangleCount() / 3);
 }
 
-TEST(TriangleStates, fieldCountsDifferFromTheVerdict) {
+TEST(TriangleStates, fieldCountsAgreeWithTheVerdict) {
     std::vector<Mat4> places;
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20; ++j) places.push_back(translation({(i - 9.5) * 2.5, 0, (j - 9.5) * 2.5}));
@@ -230,7 +230,7 @@ TEST(TriangleStates, fieldCountsDifferFromTheVerdict) {
     }
 }
 
-TEST(TriangleStates, nameIsMissingOrTwiceThere) {
+TEST(TriangleStates, everyStateHasANameOfItsOwn) {
     std::set<std::string> names;
     for (size_t i = 0; i < kTriangleStateCount; ++i) names.insert(triangleStateName(static_cast<TriangleState>(i)));
     EXPECT_EQ(names.size(), kTriangleStateCount);

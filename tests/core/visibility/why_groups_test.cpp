@@ -44,7 +44,7 @@ std::string sentenceAbout(const TestedGroup& group, uint32_t objects) {
     return begin + "it reaches over the edge of the frustum, so that its objects were tested one by one.";
 }
 
-TEST(WhyOfGroups, levelThatDecidedNothingIsNamedOrTheOtherIsNot) {
+TEST(WhyOfGroups, onlyTheLevelThatDecidedIsNamed) {
     const ScenePointer scene = field();
     GroupedFrustum strategy;
     strategy.build(*scene);

@@ -65,7 +65,7 @@ std::vector<Camera> cameras() {
     return cameras;
 }
 
-TEST(Why, planeDistanceDiffersFromAnIndependentOne) {
+TEST(Why, planeDistanceIsThatOfAnIndependentOne) {
     const ScenePointer scene = field();
     const StrategyPointer frustum = makeStrategy("frustum");
     frustum->build(*scene);
@@ -112,7 +112,7 @@ StrategyPointer coarse(const RegisteredStrategy& registered) {
     return makeStrategy(registered.info.id, parameters);
 }
 
-TEST(Why, chainContradictsTheDrawList) {
+TEST(Why, chainAgreesWithTheDrawList) {
     const ScenePointer scene = field();
     for (const RegisteredStrategy& registered : strategies()) {
         const StrategyPointer strategy = makeStrategy(registered.info.id);
@@ -144,7 +144,7 @@ TEST(Why, chainContradictsTheDrawList) {
     }
 }
 
-TEST(Why, facingOfTheTriangleIsWrong) {
+TEST(Why, facingOfTheTriangleIsTold) {
     const ScenePointer scene = sceneOf({squareMesh(1, -5), squareMesh(1, -6)}, {Mat4(1.0), scaling({-1, 1, 1})});
     const View before({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
     const View behind({{0, 0, -20}, {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
@@ -162,7 +162,7 @@ TEST(Why, facingOfTheTriangleIsWrong) {
     }
 }
 
-TEST(Inside, frustumHidesABoxOrSaysAnotherVerdict) {
+TEST(Inside, frustumShowsEveryBoxWithItsVerdict) {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         const ScenePointer scene = randomScene(seed);
         const StrategyPointer frustum = makeStrategy("frustum");
@@ -189,7 +189,7 @@ TEST(Inside, frustumHidesABoxOrSaysAnotherVerdict) {
     }
 }
 
-TEST(Inside, containmentOfAnObjectIsWrong) {
+TEST(Inside, containmentAndRejectingPlaneAreRight) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({0, 0, 5}), translation({5, 0, -5}),
                                                          translation({-20, 0, -5}), translation({0, 0, -30})});
     const StrategyPointer frustum = makeStrategy("frustum");
@@ -206,7 +206,7 @@ TEST(Inside, containmentOfAnObjectIsWrong) {
     EXPECT_EQ(inside.nodes[4].rejectedBy, FrustumPlane::Far);
 }
 
-TEST(Trace, triangleIsNotSubmittedWithoutACause) {
+TEST(Trace, everyTriangleNotSubmittedHasACause) {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         const ScenePointer scene = randomScene(seed);
         Random random(seed);

@@ -27,13 +27,13 @@ std::vector<uint32_t> drawn(const char* id, const Scene& scene, const View& view
     return drawn(*strategy, view);
 }
 
-TEST(FrustumAsking, objectInViewCulledOrObjectBesideItDrawn) {
+TEST(FrustumAsking, objectInViewIsDrawnAndObjectBesideItCulled) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({0, 0, 5}), translation({9, 0, -5}),
                                                          translation({5.5, 0, -5}), scaling(Vec3(50.0))});
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, standardView()), testing::ElementsAre(0, 3, 4)) << id;
 }
 
-TEST(FrustumQuery, clampedDepthKeepsWhatLiesBeforeNearOrBeyondFar) {
+TEST(FrustumQuery, whatLiesBeforeNearOrBeyondFarIsCulledThoughDepthIsClamped) {
     const ScenePointer scene = copiesOf(
         sphereMesh(80), {translation({0, 0, -13}), translation({0, 0, -.05}) * scaling(Vec3(.02)), translation({0, 0, -5})});
     const StrategyPointer strategy = makeStrategy("frustum-query");
@@ -46,7 +46,7 @@ TEST(FrustumQuery, clampedDepthKeepsWhatLiesBeforeNearOrBeyondFar) {
     EXPECT_EQ(inside.nodes[1].rejectedBy, FrustumPlane::Near);
 }
 
-TEST(FrustumAsking, case26BoxAroundTheWholeFrustumIsCulled) {
+TEST(FrustumAsking, case26BoxAroundTheWholeFrustumIsDrawn) {
     // With the far plane inside it, around the eye and with the eye 0.05 outside of it: OpenGL hits none of its faces.
     const ScenePointer around = sceneOf({boxMesh(Vec3f(-1000), Vec3f(1000))});
     const ScenePointer before = sceneOf({boxMesh({-1000, -1000, -1000}, {1000, 1000, -0.05f})});
@@ -56,12 +56,12 @@ TEST(FrustumAsking, case26BoxAroundTheWholeFrustumIsCulled) {
     }
 }
 
-TEST(FrustumAsking, case22ObjectAroundTheEyeIsCulled) {
+TEST(FrustumAsking, case22ObjectAroundTheEyeIsDrawn) {
     const ScenePointer scene = sceneOf({boxMesh({-1, -1, -3}, {1, 1, 3})});
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, standardView()), testing::ElementsAre(0)) << id;
 }
 
-TEST(FrustumAsking, objectSmallerThanAPixelIsCulledThoughItCoversASample) {
+TEST(FrustumAsking, objectSmallerThanAPixelThatCoversASampleIsDrawn) {
     // Its own box covers a sample or none by a hair; grown by a pixel it does.
     const View view = standardView();
     const Vec3 sample = view.direction(40.5, 60.5) * 5.0;
@@ -69,7 +69,7 @@ TEST(FrustumAsking, objectSmallerThanAPixelIsCulledThoughItCoversASample) {
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, view), testing::ElementsAre(0)) << id;
 }
 
-TEST(FrustumAsking, objectJustBeforeFarIsCulledWhereNearIsVeryNear) {
+TEST(FrustumAsking, objectJustBeforeFarIsDrawnWhereNearIsVeryNear) {
     // Seen from the side, where a far plane misplaced by 2 % leaves nothing of the object: selection mode with OpenGL's own depth
     // range of -1 … 1 in floats.
     const Camera camera{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(179), 4.5e-5, 33};
@@ -80,7 +80,7 @@ TEST(FrustumAsking, objectJustBeforeFarIsCulledWhereNearIsVeryNear) {
     for (const char* id : kIds) EXPECT_EQ(drawn(id, *scene, view).size(), 20u) << id;
 }
 
-TEST(FrustumSelect, case25ObjectIsLostWhereTheHitBufferOverflows) {
+TEST(FrustumSelect, case25NoObjectIsLostWhereTheHitBufferOverflows) {
     std::vector<Mat4> places;
     for (int i = 0; i < 400; ++i)
         places.push_back(translation({0.2 * (i % 20) - 2, 0.2 * (i / 20.0) - 2, -6}) * scaling(Vec3(.05)));
@@ -94,7 +94,7 @@ TEST(FrustumSelect, case25ObjectIsLostWhereTheHitBufferOverflows) {
     }
 }
 
-TEST(FrustumAsking, traceNamesAPlaneOrLacksAnObject) {
+TEST(FrustumAsking, traceHasEveryObjectAndNamesNoPlane) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({9, 0, -5}), scaling(Vec3(50.0))});
     for (const char* id : kIds) {
         const StrategyPointer strategy = makeStrategy(id);
@@ -114,7 +114,7 @@ TEST(FrustumAsking, traceNamesAPlaneOrLacksAnObject) {
     }
 }
 
-TEST(FrustumAsking, decidesWithoutOpenGl) {
+TEST(FrustumAsking, refusesToDecideWithoutOpenGl) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {Mat4(1.0)});
     for (const char* id : kIds) {
         const StrategyPointer strategy = makeStrategy(id);
@@ -128,7 +128,7 @@ TEST(FrustumAsking, decidesWithoutOpenGl) {
     }
 }
 
-TEST(FrustumSelect, isThereWithoutACompatibilityProfile) {
+TEST(FrustumSelect, aloneNeedsACompatibilityProfile) {
     GlInfo gl = GlEnvironment::info();
     gl.compatibilityProfile = true;
     for (const RegisteredStrategy& registered : strategies()) EXPECT_FALSE(unavailable(registered.info, gl));

@@ -166,7 +166,7 @@ void print(const Tally& t) {
                     number(t.variants[v].falsePositives));
 }
 
-TEST(FrustumFamily, visibleObjectCulledOrPromiseOfATighterTestBroken) {
+TEST(FrustumFamily, noVisibleObjectIsCulledAndTighterTestsKeepTheirPromises) {
     FrustumFamily family;
     family.run(longMode() ? kAllPairs : kSample);
     const Tally& t = family.tally();

@@ -33,7 +33,7 @@ ScenePointer grid(int n, double spacing) {
     return copiesOf(sphereMesh(80), places);
 }
 
-TEST(FrustumOctree, cases1And2ObjectBesideAnEdgeIsDrawnWithRefinement) {
+TEST(FrustumOctree, cases1And2ObjectBesideAnEdgeIsCulledWithRefinement) {
     const ScenePointer scene = sceneOf({sphereMesh(2000), boxMesh({15, -5, -30}, {40, 5, -9.5f}), boxMesh(Vec3f(-1), Vec3f(1))},
                                        {translation({13, 13, -11}) * scaling(Vec3(1.5)), Mat4(1.0), translation({0, 0, -5})});
     const StrategyPointer refined = octree("true"), plain = octree("false");
@@ -43,14 +43,14 @@ TEST(FrustumOctree, cases1And2ObjectBesideAnEdgeIsDrawnWithRefinement) {
     EXPECT_THAT(drawn(*refined, standardView()), testing::ElementsAre(2));
 }
 
-TEST(FrustumOctree, case22ObjectAroundTheEyeOrBeyondFarIsCulled) {
+TEST(FrustumOctree, case22ObjectAroundTheEyeOrBeyondFarIsDrawn) {
     const ScenePointer scene = sceneOf({boxMesh({-1, -1, -3}, {1, 1, 3}), boxMesh(Vec3f(-1000), Vec3f(1000))});
     const StrategyPointer strategy = octree("true");
     strategy->build(*scene);
     EXPECT_THAT(drawn(*strategy, standardView()), testing::ElementsAre(0, 1));
 }
 
-TEST(FrustumOctree, refinementDrawsMoreThanPlanes) {
+TEST(FrustumOctree, refinementDrawsLessThanPlanes) {
     uint64_t parted = 0;
     for (uint64_t seed = 1; seed <= 60; ++seed) {
         const ScenePointer scene = randomScene(seed);
@@ -69,7 +69,7 @@ TEST(FrustumOctree, refinementDrawsMoreThanPlanes) {
     EXPECT_GT(parted, 0u);
 }
 
-TEST(FrustumOctree, whatWasSeenBeforeChangesTheVerdict) {
+TEST(FrustumOctree, whatWasSeenBeforeDoesNotChangeTheVerdict) {
     const ScenePointer scene = grid(40, 3.0);
     const StrategyPointer used = octree("true");
     used->build(*scene);
@@ -85,7 +85,7 @@ TEST(FrustumOctree, whatWasSeenBeforeChangesTheVerdict) {
     }
 }
 
-TEST(FrustumOctree, planeThatFailedIsNotTestedFirstTheNextTime) {
+TEST(FrustumOctree, planeThatFailedIsTestedFirstTheNextTime) {
     const ScenePointer scene = grid(60, 3.0);
     const InstanceOctree tree(*scene);
     LastFailedPlanes memory(tree.nodes().size(), scene->instances().size());
@@ -101,7 +101,7 @@ TEST(FrustumOctree, planeThatFailedIsNotTestedFirstTheNextTime) {
     EXPECT_LT(second.planesTested, first.planesTested);
 }
 
-TEST(FrustumOctree, farObjectIsDrawnBeforeANearOne) {
+TEST(FrustumOctree, objectsAreDrawnFromNearToFar) {
     const ScenePointer scene = grid(12, 3.0);
     const StrategyPointer strategy = octree("true");
     strategy->build(*scene);
@@ -120,7 +120,7 @@ TEST(FrustumOctree, farObjectIsDrawnBeforeANearOne) {
     }
 }
 
-TEST(FrustumOctree, objectOutsideAPlaneIsSaidToBeOutsideNone) {
+TEST(FrustumOctree, objectSaidToBePartedByAxesIsOutsideNoPlane) {
     // Its group may be parted by an axis alone.
     const ScenePointer scene = grid(40, 3.0);
     const StrategyPointer strategy = octree("true");
@@ -145,7 +145,7 @@ TEST(FrustumOctree, objectOutsideAPlaneIsSaidToBeOutsideNone) {
     EXPECT_GT(byAxes, 10u);
 }
 
-TEST(FrustumOctree, treeHasNoGroupsOrAnObjectWithoutOne) {
+TEST(FrustumOctree, everyObjectIsInAGroup) {
     const ScenePointer scene = grid(12, 3.0);
     const StrategyPointer strategy = octree("true");
     strategy->build(*scene);

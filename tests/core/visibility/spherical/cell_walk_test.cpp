@@ -29,14 +29,14 @@ ScenePointer fieldOf(const MeshPointer& mesh) {
     return copiesOf(mesh, places);
 }
 
-TEST(Walk, frustumCullsAnotherShareThanThePaperOfSpheres) { EXPECT_NEAR(culledShare(*fieldOf(sphereMesh(320))), 0.79, 0.03); }
+TEST(Walk, frustumCullsThePapersShareOfSpheres) { EXPECT_NEAR(culledShare(*fieldOf(sphereMesh(320))), 0.79, 0.03); }
 
-TEST(Walk, frustumCullsAnotherShareThanThePaperOfBunnies) {
+TEST(Walk, frustumCullsThePapersShareOfBunnies) {
     ASSERT_TRUE(findBunny({}).has_value()) << "glmark2-data is in packaging/packages.txt and not installed";
     EXPECT_NEAR(culledShare(*openScene("field:mesh=bunny,n=20,spacing=2.5").scene), 0.79, 0.03);
 }
 
-TEST(Walk, walkLeavesTheField) {
+TEST(Walk, walkStaysInTheField) {
     const ScenePointer scene = fieldOf(sphereMesh(80));
     const CameraPath path = cameraPath("walk:40", *scene);
     for (const CameraPath::Pose& pose : path.poses) {

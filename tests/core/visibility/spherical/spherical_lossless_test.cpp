@@ -48,7 +48,7 @@ bool covered(const std::vector<std::array<Vec3, 3>>& triangles, const Vec3& poin
     });
 }
 
-TEST(SphericalLossless, leftOutCellHasATriangleThatItsCauseIsNotTrueOf) {
+TEST(SphericalLossless, causeOfALeftOutCellIsTrueOfItsTriangles) {
     std::array<uint64_t, kCauseCount> judged{};
     const std::vector<MeshPointer> meshes{starMesh(7, 16'000), bumpyMesh(3, 16'000, 0.4), knotMesh(4'000), bowlMesh(4'000)};
     for (size_t m = 0; m < meshes.size(); ++m) {
@@ -86,7 +86,7 @@ TEST(SphericalLossless, leftOutCellHasATriangleThatItsCauseIsNotTrueOf) {
     EXPECT_GT(judged[size_t(Cause::Hidden)], 300u);
 }
 
-TEST(SphericalLossless, horizonHidWhatTheKernelDoesNotCover) {
+TEST(SphericalLossless, horizonHidesOnlyWhatTheKernelCovers) {
     const MeshPointer mesh = bumpyMesh(11, 20'000, 0.5);
     const InnerKernel kernel(*mesh);
     ASSERT_TRUE(kernel.filled());
@@ -114,7 +114,7 @@ TEST(SphericalLossless, horizonHidWhatTheKernelDoesNotCover) {
     EXPECT_GT(visible, 2000u);
 }
 
-TEST(SphericalLossless, testIsUsedWhereItDoesNotHold) {
+TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
     const auto parts = [](const MeshPointer& mesh, const char* facing, const Vec3& eye, double near) {
         const ScenePointer scene = sceneOf({mesh});
         const StrategyPointer strategy = strategyWith("spherical-lossless", {{"facing", facing}});
@@ -141,7 +141,7 @@ TEST(SphericalLossless, testIsUsedWhereItDoesNotHold) {
     EXPECT_THAT(parts(mixed, "auto", {0, 0, 5}, 0.1), Pair(false, false));
 }
 
-TEST(SphericalLossless, answerDependsOnTheTraceOrTheThreads) {
+TEST(SphericalLossless, answerDoesNotDependOnTheTraceOrTheThreads) {
     const ScenePointer scene = copiesOf(starMesh(4, 5'000), [] {
         std::vector<Mat4> places;
         for (int i = 0; i < 36; ++i) places.push_back(translation({3.0 * (i % 6), 0.0, -3.0 * (i / 6)}));
@@ -159,7 +159,7 @@ TEST(SphericalLossless, answerDependsOnTheTraceOrTheThreads) {
     }
 }
 
-TEST(SphericalLossless, costOfACullGrewWithTheObjects) {
+TEST(SphericalLossless, costOfACullDoesNotGrowWithTheObjects) {
     // Four times the objects, the same ones in view.
     std::vector<uint64_t> visited;
     for (const int side : {64, 128, 256}) {
@@ -177,7 +177,7 @@ TEST(SphericalLossless, costOfACullGrewWithTheObjects) {
     EXPECT_LT(visited[2], visited[0] + visited[0] / 2);
 }
 
-TEST(SphericalLossless, cullVisitedMoreCellsOfAFinerMesh) {
+TEST(SphericalLossless, cullVisitsAsManyCellsOfAFinerMesh) {
     // Sixteen times the triangles at equal cells: the same walk.
     std::vector<uint64_t> visited;
     for (const size_t triangles : {20'000u, 320'000u}) {
@@ -191,7 +191,7 @@ TEST(SphericalLossless, cullVisitedMoreCellsOfAFinerMesh) {
     EXPECT_NEAR(double(visited[1]) / double(visited[0]), 1.0, 0.1);
 }
 
-TEST(SphericalLossless, extremeViewHasNoAnswer) {
+TEST(SphericalLossless, extremeViewHasAnAnswer) {
     // Cases 11, 13, 17 and 23: corners at the centre, the polar axis, the eye at the centre, fields of 0.01° and 179°.
     const MeshPointer cone = joined({starMesh(1, 3'000), meshOf({{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}}, {0, 1, 2})});
     for (const char* layout : {"octahedral", "latitude-longitude"}) {

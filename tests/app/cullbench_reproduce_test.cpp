@@ -1,0 +1,95 @@
+// The command line's contract (measurement.md) for experiments of papers: which there are, what repeating one gives.
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/cullbench_contract.h"
+
+namespace cullscope::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+TEST_F(CullbenchContract, listShowsEveryExperiment) {
+    const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
+    std::vector<std::string> experiments;
+    for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
+    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "vfc-40-views"));
+    const std::string text = cullbench({"list", "experiments"}).out;
+    for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
+}
+
+TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
+    expectRefusal(cullbench({"reproduce", "table-9"}), 2, "Known: table-1, table-2, table-3, table-4, table-5, vfc-40-views.");
+    expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
+    expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
+    expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");
+    expectRefusal(cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2, "no plot. With a plot: vfc-40-views.");
+    expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
+    expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", "-", "--json", "-"}), 2, "--json and --svg");
+    EXPECT_EQ(filesWritten(), 0u);
+}
+
+TEST_F(CullbenchContract, reproduceNeedsNoOpenGlForTheStructures) {
+    const ProcessResult result =
+        cullbench({"reproduce", "table-1", "--json", "-"}, {"__EGL_VENDOR_LIBRARY_FILENAMES=/nonexistent/egl.json"});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    const json table = json::parse(result.out)["experiments"][0];
+    EXPECT_EQ(table["scene"]["triangles"], 144046);
+    ASSERT_EQ(table["rows"].size(), 5u);
+    EXPECT_EQ(table["rows"][2]["paper_megabytes"], 6.7);
+    // The limit for the three maps at the paper's resolution.
+    EXPECT_LE(table["rows"][4]["megabytes"], 8.0);
+    EXPECT_GT(table["rows"][4]["build_ms"], 0.0);
+    EXPECT_THAT(result.err, HasSubstr("memory access map")) << "the table itself goes beside the data";
+}
+
+TEST_F(CullbenchContract, reproduceGivesThePapersAndOurFigures) {
+    const ProcessResult result = cullbench({"reproduce", "table-2", "--repeat", "1", "--json", file("t.json")});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr("13508"));
+    std::ifstream in(file("t.json"));
+    const json table = json::parse(in)["experiments"][0];
+    ASSERT_EQ(table["rows"].size(), 9u);
+    for (int number = 1; number <= 3; ++number) {
+        const json& spherical = table["rows"][size_t(3 * number - 1)];
+        EXPECT_EQ(spherical["strategy"], "spherical");
+        EXPECT_EQ(spherical["case"], number);
+        EXPECT_EQ(spherical["cases"], std::to_string(number) + " ×" + std::to_string(spherical["poses"].get<int>()));
+        EXPECT_GE(spherical["poses"], 10);
+        EXPECT_LE(spherical["considered_triangles"], 1.5 * spherical["triangles_in_frustum"].get<double>());
+        EXPECT_GT(spherical["speedup_vs_all"], 0.0);
+        EXPECT_GT(spherical["speedup_vs_backface"], 0.0);
+        EXPECT_GE(spherical["missed_pixels"], 0.0);
+    }
+}
+
+TEST_F(CullbenchContract, interruptKeepsTheTable) {
+    const ProcessResult result = cullbench({"reproduce", "table-3", "--json", file("t.json")}, {}, 7.0);
+    EXPECT_EQ(result.exitStatus, 130) << result.err;
+    std::ifstream in(file("t.json"));
+    const json table = json::parse(in)["experiments"][0];
+    EXPECT_TRUE(table["interrupted"]);
+}
+
+/// All 40 views take a minute: a few of them are enough for the files. (What the rows and lines hold: cho_views_test.)
+TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
+    const ProcessResult result =
+        cullbench({"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg", file("f.svg")}, {}, 15.0);
+    EXPECT_EQ(result.exitStatus, 130) << result.err;
+    std::ifstream in(file("f.json"));
+    const json table = json::parse(in)["experiments"][0];
+    EXPECT_TRUE(table["interrupted"]);
+    ASSERT_EQ(table["plots"].size(), 1u);
+    for (const char* field : {"title", "x", "y", "lines", "references"}) EXPECT_TRUE(table["plots"][0].contains(field)) << field;
+    EXPECT_EQ(table["plots"][0]["references"].size(), 3u);
+    std::ifstream svg(file("f.svg"));
+    std::string text((std::istreambuf_iterator<char>(svg)), std::istreambuf_iterator<char>());
+    EXPECT_THAT(text, testing::StartsWith("<svg"));
+    EXPECT_THAT(text, HasSubstr("Frames per second by viewpoint"));
+    EXPECT_THAT(text, testing::EndsWith("</svg>\n"));
+}
+
+}  // namespace
+}  // namespace cullscope::test
