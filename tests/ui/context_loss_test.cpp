@@ -197,7 +197,7 @@ TEST_F(ContextLoss, inTheMiddleOfMeasuringTheFiguresComeAllTheSame) {
     EXPECT_EQ(said.size(), 1u);
 }
 
-TEST_F(ContextLoss, whileAPictureIsDrawnNothingOfItWasShown) {
+TEST_F(ContextLoss, whileAPictureIsDrawnNothingOfItIsShown) {
     setUp(session);
     settle(session);
     std::vector<QImage> shown;
@@ -368,7 +368,7 @@ TEST(ContextLossInAnExperiment, endsItWithWhatWasMeasured) {
 }
 
 /// Numbers of the old context name other things in the new one.
-TEST(GpuThread, buffersOfALostContextDeletedThoseOfTheNewOne) {
+TEST(GpuThread, buffersOfALostContextLeaveThoseOfTheNewOne) {
     Driver driver;
     GpuThread gpu(driver.options());
     const ScenePointer scene = openScene("star:seed=7,triangles=2000").scene;
@@ -400,7 +400,7 @@ TEST(GpuThread, buffersOfALostContextDeletedThoseOfTheNewOne) {
 }
 
 /// A window's context dies with the window: nothing of a picture may live there.
-TEST(ViewPane, lostItsPictureOnTheWayToAnotherWindow) {
+TEST(ViewPane, keepsItsPictureOnTheWayToAnotherWindow) {
     Session session(sessionOptions(true));
     QWidget window;
     auto* layout = new QVBoxLayout(&window);

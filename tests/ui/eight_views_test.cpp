@@ -175,7 +175,7 @@ TEST_F(EightViews, freezingKeepsFiguresAndNeighboursWhileTheViewFlies) {
     EXPECT_EQ(session.setup(1).role, Role::Linked);
 }
 
-TEST_F(EightViews, anotherLayoutChangedWhatAFrozenViewCulls) {
+TEST_F(EightViews, anotherLayoutKeepsWhatAFrozenViewCulls) {
     open(kObjects);
     session.slot(0).choose("frustum");
     session.setActiveView(0);
@@ -196,7 +196,7 @@ TEST_F(EightViews, anotherLayoutChangedWhatAFrozenViewCulls) {
     }
 }
 
-TEST_F(EightViews, aWatchedViewThatIsNotShownTookItsWatchersShape) {
+TEST_F(EightViews, aWatchedViewThatIsNotShownKeepsItsShape) {
     open(kObjects);
     session.slot(0).choose("frustum");
     session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
@@ -209,7 +209,7 @@ TEST_F(EightViews, aWatchedViewThatIsNotShownTookItsWatchersShape) {
     EXPECT_EQ(session.figures(1).consideredTriangles, before);
 }
 
-TEST_F(EightViews, aPickWasNotMarkedInAnyPicture) {
+TEST_F(EightViews, aPickIsMarkedInEveryLinkedPicture) {
     open(kObjects);
     session.setLinked(1);
     settle();
@@ -226,7 +226,7 @@ TEST_F(EightViews, aPickWasNotMarkedInAnyPicture) {
     EXPECT_EQ(window.inside().tabs().currentIndex(), 0) << "walking through the tree jumped to Why at every row";
 }
 
-TEST_F(EightViews, flyingWithTheRightButtonOpenedTheMenu) {
+TEST_F(EightViews, flyingWithTheRightButtonOpensNoMenu) {
     open(kScene);
     QSignalSpy menus(&picture(0), &SceneView::menuRequested);
     const QPoint middle(picture(0).width() / 2, picture(0).height() / 2);

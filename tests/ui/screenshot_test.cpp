@@ -179,7 +179,7 @@ std::string headingOf(const Viewport& size) {
     return "Triangles at " + std::to_string(size.width) + " × " + std::to_string(size.height) + " pixels:";
 }
 
-TEST_F(ScreenshotTest, legendsCountsAreOfAnUnnamedSize) {
+TEST_F(ScreenshotTest, theLegendNamesTheSizeOfItsCounts) {
     observe();
     ScreenshotOptions options;
     // As on the screen, where the figures of that size are the counts.
@@ -289,7 +289,7 @@ TEST_F(ScreenshotTest, transparentMeansNothingOrEverything) {
     EXPECT_EQ(qAlpha(image(taken(options)).pixel(0, 0)), 0);
 }
 
-TEST_F(ScreenshotTest, whiteAndBlackBackgrounds) {
+TEST_F(ScreenshotTest, backgroundsAreWhiteOrBlackAsAsked) {
     ScreenshotOptions options = bare();
     options.background = Behind::White;
     EXPECT_EQ(image(taken(options)).pixel(0, 0), qRgb(255, 255, 255));

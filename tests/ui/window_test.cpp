@@ -221,14 +221,14 @@ TEST_F(Window, reparentedViewsDrawTheSamePictureAgain) {
     EXPECT_EQ(picture(0).picture(), before);
 }
 
-TEST_F(Window, aDoubleClickBesideTheMeshMovedTheCentre) {
+TEST_F(Window, aDoubleClickBesideTheMeshKeepsTheCentre) {
     const Camera before = session.camera();
     ASSERT_FALSE(picture(0).surfaceAt({3.0, 3.0}));
     QTest::mouseDClick(&picture(0), Qt::LeftButton, {}, {3, 3});
     EXPECT_EQ(session.camera(), before);
 }
 
-TEST_F(Window, aMessageResizedTheViewsAndMadeFiguresStale) {
+TEST_F(Window, aMessageKeepsTheSizeOfTheViewsAndTheFigures) {
     const Viewport size = picture(0).renderSize();
     const Camera camera = session.camera();
     openAndWait(session, QStringLiteral("/nonexistent/file.obj"));
@@ -244,7 +244,7 @@ TEST_F(Window, aMessageResizedTheViewsAndMadeFiguresStale) {
     EXPECT_TRUE(window.message().parentWidget()->rect().contains(window.message().geometry()));
 }
 
-TEST_F(Window, activatingAViewWithManyParametersMadeTheWindowGrow) {
+TEST_F(Window, activatingAViewWithManyParametersKeepsTheSizeOfTheWindow) {
     session.slot(0).choose("frustum");
     window.resize(900, 420);
     settle();
@@ -260,7 +260,7 @@ TEST_F(Window, activatingAViewWithManyParametersMadeTheWindowGrow) {
     }
 }
 
-TEST_F(Window, theTabBarHadNoName) {
+TEST_F(Window, theTabBarHasANameAndItsPlaceInTheOrderOfTab) {
     window.side().setOpenPage(0);
     session.setActiveView(0);
     session.slot(0).choose("frustum");
@@ -282,7 +282,7 @@ TEST_F(Window, theTabBarHadNoName) {
     EXPECT_FALSE(window.tabs().tabBar()->accessibleName().isEmpty());
 }
 
-TEST_F(Window, theWheelOverTheDockChangedTheStrategy) {
+TEST_F(Window, theWheelOverTheDockKeepsTheStrategy) {
     QComboBox& choice = window.strategyPanel().choice();
     picture(0).setFocus();
     const int before = choice.currentIndex();
@@ -292,7 +292,7 @@ TEST_F(Window, theWheelOverTheDockChangedTheStrategy) {
     EXPECT_EQ(choice.currentIndex(), before);
 }
 
-TEST_F(Window, theCopiedCommandDrewAnotherPicture) {
+TEST_F(Window, theCopiedCommandDrawsTheSamePicture) {
     for (const char* strategy : {"backface", "all"}) {
         session.slot(0).choose(strategy);
         session.setCamera(zoomed(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(33.3), Angle::fromDegrees(7.7)),
@@ -309,13 +309,13 @@ TEST_F(Window, theCopiedCommandDrewAnotherPicture) {
     }
 }
 
-TEST(FileDialog, typesWereAListOfPatterns) {
+TEST(FileDialog, typesHaveNamesBesideTheirPatterns) {
     const QString meshes = DocumentCommands::fileTypes().section(QStringLiteral(";;"), 0, 0);
     EXPECT_TRUE(meshes.startsWith(QStringLiteral("Meshes (obj, "))) << meshes.toStdString();
     EXPECT_TRUE(meshes.contains(QStringLiteral(" (*.obj *.OBJ "))) << meshes.toStdString();
 }
 
-TEST(StartSize, theStatusBarWasBelowTheScreen) {
+TEST(StartSize, theWindowFitsTheScreenWithItsFrame) {
     const QMargins frame(4, 40, 4, 4);
     const QSize wanted(1366, 768);
     const Start small = startOn({0, 0, 1366, 768}, frame, wanted);
@@ -328,13 +328,13 @@ TEST(StartSize, theStatusBarWasBelowTheScreen) {
     EXPECT_EQ(large.size, wanted);
 }
 
-TEST_F(Window, theStatusBarDecidedTheLeastHeight) {
+TEST_F(Window, theLeastSizeFitsASmallScaledScreen) {
     // The window at 1366x768 and a scale of 1.5 leaves 911x472.
     EXPECT_LE(window.minimumSizeHint().width(), 900);
     EXPECT_LE(window.minimumSizeHint().height(), 400);
 }
 
-TEST_F(Window, thePictureOfALargeSceneWasTakenBeforeItWasDrawn) {
+TEST_F(Window, thePictureOfALargeSceneIsTakenOnceItIsDrawn) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
     int status = -1;
