@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "core/measure/picture_file.h"
+#include "core/image/picture_file.h"
 #include "tests/support/cullbench_contract.h"
 
 namespace {

@@ -61,7 +61,7 @@ TEST_F(BandsPanelTest, allSectorsHaveTheLargestOfEach) {
     EXPECT_FALSE(panel.plot().sector());
 }
 
-TEST_F(BandsPanelTest, barsOfAllSectorsStoodBelowTheLargestNearer) {
+TEST_F(BandsPanelTest, theLargestNearerIsDrawnForOneSectorOnly) {
     const QColor ground = PlotColours(panel.plot().palette()).ground;
     const double horizon = shown.decision().bands->at(17, 7).horizon;
     panel.sector().setValue(8);
@@ -74,7 +74,7 @@ TEST_F(BandsPanelTest, barsOfAllSectorsStoodBelowTheLargestNearer) {
     EXPECT_TRUE(plotSvg(panel.plot(), {960, 420}).contains("drawn in some sectors</text>"));
 }
 
-TEST_F(BandsPanelTest, untilOneIsChosenTheSectorThatIsDrawnFarthest) {
+TEST_F(BandsPanelTest, untilOneIsChosenTheSectorIsTheOneDrawnFarthest) {
     EXPECT_EQ(panel.sector().value(), 1) << "all are cut at the same band";
     change([](SphericalDecision& decision) {
         decision.bands->table[14 * 8 + 5].drawn = true;
@@ -114,7 +114,7 @@ TEST_F(BandsPanelTest, theCutIsWhereTheLastDrawnBandEnds) {
     EXPECT_FALSE(panel.plot().cut());
 }
 
-TEST_F(BandsPanelTest, sectorsInWhichNothingLiesAreNeither) {
+TEST_F(BandsPanelTest, sectorsInWhichNothingLiesAreNeitherDrawnNorHidden) {
     panel.sector().setValue(0);
     change([](SphericalDecision& decision) {
         for (uint32_t sector = 0; sector < 8; ++sector) decision.bands->table[17 * 8 + sector].size = 0.0;

@@ -35,7 +35,7 @@ TEST(BudgetBar, segmentsAreProportionalAndFillTheWidth) {
     }
 }
 
-TEST(BudgetBar, oneLostTriangleOfManyWasInvisible) {
+TEST(BudgetBar, oneLostTriangleOfManyIsVisible) {
     BudgetBar bar;
     bar.resize(320, 12);
     bar.setFigures(figuresOf({1'000'000'000, 0, 1'000'000'000, 0, 0, 0, 1}));

@@ -224,7 +224,7 @@ TEST_F(Playing, nothingToPlayIsNotPlayed) {
 }
 
 /// At a speed that no drawing keeps up with, no view leaves out a pose.
-TEST(PlayingPictures, noPoseWasSkippedByAnyView) {
+TEST(PlayingPictures, noPoseIsSkippedByAnyView) {
     Session session(sessionOptions(true));
     session.setViewCount(4);
     for (int view = 0; view < 4; ++view) session.setViewport(view, {160, 120});

@@ -1,135 +1,14 @@
-// What is left of everything when a driver's reset takes the OpenGL context. No driver resets on demand: the tests answer for it
-// when the GPU thread asks whether its context is lost, and the old context then is as gone for the thread as a lost one.
+// What is left of a session when a driver's reset takes the OpenGL context.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QTemporaryDir>
-#include <QVBoxLayout>
-#include <atomic>
-
-#include "core/base/error.h"
-#include "tests/support/small_experiment.h"
-#include "tests/ui/test_scene.h"
-#include "ui/jobs/experiment_runner.h"
-#include "ui/screenshots/screenshot.h"
+#include "tests/ui/context_loss.h"
 #include "ui/session/undo_recorder.h"
-#include "ui/views/view_pane.h"
 
 namespace cullscope::ui {
 namespace {
 
 using ::testing::HasSubstr;
-
-const Viewport kSize{320, 240};
-const QString kScene = QStringLiteral("field:mesh=star:seed=7,triangles=2000,n=4,spacing=2.5");
-
-/// What a driver does to a context, and whether it then gives another one.
-struct Driver {
-    std::atomic<int> reset = 0;        ///< the question about the context, from 1, that is answered with its loss; 0: none
-    std::atomic<bool> always = false;  ///< all of them
-    std::atomic<bool> broken = false;  ///< no new context
-
-    GpuThread::Options options() {
-        return {[this] { return (reset > 0 && --reset == 0) || always; },
-                [this]() -> std::unique_ptr<QOpenGLContext> {
-                    if (broken) return nullptr;
-                    auto context = std::make_unique<QOpenGLContext>();
-                    context->setFormat(QSurfaceFormat::defaultFormat());
-                    return context->create() ? std::move(context) : nullptr;
-                }};
-    }
-};
-
-/// What a view shows and what is known of it.
-struct Seen {
-    std::vector<QImage> pictures;
-    std::vector<std::tuple<uint64_t, uint64_t, uint64_t, uint64_t>> counts;  ///< missed, extra, covered, considered
-
-    bool operator==(const Seen&) const = default;
-};
-
-Seen seenIn(const Session& session) {
-    Seen seen;
-    for (const int view : session.shownViews()) {
-        seen.pictures.push_back(session.picture(view) ? session.picture(view)->colour : QImage());
-        const Figures& figures = session.figures(view);
-        seen.counts.emplace_back(figures.accuracy.missedPixels, figures.accuracy.extraPixels, figures.accuracy.coveredPixels,
-                                 figures.consideredTriangles);
-    }
-    return seen;
-}
-
-void settle(Session& session) {
-    ASSERT_TRUE(waitUntil([&] {
-        for (const int view : session.shownViews())
-            if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
-        return session.figuresSettled() && !session.pictures()->busy();
-    }));
-}
-
-/// Four views: a linked pair that uploads in both ways, an observer with verdict colours, and a frozen one.
-void setUp(Session& session) {
-    session.setViewCount(4);
-    for (int view = 0; view < 4; ++view) session.setViewport(view, kSize);
-    openAndWait(session, kScene);
-    session.slot(0).choose("frustum");
-    session.slot(1).choose("backface");
-    session.slot(3).choose("frustum");
-    session.setCamera(zoomed(session.camera(), session.camera().target, 0.4, 1.0));
-    ViewSetup arrays = session.setup(1);
-    arrays.upload = Upload::VertexArray;
-    session.setSetup(1, arrays);
-    session.observe(2, 0);
-    ViewSetup observer = session.setup(2);
-    observer.look = {Colouring::Verdicts, true, true, true};
-    session.setSetup(2, observer);
-    session.setFrozen(3, true);
-    std::vector<bool> hidden(session.hidden().size(), false);
-    hidden[5] = true;
-    session.setHidden(hidden);
-}
-
-struct ContextLoss : ::testing::Test {
-    ContextLoss() {
-        QObject::connect(&session, &Session::messageRaised, [this](Severity severity, const Message& message) {
-            said.push_back(message.english());
-            severities.push_back(severity);
-        });
-    }
-
-    static Session::Options optionsOf(Driver& driver) {
-        Session::Options options = sessionOptions(true);
-        options.gpu = driver.options();
-        return options;
-    }
-    /// The driver resets while nothing is drawn; ends when the loss is known.
-    void lose() {
-        const size_t before = said.size();
-        driver.reset = 1;
-        session.gpu()->run([] {});
-        ASSERT_TRUE(waitUntil([&] { return said.size() > before; }));
-    }
-    /// Until every shown view was drawn anew since.
-    void waitForRedrawing(const std::vector<size_t>& drawn) {
-        ASSERT_TRUE(waitUntil([&] {
-            for (const int view : session.shownViews())
-                if (session.pictures()->drawn(view) <= drawn[size_t(view)]) return false;
-            return true;
-        }));
-        settle(session);
-    }
-    [[nodiscard]] std::vector<size_t> drawn() {
-        std::vector<size_t> counts;
-        for (int view = 0; view < Session::kMostViews; ++view) counts.push_back(session.pictures()->drawn(view));
-        return counts;
-    }
-
-    Driver driver;
-    std::vector<std::string> said;
-    std::vector<Severity> severities;
-    Session session{optionsOf(driver)};
-};
 
 TEST_F(ContextLoss, isOneSentenceAndThenAllIsAsItWas) {
     setUp(session);
@@ -174,7 +53,7 @@ TEST_F(ContextLoss, afterItEverythingIsDrawnMeasuredAndPickedAsInAnotherSession)
         settle(*one);
     }
     EXPECT_EQ(seenIn(session), seenIn(other));
-    for (Session* one : {&session, &other}) one->pickAt(0, kSize.width / 2, kSize.height / 3);
+    for (Session* one : {&session, &other}) one->pickAt(0, kLossSize.width / 2, kLossSize.height / 3);
     ASSERT_TRUE(waitUntil([&] { return session.pick() && other.pick(); }));
     EXPECT_EQ(session.pick(), other.pick());
     EXPECT_EQ(said.size(), 1u);
@@ -197,7 +76,7 @@ TEST_F(ContextLoss, inTheMiddleOfMeasuringTheFiguresComeAllTheSame) {
     EXPECT_EQ(said.size(), 1u);
 }
 
-TEST_F(ContextLoss, whileAPictureIsDrawnNothingOfItWasShown) {
+TEST_F(ContextLoss, whileAPictureIsDrawnNothingOfItIsShown) {
     setUp(session);
     settle(session);
     std::vector<QImage> shown;
@@ -229,34 +108,6 @@ TEST_F(ContextLoss, objectsHiddenBeforeItIsKnownAreHiddenAfterIt) {
     settle(other);
     EXPECT_EQ(seenIn(session), seenIn(other));
     EXPECT_EQ(said.size(), 1u);
-}
-
-TEST(ContextLossWhileUploading, theSceneIsUploadedAgain) {
-    Driver driver;
-    Session::Options options = sessionOptions(true);
-    options.gpu = driver.options();
-    std::atomic<int> uploads = 0;
-    options.uploader = [&](GpuThread& gpu, const ScenePointer& scene) {
-        SceneBuffersPointer buffers = gpu.upload(scene);
-        if (++uploads == 1) driver.reset = 1;
-        return buffers;
-    };
-    Session session(options);
-    std::vector<std::string> said;
-    QObject::connect(&session, &Session::messageRaised,
-                     [&](Severity, const Message& message) { said.push_back(message.english()); });
-    Session other(sessionOptions(true));
-    for (Session* one : {&session, &other}) {
-        one->setViewport(0, kSize);
-        one->setViewport(1, kSize);
-        openAndWait(*one, QStringLiteral("sphere:triangles=1e6"));
-        settle(*one);
-    }
-    EXPECT_EQ(uploads, 2);
-    EXPECT_EQ(seenIn(session), seenIn(other));
-    ASSERT_EQ(said.size(), 1u);
-    EXPECT_THAT(said.front(), HasSubstr("uploaded again"));
-    EXPECT_TRUE(session.uploadFailure().empty());
 }
 
 TEST_F(ContextLoss, withoutANewContextWhatIsShownStays) {
@@ -297,143 +148,6 @@ TEST_F(ContextLoss, thatComesAgainAndAgainIsGivenUp) {
     QTest::qWait(100);
     EXPECT_EQ(said.size(), 5u);
     EXPECT_EQ(seenIn(session), before);
-}
-
-TEST_F(ContextLoss, aScreenshotUnderWaySaysSoAndLeavesNoFile) {
-    setUp(session);
-    settle(session);
-    const QTemporaryDir folder;
-    const std::filesystem::path file = folder.filePath(QStringLiteral("large.png")).toStdString();
-    ScreenshotOptions options;
-    options.size = Viewport{4096, 4096};
-    Screenshot screenshot(*session.gpu(),
-                          planScreenshot(
-                              session, options, [](int) { return PictureExtras(); }, false),
-                          file);
-    std::vector<std::string> failures;
-    bool done = false;
-    QObject::connect(&screenshot, &Screenshot::failed, [&](const Message& message) { failures.push_back(message.english()); });
-    QObject::connect(&screenshot, &Screenshot::done, [&] { done = true; });
-    const std::vector<size_t> drawnBefore = drawn();
-    driver.reset = 2;  // with a tile drawn
-    screenshot.start();
-    ASSERT_TRUE(waitUntil([&] { return !failures.empty() || done; }));
-    EXPECT_FALSE(done);
-    EXPECT_THAT(failures, ::testing::ElementsAre(HasSubstr("Take the picture again")));
-    EXPECT_FALSE(std::filesystem::exists(file));
-    waitForRedrawing(drawnBefore);
-    EXPECT_EQ(said.size(), 1u);
-    Screenshot again(*session.gpu(),
-                     planScreenshot(
-                         session, options, [](int) { return PictureExtras(); }, false),
-                     file);
-    QObject::connect(&again, &Screenshot::done, [&] { done = true; });
-    again.start();
-    ASSERT_TRUE(waitUntil([&] { return done; }));
-    EXPECT_TRUE(std::filesystem::exists(file));
-}
-
-TEST(ContextLossInAnExperiment, endsItWithWhatWasMeasured) {
-    Driver driver;
-    ExperimentRunner runner(nullptr, driver.options());
-    std::vector<MeasureResult> results;
-    std::vector<std::string> failures;
-    size_t partials = 0;
-    QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& result) { results.push_back(result); });
-    QObject::connect(&runner, &ExperimentRunner::failed, [&](const Message& message) { failures.push_back(message.english()); });
-    QObject::connect(&runner, &ExperimentRunner::partial, [&] { driver.reset = ++partials == 2 ? 1 : 0; });
-    const MeasureRequest small = test::smallExperiment({"frustum"});
-    ExperimentRunner::Request request;
-    request.scene = small.scene;
-    request.strategies = small.strategies;
-    request.path = cameraPath("walk:5000", *small.scene);
-    request.size = small.size;
-    request.repetitions = 3;
-    runner.start(request);
-    ASSERT_TRUE(waitUntil([&] { return !failures.empty(); }));
-    EXPECT_FALSE(runner.running());
-    EXPECT_THAT(failures, ::testing::ElementsAre(HasSubstr("ended the experiment")));
-    ASSERT_EQ(results.size(), 1u);
-    EXPECT_TRUE(results[0].interrupted);
-    ASSERT_EQ(results[0].runs.size(), 3u);
-    const size_t poses = results[0].runs[0].frames.size();
-    EXPECT_GT(poses, 0u);
-    EXPECT_LT(poses, 5000u);
-    for (const FrameMeasurement& frame : results[0].runs[0].frames) EXPECT_EQ(frame.accuracy->missedPixels, 0u);
-    request.path = cameraPath("walk:3", *small.scene);
-    runner.start(request);
-    ASSERT_TRUE(waitUntil([&] { return results.size() == 2; }));
-    EXPECT_FALSE(results[1].interrupted);
-    EXPECT_EQ(failures.size(), 1u);
-}
-
-/// Numbers of the old context name other things in the new one.
-TEST(GpuThread, buffersOfALostContextDeletedThoseOfTheNewOne) {
-    Driver driver;
-    GpuThread gpu(driver.options());
-    const ScenePointer scene = openScene("star:seed=7,triangles=2000").scene;
-    const View view(homeCamera(*scene, UpAxis::Y, 4.0 / 3.0), kSize);
-    const auto picture = [&](const SceneBuffersPointer& buffers) {
-        std::vector<uint8_t> pixels;
-        gpu.run([&] {
-            EXPECT_TRUE(gpu.holds(buffers));
-            Renderer renderer;
-            Framebuffer target(kSize);
-            renderer.draw(*buffers, view, everything(*scene, Facing::TwoSided), target);
-            pixels = target.readColour();
-        });
-        return pixels;
-    };
-    SceneBuffersPointer before, now;
-    gpu.run([&] { before = gpu.upload(scene); });
-    const std::vector<uint8_t> expected = picture(before);
-    driver.reset = 1;
-    gpu.run([] {});
-    gpu.run([&] {
-        EXPECT_FALSE(gpu.holds(before));
-        EXPECT_THROW(gpu.requireHeld(before), Error);
-        now = gpu.upload(scene);
-    });
-    before = nullptr;
-    gpu.run([] {});
-    EXPECT_EQ(picture(now), expected);
-}
-
-/// A window's context dies with the window: nothing of a picture may live there.
-TEST(ViewPane, lostItsPictureOnTheWayToAnotherWindow) {
-    Session session(sessionOptions(true));
-    QWidget window;
-    auto* layout = new QVBoxLayout(&window);
-    auto* pane = new ViewPane(session, 0, &window);
-    pane->setFixedSize(400, 360);
-    layout->addWidget(pane);
-    window.show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
-    openAndWait(session, kScene);
-    session.setViewCount(1);
-    session.setActiveView(0);
-    settle(session);
-    const auto shown = [&] {
-        QApplication::processEvents();
-        return pixelsAlone(pane->picture().grabFramebuffer());
-    };
-    const QImage before = shown();
-    const QImage picture = session.picture(0)->colour;
-    EXPECT_GT(picture.width(), 100);
-    for (int i = 0; i < 2; ++i) {
-        layout->removeWidget(pane);
-        pane->setParent(nullptr);
-        pane->show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(pane, kPatience));
-        settle(session);
-        EXPECT_EQ(shown(), before) << "floating";
-        pane->setParent(&window);
-        layout->addWidget(pane);
-        pane->show();
-        settle(session);
-        EXPECT_EQ(shown(), before) << "back";
-        EXPECT_EQ(session.picture(0)->colour, picture);
-    }
 }
 
 }  // namespace

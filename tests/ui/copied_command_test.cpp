@@ -54,14 +54,14 @@ struct CopiedCommand : ::testing::Test {
     SceneView first{session, 0}, second{session, 1};
 };
 
-TEST_F(CopiedCommand, ofALinkedView) { expectSame(first); }
+TEST_F(CopiedCommand, repeatsALinkedView) { expectSame(first); }
 
-TEST_F(CopiedCommand, ofALinkedViewWithVerdicts) {
+TEST_F(CopiedCommand, repeatsALinkedViewWithVerdicts) {
     change(0, [](ViewSetup& setup) { setup.look.colouring = Colouring::Verdicts; });
     expectSame(first);
 }
 
-TEST_F(CopiedCommand, ofAnObserverWithVerdictsBoxesAndFrustum) {
+TEST_F(CopiedCommand, repeatsAnObserverWithVerdictsBoxesAndFrustum) {
     session.observe(1, 0);
     change(1, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, true, true, true}; });
     expectSame(second);
@@ -77,7 +77,7 @@ TEST_F(CopiedCommand, ofAnObserverWithVerdictsBoxesAndFrustum) {
     expectSame(second);
 }
 
-TEST_F(CopiedCommand, ofAnObserverOfAnotherSizeThanWhatItWatches) {
+TEST_F(CopiedCommand, repeatsAnObserverOfAnotherSizeThanWhatItWatches) {
     session.observe(1, 0);
     change(1, [](ViewSetup& setup) {
         setup.look = {Colouring::Verdicts, true, true, false};
@@ -86,7 +86,7 @@ TEST_F(CopiedCommand, ofAnObserverOfAnotherSizeThanWhatItWatches) {
     expectSame(second);
 }
 
-TEST_F(CopiedCommand, ofFrozenCullingWithOnlyWhatWasDrawn) {
+TEST_F(CopiedCommand, repeatsFrozenCullingWithOnlyWhatWasDrawn) {
     session.setFrozen(0, true);
     session.setViewingCamera(0, turned(session.viewingCamera(0), UpAxis::Y, Angle::fromDegrees(90.0), {}));
     change(0, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, false, true, false}; });
@@ -95,7 +95,7 @@ TEST_F(CopiedCommand, ofFrozenCullingWithOnlyWhatWasDrawn) {
     expectSame(first);
 }
 
-TEST_F(CopiedCommand, ofASphericalStrategysOverlays) {
+TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     session.observe(1, 0);
     session.slot(0).choose("spherical");
     change(1, [](ViewSetup& setup) { setup.look = {.boxes = true, .bands = true}; });
@@ -112,7 +112,7 @@ TEST_F(CopiedCommand, ofASphericalStrategysOverlays) {
     EXPECT_FALSE(second.request().look.bands);
 }
 
-TEST_F(CopiedCommand, withHiddenObjects) {
+TEST_F(CopiedCommand, repeatsAViewWithHiddenObjects) {
     std::vector<bool> hidden(session.hidden().size(), false);
     for (const size_t object : {1, 3, 4, 5, 20}) hidden[object] = true;
     session.setHidden(hidden);
@@ -121,7 +121,7 @@ TEST_F(CopiedCommand, withHiddenObjects) {
     expectSame(first);
 }
 
-TEST_F(CopiedCommand, ofASplitScene) {
+TEST_F(CopiedCommand, repeatsAViewOfASplitScene) {
     open(QStringLiteral("split:mesh=torus:triangles=2000,by=clusters,triangles=200"));
     expectSame(first);
 }

@@ -1,74 +1,21 @@
-// What issue 3 asks of the views: sizes, turns, roles, and that nothing is shown that nobody wants any more.
+// Many views at once: sizes, figures, turns, and that nothing is shown that nobody wants any more.
 #include <gtest/gtest.h>
 
-#include <QApplication>
 #include <QElapsedTimer>
+#include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QMouseEvent>
 #include <QProcess>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "core/scene/camera_path.h"
 #include "tests/ui/cullbench_picture.h"
-#include "ui/session/object_pick.h"
-#include "ui/window/main_window.h"
+#include "tests/ui/eight_views.h"
 
 namespace cullscope::ui {
 namespace {
-
-struct EightViews : ::testing::Test {
-    void SetUp() override {
-        window.resize(1366, 768);
-        window.show();
-        ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
-    }
-
-    void open(const QString& scene) {
-        openAndWait(session, scene);
-        settle();
-    }
-
-    void settle() {
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled() && !session.pictures()->busy(); }));
-        QApplication::processEvents();
-    }
-
-    SceneView& picture(int view) { return window.views().pane(view).picture(); }
-    QImage shown(int view) { return session.picture(view)->colour; }
-
-    void setSizes(const std::optional<Viewport>& size) {
-        for (int view = 0; view < Session::kMostViews; ++view) {
-            ViewSetup setup = session.setup(view);
-            setup.size = size;
-            session.setSetup(view, setup);
-        }
-    }
-
-    void drag(int view, const QPoint& way, int steps) {
-        QWidget& widget = picture(view);
-        const QPointF from(widget.width() / 2.0, widget.height() / 2.0);
-        const auto send = [&](QEvent::Type type, const QPointF& at, Qt::MouseButton button, Qt::MouseButtons buttons) {
-            QMouseEvent event(type, at, widget.mapToGlobal(at), button, buttons, {});
-            QApplication::sendEvent(&widget, &event);
-        };
-        send(QEvent::MouseButtonPress, from, Qt::LeftButton, Qt::LeftButton);
-        for (int step = 1; step <= steps; ++step) {
-            send(QEvent::MouseMove, from + QPointF(way) * step / steps, Qt::NoButton, Qt::LeftButton);
-            QApplication::processEvents();
-        }
-        send(QEvent::MouseButtonRelease, from + QPointF(way), Qt::LeftButton, {});
-    }
-
-    Session session{sessionOptions(true)};
-    Language language;
-    Appearance appearance;
-    MainWindow window{session, language, appearance};
-};
-
-const QString kScene = QStringLiteral("star:seed=7,triangles=20000");
-const QString kObjects = QStringLiteral("split:mesh=star:seed=7,triangles=20000,by=clusters,triangles=500");
 
 TEST_F(EightViews, picturesAreExactly320By240OnTheLeastScreenInEveryLanguage) {
     open(kScene);
@@ -142,104 +89,6 @@ TEST_F(EightViews, figuresOfAFixedSizeStayWhateverTheWindowAndEqualCullbenchs) {
     }
 }
 
-TEST_F(EightViews, freezingKeepsFiguresAndNeighboursWhileTheViewFlies) {
-    open(kScene);
-    session.setViewCount(4);
-    session.setActiveView(1);
-    session.slot(1).choose("backface");
-    session.setCamera(zoomed(session.camera(), session.camera().target, 0.6, 1.0));
-    settle();
-    std::vector<QImage> before;
-    for (int view = 0; view < 4; ++view) before.push_back(shown(view));
-    const Figures figures = session.figures(1);
-    window.actions().freeze->trigger();
-    settle();
-    EXPECT_EQ(shown(1), before[1]) << "freezing alone changes nothing";
-    session.setViewingCamera(1, turned(session.viewingCamera(1), UpAxis::Y, Angle::fromDegrees(90.0), {}));
-    settle();
-    EXPECT_NE(shown(1), before[1]);
-    for (const int view : {0, 2, 3}) EXPECT_EQ(shown(view), before[size_t(view)]) << "view " << view;
-    EXPECT_EQ(session.figures(1).consideredTriangles, figures.consideredTriangles);
-    EXPECT_EQ(session.figures(1).accuracy.missedPixels, figures.accuracy.missedPixels);
-    EXPECT_EQ(session.figures(1).frameMilliseconds, figures.frameMilliseconds) << "measured anew although nothing changed";
-    EXPECT_TRUE(window.views().pane(1).chipText().contains(QStringLiteral("frozen")));
-    EXPECT_TRUE(window.views().pane(1).header().firstLine().contains(QStringLiteral("frozen")));
-    // The linked camera goes on without it.
-    const QImage frozen = shown(1);
-    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(20.0), {}));
-    settle();
-    EXPECT_EQ(shown(1), frozen);
-    EXPECT_NE(shown(0), before[0]);
-    window.actions().freeze->trigger();
-    settle();
-    EXPECT_EQ(session.setup(1).role, Role::Linked);
-}
-
-TEST_F(EightViews, anotherLayoutChangedWhatAFrozenViewCulls) {
-    open(kObjects);
-    session.slot(0).choose("frustum");
-    session.setActiveView(0);
-    session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
-    settle();
-    session.setFrozen(0, true);
-    settle();
-    const Figures before = session.figures(0);
-    ASSERT_LT(before.consideredTriangles, before.sceneTriangles);
-    for (const int count : {1, 8, 2}) {
-        session.setViewCount(count);
-        window.resize(1366, count == 8 ? 700 : 768);
-        settle();
-        EXPECT_EQ(session.figures(0).consideredTriangles, before.consideredTriangles) << count;
-        EXPECT_EQ(session.figures(0).accuracy.coveredPixels, before.accuracy.coveredPixels) << count;
-        EXPECT_EQ(session.figures(0).frameMilliseconds, before.frameMilliseconds) << "measured anew";
-        EXPECT_EQ(session.viewRequest(0)->cullingSize, before.size) << count;
-    }
-}
-
-TEST_F(EightViews, aWatchedViewThatIsNotShownTookItsWatchersShape) {
-    open(kObjects);
-    session.slot(0).choose("frustum");
-    session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
-    session.observe(1, 0);
-    settle();
-    const uint64_t before = session.figures(1).consideredTriangles;
-    session.setActiveView(1);
-    session.setViewCount(1);
-    settle();
-    EXPECT_EQ(session.figures(1).consideredTriangles, before);
-}
-
-TEST_F(EightViews, aPickWasNotMarkedInAnyPicture) {
-    open(kObjects);
-    session.setLinked(1);
-    settle();
-    const QImage before[2] = {picture(0).grabFramebuffer(), picture(1).grabFramebuffer()};
-    QTest::mouseClick(&picture(0), Qt::LeftButton, {}, QPoint(picture(0).width() / 2, picture(0).height() / 2));
-    ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
-    EXPECT_EQ(window.inside().tabs().currentWidget(), &window.inside().why());
-    for (const int view : {0, 1}) EXPECT_NE(picture(view).grabFramebuffer(), before[view]) << view;
-    // What the tree or a list picks is marked too, and leaves the tab as it is.
-    window.inside().tabs().setCurrentIndex(0);
-    const QImage marked = picture(1).grabFramebuffer();
-    pickObject(session, session.pick()->object == 0 ? 1 : 0);
-    EXPECT_NE(picture(1).grabFramebuffer(), marked);
-    EXPECT_EQ(window.inside().tabs().currentIndex(), 0) << "walking through the tree jumped to Why at every row";
-}
-
-TEST_F(EightViews, flyingWithTheRightButtonOpenedTheMenu) {
-    open(kScene);
-    QSignalSpy menus(&picture(0), &SceneView::menuRequested);
-    const QPoint middle(picture(0).width() / 2, picture(0).height() / 2);
-    picture(0).setFocus();
-    const Camera before = session.camera();
-    QTest::mousePress(&picture(0), Qt::RightButton, {}, middle);
-    QTest::keyPress(&picture(0), Qt::Key_W);
-    ASSERT_TRUE(waitUntil([&] { return !(session.camera() == before); }));
-    QTest::keyRelease(&picture(0), Qt::Key_W);
-    QTest::mouseRelease(&picture(0), Qt::RightButton, {}, middle);
-    EXPECT_EQ(menus.count(), 0);
-}
-
 TEST_F(EightViews, whatWasRepairedInAFileIsSaidWithCounts) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("part.obj"));
@@ -254,25 +103,6 @@ TEST_F(EightViews, whatWasRepairedInAFileIsSaidWithCounts) {
     const std::string said = messages[0][1].value<Message>().english();
     EXPECT_NE(said.find("degenerate 1, duplicate 1"), std::string::npos) << said;
     EXPECT_TRUE(window.message().isVisible());
-}
-
-TEST_F(EightViews, whatAFrozenFrustumLeftOutIsAHole) {
-    open(kObjects);
-    session.setActiveView(0);
-    session.slot(0).choose("frustum");
-    session.setCamera(zoomed(session.camera(), session.camera().target, 0.25, 1.0));
-    settle();
-    ASSERT_LT(session.figures(0).consideredTriangles, session.figures(0).sceneTriangles);
-    session.setFrozen(0, true);
-    session.setViewingCamera(0, framed(session.viewingCamera(0), UpAxis::Y, session.scene()->boundingSphere(), 4.0 / 3.0));
-    settle();
-    const QImage holes = shown(0);
-    const uint64_t before = session.picture(0)->consideredTriangles;
-    session.setFrozen(0, false);
-    session.setCamera(framed(session.camera(), UpAxis::Y, session.scene()->boundingSphere(), 4.0 / 3.0));
-    settle();
-    EXPECT_LT(before, session.picture(0)->consideredTriangles);
-    EXPECT_NE(holes, shown(0));
 }
 
 TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) {
@@ -341,28 +171,6 @@ TEST_F(EightViews, theActiveViewComesFirstAndNoViewStarves) {
     EXPECT_GE(std::count(order.begin(), order.end(), 5), 15);
 }
 
-TEST_F(EightViews, anObserverShowsTheVerdictsOfAnotherViewFromItsOwnCamera) {
-    open(kObjects);
-    session.slot(0).choose("frustum");
-    session.setCamera(zoomed(session.camera(), session.camera().target, 0.25, 1.0));
-    session.observe(1, 0);
-    ViewSetup setup = session.setup(1);
-    setup.look = {Colouring::Verdicts, true, true, false};
-    session.setSetup(1, setup);
-    settle();
-    EXPECT_EQ(session.culledBy(1), 0);
-    EXPECT_NE(session.viewingCamera(1).eye, session.camera().eye);
-    EXPECT_EQ(session.figures(1).consideredTriangles, session.figures(0).consideredTriangles);
-    ASSERT_TRUE(session.picture(1)->request.states) << "verdicts against the truth, once it is known";
-    const QImage before = shown(0);
-    const Figures figures = session.figures(0);
-    session.setActiveView(1);
-    drag(1, {80, 30}, 5);
-    settle();
-    EXPECT_EQ(shown(0), before) << "turning the observer moved what it watches";
-    EXPECT_EQ(session.figures(0).frameMilliseconds, figures.frameMilliseconds);
-}
-
 TEST_F(EightViews, hidingAnObjectTakesItOutOfPictureTruthAndCounts) {
     open(kObjects);
     session.setViewCount(2);
@@ -386,64 +194,6 @@ TEST_F(EightViews, hidingAnObjectTakesItOutOfPictureTruthAndCounts) {
     session.setHidden(hidden);
     settle();
     EXPECT_EQ(session.figures(0).accuracy.coveredPixels, covered);
-}
-
-TEST_F(EightViews, aClickPicksAndADragDoesNot) {
-    open(kObjects);
-    session.setViewCount(2);
-    QPointF middle(picture(0).width() / 2.0, picture(0).height() / 2.0);
-    ASSERT_TRUE(picture(0).surfaceAt(middle));
-    QTest::mouseClick(&picture(0), Qt::LeftButton, {}, middle.toPoint());
-    ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
-    const Pick pick = *session.pick();
-    EXPECT_EQ(session.opened()->scene->instanceOf(pick.triangle), pick.object);
-    EXPECT_NEAR(glm::length(pick.point - *picture(0).surfaceAt(middle)), 0.0, 0.05);
-    drag(0, {60, 0}, 4);
-    QTest::qWait(100);
-    EXPECT_EQ(session.pick(), pick);
-    QTest::mouseClick(&picture(0), Qt::LeftButton, {}, QPoint(2, 2));
-    EXPECT_TRUE(waitUntil([&] { return !session.pick(); })) << "a click beside the scene picks nothing";
-}
-
-TEST_F(EightViews, aWipeShowsTheTruthOnTheLeftAndItsLineIsDragged) {
-    open(kScene);
-    session.setLinked(1);
-    session.setActiveView(0);
-    window.actions().truth->trigger();
-    settle();
-    const ViewPicturePointer shownPicture = session.picture(0);
-    ASSERT_FALSE(shownPicture->other.isNull());
-    EXPECT_EQ(shownPicture->missed, session.figures(0).accuracy.missedPixels);
-    const size_t drawn = picture(0).drawnPictures();
-    const Camera camera = session.camera();
-    drag(0, {int(-0.25 * picture(0).width()), 0}, 6);
-    settle();
-    EXPECT_NEAR(session.setup(0).wipe.position, 0.25, 0.01);
-    EXPECT_EQ(session.camera(), camera);
-    EXPECT_EQ(picture(0).drawnPictures(), drawn) << "the line moves without drawing the scene again";
-}
-
-TEST_F(EightViews, theLectureBorrowsAViewAndGivesItBack) {
-    open(kScene);
-    session.setActiveView(0);
-    settle();
-    window.actions().lecture->trigger();
-    auto* lecture = window.lecture();
-    ASSERT_TRUE(lecture);
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(lecture, kPatience));
-    EXPECT_EQ(lecture->shownView(), 0);
-    QTest::keyClick(lecture, Qt::Key_PageDown);
-    EXPECT_EQ(lecture->shownView(), 1);
-    settle();
-    QTest::keyClick(lecture, Qt::Key_B);
-    EXPECT_TRUE(lecture->blank());
-    QTest::keyClick(lecture, Qt::Key_B);
-    EXPECT_FALSE(lecture->blank());
-    QTest::keyClick(lecture, Qt::Key_Escape);
-    ASSERT_TRUE(waitUntil([&] { return window.lecture() == nullptr; }));
-    settle();
-    EXPECT_EQ(window.views().pane(1).parentWidget(), &window.views());
-    EXPECT_TRUE(window.views().pane(1).isVisible());
 }
 
 }  // namespace

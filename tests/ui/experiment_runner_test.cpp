@@ -147,7 +147,7 @@ TEST_F(Runner, whatCannotBeMeasuredIsOneSentence) {
     EXPECT_EQ(failures.front().english(), "The camera path has no poses.");
 }
 
-TEST_F(Runner, progressGoesFromNothingToAll) {
+TEST_F(Runner, progressGrowsAndStaysBetweenNothingAndAll) {
     double last = 0.0;
     QString stages;
     QObject::connect(&runner, &ExperimentRunner::progressed, [&](double share, const QString& stage) {
@@ -160,7 +160,7 @@ TEST_F(Runner, progressGoesFromNothingToAll) {
     ASSERT_TRUE(waitUntil([&] { return last > 0.0 && !stages.isEmpty(); }));
 }
 
-TEST(ExperimentRunner, destroyedInTheMiddle) {
+TEST(ExperimentRunner, mayBeDestroyedInTheMiddle) {
     ExperimentRunner runner;
     runner.start(longRequest());
     QTest::qWait(50);

@@ -130,14 +130,14 @@ struct FailingPlaces : ::testing::Test {
     std::vector<Severity> severities;
 };
 
-TEST_F(FailingPlaces, ofASession) {
+TEST_F(FailingPlaces, aSessionThatCannotBeWrittenIsOneSentence) {
     auto* opener = window.findChild<SessionOpener*>();
     ASSERT_NE(opener, nullptr);
     expectNothingLost([&](const QString& file) { EXPECT_FALSE(opener->save(file, {})); }, "cullscope");
     EXPECT_TRUE(opener->save(fileNamed("good.cullscope"), {}));
 }
 
-TEST_F(FailingPlaces, ofACameraPath) {
+TEST_F(FailingPlaces, aCameraPathThatCannotBeWrittenIsOneSentence) {
     auto* recorder = window.findChild<CameraRecorder*>();
     ASSERT_NE(recorder, nullptr);
     recorder->addPose();
@@ -154,7 +154,7 @@ TEST_F(FailingPlaces, ofACameraPath) {
 }
 
 // A full disk: ScreenshotTest.aFullDiskAndAFolderThatIsNoneAreSaid.
-TEST_F(FailingPlaces, ofAScreenshot) {
+TEST_F(FailingPlaces, aScreenshotThatCannotBeWrittenIsOneSentence) {
     auto* taker = window.findChild<ScreenshotTaker*>();
     ASSERT_NE(taker, nullptr);
     const SessionState state = captureState(session);
@@ -173,7 +173,7 @@ TEST_F(FailingPlaces, ofAScreenshot) {
     EXPECT_EQ(captureState(session), state);
 }
 
-TEST_F(FailingPlaces, ofStatistics) {
+TEST_F(FailingPlaces, statisticsThatCannotBeWrittenAreOneSentence) {
     auto* panel = window.findChild<StatisticsPanel*>();
     ASSERT_NE(panel, nullptr);
     MeasureResult result = madeUpResult();
@@ -201,7 +201,7 @@ std::string refusal(const QStringList& arguments) {
     return shell.readAllStandardError().toStdString();
 }
 
-TEST_F(FailingPlaces, ofCullbench) {
+TEST_F(FailingPlaces, cullbenchSaysInOneSentenceWhatItCannotWrite) {
     const QString scene = QStringLiteral("sphere:triangles=80");
     const auto expectSentence = [&](const QStringList& arguments) {
         const std::string errors = refusal(arguments);

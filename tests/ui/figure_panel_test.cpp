@@ -42,7 +42,7 @@ struct FiguresOfViews : ::testing::Test {
     FigurePanel panel{session};
 };
 
-TEST_F(FiguresOfViews, valuesOfFourAndEightColumnsWereCut) {
+TEST_F(FiguresOfViews, valuesOfUpToEightColumnsStandWhole) {
     for (const int count : {1, 2, 4, 8}) {
         session.setViewCount(count);
         fill();
@@ -73,7 +73,7 @@ TEST_F(FiguresOfViews, fewColumnsShareTheRoom) {
     EXPECT_TRUE(waitUntil([&] { return panel.table().columnWidth(0) == panel.table().viewport()->width(); }));
 }
 
-TEST_F(FiguresOfViews, theTableKeptTheColoursOfTheWindowsFirstAppearance) {
+TEST_F(FiguresOfViews, theTableHasTheColoursOfTheWindowsAppearance) {
     Appearance appearance;
     for (const Appearance::Mode mode : {Appearance::Mode::Dark, Appearance::Mode::Light, Appearance::Mode::Dark}) {
         appearance.setMode(mode);

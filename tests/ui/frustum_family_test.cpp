@@ -77,7 +77,7 @@ struct FrustumFamily : ::testing::Test {
     std::unique_ptr<Session> session;
 };
 
-TEST_F(FrustumFamily, strategyThatAsksOpenGlIsNotDrawnMeasuredAndPicked) {
+TEST_F(FrustumFamily, strategyThatAsksOpenGlIsDrawnMeasuredAndPicked) {
     begin();
     for (const char* id : {"frustum-select", "frustum-query"}) {
         choose("all", id);
@@ -96,7 +96,7 @@ TEST_F(FrustumFamily, strategyThatAsksOpenGlIsNotDrawnMeasuredAndPicked) {
     EXPECT_TRUE(said.empty()) << said.front();
 }
 
-TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsNotRead) {
+TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsReadAlsoAfterALoss) {
     begin();
     QWidget watcher;
     InsideReader reader(*session);
@@ -125,7 +125,7 @@ TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsNotRead) {
     EXPECT_THAT(said.front(), HasSubstr("nothing is lost"));
 }
 
-TEST_F(FrustumFamily, boxesAndReasonsOfTheTwinsDiffer) {
+TEST_F(FrustumFamily, theTwinsKeepEquallyManyBoxes) {
     begin();
     QWidget watcher;
     InsideReader reader(*session);
@@ -140,7 +140,7 @@ TEST_F(FrustumFamily, boxesAndReasonsOfTheTwinsDiffer) {
     EXPECT_EQ(kept[0], kept[1]);
 }
 
-TEST_F(FrustumFamily, selectionWithoutItsProfileIsNotRefusedWithTheReason) {
+TEST_F(FrustumFamily, selectionWithoutItsProfileIsRefusedWithTheReason) {
     begin(true);
     const StrategyInfo& info = findStrategy("frustum-select").info;
     ASSERT_FALSE(session->gpu()->info().compatibilityProfile);
@@ -166,7 +166,7 @@ TEST_F(FrustumFamily, selectionWithoutItsProfileIsNotRefusedWithTheReason) {
     EXPECT_EQ(said.size(), 1u);
 }
 
-TEST_F(FrustumFamily, choiceOfWhatIsRefusedIsNotGreyWithTheReason) {
+TEST_F(FrustumFamily, choiceOfWhatIsRefusedIsGreyWithTheReason) {
     for (const bool core : {true, false}) {
         begin(core);
         StrategyPanel panel(*session);
@@ -181,7 +181,7 @@ TEST_F(FrustumFamily, choiceOfWhatIsRefusedIsNotGreyWithTheReason) {
     }
 }
 
-TEST_F(FrustumFamily, whyDoesNotNameAllSixPlanes) {
+TEST_F(FrustumFamily, whyNamesAllSixPlanesWhereBoxesAreTested) {
     begin();
     InsideReader reader(*session);
     WhyPanel why(*session, reader);
@@ -215,7 +215,7 @@ TEST_F(FrustumFamily, whyDoesNotNameAllSixPlanes) {
     EXPECT_EQ(table->rowCount(), 0) << "it tests no box";
 }
 
-TEST_F(FrustumFamily, legendCountsOtherBoxesThanThePicture) {
+TEST_F(FrustumFamily, legendCountsTheBoxesOfThePicture) {
     begin();
     choose("frustum-octree", "all");
     LegendPanel legend(*session);

@@ -35,7 +35,7 @@ std::shared_ptr<Inside> groupedInside() {
     return inside;
 }
 
-TEST(InsideModel, groupStandsForAnObjectOrHasNoVerdict) {
+TEST(InsideModel, groupStandsForNoObjectAndHasAVerdict) {
     const ScenePointer scene = openScene(kField).scene;
     InsideModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
@@ -66,7 +66,7 @@ TEST(InsideModel, groupStandsForAnObjectOrHasNoVerdict) {
     EXPECT_FALSE(model.instanceAt(model.index(0, 0))) << "a group stays one without rows below it";
 }
 
-TEST(ObjectVerdicts, groupsVerdictIsTakenForAnObjects) {
+TEST(ObjectVerdicts, objectsHaveTheirOwnVerdictAndNotTheirGroups) {
     const ScenePointer scene = openScene(kField).scene;
     auto reading = std::make_shared<InsideReading>();
     const std::shared_ptr<Inside> inside = groupedInside();
@@ -80,7 +80,7 @@ TEST(ObjectVerdicts, groupsVerdictIsTakenForAnObjects) {
     }
 }
 
-TEST(LongListView, firstLevelsOfATreeAreClosedOrAllAreOpen) {
+TEST(LongListView, levelsOfATreeAreOpenAsFarAsTheRowsAllow) {
     const ScenePointer scene = openScene(kField).scene;
     InsideModel model;
     model.setInside(scene, groupedInside());

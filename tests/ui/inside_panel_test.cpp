@@ -27,7 +27,7 @@ InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
     return node;
 }
 
-TEST(InsideModel, treesWhoseParentsComeAfterTheirChildren) {
+TEST(InsideModel, holdsTreesWhoseParentsComeAfterTheirChildren) {
     const ScenePointer scene = openScene(kField).scene;
     std::mt19937 random(7);
     for (int round = 0; round < 20; ++round) {
@@ -61,7 +61,7 @@ TEST(InsideModel, treesWhoseParentsComeAfterTheirChildren) {
     }
 }
 
-TEST(InsideModel, aNewReadingOfTheSameBoxesClosedTheTree) {
+TEST(InsideModel, aNewReadingOfTheSameBoxesKeepsTheRows) {
     const ScenePointer scene = openScene(kField).scene;
     InsideModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
@@ -170,7 +170,7 @@ TEST_F(InsidePanelTest, selectingARowPicksAndAPickSelectsTheRow) {
     EXPECT_FALSE(tree.view().selectionModel()->hasSelection());
 }
 
-TEST_F(InsidePanelTest, numbersOfPicksWereThoseOfAnotherSceneWhenObjectsAreHidden) {
+TEST_F(InsidePanelTest, picksKeepTheirObjectWhenOthersAreHidden) {
     std::vector<bool> hidden(session.hidden().size(), false);
     hidden[0] = hidden[2] = true;
     session.setHidden(hidden);
@@ -208,7 +208,7 @@ TEST_F(InsidePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
     EXPECT_EQ(reader.pickedState(), TriangleState::OutsideFrustum);
 }
 
-TEST_F(InsidePanelTest, allHasNoBoxesAndSaysSo) {
+TEST_F(InsidePanelTest, allHasNoBoxesAndNoTree) {
     session.slot(1).choose("all");
     settle();
     EXPECT_EQ(panel.tree().model().rowCount(), 0);
@@ -258,7 +258,7 @@ TEST_F(InsidePanelTest, observersShowTheInsideOfWhatTheyWatch) {
     EXPECT_EQ(reader.reading()->culling, session.cullingCamera(1));
 }
 
-TEST_F(InsidePanelTest, noLossIsNoProof) {
+TEST_F(InsidePanelTest, noLossIsSaidWithItsUpperBound) {
     const Accuracy& accuracy = session.figures(1).accuracy;
     ASSERT_EQ(accuracy.missedPixels, 0U);
     EXPECT_EQ(panel.losses().model().rowCount(), 0);
@@ -266,7 +266,7 @@ TEST_F(InsidePanelTest, noLossIsNoProof) {
     EXPECT_TRUE(panel.losses().summary().contains(QStringLiteral("3 in ")));
 }
 
-TEST_F(InsidePanelTest, theSectorOfTheBandsWasShownNowhereElse) {
+TEST_F(InsidePanelTest, theSectorOfTheShownBandsIsMarkedOnTheMap) {
     session.slot(1).choose("spherical");
     openAndWait(session, QStringLiteral("star:seed=3,triangles=2000"));
     Camera camera = session.camera();
@@ -285,7 +285,7 @@ TEST_F(InsidePanelTest, theSectorOfTheBandsWasShownNowhereElse) {
     EXPECT_FALSE(marked());
 }
 
-TEST(LossModel, objectsWithNamesPixelsAndShares) {
+TEST(LossModel, objectsHaveNamesPixelsAndShares) {
     LossModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
     const ScenePointer scene = openScene(kField).scene;

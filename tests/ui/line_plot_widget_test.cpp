@@ -37,7 +37,7 @@ int pixelsOf(const LinePlotWidget& widget, const QColor& colour, bool dark) {
     return count;
 }
 
-TEST(LinePlotWidget, lineIsNotPainted) {
+TEST(LinePlotWidget, lineIsPainted) {
     for (const bool dark : {false, true}) {
         LinePlotWidget widget;
         LinePlot plot = madeUp();
@@ -51,7 +51,7 @@ TEST(LinePlotWidget, lineIsNotPainted) {
     }
 }
 
-TEST(LinePlotWidget, lastNameOfALongLegendIsCut) {
+TEST(LinePlotWidget, aLongLegendStaysWithinTheNeededHeight) {
     LinePlot plot = madeUp();
     plot.lines.resize(11, plot.lines.front());
     LinePlotWidget widget;
@@ -69,7 +69,7 @@ TEST(LinePlotWidget, lastNameOfALongLegendIsCut) {
     }
 }
 
-TEST(LinePlotWidget, textIsNoTextInTheFile) {
+TEST(LinePlotWidget, textIsTextInTheFile) {
     LinePlotWidget widget;
     widget.setPlot(madeUp());
     const QByteArray svg = plotSvg(widget, {900, 400});
@@ -77,7 +77,7 @@ TEST(LinePlotWidget, textIsNoTextInTheFile) {
         EXPECT_TRUE(svg.contains(words)) << words;
 }
 
-TEST(LinePlotWidget, whoCannotSeeItIsToldNothing) {
+TEST(LinePlotWidget, whoCannotSeeItIsToldItsPoints) {
     LinePlotWidget widget;
     EXPECT_TRUE(widget.empty());
     widget.setPlot(madeUp());
@@ -88,7 +88,7 @@ TEST(LinePlotWidget, whoCannotSeeItIsToldNothing) {
     EXPECT_TRUE(widget.accessibleDescription().contains(QStringLiteral("0.83")));
 }
 
-TEST(LinePlotWidget, plotWithoutLinesOrLevelsCannotBePainted) {
+TEST(LinePlotWidget, plotWithoutLinesOrLevelsCanBePainted) {
     LinePlotWidget widget;
     LinePlot plot = madeUp();
     plot.lines.clear();

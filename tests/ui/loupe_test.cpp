@@ -44,7 +44,7 @@ struct Loupe : ::testing::Test {
     MainWindow window{session, language, appearance};
 };
 
-TEST_F(Loupe, viewsThatThePointerHadLeftKeptTheirLoupe) {
+TEST_F(Loupe, theLoupeIsAtThePointersPixelAndNowhereElse) {
     window.actions().loupe->trigger();
     leave(0);
     for (int view = 0; view < 4; ++view) EXPECT_FALSE(loupe(view)) << "the pointer is in no view, and view " << view;
@@ -70,7 +70,7 @@ TEST_F(Loupe, viewsThatThePointerHadLeftKeptTheirLoupe) {
     EXPECT_FALSE(loupe(3));
 }
 
-TEST_F(Loupe, theNextLossWasMarkedWhereNothingShowedIt) {
+TEST_F(Loupe, theNextLossIsShownWhereItIsMarked) {
     session.setActiveView(1);
     session.slot(1).choose("backface");
     settle();

@@ -7,7 +7,7 @@
 namespace cullscope::ui {
 namespace {
 
-TEST(MapMarks, numbersOfCornersWereUnderTheirOwnMarkers) {
+TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
     const QFontMetricsF metrics{QFont()};
     const MapLayout layout({0, 0, 400, 220}, metrics);
     for (const auto& [from, to] : {std::pair<Vec2, Vec2>{{0.01, 0.02}, {3.13, 6.27}},

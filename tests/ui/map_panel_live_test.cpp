@@ -78,7 +78,7 @@ TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
     EXPECT_NE(shown().inside, before);
 }
 
-TEST_F(LiveMapPanelTest, aStrategyThatWasStillBuiltHadNoIndexMap) {
+TEST_F(LiveMapPanelTest, aStrategyThatIsStillBuiltIsSaidToBePrepared) {
     session.slot(1).choose("all");
     settle();
     session.slot(1).choose("spherical");
@@ -99,7 +99,7 @@ TEST(LiveMapPanel, withoutASceneThereIsNothingToPrepare) {
     EXPECT_TRUE(panel.sentence().startsWith(QStringLiteral("Open a scene"))) << panel.sentence().toStdString();
 }
 
-TEST_F(LiveMapPanelTest, strategiesWithoutAMapAndOtherScenes) {
+TEST_F(LiveMapPanelTest, theMapGoesWithTheStrategyAndFollowsTheScene) {
     session.slot(1).choose("all");
     settle();
     EXPECT_EQ(panel.sentence(), QStringLiteral("This strategy has no index map."));

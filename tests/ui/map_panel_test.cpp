@@ -209,7 +209,7 @@ TEST_F(MapPanelTest, aChosenSectorIsMarked) {
     EXPECT_FALSE(panel.map().contents().sector);
 }
 
-TEST_F(MapPanelTest, legendLackedTheRightAngleAndTheColourOfTheVeil) {
+TEST_F(MapPanelTest, legendHasTheRightAngleAndTheColourOfTheVeil) {
     const QByteArray svg = plotSvg(panel.map(), {960, 560});
     EXPECT_TRUE(svg.contains("α = 90°</text>"));
     EXPECT_EQ(contourWords(contourStep(*shown.decision().bands)), QStringLiteral("contours of α every 20°")) << "bands of 10°";

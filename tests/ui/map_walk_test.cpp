@@ -172,7 +172,7 @@ TEST_F(WalkMap, aCellPicksATriangleAndThePickMarksItsCells) {
     EXPECT_EQ(panel.map().contents().picked, uint32_t(session.pick()->triangle));
 }
 
-TEST_F(WalkMap, bandsAreNotMissedButNotUsed) {
+TEST_F(WalkMap, bandsAreSaidNotToBeUsed) {
     BandsPlot plot;
     plot.setShown(shown());
     EXPECT_TRUE(plot.empty());

@@ -28,7 +28,7 @@ struct MessageOverTheViews : ::testing::Test {
     MainWindow window{session, language, appearance};
 };
 
-TEST_F(MessageOverTheViews, savedStoodThereForEver) {
+TEST_F(MessageOverTheViews, informationGoesByItselfOrWhenTheUserGoesOn) {
     say(Severity::Information);
     EXPECT_TRUE(waitUntil([&] { return !window.message().isVisible(); }));
     say(Severity::Information);
@@ -57,7 +57,7 @@ TEST_F(MessageOverTheViews, warningsAndErrorsStayUntilTheyAreClosed) {
     }
 }
 
-TEST_F(MessageOverTheViews, theStatisticsButtonLayUnderIt) {
+TEST_F(MessageOverTheViews, theStatisticsButtonLiesBesideIt) {
     say(Severity::Error);
     for (const int width : {1000, 1700, 900}) {
         window.resize(width, 650);

@@ -69,7 +69,7 @@ TEST(Models, sceneFactsNameTheTriangles) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
-TEST(Models, aMissedEdgePixelOfBackfaceWentUnexplained) {
+TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
     FigureModel model;
     Figures figures = someFigures();
     figures.accuracy.missedPixels = 7;
@@ -103,7 +103,7 @@ TEST(Models, figuresAreColumnsOfTheShownViews) {
     EXPECT_EQ(model.columnCount(), 0);
 }
 
-TEST(Wording, headerOfFigures) {
+TEST(Wording, headerSaysSpeedupShareAndMissedPixels) {
     Figures figures = someFigures();
     EXPECT_EQ(figureLine(figures), QStringLiteral("×3.1 · 15 % · 0 missed"));
     figures.accuracy.missedPixels = 1234;

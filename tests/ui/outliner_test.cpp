@@ -52,7 +52,7 @@ TEST(ObjectModel, filtersAndSortsAsAnItemModelMay) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
-TEST(ObjectModel, verdictsOfHiddenObjectsMovedToTheirNeighbours) {
+TEST(ObjectModel, verdictsStayWithTheirObjectsWhenOthersAreHidden) {
     ObjectModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
     const ScenePointer scene = namedScene();
@@ -111,7 +111,7 @@ TEST_F(OutlinerTest, hidesIsolatesAndShowsSelectedObjects) {
     EXPECT_EQ(hiddenCount(), 0);
 }
 
-TEST_F(OutlinerTest, eyeSpaceAndDelete) {
+TEST_F(OutlinerTest, theEyeSpaceAndDeleteHideObjects) {
     QTest::mouseClick(outliner.view().viewport(), Qt::LeftButton, {}, eyeOf(3));
     EXPECT_TRUE(session.hidden()[3]);
     QTest::mouseClick(outliner.view().viewport(), Qt::LeftButton, {}, eyeOf(3));
@@ -152,7 +152,7 @@ TEST_F(OutlinerTest, pickAndSelectionAreOne) {
     EXPECT_TRUE(outliner.selected().empty());
 }
 
-TEST_F(OutlinerTest, manySelectedObjectsAreKeptThroughASearch) {
+TEST_F(OutlinerTest, allObjectsCanBeSelectedAndASearchWithoutHitsSelectsNone) {
     outliner.view().selectAll();
     const size_t all = outliner.selected().size();
     EXPECT_EQ(all, session.hidden().size());

@@ -58,7 +58,7 @@ struct Papers : ::testing::Test {
     std::vector<std::string> messages;
 };
 
-TEST_F(Papers, sessionIsNotGivenBack) {
+TEST_F(Papers, sessionIsGivenBack) {
     const PaperExperiment experiment = smallTable("fibonacci:3");
     runner.start(experiment, 1);
     EXPECT_TRUE(runner.running());
@@ -71,7 +71,7 @@ TEST_F(Papers, sessionIsNotGivenBack) {
     EXPECT_TRUE(messages.empty()) << messages.front();
 }
 
-TEST_F(Papers, windowShowsSomethingElseThanWhatIsMeasured) {
+TEST_F(Papers, windowShowsWhatIsMeasured) {
     const PaperExperiment experiment = smallTable("fibonacci:60");
     double last = 0.0;
     std::vector<Vec3> eyes;
@@ -100,7 +100,7 @@ TEST_F(Papers, windowShowsSomethingElseThanWhatIsMeasured) {
     EXPECT_GT(eyes.size(), 6u) << "the camera stands still";
 }
 
-TEST_F(Papers, buildingCountsAsMeasuring) {
+TEST_F(Papers, buildingDoesNotCountAsMeasuring) {
     PaperExperiment experiment = smallTable("fibonacci:3");
     experiment.settings.resize(1);
     experiment.settings[0].scene = "sphere:triangles=300000";
@@ -117,7 +117,7 @@ TEST_F(Papers, buildingCountsAsMeasuring) {
     EXPECT_EQ(runner.table().rows.size(), 3u);
 }
 
-TEST_F(Papers, cancelBetweenSettingsLosesRows) {
+TEST_F(Papers, cancelBetweenSettingsKeepsTheRows) {
     const PaperExperiment experiment = smallTable("fibonacci:3");
     QObject::connect(&runner, &PaperRunner::tableChanged, [this] {
         if (runner.table().rows.size() == 3) runner.cancel();
@@ -131,7 +131,7 @@ TEST_F(Papers, cancelBetweenSettingsLosesRows) {
     EXPECT_EQ(endings, 1);
 }
 
-TEST_F(Papers, cancelInTheMiddleOfASettingLosesItsPoses) {
+TEST_F(Papers, cancelInTheMiddleOfASettingKeepsItsPoses) {
     const PaperExperiment experiment = smallTable("walk:5000");
     QObject::connect(&runner, &PaperRunner::progressed, [this](double share, const QString&) {
         // Opened it is at a twentieth of the first half.
@@ -146,7 +146,7 @@ TEST_F(Papers, cancelInTheMiddleOfASettingLosesItsPoses) {
     expectSessionIsBack();
 }
 
-TEST_F(Papers, cancelAtOnceLeavesTheExperimentsScene) {
+TEST_F(Papers, cancelAtOnceGivesTheSessionBack) {
     const PaperExperiment experiment = smallTable("fibonacci:3");
     runner.start(experiment, 1);
     runner.cancel();
@@ -157,7 +157,7 @@ TEST_F(Papers, cancelAtOnceLeavesTheExperimentsScene) {
     EXPECT_TRUE(runner.table().rows.empty());
 }
 
-TEST_F(Papers, whatCannotBeMeasuredIsNotSaid) {
+TEST_F(Papers, whatCannotBeMeasuredIsOneSentence) {
     PaperExperiment experiment = smallTable("fibonacci:3");
     experiment.settings[1].strategies.push_back("no-such-strategy");
     experiment.settings[1].shown = "no-such-strategy";
@@ -175,7 +175,7 @@ TEST_F(Papers, whatCannotBeMeasuredIsNotSaid) {
     expectSessionIsBack();
 }
 
-TEST_F(Papers, sceneThatSomebodyOpensMeanwhileIsTakenAway) {
+TEST_F(Papers, sceneThatSomebodyOpensMeanwhileStays) {
     const PaperExperiment experiment = smallTable("walk:5000");
     runner.start(experiment, 1);
     ASSERT_TRUE(waitUntil([this] { return session.opened() != opened; }));
@@ -184,7 +184,7 @@ TEST_F(Papers, sceneThatSomebodyOpensMeanwhileIsTakenAway) {
     EXPECT_EQ(session.opened()->specification, "sphere:triangles=1000");
 }
 
-TEST_F(Papers, structuresAreNotBuiltBesideTheWindow) {
+TEST_F(Papers, structuresAreBuiltBesideTheWindow) {
     PaperExperiment experiment = findPaperExperiment("table-1");
     experiment.settings[0].scene = "sphere:triangles=5000";
     runner.start(experiment);
@@ -194,7 +194,7 @@ TEST_F(Papers, structuresAreNotBuiltBesideTheWindow) {
     expectSessionIsBack();
 }
 
-TEST_F(Papers, pointsComeOnlyInTheEnd) {
+TEST_F(Papers, pointsComeBeforeTheEnd) {
     PaperExperiment experiment = findPaperExperiment("vfc-40-views");
     PaperSetting& setting = experiment.settings[0];
     setting.scene = "field:mesh=star:triangles=500,n=3,spacing=2.5";
@@ -218,7 +218,7 @@ TEST_F(Papers, pointsComeOnlyInTheEnd) {
     EXPECT_TRUE(messages.empty()) << messages.front();
 }
 
-TEST(PaperRunner, destroyedInTheMiddle) {
+TEST(PaperRunner, mayBeDestroyedInTheMiddle) {
     const PaperExperiment experiment = smallTable("walk:5000");
     Session session{sessionOptions(true)};
     openAndWait(session, QStringLiteral("torus:triangles=300"));

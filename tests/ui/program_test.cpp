@@ -73,7 +73,7 @@ TEST(Program, aDisplayWhoseOpenGlIsMissingOrTooOldIsSaidInOneSentence) {
     }
 }
 
-TEST(Program, anUnknownPlatformWasCalledAnUnreachableDisplay) {
+TEST(Program, anUnknownPlatformIsSaidWithItsVariable) {
     const Ended ended = runProgram({}, [](QProcessEnvironment& environment) {
         environment.insert(QStringLiteral("QT_QPA_PLATFORM"), QStringLiteral("nonsense"));
     });
@@ -115,7 +115,7 @@ TEST(Program, savesAPictureOfItsWindow) {
     EXPECT_EQ(QImage(file).size(), QSize(900, 600));
 }
 
-TEST(Program, sceneAfterAFolderOfModelsIsTakenForAFolder) {
+TEST(Program, sceneAfterAFolderOfModelsIsOpened) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png")), models = QStringLiteral("--models");
     const Ended ended = runProgram({QStringLiteral("--screenshot"), file, models, folder.path(), models,

@@ -42,7 +42,7 @@ TEST_F(Recent, theListOutlivesTheProgram) {
     EXPECT_TRUE(RecentFiles().entries().isEmpty());
 }
 
-TEST_F(Recent, relativeFilesWereLostInAnotherFolder) {
+TEST_F(Recent, relativeFilesAreKeptWithTheirFolder) {
     RecentFiles recent;
     recent.add(QStringLiteral("sub/../castle.obj"));
     recent.add(QStringLiteral("field:mesh=castle.obj,n=3"));

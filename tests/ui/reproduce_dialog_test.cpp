@@ -56,7 +56,7 @@ TEST_F(Reproduce, everyTableCanBeChosenAndStatesItsColumns) {
     }
 }
 
-TEST_F(Reproduce, headerIsElided) {
+TEST_F(Reproduce, headersStandWhole) {
     for (int table = 0; table < dialog().choice().count(); ++table) {
         dialog().choice().setCurrentIndex(table);
         const QHeaderView& header = *dialog().table().horizontalHeader();
@@ -94,7 +94,7 @@ TEST_F(Reproduce, table1ComesWithThePapersNumbersAndCanBeExported) {
     EXPECT_EQ(file.readAll().toStdString(), paperTableCsv(dialog().model().table()));
 }
 
-TEST_F(Reproduce, tableIsLostWithItsDialog) {
+TEST_F(Reproduce, tableOutlivesItsDialog) {
     dialog().choice().setCurrentIndex(0);
     QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
@@ -148,7 +148,7 @@ int indexOf(const std::string& id) {
     return -1;
 }
 
-TEST_F(Reproduce, plotIsShownWhereThereIsNone) {
+TEST_F(Reproduce, plotIsShownOnlyWhereThereIsOne) {
     for (size_t i = 0; i < paperExperiments().size(); ++i) {
         dialog().choice().setCurrentIndex(int(i));
         const bool plot = !paperExperiments()[i].plots.empty();
@@ -164,7 +164,7 @@ TEST_F(Reproduce, plotIsShownWhereThereIsNone) {
     EXPECT_TRUE(dialog().table().isVisible()) << "the plot of another table stays in front";
 }
 
-TEST_F(Reproduce, plotShowsNothingUntilTheEnd) {
+TEST_F(Reproduce, plotShowsPointsBeforeTheEnd) {
     const SessionState before = captureState(session);
     dialog().choice().setCurrentIndex(indexOf("vfc-40-views"));
     EXPECT_TRUE(dialog().plot().plot().lines.empty());
@@ -197,7 +197,7 @@ TEST_F(Reproduce, plotShowsNothingUntilTheEnd) {
     EXPECT_TRUE(document.readAll().startsWith("%PDF"));
 }
 
-TEST(PaperTableModel, breaksTheRulesOfModels) {
+TEST(PaperTableModel, keepsTheRulesOfModels) {
     PaperTableModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     PaperTable table = emptyTable(findPaperExperiment("table-2"));

@@ -129,7 +129,7 @@ TEST(SessionText, anyStateComesBackAsItWas) {
     }
 }
 
-TEST(SessionText, filesWereLostWhenTheFolderMoved) {
+TEST(SessionText, filesAreFoundWhenTheFolderMoved) {
     SessionState state = someState();
     const auto movedScene = [&](const std::string& scene) {
         state.scene = scene;

@@ -151,7 +151,7 @@ TEST(CullbenchCommand, repeatsTheView) {
               "--fovy=45 --near=0.05 --far=1000 --size=640x480 --background=ffffff --surface=0810ff -o view.png");
 }
 
-TEST(CullbenchCommand, relativeFilesWereLostInAnotherFolder) {
+TEST(CullbenchCommand, relativeFilesAreNamedWithTheirFolder) {
     const QString here = QDir::currentPath();
     const auto sceneOf = [](const char* scene) {
         PictureRequest request;
@@ -172,7 +172,7 @@ TEST(CullbenchCommand, relativeFilesWereLostInAnotherFolder) {
               (QStringList{QStringLiteral("--models"), here + QStringLiteral("/models")}));
 }
 
-TEST(CullbenchCommand, theFieldOfViewWasRoundedOnTheWay) {
+TEST(CullbenchCommand, theFieldOfViewIsNotRoundedOnTheWay) {
     for (int i = 0; i < 200; ++i) {
         PictureRequest request;
         request.camera.fovy = Angle::fromDegrees(45.0 * std::pow(1.06, double(i % 20) - 10.0) + 0.01 * i);
@@ -183,7 +183,7 @@ TEST(CullbenchCommand, theFieldOfViewWasRoundedOnTheWay) {
 }
 
 /// The figures of `backface` are told apart from those of a strategy that loses pixels.
-TEST(Figures, edgePixelsOfBackfaceLookedLikeALoss) {
+TEST(Figures, edgePixelsOfBackfaceAreNoLoss) {
     Figures figures;
     figures.accuracy.missedPixels = 1;
     EXPECT_EQ(figures.lostPixels(), 1u);
@@ -191,7 +191,7 @@ TEST(Figures, edgePixelsOfBackfaceLookedLikeALoss) {
     EXPECT_EQ(figures.lostPixels(), 0u);
 }
 
-TEST(Session, aFailedUploadLeftFiguresWaitingForEver) {
+TEST(Session, aFailedUploadFailsTheFiguresUntilOneSucceeds) {
     Session::Options options = sessionOptions(true);
     bool fail = true;
     options.uploader = [&fail](GpuThread& gpu, const ScenePointer& scene) {
@@ -216,7 +216,7 @@ TEST(Session, aFailedUploadLeftFiguresWaitingForEver) {
     ASSERT_TRUE(waitUntil([&] { return session.figures(0).state == Figures::State::Ready; }));
 }
 
-TEST(GpuThread, buffersThatOutlivedItUsedADeadObject) {
+TEST(GpuThread, buffersMayOutliveIt) {
     SceneBuffersPointer late;
     {
         GpuThread gpu;
@@ -227,7 +227,7 @@ TEST(GpuThread, buffersThatOutlivedItUsedADeadObject) {
     late = nullptr;
 }
 
-TEST(BuiltStrategy, sharedRenderingDrewAnotherPictureThanCores) {
+TEST(BuiltStrategy, sharedRenderingDrawsTheSamePictureAsCores) {
     GpuThread gpu;
     gpu.run([&] {
         const ScenePointer scene = openScene("sphere:triangles=1280").scene;
@@ -248,7 +248,7 @@ TEST(BuiltStrategy, sharedRenderingDrewAnotherPictureThanCores) {
     });
 }
 
-TEST(Figures, medianOfEvenAndOddCounts) {
+TEST(Figures, medianIsTheMiddleOrTheMeanOfBothMiddles) {
     EXPECT_DOUBLE_EQ(median({3.0, 1.0, 2.0}), 2.0);
     EXPECT_DOUBLE_EQ(median({4.0, 1.0, 2.0, 3.0}), 2.5);
 }

@@ -42,7 +42,7 @@ struct SphericalLook : ::testing::Test {
     MainWindow window{session, language, appearance};
 };
 
-TEST_F(SphericalLook, commandChangesNothing) {
+TEST_F(SphericalLook, commandsChangeThePictureOfTheActiveViewOnly) {
     const QImage plain = session.picture(0)->colour;
     const QImage bands = pictureAfter(window.actions().bands);
     EXPECT_TRUE(session.setup(0).look.bands && window.actions().bands->isChecked());
@@ -57,7 +57,7 @@ TEST_F(SphericalLook, commandChangesNothing) {
     EXPECT_FALSE(window.actions().bands->isChecked());
 }
 
-TEST_F(SphericalLook, viewsMenuLacksThem) {
+TEST_F(SphericalLook, viewsMenuHasThem) {
     QMenu menu;
     ViewMenu filler(session, window.views().pane(0), menu);
     filler.addLook();
@@ -74,7 +74,7 @@ TEST_F(SphericalLook, viewsMenuLacksThem) {
     EXPECT_TRUE(session.setup(0).look.bands && session.setup(0).look.sphericalModel);
 }
 
-TEST_F(SphericalLook, modelLiesUnderWhatACameraSees) {
+TEST_F(SphericalLook, nothingThatACameraSeesLiesOverTheModel) {
     window.actions().boxes->trigger();
     window.actions().verdicts->trigger();
     window.actions().truth->trigger();
@@ -88,7 +88,7 @@ TEST_F(SphericalLook, modelLiesUnderWhatACameraSees) {
     EXPECT_EQ(wipe.mode, Wipe::Mode::Truth) << "what was chosen before stays chosen";
 }
 
-TEST_F(SphericalLook, chipCountsLossesInDirections) {
+TEST_F(SphericalLook, chipCountsNoLossesInDirections) {
     const auto chipSays = [&](const QString& words) { return window.views().pane(0).chipText().contains(words); };
     const QString counts = QStringLiteral("missed pixels");
     (void)pictureAfter(window.actions().loss);
@@ -100,7 +100,7 @@ TEST_F(SphericalLook, chipCountsLossesInDirections) {
     EXPECT_TRUE(chipSays(counts)) << "what was chosen before stays chosen";
 }
 
-TEST_F(SphericalLook, commandWithoutEffectCanBeChosen) {
+TEST_F(SphericalLook, commandsWithoutEffectAreGrey) {
     const WindowActions& actions = window.actions();
     const std::array camerasOnly{actions.verdicts, actions.frustum, actions.boxes, actions.bands,
                                  actions.axes,     actions.truth,   actions.loss};
@@ -120,7 +120,7 @@ TEST_F(SphericalLook, commandWithoutEffectCanBeChosen) {
     EXPECT_EQ(actions.bands->toolTip(), tip);
 }
 
-TEST_F(SphericalLook, viewsMenuOffersWhatHasNoEffect) {
+TEST_F(SphericalLook, viewsMenuGreysWhatHasNoEffect) {
     for (const bool model : {false, true}) {
         if (model) (void)pictureAfter(window.actions().sphericalModel);
         QMenu menu;
@@ -141,7 +141,7 @@ TEST_F(SphericalLook, viewsMenuOffersWhatHasNoEffect) {
     }
 }
 
-TEST_F(SphericalLook, scalesAreMissing) {
+TEST_F(SphericalLook, scalesAndTheHintArePainted) {
     const auto inkOf = [&](const PictureExtras& extras) {
         const ViewPicturePointer shown = session.picture(0);
         QImage painted = shown->colour.convertToFormat(QImage::Format_ARGB32_Premultiplied);
@@ -180,7 +180,7 @@ TEST_F(SphericalLook, scalesAreMissing) {
     EXPECT_LT(whole[2], part[2] - 200) << "nothing is left out: no hint";
 }
 
-TEST_F(SphericalLook, clickPicksWhatACameraSeesThere) {
+TEST_F(SphericalLook, clickPicksWhatLiesInThatDirection) {
     (void)pictureAfter(window.actions().sphericalModel);
     const Viewport size = session.viewRequest(0)->size;
     const Scene& scene = *session.opened()->scene;
@@ -198,7 +198,7 @@ TEST_F(SphericalLook, clickPicksWhatACameraSeesThere) {
     EXPECT_GT(picked, 2);
 }
 
-TEST_F(SphericalLook, screenshotWithoutOverlaysHasBands) {
+TEST_F(SphericalLook, screenshotWithoutOverlaysHasNoBands) {
     window.actions().bands->trigger();
     settle();
     ScreenshotOptions options;

@@ -181,7 +181,7 @@ TEST_F(Panel, reportNeedsNoOtherFileAndEscapesEverything) {
     EXPECT_TRUE(html.contains(named->sha256().c_str()));
 }
 
-TEST_F(Panel, posesInAReportOrAFileAreNobodys) {
+TEST_F(Panel, plotsOfPosesNameTheirStrategy) {
     showResult();
     const QString html = QString::fromUtf8(exported(StatisticsPanel::File::Html, QStringLiteral("r.html")));
     for (const char* plot : {"Time and loss by pose", "Loss by direction of view"})
@@ -199,7 +199,7 @@ TEST_F(Panel, posesInAReportOrAFileAreNobodys) {
     }
 }
 
-TEST_F(Panel, paretoPointsAreToldApartByTheLegendAlone) {
+TEST_F(Panel, paretoPointsHaveTheirNamesBesideThem) {
     showResult();
     panel.showTab(StatisticsPanel::Pareto);
     const QString svg = textOf(exported(StatisticsPanel::File::Svg, QStringLiteral("p.svg")));

@@ -124,7 +124,7 @@ int squaresOf(const QImage& picture, const QColor& colour) {
     return count;
 }
 
-TEST(ParetoPlot, baselinesAndShapesAreTheSameGreySquare) {
+TEST(ParetoPlot, baselinesAndKeysOfShapesAreToldApart) {
     const auto plotOf = [](const std::string& id) {
         std::vector<RunFigures> runs = runFigures(madeUpResult());
         std::erase_if(runs, [&](const RunFigures& one) { return one.id.toStdString() != id; });
@@ -142,7 +142,7 @@ TEST(ParetoPlot, baselinesAndShapesAreTheSameGreySquare) {
     EXPECT_EQ(squaresOf(backface, colours.faintText), 0);
 }
 
-TEST(PointLabels, crowdedLabelsLieOverEachOtherOrOutside) {
+TEST(PointLabels, crowdedLabelsLieApartAndInside) {
     const QFontMetricsF metrics{QFont()};
     const QRectF bounds(0, 0, 300, 300);
     std::vector<PointLabel> labels;
@@ -156,7 +156,7 @@ TEST(PointLabels, crowdedLabelsLieOverEachOtherOrOutside) {
     }
 }
 
-TEST(ResultTable, lossBeyondSnappingIsHidden) {
+TEST(ResultTable, lossBeyondSnappingIsShown) {
     MeasureResult result = madeUpResult();
     RunMeasurement& backface = result.runs[1];
     backface.facing = Facing::Front;

@@ -123,7 +123,7 @@ public:
     bool isEmpty() const override { return false; }
 };
 
-TEST(Translation, reasonInAnArgumentStaysEnglishOrANameIsTranslated) {
+TEST(Translation, reasonInAnArgumentIsTranslatedAndANameIsNot) {
     const Bracketing catalogue;
     const auto shown = [](std::string name, std::string reason) {
         return translated(Message{"%1 cannot be written: %2.", {std::move(name), std::move(reason)}});

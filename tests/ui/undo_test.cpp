@@ -39,7 +39,7 @@ struct Undo : ::testing::Test {
     UndoRecorder undo{session};
 };
 
-TEST_F(Undo, nothingToUndoAtFirst) {
+TEST_F(Undo, thereIsNothingToUndoAtFirst) {
     EXPECT_FALSE(undo.canUndo());
     EXPECT_FALSE(undo.canRedo());
     EXPECT_EQ(undo.undoText(), QStringLiteral("Undo"));
@@ -128,7 +128,7 @@ TEST_F(Undo, namesWhatChanged) {
     EXPECT_EQ(text(), "Undo: several changes");
 }
 
-TEST_F(Undo, allTheWayBackAndForthOverRandomChanges) {
+TEST_F(Undo, goesAllTheWayBackAndForthOverRandomChanges) {
     Random random(5);
     const auto below = [&](size_t count) { return size_t(random.unit() * double(count)); };
     std::vector<SessionState> states{captureState(session)};
@@ -213,7 +213,7 @@ TEST_F(Undo, aWindowThatChangesItsSizeMakesNoStep) {
     EXPECT_EQ(session.camera(), turnedCamera);
 }
 
-TEST_F(Undo, backToTheFirstCameraItNoLongerFollowedTheWindow) {
+TEST_F(Undo, backAtTheFirstCameraItFollowsTheWindowAgain) {
     session.setActiveView(0);
     session.observe(1, 0);
     session.goHome();

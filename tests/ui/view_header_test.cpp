@@ -34,7 +34,7 @@ struct HeaderOfView : ::testing::Test {
     ViewHeader header{session, 1};
 };
 
-TEST_F(HeaderOfView, promiseAndIdWereCutInANarrowView) {
+TEST_F(HeaderOfView, promiseAndIdStandWholeInANarrowView) {
     for (const char* spoken : {"en", "ko", "zh_CN"}) {
         language.use(QString::fromLatin1(spoken));
         for (const Role role : {Role::Linked, Role::Observer, Role::Frozen}) {
@@ -53,7 +53,7 @@ TEST_F(HeaderOfView, promiseAndIdWereCutInANarrowView) {
     }
 }
 
-TEST_F(HeaderOfView, promisesWhatTheStrategyBeforePromised) {
+TEST_F(HeaderOfView, doesNotPromiseWhatTheStrategyBeforePromised) {
     watch(Role::Linked, "all");
     session.slot(1).choose("spherical");
     // Not built yet.

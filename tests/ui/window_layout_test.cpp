@@ -61,7 +61,7 @@ TEST_F(WindowLayout, comesBackAsItWasLeft) {
     EXPECT_FALSE(second.dock("inside").isFloating());
 }
 
-TEST_F(WindowLayout, openingADockBesideEightViewsShrankThem) {
+TEST_F(WindowLayout, openingADockBesideEightViewsKeepsTheirSize) {
     Program program({1366, 768});
     openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
     program.dock("statistics").show();
@@ -122,7 +122,7 @@ TEST_F(WindowLayout, theStatisticsFloatOverTheLowerHalfOfTheViews) {
     EXPECT_TRUE(views.contains(place)) << "it wants more height than half of the views have";
 }
 
-TEST_F(WindowLayout, docksLeftFloatingCameBackFloatingBesideTwoViews) {
+TEST_F(WindowLayout, docksLeftFloatingAreDockedBesideTwoViews) {
     {
         Program first({1200, 740});
         first.session.setViewCount(4);
@@ -188,14 +188,14 @@ TEST_F(WindowLayout, aLectureThatWasSavedIsHeldAgain) {
     EXPECT_TRUE(waitUntil([&] { return program.window.lecture() == nullptr; }));
 }
 
-TEST_F(WindowLayout, endingTheProgramDuringALectureCrashed) {
+TEST_F(WindowLayout, theProgramMayEndDuringALecture) {
     Program program({1000, 700});
     openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
     program.window.actions().lecture->trigger();
     ASSERT_TRUE(program.window.lecture());
 }
 
-TEST_F(WindowLayout, lettersOfAnotherLanguageResizedTheViews) {
+TEST_F(WindowLayout, lettersOfAnotherLanguageKeepTheSizeOfTheViews) {
     Program program({1366, 768});
     openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
     ASSERT_TRUE(waitUntil([&] { return program.session.viewport(0).width > 1; }));
@@ -208,7 +208,7 @@ TEST_F(WindowLayout, lettersOfAnotherLanguageResizedTheViews) {
     }
 }
 
-TEST_F(WindowLayout, aPathOfAFewPosesPlayedInABlink) {
+TEST_F(WindowLayout, aPathOfAFewPosesIsPlayedSlowly) {
     Program program({1000, 700});
     openAndWait(program.session, QStringLiteral("torus:triangles=2000"));
     for (int pose = 0; pose < 3; ++pose) {

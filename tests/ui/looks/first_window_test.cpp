@@ -103,7 +103,7 @@ TEST(FirstWindow, hasEveryLetterAndNoEnglishSentenceInKoreanAndChinese) {
     }
 }
 
-TEST(FirstWindow, aMissingLetterIsFound) {
+TEST(FirstWindow, aMissingLetterAndAnEnglishSentenceAreFound) {
     // No font has the letters of this private plane.
     const ShownText text{QString::fromUcs4(U"가\U000F1234", 2), QApplication::font(), QStringLiteral("here"), true};
     EXPECT_EQ(textsWithMissingLetters({text}).size(), 1);

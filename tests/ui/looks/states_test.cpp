@@ -16,12 +16,12 @@ constexpr int kColumnWidth = 90;             // of the statistics' table, in its
 
 QStringList cut(Desktop& desktop) { return cutTexts(desktop.window); }
 
-TEST(States, dark) {
+TEST(States, aDarkWindowLooksAsKept) {
     Desktop desktop({.appearance = Appearance::Mode::Dark});
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("first-window-dark")));
 }
 
-TEST(States, chineseOnASmallScreen) {
+TEST(States, chineseOnASmallScreenLooksAsKeptAndCutsNoText) {
     Desktop desktop({.size = {1280, 800}, .language = QStringLiteral("zh_CN")});
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("1280x800-zh_CN")));
     EXPECT_EQ(cut(desktop), QStringList());
@@ -47,7 +47,7 @@ TEST(States, beforeASceneIsOpenedTheWindowInvites) {
     EXPECT_EQ(cut(desktop), QStringList());
 }
 
-TEST(States, aFinishedExperiment) {
+TEST(States, aFinishedExperimentLooksAsKept) {
     Desktop desktop;
     desktop.window.statistics().toggleViewAction()->trigger();
     desktop.settle();
