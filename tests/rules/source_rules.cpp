@@ -220,6 +220,7 @@ std::vector<Offence> topLevelOffences(const fs::path& root) {
                                                   "CONTRIBUTING.md",
                                                   "app",
                                                   "core",
+                                                  "docs",
                                                   "ui",
                                                   "resources",
                                                   "tests",
