@@ -1,7 +1,9 @@
 # What `cmake --install` puts where beside the programs (app/), and the Debian package that `cpack` makes of it all.
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/packaging/LICENSES.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/help DESTINATION ${CMAKE_INSTALL_DATADIR}/cullscope)
+# Where README names them, so that links and pictures are found there too.
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/help DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources)
 if(CULLSCOPE_DESKTOP)
   install(FILES ${CMAKE_SOURCE_DIR}/packaging/cullscope.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
   install(FILES ${CMAKE_SOURCE_DIR}/packaging/cullscope.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)

@@ -2500,6 +2500,14 @@ OpenGL %2
         <source>Help</source>
         <translation>도움말</translation>
     </message>
+    <message>
+        <source>◀ Back</source>
+        <translation>◀ 이전</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>첫 페이지</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::InsideModel</name>

@@ -2500,6 +2500,14 @@ OpenGL %2
         <source>Help</source>
         <translation>帮助</translation>
     </message>
+    <message>
+        <source>◀ Back</source>
+        <translation>◀ 后退</translation>
+    </message>
+    <message>
+        <source>First page</source>
+        <translation>首页</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::InsideModel</name>

@@ -44,4 +44,9 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// Files and folders at the top of the tree that have no place there; build folders and dot-files may be there.
 [[nodiscard]] std::vector<Offence> topLevelOffences(const std::filesystem::path& root);
 
+/// What is wrong with README, CONTRIBUTING and the pages of docs: lines of more than 120 characters (addresses of the web apart),
+/// a README of more than 90 lines, links to files that are not there. Links are read in resources/help, too. The help window has
+/// docs and resources/help alone: a link of theirs to anything else is an offence.
+[[nodiscard]] std::vector<Offence> pageOffences(const std::filesystem::path& root);
+
 }  // namespace cullscope::rules

@@ -26,6 +26,12 @@ protected:
               "#include \"ui/window.h\"\n#include \"core/gpu/context.h\"\n#include <QWidget>\n#include \"window.moc\"\n");
         write("app/cullbench.cpp", "#include \"core/mesh/load.h\"\n");
         write("app/cullscope.cpp", "#include \"ui/window.h\"\n#include <QApplication>\n");
+        write("README.md",
+              "# Cullscope\n\n![bunny](resources/help/bunny.png), [using](docs/using.md), [app](app/cullscope.cpp)\n");
+        write("docs/using.md", "[S](methods/spherical.md#s), [below](#below), [bunny](https://example.org/bunny)\n");
+        write("docs/methods/spherical.md", "![bunny](../../resources/help/bunny.png)\n");
+        write("resources/help/help.en.md", "[using](../../docs/using.md)\n");
+        write("resources/help/bunny.png", "");
     }
     ~PlantedTree() override {
         std::error_code ignored;
@@ -47,6 +53,7 @@ TEST_F(PlantedTree, treeWithoutOffenceIsNotReported) {
     EXPECT_THAT(libraryOffences(root()), IsEmpty());
     EXPECT_THAT(linkOffences(root()), IsEmpty());
     EXPECT_THAT(topLevelOffences(root()), IsEmpty());
+    EXPECT_THAT(pageOffences(root()), IsEmpty());
 }
 
 TEST_F(PlantedTree, includeOfAHigherLayerIsReported) {
@@ -133,6 +140,39 @@ TEST_F(PlantedTree, strayFileAtTheTopIsReported) {
     EXPECT_THAT(topLevelOffences(root()), ElementsAre(Offence{"notes.txt", 0, "has no place at the top of the tree"}));
 }
 
+TEST_F(PlantedTree, lineOfAPageThatIsTooLong) {
+    std::string degrees;
+    for (int i = 0; i < 120; ++i) degrees += "°";
+    write("docs/using.md", degrees + "\n" + degrees + "°\n```\n" + std::string(121, '-') + "\n```\n");
+    EXPECT_THAT(pageOffences(root()), ElementsAre(Offence{"docs/using.md", 2, "has 121 characters"},
+                                                  Offence{"docs/using.md", 4, "has 121 characters"}));
+    write("docs/using.md", "<https://example.org/" + std::string(200, 'a') + ">\n");
+    EXPECT_THAT(pageOffences(root()), IsEmpty());
+}
+
+TEST_F(PlantedTree, readmeThatIsTooLong) {
+    write("README.md", std::string(90, '\n'));
+    EXPECT_THAT(pageOffences(root()), IsEmpty());
+    write("README.md", std::string(91, '\n'));
+    EXPECT_THAT(pageOffences(root()), ElementsAre(Offence{"README.md", 0, "has 91 lines"}));
+}
+
+TEST_F(PlantedTree, linkThatLeadsToNothing) {
+    write("README.md", "\n![castle](resources/help/castle.png)\n");
+    write("docs/using.md", "[S](spherical.md#s), `[code](code.md)`\n```\n[code](code.md)\n```\n");
+    write("resources/help/help.en.md", "[S](../../docs/spherical.md)\n");
+    EXPECT_THAT(pageOffences(root()),
+                ElementsAre(Offence{"README.md", 2, "links to nothing: resources/help/castle.png"},
+                            Offence{"docs/using.md", 1, "links to nothing: spherical.md"},
+                            Offence{"resources/help/help.en.md", 1, "links to nothing: ../../docs/spherical.md"}));
+}
+
+TEST_F(PlantedTree, linkThatLeavesTheHelpWindow) {
+    write("docs/using.md", "[app](../app/cullscope.cpp)\n");
+    EXPECT_THAT(pageOffences(root()),
+                ElementsAre(Offence{"docs/using.md", 1, "links to what the help window has not: ../app/cullscope.cpp"}));
+}
+
 /// The project's own tree.
 const fs::path& project() {
     static const fs::path kProject = CULLSCOPE_SOURCE_DIR;
@@ -144,6 +184,7 @@ TEST(SourceRules, dependenciesPointUpTheList) { EXPECT_THAT(layeringOffences(pro
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }
 TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()), IsEmpty()); }
+TEST(SourceRules, pagesAreShortAndTheirLinksLeadSomewhere) { EXPECT_THAT(pageOffences(project()), IsEmpty()); }
 
 }  // namespace
 }  // namespace cullscope::rules

@@ -162,7 +162,7 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
         const Reference truth =
             itemBufferReference(renderer, *request.buffers, culling, request.strategy->strategy->referenceFacing());
         request.states = std::make_shared<const TriangleStates>(
-            triangleStates(request.buffers->scene(), culling, verdict.drawList, trace, &truth));
+            triangleStates(request.buffers->scene(), culling, verdict.drawList, trace, truth.visible()));
         EXPECT_EQ(result.states->counts, request.states->counts);
         PictureDrawing whole(request, renderer);
         Framebuffer target(request.size);
