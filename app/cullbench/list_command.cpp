@@ -29,13 +29,13 @@ const char* typeName(ParameterType type) {
     return "choice";
 }
 
-const char* asksId(Asks asks) {
-    switch (asks) {
-        case Asks::Nothing:
+const char* glRequirementId(GlRequirement glRequirement) {
+    switch (glRequirement) {
+        case GlRequirement::None:
             return "nothing";
-        case Asks::OpenGl:
+        case GlRequirement::Context:
             return "opengl";
-        case Asks::CompatibilityProfile:
+        case GlRequirement::CompatibilityProfile:
             break;
     }
     return "compatibility-profile";
@@ -65,7 +65,7 @@ Json strategiesJson() {
                         {"name", strategy.info.name},
                         {"description", strategy.info.description},
                         {"source", strategy.info.source},
-                        {"asks", asksId(strategy.info.asks)},
+                        {"asks", glRequirementId(strategy.info.glRequirement)},
                         {"parameters", parameters}});
     }
     return list;
@@ -94,8 +94,9 @@ void printStrategies() {
     fmt::print("Strategies (-s ID, -p key=value)\n");
     for (const RegisteredStrategy& strategy : strategies()) {
         fmt::print("  {:<12} {}\n", strategy.info.id, strategy.info.description);
-        if (strategy.info.asks == Asks::OpenGl) fmt::print("    needs OpenGL to decide\n");
-        if (strategy.info.asks == Asks::CompatibilityProfile) fmt::print("    needs OpenGL's compatibility profile to decide\n");
+        if (strategy.info.glRequirement == GlRequirement::Context) fmt::print("    needs OpenGL to decide\n");
+        if (strategy.info.glRequirement == GlRequirement::CompatibilityProfile)
+            fmt::print("    needs OpenGL's compatibility profile to decide\n");
         for (const ParameterDeclaration& parameter : strategy.info.parameters) {
             std::string range;
             for (const auto& choice : parameter.choices) range += (range.empty() ? "" : " | ") + choice.id;

@@ -50,13 +50,13 @@ void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& n
                        {alone, name});
 }
 
-void requireBands(const std::string& strategy, const Inside& inside, const Scene& scene) {
-    if (inside.maps.empty() || inside.maps.front().tree)
+void requireBands(const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
+    if (snapshot.maps.empty() || snapshot.maps.front().tree)
         throwUsage(CULLSCOPE_TR("--overlay bands: the strategy \"%1\" has no contour bands. Strategies that have them: %2."),
                    {strategy, kStrategiesWithBands});
-    for (const InsideMap& map : inside.maps)
+    for (const MapSnapshot& map : snapshot.maps)
         if (map.decision.bands) return;
-    const SphericalDecision& decision = shownMap(inside)->decision;
+    const SphericalDecision& decision = shownMap(snapshot)->decision;
     throwUsage(
         CULLSCOPE_TR("--overlay bands: the object \"%1\" is %2, and only one inside the frustum has contour bands. Choose an "
                      "eye farther away or a larger --fovy; for what the frustum cuts there are --overlay boxes and "
@@ -65,7 +65,7 @@ void requireBands(const std::string& strategy, const Inside& inside, const Scene
 }
 
 /// Says why an object has no kernel; nothing where it has one.
-void requireKernelOf(const InsideMap& map, const std::string& option, const Scene& scene) {
+void requireKernelOf(const MapSnapshot& map, const std::string& option, const Scene& scene) {
     const std::string& name = scene.instances()[map.decision.instance].name;
     if (!map.kernel)
         throwUsage(CULLSCOPE_TR("%1: no inner kernel was made for the object \"%2\", because the parameter horizon is off or the "
@@ -76,23 +76,23 @@ void requireKernelOf(const InsideMap& map, const std::string& option, const Scen
                    {option, name, InnerKernel::stateName(map.kernel->state())});
 }
 
-void requireKernel(const std::string& strategy, const Inside& inside, const Scene& scene) {
+void requireKernel(const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
     const std::string option = "--overlay kernel";
-    if (inside.maps.empty() || !inside.maps.front().tree)
+    if (snapshot.maps.empty() || !snapshot.maps.front().tree)
         throwUsage(CULLSCOPE_TR("%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3."),
                    {option, strategy, kStrategiesWithCells});
-    if (std::ranges::any_of(inside.maps, hasKernel)) return;
-    const InsideMap& shown = *shownMap(inside);
+    if (std::ranges::any_of(snapshot.maps, hasKernel)) return;
+    const MapSnapshot& shown = *shownMap(snapshot);
     requireKernelOf(shown, option, scene);
     throwUsage(CULLSCOPE_TR("%1: the object \"%2\" is %3, so that its inner kernel is not shown. Choose another eye or target."),
                {option, scene.instances()[shown.decision.instance].name, relationName(shown.decision.relation)});
 }
 
-void requireMap(MapColouring colouring, const std::string& strategy, const Inside& inside, const Scene& scene) {
-    if (inside.maps.empty())
+void requireMap(MapColouring colouring, const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
+    if (snapshot.maps.empty())
         throwUsage(CULLSCOPE_TR("--overlay index-map: the strategy \"%1\" has no index map. Strategies that have one: %2."),
                    {strategy, kStrategiesWithMaps});
-    const InsideMap& shown = *shownMap(inside);
+    const MapSnapshot& shown = *shownMap(snapshot);
     if (hasColouring(shown, colouring)) return;
     const std::string option = std::string("--map-colouring ") + mapColouringId(colouring);
     if (shown.tree) requireKernelOf(shown, option, scene);
@@ -191,18 +191,19 @@ Camera cameraBehind(const Camera& camera, const Scene& scene) {
     return behind;
 }
 
-void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const Inside& inside, const Scene& scene) {
-    if (choice.look.boxes && inside.nodes.empty() && inside.maps.empty())
+void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const StructureSnapshot& snapshot,
+                     const Scene& scene) {
+    if (choice.look.boxes && snapshot.nodes.empty() && snapshot.maps.empty())
         throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
-    if (choice.look.bands) requireBands(strategy, inside, scene);
-    if (choice.look.kernel) requireKernel(strategy, inside, scene);
-    if (choice.map) requireMap(*choice.map, strategy, inside, scene);
+    if (choice.look.bands) requireBands(strategy, snapshot, scene);
+    if (choice.look.kernel) requireKernel(strategy, snapshot, scene);
+    if (choice.map) requireMap(*choice.map, strategy, snapshot, scene);
 }
 
-const InsideMap* shownMap(const Inside& inside) {
-    for (const InsideMap& map : inside.maps)
+const MapSnapshot* shownMap(const StructureSnapshot& snapshot) {
+    for (const MapSnapshot& map : snapshot.maps)
         if (map.decision.relation != SphereRelation::Outside) return &map;
-    return inside.maps.empty() ? nullptr : &inside.maps.front();
+    return snapshot.maps.empty() ? nullptr : &snapshot.maps.front();
 }
 
 Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene) {

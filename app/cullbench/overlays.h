@@ -54,11 +54,12 @@ struct BelowChoice {
 [[nodiscard]] Camera cameraBehind(const Camera& camera, const Scene& scene);
 
 /// Throws Error(Usage) where the strategy has nothing at this view of what was chosen, saying why and what to do.
-void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const Inside& inside, const Scene& scene);
+void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const StructureSnapshot& snapshot,
+                     const Scene& scene);
 
 /// The index map that is shown: of the first object that is not outside the frustum, of the first one where all are. Null: the
 /// strategy has none.
-[[nodiscard]] const InsideMap* shownMap(const Inside& inside);
+[[nodiscard]] const MapSnapshot* shownMap(const StructureSnapshot& snapshot);
 
 /// The camera that looks: the culling camera with what was given in its place, its depth range fitted to the scene.
 [[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);

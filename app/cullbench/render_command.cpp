@@ -99,7 +99,7 @@ std::string describedWalk(const CellWalk& walk) {
                        walk.cones ? culled(Cause::BackFacing) : "not used", walk.horizon ? culled(Cause::Hidden) : "not used");
 }
 
-std::string describedMap(const InsideMap& map, const Scene& scene) {
+std::string describedMap(const MapSnapshot& map, const Scene& scene) {
     const SphericalDecision& decision = map.decision;
     std::string text = fmt::format("the bounding sphere of \"{}\" is {}", scene.instances()[decision.instance].name,
                                    relationName(decision.relation));
@@ -114,11 +114,11 @@ Drawn drawPicture(Renderer& renderer, Strategy& strategy, const std::string& id,
     Trace trace;
     Drawn drawn;
     drawn.verdict = strategy.cull(culling, choice.needsTrace() ? &trace : nullptr, &renderer);
-    const Inside inside = choice.needsTrace() ? strategy.inside(trace) : Inside{};
-    requireOverlays(choice, id, inside, *scene);
-    if (!inside.maps.empty()) drawn.sphere = describedMap(*shownMap(inside), *scene);
+    const StructureSnapshot snapshot = choice.needsTrace() ? strategy.snapshot(trace) : StructureSnapshot{};
+    requireOverlays(choice, id, snapshot, *scene);
+    if (!snapshot.maps.empty()) drawn.sphere = describedMap(*shownMap(snapshot), *scene);
     if (choice.map) {
-        drawn.rgba = mapPicture(*shownMap(inside), *choice.map, viewing.viewport(), style);
+        drawn.rgba = mapPicture(*shownMap(snapshot), *choice.map, viewing.viewport(), style);
         return drawn;
     }
     const SceneBuffers buffers(scene, Upload::Vbo);

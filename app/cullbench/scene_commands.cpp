@@ -49,7 +49,7 @@ CellFigures cellFigures(Strategy& strategy, const Scene& scene) {
     Trace trace;
     (void)strategy.cull(View(overviewCamera(scene, 1.0), {64, 64}), &trace);
     std::set<uint32_t> seen;
-    for (const InsideMap& map : strategy.inside(trace).maps) {
+    for (const MapSnapshot& map : strategy.snapshot(trace).maps) {
         if (!map.tree || !seen.insert(scene.instances()[map.decision.instance].mesh).second) continue;
         figures.layout = mapLayoutId(map.tree->layout());
         ++figures.meshesByKernel[map.kernel ? InnerKernel::stateName(map.kernel->state()) : "not made"];
@@ -81,10 +81,10 @@ void runInspect(const InspectOptions& options, const Context& context) {
     clearProgress();
     const StructureReport& structure = strategy->structure();
     const Scene& scene = *opened.scene;
-    // What asks OpenGL has no cells, and there is no context here to cull with.
-    const bool asks = findStrategy(request.id).info.asks != Asks::Nothing;
-    const CellFigures cells = asks ? CellFigures{} : cellFigures(*strategy, scene);
-    const std::optional<PlaneFigures> planes = asks ? std::nullopt : planeFigures(request.id, scene);
+    // What needs OpenGL has no cells, and there is no context here to cull with.
+    const bool needsOpenGl = findStrategy(request.id).info.glRequirement != GlRequirement::None;
+    const CellFigures cells = needsOpenGl ? CellFigures{} : cellFigures(*strategy, scene);
+    const std::optional<PlaneFigures> planes = needsOpenGl ? std::nullopt : planeFigures(request.id, scene);
     const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
     if (!options.json.empty()) {
         nlohmann::ordered_json json{{"scene",

@@ -152,7 +152,7 @@ void plotRuns(PaperTable& table, const PaperSetting& /*setting*/, const MeasureR
 
 }  // namespace
 
-PaperExperiment choViews() {
+PaperExperiment choFigure6() {
     PaperExperiment experiment;
     experiment.id = "vfc-40-views";
     experiment.title = CULLSCOPE_TR("400 bunnies from 40 viewpoints: view-frustum culling");

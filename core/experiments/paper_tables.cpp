@@ -62,7 +62,7 @@ bool PaperExperiment::timed() const {
 const std::vector<PaperExperiment>& paperExperiments() {
     static const std::vector<PaperExperiment> kExperiments = [] {
         std::vector<PaperExperiment> experiments = hanHongTables();
-        experiments.push_back(choViews());
+        experiments.push_back(choFigure6());
         return experiments;
     }();
     return kExperiments;

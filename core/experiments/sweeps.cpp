@@ -4,8 +4,8 @@
 
 namespace cullscope {
 
-const std::vector<Front>& fronts() {
-    static const std::vector<Front> kFronts{
+const std::vector<ParameterSweep>& fronts() {
+    static const std::vector<ParameterSweep> kFronts{
         {"spherical", "rows", {"45", "90", "180", "360"}},
         {"spherical", "band", {"2.5", "5", "10", "20"}},
         {"spherical-lossless", "level", {"4", "5", "6", "7", "8", "0"}, "0"},
@@ -13,9 +13,9 @@ const std::vector<Front>& fronts() {
     return kFronts;
 }
 
-std::vector<StrategyRequest> contestants(const std::vector<Front>& chosen) {
+std::vector<StrategyRequest> contestants(const std::vector<ParameterSweep>& chosen) {
     std::vector<StrategyRequest> requests;
-    for (const Front& front : chosen)
+    for (const ParameterSweep& front : chosen)
         for (const std::string& value : front.values) {
             StrategyRequest request{front.strategy, ParameterSet(findStrategy(front.strategy).info.parameters)};
             request.parameters.setFromText(front.key, value);

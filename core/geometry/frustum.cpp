@@ -59,16 +59,16 @@ Containment combined(const Frustum& frustum, const ClassifyPlane& classifyPlane)
 }  // namespace
 
 Containment classify(const Frustum& frustum, const EyeBox& box) {
-    const double slack = conservativeSlack(glm::length(box.centre) + glm::length(box.half));
-    return combined(frustum, [&](const Plane& plane) { return classify(plane, box, slack); });
+    const double margin = conservativeMargin(glm::length(box.centre) + glm::length(box.halfExtent));
+    return combined(frustum, [&](const Plane& plane) { return classify(plane, box, margin); });
 }
 
 Containment classify(const Frustum& frustum, const Sphere& eyeSphere) {
-    const double slack = conservativeSlack(glm::length(eyeSphere.centre) + eyeSphere.radius);
+    const double margin = conservativeMargin(glm::length(eyeSphere.centre) + eyeSphere.radius);
     return combined(frustum, [&](const Plane& plane) {
         const double distance = plane.distance(eyeSphere.centre);
-        if (distance + eyeSphere.radius < -slack) return Containment::Outside;
-        return distance - eyeSphere.radius > slack ? Containment::Inside : Containment::Straddles;
+        if (distance + eyeSphere.radius < -margin) return Containment::Outside;
+        return distance - eyeSphere.radius > margin ? Containment::Inside : Containment::Straddles;
     });
 }
 

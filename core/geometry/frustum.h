@@ -37,7 +37,7 @@ struct Frustum {
 /// A box in coordinates relative to the eye.
 struct EyeBox {
     Vec3 centre{0.0};
-    Vec3 half{0.0};
+    Vec3 halfExtent{0.0};
 };
 
 /// Moves a world box to the eye; the half extents grow by the rounding of the subtraction, so that the result holds the box.
@@ -45,7 +45,7 @@ struct EyeBox {
 
 /// Signed distance of a box's p-vertex, the corner farthest inside: below 0 the whole box is outside. n·c + d + |n|·e.
 [[nodiscard]] inline double pVertexDistance(const Plane& plane, const EyeBox& box) {
-    return plane.distance(box.centre) + glm::dot(glm::abs(plane.normal), box.half);
+    return plane.distance(box.centre) + glm::dot(glm::abs(plane.normal), box.halfExtent);
 }
 
 /// How far a plane test leans outward so that it never culls what a picture shows, for a bound whose farthest point lies
@@ -54,15 +54,15 @@ struct EyeBox {
 /// distance. (Of a mesh that lies away from the zero of its coordinates by more: Scene::pictureRounding, in its bounds.) A side
 /// plane has half a pixel of room besides (samples lie at pixel centres); near and far planes have none. What it costs: objects
 /// within a millionth of their distance outside a plane are kept.
-[[nodiscard]] constexpr double conservativeSlack(double magnitude) { return magnitude * 0x1p-20; }
+[[nodiscard]] constexpr double conservativeMargin(double magnitude) { return magnitude * 0x1p-20; }
 
-/// How a box lies to one plane. Conservative both ways: `Outside` and `Inside` are said only where they hold with `slack` to
+/// How a box lies to one plane. Conservative both ways: `Outside` and `Inside` are said only where they hold with `margin` to
 /// spare.
-[[nodiscard]] inline Containment classify(const Plane& plane, const EyeBox& box, double slack) {
+[[nodiscard]] inline Containment classify(const Plane& plane, const EyeBox& box, double margin) {
     const double centre = plane.distance(box.centre);
-    const double reach = glm::dot(glm::abs(plane.normal), box.half);
-    if (centre + reach < -slack) return Containment::Outside;
-    return centre - reach > slack ? Containment::Inside : Containment::Straddles;
+    const double reach = glm::dot(glm::abs(plane.normal), box.halfExtent);
+    if (centre + reach < -margin) return Containment::Outside;
+    return centre - reach > margin ? Containment::Inside : Containment::Straddles;
 }
 
 /// How a box lies to the frustum by its six planes. A box that reaches into the frustum is never `Outside`; one that lies outside

@@ -8,7 +8,7 @@ namespace cullscope {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-/// Above the few roundings of a slack's own sums, so that it is never below the bound that it stands for.
+/// Above the few roundings of a margin's own sums, so that it is never below the bound that it stands for.
 constexpr double kRoundedUp = 1.0 + 0x1p-40;
 /// Sums of a few coordinates up to this one are finite, so that no test meets infinity − infinity.
 constexpr double kLargest = 0x1p1000;
@@ -129,8 +129,8 @@ SphereBatch::SphereBatch(std::span<const Sphere> spheres) : ObjectBatch(spheres.
 BatchFrustum::BatchFrustum(const Frustum& frustum, const Vec3& eye) {
     for (size_t p = 0; p < frustum.planes.size(); ++p) m_planes.planes[p] = batchPlane(frustum.planes[p], eye);
     for (int axis = 0; axis < 3; ++axis) m_planes.eye[axis] = eye[axis];
-    m_planes.slackOfMagnitude = (conservativeSlack(1.0) + 0x1p-49) * kRoundedUp;
-    m_planes.slackOfEye = within(eye) ? norm1(eye) * 0x1p-48 * kRoundedUp : kNaN;
+    m_planes.marginOfMagnitude = (conservativeMargin(1.0) + 0x1p-49) * kRoundedUp;
+    m_planes.marginOfEye = within(eye) ? norm1(eye) * 0x1p-48 * kRoundedUp : kNaN;
 }
 
 BatchDistances BatchFrustum::distances(FrustumPlane plane, const Box3& box) const {

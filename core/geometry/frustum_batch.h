@@ -63,17 +63,17 @@ public:
 /// A view frustum made ready for batch tests in world coordinates.
 ///
 /// A plane's distances are n·p + (d − n·eye) at the box's p- and n-vertex, which the normal's signs choose for all boxes at once
-/// (Assarsson & Möller 2000): half the operations of centre and extents. `slack` is no less than slackFromEye of
+/// (Assarsson & Möller 2000): half the operations of centre and extents. `margin` is no less than marginFromEye of
 /// visibility/eye_bounds.h, with norm 1 in place of the length, hardly more than √3 times it: with |world| <= |c − eye| + |eye|,
-/// conservativeSlack(m) + (m + 2 |eye|)·2^-49 where m = |c − eye| + reach. The second term is what working in world coordinates
+/// conservativeMargin(m) + (m + 2 |eye|)·2^-49 where m = |c − eye| + reach. The second term is what working in world coordinates
 /// may be wrong by, four times over: a distance takes four roundings of 2^-53 of |p|, its plane four of |eye|.
 class BatchFrustum {
 public:
     /// `frustum` is relative to the eye, which is given in world coordinates; beyond 2^1000, nothing gets a verdict.
     BatchFrustum(const Frustum& frustum, const Vec3& eye);
 
-    /// What the batch tests compute of one object, to the bit, whatever their level: it is outside where farthestInside < −slack
-    /// for a plane, inside where farthestOutside > slack for all six. NaN where it gets no verdict.
+    /// What the batch tests compute of one object, to the bit, whatever their level: it is outside where farthestInside < −margin
+    /// for a plane, inside where farthestOutside > margin for all six. NaN where it gets no verdict.
     [[nodiscard]] BatchDistances distances(FrustumPlane plane, const Box3& box) const;
     [[nodiscard]] BatchDistances distances(FrustumPlane plane, const Sphere& sphere) const;
 

@@ -58,8 +58,8 @@ private:
 };
 
 template <typename Lanes, typename Shape>
-typename Lanes::Vector slackOf(const double* at, const BatchPlanes& frustum) {
-    return Shape::magnitude(at, frustum) * Lanes::spread(frustum.slackOfMagnitude) + Lanes::spread(frustum.slackOfEye);
+typename Lanes::Vector marginOf(const double* at, const BatchPlanes& frustum) {
+    return Shape::magnitude(at, frustum) * Lanes::spread(frustum.marginOfMagnitude) + Lanes::spread(frustum.marginOfEye);
 }
 
 struct Bits {
@@ -85,10 +85,10 @@ template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
         const size_t object = vector * Lanes::kWidth;
         return block + object / kBatchBlock * (Shape::kRows * kBatchBlock) + object % kBatchBlock;
     };
-    Vector slack[kVectors], least[kVectors];
+    Vector margin[kVectors], least[kVectors];
     typename Lanes::Mask inside[kVectors];
     repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
-        slack[v] = slackOf<Lanes, Shape>(at(v), frustum);
+        margin[v] = marginOf<Lanes, Shape>(at(v), frustum);
         least[v] = Lanes::spread(__builtin_huge_val());
         inside[v] = Lanes::all();
     });
@@ -99,13 +99,13 @@ template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
             repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
                 // The second where the first is NaN, which thus decides nothing.
                 least[v] = Lanes::min(Shape::distance(at(v), plane), least[v]);
-                if constexpr (kInside) inside[v] = Lanes::both(inside[v], Lanes::less(slack[v], Shape::outer(at(v), plane)));
+                if constexpr (kInside) inside[v] = Lanes::both(inside[v], Lanes::less(margin[v], Shape::outer(at(v), plane)));
             });
         });
         bits.outside = 0;
         repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
             // The least of the sums is the sum of the least, as rounding keeps the order.
-            const auto outside = Lanes::less(Shape::withReach(least[v], at(v)), -slack[v]);
+            const auto outside = Lanes::less(Shape::withReach(least[v], at(v)), -margin[v]);
             bits.outside |= Lanes::bits(outside) << (v * Lanes::kWidth);
         });
         if (bits.outside == kAll) return bits;

@@ -23,13 +23,13 @@ struct BatchPlane {
     size_t outer[3];
 };
 
-/// What the kernels are told of a frustum. An object's slack is slackOfMagnitude · m + slackOfEye; m is the sum of the norm-1
+/// What the kernels are told of a frustum. An object's margin is marginOfMagnitude · m + marginOfEye; m is the sum of the norm-1
 /// distance of its centre from the eye and of its reach.
 struct BatchPlanes {
     BatchPlane planes[6];
     double eye[3];
-    double slackOfMagnitude;
-    double slackOfEye;
+    double marginOfMagnitude;
+    double marginOfEye;
 };
 
 /// Writes one bit an object, 64 a word, for whole blocks; bits beyond them are 0. `inside` may be null.
@@ -43,7 +43,7 @@ BatchKernel testSpheresScalar, testSpheresAvx2, testSpheresAvx512;
 struct BatchDistances {
     double farthestInside;
     double farthestOutside;
-    double slack;
+    double margin;
 };
 BatchDistances boxDistances(const double* block, const BatchPlanes& frustum, size_t plane);
 BatchDistances sphereDistances(const double* block, const BatchPlanes& frustum, size_t plane);

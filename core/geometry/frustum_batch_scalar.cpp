@@ -25,7 +25,7 @@ struct ScalarLanes {
 template <typename Shape>
 BatchDistances distances(const double* block, const BatchPlanes& frustum, size_t plane) {
     return {Shape::withReach(Shape::distance(block, frustum.planes[plane]), block), Shape::outer(block, frustum.planes[plane]),
-            slackOf<ScalarLanes, Shape>(block, frustum)};
+            marginOf<ScalarLanes, Shape>(block, frustum)};
 }
 
 }  // namespace

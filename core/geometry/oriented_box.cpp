@@ -24,17 +24,17 @@ OrientedBox orientedBox(const Box3& meshBox, const Mat4& worldFromMesh, const Ve
     return box;
 }
 
-Containment classify(const Frustum& frustum, const OrientedBox& box, double slack) {
+Containment classify(const Frustum& frustum, const OrientedBox& box, double margin) {
     Containment result = Containment::Inside;
     for (const Plane& plane : frustum.planes) {
-        if (pVertexDistance(plane, box) < -slack) return Containment::Outside;
-        if (!(nVertexDistance(plane, box) > slack)) result = Containment::Straddles;
+        if (pVertexDistance(plane, box) < -margin) return Containment::Outside;
+        if (!(nVertexDistance(plane, box) > margin)) result = Containment::Straddles;
     }
     return result;
 }
 
 Containment classify(const Frustum& frustum, const OrientedBox& box) {
-    return classify(frustum, box, conservativeSlack(box.farthest()));
+    return classify(frustum, box, conservativeMargin(box.farthest()));
 }
 
 }  // namespace cullscope

@@ -42,7 +42,7 @@ struct OrientedBox {
 
 /// How a box lies to the frustum by its six planes; as for an EyeBox (geometry/frustum.h), a box that reaches into the frustum is
 /// never `Outside`.
-[[nodiscard]] Containment classify(const Frustum& frustum, const OrientedBox& box, double slack);
+[[nodiscard]] Containment classify(const Frustum& frustum, const OrientedBox& box, double margin);
 [[nodiscard]] Containment classify(const Frustum& frustum, const OrientedBox& box);
 
 }  // namespace cullscope

@@ -101,28 +101,28 @@ bool separatedBox(const CameraFrustum& frustum, const CameraBox& box) {
 /// What stands for rounding in the header's first comment.
 double rounding(double farthest) { return farthest * 0x1p-47; }
 
-double farthestOf(const EyeBox& box) { return sumOfSizes(box.centre) + sumOfSizes(box.half); }
+double farthestOf(const EyeBox& box) { return sumOfSizes(box.centre) + sumOfSizes(box.halfExtent); }
 
-CameraBox inCamera(const Frustum& frustum, const CameraFrustum& camera, const EyeBox& box, double slack) {
+CameraBox inCamera(const Frustum& frustum, const CameraFrustum& camera, const EyeBox& box, double margin) {
     CameraBox result;
     result.centre = camera.coordinates(box.centre);
     for (int axis = 0; axis < 3; ++axis) {
         const Vec3 edge(frustum.right[axis], frustum.up[axis], frustum.forward[axis]);
         result.edges[size_t(axis)] = edge;
-        result.halves[size_t(axis)] = edge * box.half[axis];
+        result.halves[size_t(axis)] = edge * box.halfExtent[axis];
     }
-    result.room = slack + rounding(farthestOf(box));
+    result.room = margin + rounding(farthestOf(box));
     return result;
 }
 
 }  // namespace
 
-bool separated(const Frustum& frustum, const EyeBox& box, double slack) {
+bool separated(const Frustum& frustum, const EyeBox& box, double margin) {
     const CameraFrustum camera(frustum, farthestOf(box));
-    return separatedBox(camera, inCamera(frustum, camera, box, slack));
+    return separatedBox(camera, inCamera(frustum, camera, box, margin));
 }
 
-bool separated(const Frustum& frustum, const OrientedBox& box, double slack) {
+bool separated(const Frustum& frustum, const OrientedBox& box, double margin) {
     double farthest = sumOfSizes(box.centre) + box.room;
     for (const Vec3& axis : box.axes) farthest += sumOfSizes(axis);
     const CameraFrustum camera(frustum, farthest);
@@ -134,11 +134,11 @@ bool separated(const Frustum& frustum, const OrientedBox& box, double slack) {
         result.halves[axis] = half;
         result.edges[axis] = length > 0.0 ? half / length : Vec3(0.0);
     }
-    result.room = slack + box.room + rounding(farthest);
+    result.room = margin + box.room + rounding(farthest);
     return separatedBox(camera, result);
 }
 
-bool separated(const Frustum& frustum, const Sphere& eyeSphere, double slack) {
+bool separated(const Frustum& frustum, const Sphere& eyeSphere, double margin) {
     const double farthest = sumOfSizes(eyeSphere.centre) + eyeSphere.radius;
     const CameraFrustum camera(frustum, farthest);
     const Vec3 centre = camera.coordinates(eyeSphere.centre);
@@ -154,16 +154,16 @@ bool separated(const Frustum& frustum, const Sphere& eyeSphere, double slack) {
         if (!(glm::dot(axis, axis) > kLeastSquare)) continue;
         // In world coordinates a sphere is one whatever the basis is like.
         const double length = glm::length(camera.world(axis));
-        if (camera.apart(axis, glm::dot(axis, centre), eyeSphere.radius * length, (slack + rounding(farthest)) * length))
+        if (camera.apart(axis, glm::dot(axis, centre), eyeSphere.radius * length, (margin + rounding(farthest)) * length))
             return true;
     }
     return false;
 }
 
-bool meetsNearRectangle(const Frustum& frustum, const EyeBox& box, double slack) {
+bool meetsNearRectangle(const Frustum& frustum, const EyeBox& box, double margin) {
     Frustum rectangle = frustum;
     rectangle.farDistance = frustum.nearDistance;
-    const EyeBox grown{box.centre, box.half + slack};
+    const EyeBox grown{box.centre, box.halfExtent + margin};
     const CameraFrustum camera(rectangle, farthestOf(grown));
     const CameraBox object = inCamera(rectangle, camera, grown, 0.0);
     return !apartAlong(Vec3(0, 0, 1), camera, object) && !separatedBox(camera, object);

@@ -59,7 +59,7 @@ Vec2 sizeOf(MapLayout layout, const MapCell& cell) {
 
 }  // namespace
 
-const JudgedCell* judgedCellAt(const InsideMap& map, const Vec3& direction) {
+const JudgedCell* judgedCellAt(const MapSnapshot& map, const Vec3& direction) {
     if (!map.tree || !map.decision.walk) return nullptr;
     const CellTree::Node* leaf = map.tree->leafAt(direction);
     if (leaf == nullptr) return nullptr;
@@ -84,7 +84,7 @@ std::vector<Vec2> cellOutline(MapLayout layout, const MapCell& cell) {
     return outline;
 }
 
-std::vector<std::vector<Vec2>> cellOutlines(const InsideMap& map, double leastSize) {
+std::vector<std::vector<Vec2>> cellOutlines(const MapSnapshot& map, double leastSize) {
     std::vector<std::vector<Vec2>> outlines;
     if (!map.tree || !map.decision.walk) return outlines;
     const MapLayout layout = map.tree->layout();
@@ -97,7 +97,7 @@ std::vector<std::vector<Vec2>> cellOutlines(const InsideMap& map, double leastSi
     return outlines;
 }
 
-std::vector<Vec2> horizonLine(const InsideMap& map) {
+std::vector<Vec2> horizonLine(const MapSnapshot& map) {
     if (!map.decision.walk || map.decision.walk->outline.empty()) return {};
     const std::vector<Vec3>& outline = map.decision.walk->outline;
     MapLine line(outline.front());

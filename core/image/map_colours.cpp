@@ -37,7 +37,7 @@ Vec3f stateColour(CellState state, const Vec3f& background) {
 }
 
 /// Of the quadtree's cell that holds a direction in which no centroid lies: the display's cells may be the smaller ones.
-Vec3f colourBetween(const InsideMap& map, const Vec3& direction, const Vec3f& background) {
+Vec3f colourBetween(const MapSnapshot& map, const Vec3& direction, const Vec3f& background) {
     if (map.tree->leafAt(direction) == nullptr) return background;
     const JudgedCell* judged = judgedCellAt(map, direction);
     if (judged == nullptr) return stateColour(CellState::OutsideFrustum, background);
@@ -71,7 +71,7 @@ CellShares radiusShares(const SphericalMaps& maps) {
     return result;
 }
 
-CellShares levelShares(const InsideMap& map) {
+CellShares levelShares(const MapSnapshot& map) {
     const SphericalGrid& grid = map.maps->grid();
     const CellDirections directions(grid);
     CellShares result{std::vector<float>(grid.cellCount(), -1.0f), 0.0, 1.0};
@@ -88,7 +88,7 @@ CellShares levelShares(const InsideMap& map) {
     return result;
 }
 
-CellShares kernelShares(const InsideMap& map) {
+CellShares kernelShares(const MapSnapshot& map) {
     const SphericalGrid& grid = map.maps->grid();
     const CellDirections directions(grid);
     const double most = map.maps.sphere().radius;
@@ -112,12 +112,12 @@ MapColouring mapColouringFromId(std::string_view id) {
                {std::string(id), "entries, radius, state, level, kernel"});
 }
 
-bool hasColouring(const InsideMap& map, MapColouring colouring) {
+bool hasColouring(const MapSnapshot& map, MapColouring colouring) {
     if (colouring == MapColouring::Level) return map.tree != nullptr;
     return colouring != MapColouring::Kernel || (map.kernel && map.kernel->filled());
 }
 
-CellShares cellShares(const InsideMap& map, MapColouring colouring) {
+CellShares cellShares(const MapSnapshot& map, MapColouring colouring) {
     if (!hasColouring(map, colouring)) return {std::vector<float>(map.maps->grid().cellCount(), -1.0f), 0.0, 0.0};
     if (colouring == MapColouring::Level) return levelShares(map);
     if (colouring == MapColouring::Kernel) return kernelShares(map);
@@ -136,7 +136,7 @@ std::array<Vec3f, 5> reliefColours() {
     return colours;
 }
 
-std::vector<Vec3f> cellColours(const InsideMap& map, MapColouring colouring, const Vec3f& background) {
+std::vector<Vec3f> cellColours(const MapSnapshot& map, MapColouring colouring, const Vec3f& background) {
     if (colouring != MapColouring::State) {
         std::vector<Vec3f> colours;
         for (const float share : cellShares(map, colouring).shares)

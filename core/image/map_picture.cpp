@@ -29,7 +29,7 @@ constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in 
 /// Draws the map and what lies over it.
 class MapPainter {
 public:
-    MapPainter(const InsideMap& map, const Viewport& size, const DrawStyle& style)
+    MapPainter(const MapSnapshot& map, const Viewport& size, const DrawStyle& style)
         : m_map(map), m_canvas(size, style), m_style(style), m_contrast(contrastTo(style.background)) {
         const MapArea area = mapArea(size, kMargin * style.unit);
         const double top = size.height - area.bottom - area.height;
@@ -60,7 +60,7 @@ private:
     void axisMarks(const Vec3& axis);
     void tick(const Vec2& from, const Vec2& outward, int degrees);
 
-    const InsideMap& m_map;
+    const MapSnapshot& m_map;
     Canvas m_canvas;
     const DrawStyle& m_style;
     Vec3f m_contrast;
@@ -206,7 +206,7 @@ void MapPainter::paintHorizon() {
 
 }  // namespace
 
-std::vector<uint8_t> mapPicture(const InsideMap& map, MapColouring colouring, const Viewport& size, const DrawStyle& style) {
+std::vector<uint8_t> mapPicture(const MapSnapshot& map, MapColouring colouring, const Viewport& size, const DrawStyle& style) {
     const SphericalDecision& decision = map.decision;
     MapPainter painter(map, size, style);
     painter.paintCells(cellColours(map, colouring, style.background));

@@ -23,7 +23,7 @@ class BandLines {
 public:
     explicit BandLines(const OverlayContext& context) : m_context(context) {}
 
-    void add(const InsideMap& map) {
+    void add(const MapSnapshot& map) {
         const Object object{map, *map.decision.bands, MapPlace(m_context.scene, map), map.maps.sphere().radius,
                             pixelsOf(m_context.viewing, MapPlace(m_context.scene, map).world(Vec3(0.0)),
                                      m_context.scene.instanceSphere(map.decision.instance).radius)};
@@ -48,7 +48,7 @@ public:
 
 private:
     struct Object {
-        const InsideMap& map;
+        const MapSnapshot& map;
         const ContourBands& bands;
         MapPlace place;
         double radius = 0.0;  ///< of the bounding sphere, mesh units
@@ -127,9 +127,9 @@ private:
 
 }  // namespace
 
-std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const Inside& inside) {
+std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     BandLines lines(context);
-    for (const InsideMap& map : inside.maps)
+    for (const MapSnapshot& map : snapshot.maps)
         if (map.decision.bands) lines.add(map);
     return std::move(lines).overlays();
 }

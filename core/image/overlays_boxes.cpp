@@ -7,7 +7,7 @@ namespace {
 
 constexpr float kBoxWidth = 1.0f;  ///< units; narrower lines have gaps
 
-void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const InsideNode& node) {
+void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node) {
     const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
     addBox(overlay, node.box, context.palette[size_t(state)].colour);
 }
@@ -24,22 +24,22 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour) {
             if ((from & axis) == 0) overlay.lines.push_back({corner(from), corner(from | axis), colour});
 }
 
-bool wasTested(const InsideNode& group, const Inside& inside) {
-    return group.parent < 0 || inside.nodes[size_t(group.parent)].containment == Containment::Straddles;
+bool wasTested(const SnapshotNode& group, const StructureSnapshot& snapshot) {
+    return group.parent < 0 || snapshot.nodes[size_t(group.parent)].containment == Containment::Straddles;
 }
 
-OverlayLines boxOverlay(const OverlayContext& context, const Inside& inside) {
+OverlayLines boxOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     OverlayLines overlay{{}, {kBoxWidth, true}};
-    overlay.lines.reserve(inside.nodes.size() * 12);
-    for (const InsideNode& node : inside.nodes)
+    overlay.lines.reserve(snapshot.nodes.size() * 12);
+    for (const SnapshotNode& node : snapshot.nodes)
         if (!node.isGroup()) addByVerdict(overlay, context, node);
     return overlay;
 }
 
-OverlayLines groupOverlay(const OverlayContext& context, const Inside& inside) {
+OverlayLines groupOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     OverlayLines overlay{{}, {kBoxWidth, true}};
-    for (const InsideNode& node : inside.nodes)
-        if (node.isGroup() && wasTested(node, inside)) addByVerdict(overlay, context, node);
+    for (const SnapshotNode& node : snapshot.nodes)
+        if (node.isGroup() && wasTested(node, snapshot)) addByVerdict(overlay, context, node);
     return overlay;
 }
 

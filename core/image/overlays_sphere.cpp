@@ -30,7 +30,7 @@ class SphereLines {
 public:
     explicit SphereLines(const OverlayContext& context) : m_context(context) {}
 
-    void add(const InsideMap& map) {
+    void add(const MapSnapshot& map) {
         const MapPlace place(m_context.scene, map);
         addCircles(map, place);
         if (map.tree && map.decision.walk) addCells(map, place);
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    void addCircles(const InsideMap& map, const MapPlace& place) {
+    void addCircles(const MapSnapshot& map, const MapPlace& place) {
         const double radius = map.maps.sphere().radius;
         const Vec3f colour = m_context.palette[size_t(TriangleState::Visible)].colour;
         const Vec3 centre = place.world(Vec3(0.0));
@@ -91,7 +91,7 @@ private:
         for (const double phi : {left, right}) addOnSphere({top, phi}, {bottom, phi}, radius, place, m_context.contrast, false);
     }
 
-    void addRegion(const InsideMap& map, const MapPlace& place) {
+    void addRegion(const MapSnapshot& map, const MapPlace& place) {
         const VisibleRegion& region = *map.decision.region;
         const double radius = map.maps.sphere().radius;
         for (const CellBox& box : region.boxes) addBox(box, map.maps->grid(), radius, place);
@@ -103,7 +103,7 @@ private:
             addOnSphere(outline.back(), outline.front(), radius, place, kRegionColour, true);
     }
 
-    void addCells(const InsideMap& map, const MapPlace& place) {
+    void addCells(const MapSnapshot& map, const MapPlace& place) {
         const double radius = map.maps.sphere().radius, squared = radius * radius;
         const double pixels =
             pixelsOf(m_context.viewing, place.world(Vec3(0.0)), m_context.scene.instanceSphere(map.decision.instance).radius);
@@ -144,9 +144,9 @@ private:
 
 }  // namespace
 
-std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const Inside& inside) {
+std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     SphereLines lines(context);
-    for (const InsideMap& map : inside.maps)
+    for (const MapSnapshot& map : snapshot.maps)
         if (map.decision.relation != SphereRelation::Outside) lines.add(map);
     return std::move(lines).overlays();
 }

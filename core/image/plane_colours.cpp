@@ -19,9 +19,9 @@ std::array<Vec3f, kFrustumPlaneCount> planePalette(const Vec3f& background) {
     return palette;
 }
 
-PlaneCounts countByPlane(const Inside& inside) {
+PlaneCounts countByPlane(const StructureSnapshot& snapshot) {
     PlaneCounts counts;
-    for (const InsideNode& node : inside.nodes) {
+    for (const SnapshotNode& node : snapshot.nodes) {
         if (node.isGroup()) continue;
         uint64_t& count = !node.culled      ? counts.kept
                           : node.rejectedBy ? counts.rejected[size_t(*node.rejectedBy)]

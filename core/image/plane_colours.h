@@ -21,6 +21,6 @@ struct PlaneCounts {
 
     bool operator==(const PlaneCounts&) const = default;
 };
-[[nodiscard]] PlaneCounts countByPlane(const Inside& inside);
+[[nodiscard]] PlaneCounts countByPlane(const StructureSnapshot& snapshot);
 
 }  // namespace cullscope

@@ -11,7 +11,7 @@ namespace {
 
 // In units.
 constexpr float kFrameWidth = 1.0f;
-constexpr float kMargin = 40.0f;
+constexpr float kModelMargin = 40.0f;
 constexpr double kTick = 3.5;
 constexpr double kLongTick = 6.0;
 
@@ -58,7 +58,9 @@ bool hasWholeModel(const Scene& scene, const DrawList& list) {
     return submitted >= scene.meshOf(*shown).triangleCount();
 }
 
-MapArea sphericalModelArea(const Viewport& size, const DrawStyle& style) { return mapArea(size, double(kMargin * style.unit)); }
+MapArea sphericalModelArea(const Viewport& size, const DrawStyle& style) {
+    return mapArea(size, double(kModelMargin * style.unit));
+}
 
 void drawSphericalModel(Renderer& renderer, const SceneBuffers& buffers, const View& viewing, const DrawList& list,
                         const DrawStyle& style, Framebuffer& target) {

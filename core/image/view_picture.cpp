@@ -48,14 +48,14 @@ void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& ov
 }
 
 /// What the strategy tests. Strategies with maps test spheres, though their objects have boxes.
-std::vector<OverlayLines> boxesOf(const OverlayContext& context, const Inside& inside, BoxColouring colouring) {
+std::vector<OverlayLines> boxesOf(const OverlayContext& context, const StructureSnapshot& snapshot, BoxColouring colouring) {
     std::vector<OverlayLines> overlays;
-    if (inside.maps.empty() && colouring == BoxColouring::Plane) return boxOverlayByPlane(context, inside);
-    overlays.push_back(groupOverlay(context, inside));
-    if (inside.maps.empty())
-        overlays.push_back(boxOverlay(context, inside));
+    if (snapshot.maps.empty() && colouring == BoxColouring::Plane) return boxOverlayByPlane(context, snapshot);
+    overlays.push_back(groupOverlay(context, snapshot));
+    if (snapshot.maps.empty())
+        overlays.push_back(boxOverlay(context, snapshot));
     else
-        std::ranges::move(sphereOverlay(context, inside), std::back_inserter(overlays));
+        std::ranges::move(sphereOverlay(context, snapshot), std::back_inserter(overlays));
     return overlays;
 }
 
@@ -101,11 +101,11 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     // Planes have colours where boxes have them; a strategy that tests no boxes has none.
     bool byPlane = false;
     if (look.boxes || look.bands || look.kernel) {
-        const Inside inside = strategy.inside(trace);
-        if (look.boxes) drawAll(boxesOf(context, inside, look.boxColouring));
-        byPlane = look.byPlane() && !inside.nodes.empty();
-        if (look.bands) drawAll(bandOverlay(context, inside));
-        if (look.kernel) drawAll(kernelOverlay(context, inside));
+        const StructureSnapshot snapshot = strategy.snapshot(trace);
+        if (look.boxes) drawAll(boxesOf(context, snapshot, look.boxColouring));
+        byPlane = look.byPlane() && !snapshot.nodes.empty();
+        if (look.bands) drawAll(bandOverlay(context, snapshot));
+        if (look.kernel) drawAll(kernelOverlay(context, snapshot));
     }
     // Seen from its own eye a frustum is the picture's border.
     if (!look.frustum || culling.camera() == viewing.camera()) return;

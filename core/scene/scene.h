@@ -35,7 +35,7 @@ public:
     /// The instance that owns a triangle number.
     [[nodiscard]] size_t instanceOf(uint64_t triangle) const;
 
-    /// How far the floats of a picture may misplace an instance's vertices beyond what conservativeSlack (geometry/frustum.h)
+    /// How far the floats of a picture may misplace an instance's vertices beyond what conservativeMargin (geometry/frustum.h)
     /// holds, which goes by the distance from the eye: a mesh that lies away from the zero of its float coordinates is rounded by
     /// its distance from there. Scene units; 0 for a mesh around its zero.
     [[nodiscard]] double pictureRounding(const Instance& instance) const;

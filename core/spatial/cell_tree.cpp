@@ -191,13 +191,13 @@ void CellTree::boundLeaf(Node& node) const {
     node.coneCosine = planes.empty() ? 1.0f : kNoCone;
     if (glm::length(sum) < 1e-3) return;
     const Vec3 axis = glm::normalize(sum), middle = middleOf(node);
-    double cosine = 1.0, slack = -std::numeric_limits<double>::infinity();
+    double cosine = 1.0, margin = -std::numeric_limits<double>::infinity();
     for (const auto& [normal, offset] : planes) {
         cosine = std::min(cosine, glm::dot(normal, axis));
-        slack = std::max(slack, glm::dot(normal, middle) - offset);
+        margin = std::max(margin, glm::dot(normal, middle) - offset);
     }
     setCone(node, axis, cosine);
-    node.planeSlack = roundedUp(slack + kFloatError * glm::length(box.halfExtent()));
+    node.planeMargin = roundedUp(margin + kFloatError * glm::length(box.halfExtent()));
 }
 
 void CellTree::boundInner(Node& node) const {
@@ -219,17 +219,17 @@ void CellTree::boundInner(Node& node) const {
     node.coneCosine = cones && !normals ? 1.0f : kNoCone;
     if (!cones || glm::length(sum) < 1e-3) return;
     const Vec3 axis = glm::normalize(sum), middle = middleOf(node);
-    double angle = 0.0, slack = -std::numeric_limits<double>::infinity();
+    double angle = 0.0, margin = -std::numeric_limits<double>::infinity();
     for (const Node& child : children) {
         if (!hasNormals(child)) continue;
         // Of the chord, which keeps its digits for small angles; float axes are not quite of unit length.
         const double chord = glm::length(axis - glm::normalize(Vec3(child.coneAxis)));
         const double apart = 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + kFloatError;
         angle = std::max(angle, apart + std::acos(std::min(1.0, double(child.coneCosine))));
-        slack = std::max(slack, child.planeSlack + largestAlong(child, middle - middleOf(child)));
+        margin = std::max(margin, child.planeMargin + largestAlong(child, middle - middleOf(child)));
     }
     setCone(node, axis, angle < 1.5 ? std::cos(angle) : -1.0);
-    node.planeSlack = roundedUp(slack + kFloatError * glm::length(Vec3(node.high) - Vec3(node.low)));
+    node.planeMargin = roundedUp(margin + kFloatError * glm::length(Vec3(node.high) - Vec3(node.low)));
 }
 
 size_t CellTree::leafCount() const {

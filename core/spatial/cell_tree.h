@@ -21,7 +21,7 @@ public:
         Vec3f coneAxis{0.0f};           ///< unit; around it lie the triangles' unit normals,
         float coneCosine = 2.0f;        ///< within an angle of this cosine; 2: there is no such cone narrower than 84°
         float coneSine = 0.0f;          ///< of the same
-        float planeSlack = 0.0f;        ///< no triangle's plane passes the box's middle farther than this on the side of the eye
+        float planeMargin = 0.0f;       ///< no triangle's plane passes the box's middle farther than this on the side of the eye
         float leastHeight = 0.0f;       ///< the smallest altitude of a triangle
         uint32_t first = 0, count = 0;  ///< its triangles' places in the order
         uint32_t firstChild = 0;        ///< the others follow it

@@ -3,8 +3,8 @@
 namespace cullscope {
 namespace {
 
-InsideNode untested(uint32_t instance, const Scene& scene) {
-    InsideNode node;
+SnapshotNode untested(uint32_t instance, const Scene& scene) {
+    SnapshotNode node;
     node.instance = instance;
     node.box = scene.instanceBox(instance);
     node.triangles = scene.meshOf(instance).triangleCount();
@@ -14,13 +14,13 @@ InsideNode untested(uint32_t instance, const Scene& scene) {
 
 }  // namespace
 
-Inside objectNodes(const Trace& trace, const Scene& scene) {
-    Inside result;
+StructureSnapshot objectNodes(const Trace& trace, const Scene& scene) {
+    StructureSnapshot result;
     for (const TraceEvent& event : trace.events) {
         // The events of one object follow each other.
         if (result.nodes.empty() || result.nodes.back().instance != event.instance)
             result.nodes.push_back(untested(event.instance, scene));
-        InsideNode& node = result.nodes.back();
+        SnapshotNode& node = result.nodes.back();
         switch (event.kind) {
             case TraceEvent::Kind::Culled:
                 node.culled = true;

@@ -24,13 +24,13 @@ struct MaskedTest {
 /// `inner` and `outer` give the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
 /// before the others, where it is a plane of the mask, and is set to the plane outside which it lies. NaN decides nothing.
 template <typename Inner, typename Outer>
-MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double slack, uint8_t& first, const Inner& inner,
+MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint8_t& first, const Inner& inner,
                       const Outer& outer) {
     MaskedTest test{mask};
     const auto isOutside = [&](uint32_t p) {
         test.distance = inner(frustum.planes[p]);
         ++test.tested;
-        return test.distance < -slack;
+        return test.distance < -margin;
     };
     const auto outside = [&](uint32_t p) {
         first = uint8_t(p);
@@ -41,14 +41,14 @@ MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double slack, uint8
     for (uint32_t p = 0; p < kPlanes; ++p) {
         if ((mask >> p & 1) == 0) continue;
         if (p != asked && isOutside(p)) return outside(p);
-        if (outer(frustum.planes[p]) > slack) test.planes &= ~(1u << p);
+        if (outer(frustum.planes[p]) > margin) test.planes &= ~(1u << p);
     }
     return test;
 }
 
 class GroupWalk {
 public:
-    GroupWalk(const InstanceOctree& octree, const Scene& scene, const View& view, Trace* trace, const GroupWalkOptions& options)
+    GroupWalk(const InstanceOctree& octree, const Scene& scene, const View& view, Trace* trace, const OctreeWalkOptions& options)
         : m_octree(octree),
           m_scene(scene),
           m_frustum(view.frustum()),
@@ -62,17 +62,17 @@ public:
         const InstanceOctree::Node& node = m_octree.nodes()[number];
         ++figures.nodesVisited;
         const EyeBox box = relativeToEye(node.box, m_eye);
-        const double slack = slackFromEye(node.box.centre(), box.centre, glm::length(box.half), m_eye);
+        const double margin = marginFromEye(node.box.centre(), box.centre, glm::length(box.halfExtent), m_eye);
         uint8_t unknown = LastFailedPlanes::kNone;
         MaskedTest test = testPlanes(
-            m_frustum, mask, slack, m_memory != nullptr ? m_memory->ofGroup(number) : unknown,
+            m_frustum, mask, margin, m_memory != nullptr ? m_memory->ofGroup(number) : unknown,
             [&](const Plane& plane) { return pVertexDistance(plane, box); },
-            [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.half); });
+            [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.halfExtent); });
         figures.planesTested += test.tested;
-        if (partable(test)) test.outside = separated(m_frustum, box, slack);
-        if (m_trace != nullptr) record(number, test, slack);
+        if (partable(test)) test.outside = separated(m_frustum, box, margin);
+        if (m_trace != nullptr) record(number, test, margin);
         if (test.outside)
-            drop(node, test, slack);
+            drop(node, test, margin);
         else if (test.planes == 0)
             for (const uint32_t instance : m_octree.instancesOf(node)) kept.push_back({instance, 0});
         else if (node.leaf())
@@ -82,7 +82,7 @@ public:
     }
 
     std::vector<KeptObject> kept;
-    GroupWalkFigures figures;
+    OctreeWalkCounters figures;
 
 private:
     /// Whether axes are to be tested after the planes.
@@ -97,31 +97,31 @@ private:
         const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
         uint8_t unknown = LastFailedPlanes::kNone;
         MaskedTest test = testPlanes(
-            m_frustum, mask, bounds.slack, m_memory != nullptr ? m_memory->ofObject(instance) : unknown,
+            m_frustum, mask, bounds.margin, m_memory != nullptr ? m_memory->ofObject(instance) : unknown,
             [&](const Plane& plane) { return farthestInside(plane, bounds); },
             [&](const Plane& plane) { return farthestOutside(plane, bounds); });
         figures.planesTested += test.tested;
         if (partable(test))
-            test.outside = separated(m_frustum, bounds.box, bounds.slack) || separated(m_frustum, bounds.sphere, bounds.slack);
+            test.outside = separated(m_frustum, bounds.box, bounds.margin) || separated(m_frustum, bounds.sphere, bounds.margin);
         if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
         ++figures.objectsCulled;
         figures.trianglesCulled += m_scene.meshOf(instance).triangleCount();
-        if (m_trace != nullptr) reject(instance, test, bounds.slack);
+        if (m_trace != nullptr) reject(instance, test, bounds.margin);
     }
 
-    void drop(const InstanceOctree::Node& node, const MaskedTest& test, double slack) {
+    void drop(const InstanceOctree::Node& node, const MaskedTest& test, double margin) {
         figures.objectsCulled += node.count;
         figures.trianglesCulled += node.triangles;
         if (m_trace == nullptr) return;
         for (const uint32_t instance : m_octree.instancesOf(node)) {
             const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
             MaskedTest own = test;
-            // The object lies in the group's box and is outside with it, whatever the last digits of its own distance or slack.
+            // The object lies in the group's box and is outside with it, whatever the last digits of its own distance or margin.
             if (test.byPlane)
                 own.distance = std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance);
             else
                 findOwnPlane(bounds, own);
-            reject(instance, own, std::min(bounds.slack, slack));
+            reject(instance, own, std::min(bounds.margin, margin));
         }
     }
 
@@ -129,7 +129,7 @@ private:
     void findOwnPlane(const EyeBounds& bounds, MaskedTest& test) const {
         for (uint32_t p = 0; p < kPlanes && !test.byPlane; ++p) {
             test.distance = farthestInside(m_frustum.planes[p], bounds);
-            test.byPlane = test.distance < -bounds.slack;
+            test.byPlane = test.distance < -bounds.margin;
             test.plane = static_cast<FrustumPlane>(p);
         }
     }
@@ -143,11 +143,11 @@ private:
         m_trace->events.push_back({TraceEvent::Kind::Culled, instance});
     }
 
-    void record(uint32_t number, const MaskedTest& test, double slack) {
+    void record(uint32_t number, const MaskedTest& test, double margin) {
         if (test.outside && test.byPlane)
-            m_trace->groups.push_back({number, Containment::Outside, test.plane, test.distance, slack, true});
+            m_trace->groups.push_back({number, Containment::Outside, test.plane, test.distance, margin, true});
         else if (test.outside)
-            m_trace->groups.push_back({number, Containment::Outside, {}, 0.0, slack, true});
+            m_trace->groups.push_back({number, Containment::Outside, {}, 0.0, margin, true});
         else if (test.planes == 0)
             m_trace->groups.push_back({number, Containment::Inside, {}, 0.0, 0.0, true});
         else
@@ -163,9 +163,9 @@ private:
     bool m_refine;
 };
 
-InsideNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, const InsideNode* parent) {
-    InsideNode group;
-    group.instance = InsideNode::kGroup;
+SnapshotNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, const SnapshotNode* parent) {
+    SnapshotNode group;
+    group.instance = SnapshotNode::kGroup;
     group.objects = node.count;
     group.box = node.box;
     group.triangles = node.triangles;
@@ -183,8 +183,8 @@ InsideNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, 
 
 }  // namespace
 
-std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view, GroupWalkFigures* figures,
-                                    Trace* trace, const GroupWalkOptions& options) {
+std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view,
+                                    OctreeWalkCounters* figures, Trace* trace, const OctreeWalkOptions& options) {
     GroupWalk walk(octree, scene, view, trace, options);
     if (!octree.nodes().empty()) walk.visit(0, kAllPlanes);
     if (figures != nullptr) {
@@ -209,22 +209,22 @@ void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const V
     std::ranges::transform(byDistance, kept.begin(), &std::pair<double, KeptObject>::second);
 }
 
-void addGroups(Inside& inside, const InstanceOctree& octree, const Scene& scene, const Trace& trace) {
-    const auto base = int32_t(inside.nodes.size());
+void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const Trace& trace) {
+    const auto base = int32_t(snapshot.nodes.size());
     std::vector<const TestedGroup*> tested(octree.nodes().size(), nullptr);
     for (const TestedGroup& group : trace.groups) tested[group.node] = &group;
     std::vector<int32_t> leafOf(scene.instances().size(), -1);
-    inside.nodes.reserve(inside.nodes.size() + octree.nodes().size());
+    snapshot.nodes.reserve(snapshot.nodes.size() + octree.nodes().size());
     for (size_t i = 0; i < octree.nodes().size(); ++i) {
         const InstanceOctree::Node& node = octree.nodes()[i];
         const int32_t parent = node.parent < 0 ? -1 : base + node.parent;
-        inside.nodes.push_back(groupOf(node, tested[i], parent < 0 ? nullptr : &inside.nodes[size_t(parent)]));
-        inside.nodes.back().parent = parent;
+        snapshot.nodes.push_back(groupOf(node, tested[i], parent < 0 ? nullptr : &snapshot.nodes[size_t(parent)]));
+        snapshot.nodes.back().parent = parent;
         if (!node.leaf()) continue;
         for (const uint32_t instance : octree.instancesOf(node)) leafOf[instance] = base + int32_t(i);
     }
     for (size_t i = 0; i < size_t(base); ++i)
-        if (!inside.nodes[i].isGroup()) inside.nodes[i].parent = leafOf[inside.nodes[i].instance];
+        if (!snapshot.nodes[i].isGroup()) snapshot.nodes[i].parent = leafOf[snapshot.nodes[i].instance];
 }
 
 }  // namespace cullscope

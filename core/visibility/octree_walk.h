@@ -16,7 +16,7 @@ struct KeptObject {
 };
 
 /// What a walk cost and what it left out.
-struct GroupWalkFigures {
+struct OctreeWalkCounters {
     uint64_t nodesVisited = 0;
     uint64_t objectsTested = 0;  ///< one by one, in leaves
     uint64_t planesTested = 0;   ///< of both, all planes together
@@ -42,7 +42,7 @@ private:
     std::vector<uint8_t> m_groups, m_objects;
 };
 
-struct GroupWalkOptions {
+struct OctreeWalkOptions {
     /// Groups and objects that no plane leaves out are tested by separating axes too (geometry/separation.h).
     bool refine = false;
     /// Null: the planes are tested in their own order. A traced walk neither reads nor writes it, so that it always tells the
@@ -53,11 +53,11 @@ struct GroupWalkOptions {
 /// The objects of a scene that reach into a view, in the octree's order, by its groups: one outside a plane is dropped with all
 /// it holds; a plane that has all of a group inside is not tested below it (Assarsson & Möller 2000), and a group inside all six
 /// hands on its run as it is. Conservative: an object that reaches into the frustum is always kept (bound: geometry/frustum.h,
-/// conservativeSlack). `octree` is the scene's. Where given, `figures` is added to, and `trace` gets the visited groups and, for
+/// conservativeMargin). `octree` is the scene's. Where given, `figures` is added to, and `trace` gets the visited groups and, for
 /// every object that is left out, the test of its own bounds against the rejecting plane and its end; nothing about kept ones.
 [[nodiscard]] std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view,
-                                                  GroupWalkFigures* figures = nullptr, Trace* trace = nullptr,
-                                                  const GroupWalkOptions& options = {});
+                                                  OctreeWalkCounters* figures = nullptr, Trace* trace = nullptr,
+                                                  const OctreeWalkOptions& options = {});
 
 /// Orders objects by the distance of their spheres from the eye: what is drawn first hides what comes after from the costly part
 /// of OpenGL's work.
@@ -65,6 +65,6 @@ void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const V
 
 /// Appends the octree's nodes to `inside` as groups, with what a traced walk decided about them (of those that it did not visit,
 /// the nearest visited ancestor's), and hangs the objects' nodes that are there already under their leaves.
-void addGroups(Inside& inside, const InstanceOctree& octree, const Scene& scene, const Trace& trace);
+void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const Trace& trace);
 
 }  // namespace cullscope

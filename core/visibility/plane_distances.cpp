@@ -9,7 +9,7 @@ std::vector<PlaneDistance> planeDistances(const Scene& scene, const View& view, 
     std::vector<PlaneDistance> distances;
     for (size_t i = 0; i < view.frustum().planes.size(); ++i) {
         const Plane& plane = view.frustum().planes[i];
-        PlaneDistance one{static_cast<FrustumPlane>(i), farthestInside(plane, bounds), bounds.slack, Containment::Straddles};
+        PlaneDistance one{static_cast<FrustumPlane>(i), farthestInside(plane, bounds), bounds.margin, Containment::Straddles};
         if (one.distance < -one.bound) one.containment = Containment::Outside;
         if (farthestOutside(plane, bounds) > one.bound) one.containment = Containment::Inside;
         distances.push_back(one);

@@ -11,7 +11,7 @@ namespace cullscope {
 struct PlaneDistance {
     FrustumPlane plane = FrustumPlane::Left;
     double distance = 0.0;  ///< signed, of the point farthest inside, scene units
-    double bound = 0.0;     ///< outside only where distance < −bound (geometry/frustum.h, conservativeSlack)
+    double bound = 0.0;     ///< outside only where distance < −bound (geometry/frustum.h, conservativeMargin)
     Containment containment = Containment::Straddles;
 };
 

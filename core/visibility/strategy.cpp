@@ -50,7 +50,7 @@ void Strategy::build(const Scene& scene, const Progress& progress) {
 }
 
 std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl) {
-    if (info.asks != Asks::CompatibilityProfile || gl.compatibilityProfile) return std::nullopt;
+    if (info.glRequirement != GlRequirement::CompatibilityProfile || gl.compatibilityProfile) return std::nullopt;
     return Message{
         CULLSCOPE_TR("\"%1\" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL "
                      "(%2) gives no compatibility profile: \"frustum-query\" asks the same without it."),

@@ -9,13 +9,13 @@
 
 #include "core/base/message.h"
 #include "core/base/progress.h"
+#include "core/frame/draw_list.h"
 #include "core/gpu/context.h"
 #include "core/gpu/renderer.h"
 #include "core/scene/camera.h"
-#include "core/frame/draw_list.h"
 #include "core/scene/scene.h"
-#include "core/visibility/structure_snapshot.h"
 #include "core/visibility/parameters.h"
+#include "core/visibility/structure_snapshot.h"
 #include "core/visibility/trace.h"
 
 namespace cullscope {
@@ -28,10 +28,10 @@ enum class Promise {
 /// "exact", "conservative", "approximate": as in files.
 [[nodiscard]] const char* promiseId(Promise promise);
 
-/// What a strategy asks in order to decide.
-enum class Asks {
-    Nothing,              ///< the processor decides
-    OpenGl,               ///< `cull` needs a renderer, and its context current
+/// What a strategy needs of OpenGL in order to decide.
+enum class GlRequirement {
+    None,                 ///< the processor decides
+    Context,              ///< `cull` needs a renderer, and its context current
     CompatibilityProfile  ///< the same with features that only a compatibility profile has
 };
 
@@ -42,7 +42,7 @@ struct StrategyInfo {
     std::string description;  ///< one English sentence, marked for translation
     std::string source;       ///< paper or textbook
     std::vector<ParameterDeclaration> parameters;
-    Asks asks = Asks::Nothing;
+    GlRequirement glRequirement = GlRequirement::None;
 };
 
 /// Why a strategy cannot be used with an OpenGL; nothing where it can.
@@ -104,7 +104,7 @@ struct StructureReport {
 };
 
 /// Decides what to draw. One object serves one scene at a time; `cull` may be called from one thread at a time.
-/// A strategy never draws and knows no window; one that asks OpenGL (StrategyInfo::asks) asks through a renderer.
+/// A strategy never draws and knows no window; one that asks OpenGL (StrategyInfo::glRequirement) asks through a renderer.
 class Strategy {
 public:
     explicit Strategy(ParameterSet parameters) : m_parameters(std::move(parameters)) {}
@@ -129,7 +129,7 @@ public:
     /// The facing rule of the ground truth that it is measured against: its own, except for `backface`.
     [[nodiscard]] virtual Facing referenceFacing() const { return facing(); }
     /// The boxes that it tests, with what the traced cull of the built scene decided about each; empty where it has none.
-    [[nodiscard]] virtual Inside inside(const Trace& /*trace*/) const { return {}; }
+    [[nodiscard]] virtual StructureSnapshot snapshot(const Trace& /*trace*/) const { return {}; }
     [[nodiscard]] const StructureReport& structure() const { return m_structure; }
 
 protected:

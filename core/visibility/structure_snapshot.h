@@ -10,10 +10,10 @@
 namespace cullscope {
 
 /// A box that a strategy tests as one thing: that of an object, or of a group of them.
-struct InsideNode {
+struct SnapshotNode {
     static constexpr uint32_t kGroup = 0xFFFFFFFF;
 
-    int32_t parent = -1;    ///< index into Inside::nodes; -1: a root
+    int32_t parent = -1;    ///< index into StructureSnapshot::nodes; -1: a root
     uint32_t instance = 0;  ///< kGroup: of no single one
     uint32_t objects = 1;   ///< how many it holds
     Box3 box;               ///< world coordinates
@@ -27,13 +27,13 @@ struct InsideNode {
 };
 
 /// What a strategy shows of its inside after a cull, as plain data.
-struct Inside {
-    std::vector<InsideNode> nodes;  ///< empty: this strategy has no boxes
-    std::vector<InsideMap> maps;    ///< by instance; empty: this strategy has no maps of directions
+struct StructureSnapshot {
+    std::vector<SnapshotNode> nodes;  ///< empty: this strategy has no boxes
+    std::vector<MapSnapshot> maps;    ///< by instance; empty: this strategy has no maps of directions
 
     /// Null: this strategy has no map of the object.
-    [[nodiscard]] const InsideMap* mapOf(uint32_t instance) const {
-        for (const InsideMap& map : maps)
+    [[nodiscard]] const MapSnapshot* mapOf(uint32_t instance) const {
+        for (const MapSnapshot& map : maps)
             if (map.decision.instance == instance) return &map;
         return nullptr;
     }

@@ -26,7 +26,7 @@ struct TraceEvent {
     Containment containment = Containment::Inside;
     double distance = 0.0;  ///< signed, of the bounds' point farthest inside (p-vertex) from the plane, scene units
     Cause cause = Cause::OutsideFrustum;
-    /// Of a plane or axis test: outside only beyond it (geometry/frustum.h, conservativeSlack); of a question to OpenGL: how far
+    /// Of a plane or axis test: outside only beyond it (geometry/frustum.h, conservativeMargin); of a question to OpenGL: how far
     /// the box was grown on every side. Scene units.
     double bound = 0.0;
 };

@@ -92,10 +92,10 @@ void addCauses(const std::array<uint64_t, kCauseCount>& counts, std::vector<WhyS
 }
 
 /// Which box stands for the object, where the strategy has boxes.
-std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_t instance) {
-    for (const InsideNode& node : inside.nodes)
+std::optional<WhyStep> boxStep(const Scene& scene, const StructureSnapshot& snapshot, uint32_t instance) {
+    for (const SnapshotNode& node : snapshot.nodes)
         if (node.instance == instance)
-            return WhyStep{{inside.mapOf(instance) != nullptr
+            return WhyStep{{snapshot.mapOf(instance) != nullptr
                                 ? CULLSCOPE_TR("The object \"%1\" is tested as one bounding sphere with %2 triangles.")
                                 : CULLSCOPE_TR("The object \"%1\" is tested as one box with %2 triangles."),
                             {scene.instances()[instance].name, std::to_string(node.triangles)}},
@@ -106,27 +106,27 @@ std::optional<WhyStep> boxStep(const Scene& scene, const Inside& inside, uint32_
     return std::nullopt;
 }
 
-const InsideNode* parentOf(const InsideNode& node, const Inside& inside) {
-    return node.parent < 0 ? nullptr : &inside.nodes[size_t(node.parent)];
+const SnapshotNode* parentOf(const SnapshotNode& node, const StructureSnapshot& snapshot) {
+    return node.parent < 0 ? nullptr : &snapshot.nodes[size_t(node.parent)];
 }
 
 /// The group with which the object was decided: the outermost that lies wholly outside or inside, else its leaf. Null: none.
-const InsideNode* decidingGroup(const Inside& inside, uint32_t instance) {
-    const auto own =
-        std::find_if(inside.nodes.begin(), inside.nodes.end(), [&](const InsideNode& node) { return node.instance == instance; });
-    if (own == inside.nodes.end()) return nullptr;
-    const InsideNode* group = parentOf(*own, inside);
+const SnapshotNode* decidingGroup(const StructureSnapshot& snapshot, uint32_t instance) {
+    const auto own = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
+                                  [&](const SnapshotNode& node) { return node.instance == instance; });
+    if (own == snapshot.nodes.end()) return nullptr;
+    const SnapshotNode* group = parentOf(*own, snapshot);
     if (group == nullptr || !group->isGroup()) return nullptr;
     // Below the group that decided, all show its verdict; above it, all straddle.
-    for (const InsideNode* next = group; next != nullptr && next->containment != Containment::Straddles;
-         next = parentOf(*next, inside))
+    for (const SnapshotNode* next = group; next != nullptr && next->containment != Containment::Straddles;
+         next = parentOf(*next, snapshot))
         group = next;
     return group;
 }
 
 /// Which group the object was tested with, where that says more than its own box does.
-std::optional<WhyStep> groupStep(const Inside& inside, uint32_t instance) {
-    const InsideNode* group = decidingGroup(inside, instance);
+std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t instance) {
+    const SnapshotNode* group = decidingGroup(snapshot, instance);
     if (group == nullptr || group->objects < 2) return std::nullopt;
     const std::string count = std::to_string(group->objects);
     Message sentence{CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the "
@@ -173,9 +173,9 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
     const auto instance = static_cast<uint32_t>(scene.instanceOf(triangle));
     const uint64_t own = triangle - scene.firstTriangle(instance);
     std::vector<WhyStep> steps;
-    const Inside inside = strategy.inside(trace);
-    if (auto box = boxStep(scene, inside, instance)) steps.push_back(std::move(*box));
-    if (auto group = groupStep(inside, instance)) steps.push_back(std::move(*group));
+    const StructureSnapshot snapshot = strategy.snapshot(trace);
+    if (auto box = boxStep(scene, snapshot, instance)) steps.push_back(std::move(*box));
+    if (auto group = groupStep(snapshot, instance)) steps.push_back(std::move(*group));
     const std::array<uint64_t, kCauseCount> inPart = culledInPart(trace, instance);
     for (const TraceEvent& event : trace.events) {
         if (event.instance != instance) continue;
@@ -185,7 +185,7 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
         else
             steps.push_back(step(event));
     }
-    if (const InsideMap* map = inside.mapOf(instance)) addMapSteps(*map, uint32_t(own), steps);
+    if (const MapSnapshot* map = snapshot.mapOf(instance)) addMapSteps(*map, uint32_t(own), steps);
     const bool given = submits(list, scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     steps.push_back(

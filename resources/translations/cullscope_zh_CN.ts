@@ -2364,7 +2364,7 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::FigureModel</name>
+    <name>cullscope::ui::MetricsModel</name>
     <message>
         <source>Speed against backface</source>
         <translation>相对 backface 的速度</translation>
@@ -2455,7 +2455,7 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::FigurePanel</name>
+    <name>cullscope::ui::MetricsPanel</name>
     <message>
         <source>Figures</source>
         <translation>数据</translation>
@@ -2510,7 +2510,7 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::InsideModel</name>
+    <name>cullscope::ui::StructureModel</name>
     <message>
         <source>Node %1</source>
         <comment>of a tree of boxes</comment>
@@ -2563,7 +2563,7 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::InsidePanel</name>
+    <name>cullscope::ui::StructurePanel</name>
     <message>
         <source>Inside the strategy</source>
         <translation>策略内部</translation>
@@ -2586,7 +2586,7 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::InsideTree</name>
+    <name>cullscope::ui::StructureTree</name>
     <message>
         <source>Boxes that the strategy tests</source>
         <translation>策略测试的包围盒</translation>

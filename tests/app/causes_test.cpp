@@ -7,6 +7,7 @@
 
 #include "tests/support/process.h"
 
+namespace causes_test {
 namespace {
 
 using cullscope::test::ProcessResult;
@@ -91,3 +92,4 @@ TEST(CullbenchCauses, onlyPartsThatHoldAreSaidToBeUsed) {
 }
 
 }  // namespace
+}  // namespace causes_test

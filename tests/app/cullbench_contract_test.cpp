@@ -9,6 +9,7 @@
 #include "core/image/picture_file.h"
 #include "tests/support/cullbench_contract.h"
 
+namespace cullbench_contract_test {
 namespace {
 
 using cullscope::test::cullbench;
@@ -250,3 +251,4 @@ TEST_F(CullbenchContract, inspectShowsBytesAndFigures) {
 }
 
 }  // namespace
+}  // namespace cullbench_contract_test

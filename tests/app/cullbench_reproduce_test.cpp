@@ -5,7 +5,7 @@
 
 #include "tests/support/cullbench_contract.h"
 
-namespace cullscope::test {
+namespace cullscope::test::cullbench_reproduce_test {
 namespace {
 
 using nlohmann::json;
@@ -92,4 +92,4 @@ TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::cullbench_reproduce_test

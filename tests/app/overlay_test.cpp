@@ -9,6 +9,7 @@
 #include "core/image/picture_file.h"
 #include "tests/support/process.h"
 
+namespace overlay_test {
 namespace {
 
 using cullscope::readPicture;
@@ -271,3 +272,4 @@ TEST_F(CullbenchOverlay, mapSaysHowItsObjectLies) {
 }
 
 }  // namespace
+}  // namespace overlay_test

@@ -82,7 +82,7 @@ std::vector<Box3> scatteredBoxes(const View& view, size_t count, double share) {
     std::vector<Box3> boxes;
     boxes.reserve(count);
     for (const EyeBox& box : scattered<EyeBox>(view.frustum(), count, share))
-        boxes.push_back({view.eye() + box.centre - box.half, view.eye() + box.centre + box.half});
+        boxes.push_back({view.eye() + box.centre - box.halfExtent, view.eye() + box.centre + box.halfExtent});
     return boxes;
 }
 
@@ -131,7 +131,7 @@ std::vector<NaiveSphere> naiveObjects(const std::vector<Sphere>& spheres) {
 
 void testNaively(const std::vector<NaiveBox>& boxes, const NaivePlanes& planes, std::vector<uint8_t>& outside) {
     testEach(boxes, planes, outside, [](const NaiveBox& box, const NaivePlane& plane) {
-        return glm::dot(plane.normal, box.centre) + plane.offset + glm::dot(plane.absNormal, box.half) < 0.0;
+        return glm::dot(plane.normal, box.centre) + plane.offset + glm::dot(plane.absNormal, box.halfExtent) < 0.0;
     });
 }
 

@@ -24,7 +24,7 @@ inline constexpr double kConstantVisible = 500;
 
 /// Objects as everyone stores them, with the six planes in world coordinates.
 struct NaiveBox {
-    Vec3 centre, half;
+    Vec3 centre, halfExtent;
 };
 struct NaiveSphere {
     Vec3 centre;
@@ -39,7 +39,7 @@ using NaivePlanes = std::array<NaivePlane, 6>;
 [[nodiscard]] std::vector<NaiveBox> naiveObjects(const std::vector<Box3>& boxes);
 [[nodiscard]] std::vector<NaiveSphere> naiveObjects(const std::vector<Sphere>& spheres);
 
-/// The loop that everyone writes: object by object and plane by plane until one rejects. No slack. 1: outside.
+/// The loop that everyone writes: object by object and plane by plane until one rejects. No margin. 1: outside.
 void testNaively(const std::vector<NaiveBox>& boxes, const NaivePlanes& planes, std::vector<uint8_t>& outside);
 void testNaively(const std::vector<NaiveSphere>& spheres, const NaivePlanes& planes, std::vector<uint8_t>& outside);
 

@@ -128,7 +128,7 @@ int run(const QString& scene, double seconds) {
     session.setViewCount(Session::kMostViews);
     session.open(scene);
     const auto settled = [&] {
-        return session.opened() && session.buffers() && session.figuresSettled() && !session.pictures()->busy();
+        return session.opened() && session.buffers() && session.metricsSettled() && !session.pictures()->busy();
     };
     if (!QTest::qWaitFor(settled, kPatience)) {
         std::fprintf(stderr, "%s does not open\n", qPrintable(scene));

@@ -8,7 +8,7 @@
 #include "tests/rules/programs.h"
 #include "tests/rules/source_rules.h"
 
-namespace cullscope::rules {
+namespace cullscope::rules::packages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -238,4 +238,4 @@ TEST(Programs, qtOfTheDesktopIsSeen) {
 TEST(Programs, cullbenchLoadsNoQt) { EXPECT_THAT(qtLibraries(CULLSCOPE_BENCH_PROGRAM), IsEmpty()); }
 
 }  // namespace
-}  // namespace cullscope::rules
+}  // namespace cullscope::rules::packages_test

@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-namespace cullscope::rules {
+namespace cullscope::rules::source_rules_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -187,4 +187,4 @@ TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()
 TEST(SourceRules, pagesAreShortAndTheirLinksLeadSomewhere) { EXPECT_THAT(pageOffences(project()), IsEmpty()); }
 
 }  // namespace
-}  // namespace cullscope::rules
+}  // namespace cullscope::rules::source_rules_test

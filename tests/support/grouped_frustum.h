@@ -12,11 +12,11 @@ public:
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
     [[nodiscard]] const InstanceOctree& octree() const { return m_octree; }
-    [[nodiscard]] Inside inside(const Trace& trace) const override {
-        Inside result;
+    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
+        StructureSnapshot result;
         for (uint32_t i = 0; i < scene().instances().size(); ++i) {
             if (scene().meshOf(i).triangleCount() == 0) continue;
-            InsideNode node;
+            SnapshotNode node;
             node.instance = i;
             node.box = scene().instanceBox(i);
             node.triangles = scene().meshOf(i).triangleCount();
@@ -38,7 +38,7 @@ protected:
         report.bytes = m_octree.bytes();
     }
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        GroupWalkFigures figures;
+        OctreeWalkCounters figures;
         for (const KeptObject& kept : keptObjects(m_octree, scene(), view, &figures, trace)) {
             verdict.drawList.ranges.push_back(
                 {kept.instance, 0, static_cast<uint32_t>(3 * scene().meshOf(kept.instance).triangleCount())});

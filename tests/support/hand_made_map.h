@@ -16,16 +16,16 @@ inline Vec3 directionOf(double theta, double phi) {
 }
 
 /// A map of 90 × 45 cells over a sphere of radius 1 about the origin, as a strategy would give it: outside the frustum.
-inline InsideMap sphereMap() {
-    InsideMap map;
+inline MapSnapshot sphereMap() {
+    MapSnapshot map;
     map.maps = std::make_shared<SphericalMaps>(sphereMesh(20000), SphericalGrid(90, 45));
     map.decision.relation = SphereRelation::Outside;
     return map;
 }
 
 /// The same inside the frustum, with twelve bands of 15° and six sectors, of which the second half is hidden; seen along `axis`.
-inline InsideMap bandedMap(const Vec3& axis) {
-    InsideMap map = sphereMap();
+inline MapSnapshot bandedMap(const Vec3& axis) {
+    MapSnapshot map = sphereMap();
     map.decision.relation = SphereRelation::Within;
     map.decision.eye = 4.0 * axis;
     ContourBands bands;
@@ -44,8 +44,8 @@ inline InsideMap bandedMap(const Vec3& axis) {
 
 /// The same cut by the frustum, with a region from azimuth `left` to `right` (over the seam where right is beyond 360°) and from
 /// zenith angle 60° to 100°.
-inline InsideMap cutMap(double left, double right) {
-    InsideMap map = sphereMap();
+inline MapSnapshot cutMap(double left, double right) {
+    MapSnapshot map = sphereMap();
     map.decision.relation = SphereRelation::Cut;
     map.decision.eye = 4.0 * directionOf(80.0, 0.5 * (left + right));
     VisibleRegion region;

@@ -17,15 +17,15 @@ struct LosslessMap {
         strategy->build(*scene);
         Trace trace;
         (void)strategy->cull(view, &trace);
-        inside = strategy->inside(trace);
+        snapshot = strategy->snapshot(trace);
     }
 
-    [[nodiscard]] const InsideMap& map() const { return inside.maps.front(); }
+    [[nodiscard]] const MapSnapshot& map() const { return snapshot.maps.front(); }
 
     ScenePointer scene;
     View view;
     StrategyPointer strategy;
-    Inside inside;
+    StructureSnapshot snapshot;
 };
 
 inline constexpr std::array kLayouts{MapLayout::LatitudeLongitude, MapLayout::Octahedral};

@@ -6,10 +6,10 @@
 
 #include "tests/ui/made_up_map.h"
 #include "tests/ui/test_scene.h"
-#include "ui/statistics/plot_file.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/statistics/plot_file.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::bands_panel_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -34,7 +34,7 @@ struct BandsPanelTest : ::testing::Test {
     }
 
     Session session{sessionOptions(false)};
-    InsideReader reader{session};
+    SnapshotReader reader{session};
     BandsPanel panel{session, reader};
     ShownMap shown;
 };
@@ -176,7 +176,7 @@ TEST_F(BandsPanelTest, aChosenSectorOutlivesAnObjectWithoutBands) {
 
 TEST(BandsPanelLive, readsWhatTheStrategyTested) {
     Session session{sessionOptions(true)};
-    InsideReader reader{session};
+    SnapshotReader reader{session};
     BandsPanel panel{session, reader};
     session.setViewport(1, {160, 120});
     session.slot(1).choose("spherical");
@@ -196,4 +196,4 @@ TEST(BandsPanelLive, readsWhatTheStrategyTested) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::bands_panel_test

@@ -7,16 +7,16 @@
 
 #include "ui/look/verdict_swatch.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::budget_bar_test {
 namespace {
 
 constexpr auto kLoss = size_t(TriangleState::WronglyCulled);
 
-Figures figuresOf(const std::array<uint64_t, kTriangleStateCount>& counts) {
+ViewMetrics figuresOf(const std::array<uint64_t, kTriangleStateCount>& counts) {
     auto states = std::make_shared<TriangleStates>();
     states->counts = counts;
-    Figures figures;
-    figures.state = Figures::State::Ready;
+    ViewMetrics figures;
+    figures.state = ViewMetrics::State::Ready;
     figures.states = states;
     return figures;
 }
@@ -56,8 +56,8 @@ TEST(BudgetBar, staleNumbersStayPaleAndThoseOfAnotherSceneGo) {
     bar.resize(100, 12);
     bar.setFigures(figuresOf({1, 0, 0, 0, 0, 0, 0}));
     const QColor fresh = QColor(bar.grab().toImage().pixel(50, 6));
-    Figures stale;
-    stale.state = Figures::State::Stale;
+    ViewMetrics stale;
+    stale.state = ViewMetrics::State::Stale;
     bar.setFigures(stale);
     EXPECT_TRUE(bar.stale());
     EXPECT_EQ(sum(bar.widths()), 100);
@@ -81,4 +81,4 @@ TEST(BudgetBar, numbersAreInTheTooltipAndForScreenReaders) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::budget_bar_test

@@ -10,7 +10,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/session/camera_player.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::camera_recorder_test {
 namespace {
 
 struct Recording : ::testing::Test {
@@ -229,7 +229,7 @@ TEST(PlayingPictures, noPoseIsSkippedByAnyView) {
     session.setViewCount(4);
     for (int view = 0; view < 4; ++view) session.setViewport(view, {160, 120});
     openAndWait(session, QStringLiteral("sphere:triangles=1280"));
-    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled() && !session.pictures()->busy(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled() && !session.pictures()->busy(); }));
     std::array<std::vector<Vec3>, 4> drawn;
     QObject::connect(&session, &Session::pictureChanged, [&](int view) {
         const ViewPicturePointer picture = session.picture(view);
@@ -249,4 +249,4 @@ TEST(PlayingPictures, noPoseIsSkippedByAnyView) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::camera_recorder_test

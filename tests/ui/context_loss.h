@@ -42,7 +42,7 @@ inline Seen seenIn(const Session& session) {
     Seen seen;
     for (const int view : session.shownViews()) {
         seen.pictures.push_back(session.picture(view) ? session.picture(view)->colour : QImage());
-        const Figures& figures = session.figures(view);
+        const ViewMetrics& figures = session.figures(view);
         seen.counts.emplace_back(figures.accuracy.missedPixels, figures.accuracy.extraPixels, figures.accuracy.coveredPixels,
                                  figures.consideredTriangles);
     }
@@ -53,7 +53,7 @@ inline void settle(Session& session) {
     ASSERT_TRUE(waitUntil([&] {
         for (const int view : session.shownViews())
             if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
-        return session.figuresSettled() && !session.pictures()->busy();
+        return session.metricsSettled() && !session.pictures()->busy();
     }));
 }
 

@@ -5,7 +5,7 @@
 #include "tests/ui/context_loss.h"
 #include "ui/session/undo_recorder.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::context_loss_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -61,9 +61,9 @@ TEST_F(ContextLoss, afterItEverythingIsDrawnMeasuredAndPickedAsInAnotherSession)
 
 TEST_F(ContextLoss, inTheMiddleOfMeasuringTheFiguresComeAllTheSame) {
     bool lost = false;
-    QObject::connect(&session, &Session::figuresChanged, [&](int view) {
-        const Figures& figures = session.figures(view);
-        if (figures.state == Figures::State::Ready && !figures.timed && !std::exchange(lost, true)) driver.reset = 1;
+    QObject::connect(&session, &Session::metricsChanged, [&](int view) {
+        const ViewMetrics& figures = session.figures(view);
+        if (figures.state == ViewMetrics::State::Ready && !figures.timed && !std::exchange(lost, true)) driver.reset = 1;
     });
     setUp(session);
     ASSERT_TRUE(waitUntil([&] { return !said.empty(); }));
@@ -123,12 +123,12 @@ TEST_F(ContextLoss, withoutANewContextWhatIsShownStays) {
     // Moving on neither waits for ever nor draws nonsense.
     const Camera camera = session.camera();
     session.setCamera(turned(camera, UpAxis::Y, Angle::fromDegrees(10.0), {}));
-    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled() && !session.pictures()->busy(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.metricsSettled() && !session.pictures()->busy(); }));
     EXPECT_EQ(session.picture(0)->colour, before.pictures[0]);
-    EXPECT_EQ(session.figures(0).state, Figures::State::Failed);
+    EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Failed);
     EXPECT_EQ(said.size(), 1u);
     session.setCamera(camera);
-    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.metricsSettled(); }));
     // Another scene says it again, once.
     openAndWait(session, QStringLiteral("torus:triangles=2000"));
     ASSERT_TRUE(waitUntil([&] { return said.size() == 2; }));
@@ -151,4 +151,4 @@ TEST_F(ContextLoss, thatComesAgainAndAgainIsGivenUp) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::context_loss_test

@@ -14,7 +14,7 @@
 #include "ui/screenshots/screenshot.h"
 #include "ui/views/view_pane.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::context_loss_work_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -185,4 +185,4 @@ TEST(ViewPane, keepsItsPictureOnTheWayToAnotherWindow) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::context_loss_work_test

@@ -4,7 +4,7 @@
 #include "tests/ui/cullbench_picture.h"
 #include "ui/views/scene_view.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::copied_command_test {
 namespace {
 
 struct CopiedCommand : ::testing::Test {
@@ -30,7 +30,7 @@ struct CopiedCommand : ::testing::Test {
         ASSERT_TRUE(waitUntil([&] {
             for (const int view : {0, 1})
                 if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
-            return session.figuresSettled();
+            return session.metricsSettled();
         }));
     }
 
@@ -127,4 +127,4 @@ TEST_F(CopiedCommand, repeatsAViewOfASplitScene) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::copied_command_test

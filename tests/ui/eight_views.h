@@ -27,7 +27,7 @@ struct EightViews : ::testing::Test {
     }
 
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled() && !session.pictures()->busy(); }));
+        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled() && !session.pictures()->busy(); }));
         QApplication::processEvents();
     }
 

@@ -4,7 +4,7 @@
 #include "tests/ui/eight_views.h"
 #include "ui/session/object_pick.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::eight_views_pointer_test {
 namespace {
 
 TEST_F(EightViews, aPickIsMarkedInEveryLinkedPicture) {
@@ -14,14 +14,14 @@ TEST_F(EightViews, aPickIsMarkedInEveryLinkedPicture) {
     const QImage before[2] = {picture(0).grabFramebuffer(), picture(1).grabFramebuffer()};
     QTest::mouseClick(&picture(0), Qt::LeftButton, {}, QPoint(picture(0).width() / 2, picture(0).height() / 2));
     ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
-    EXPECT_EQ(window.inside().tabs().currentWidget(), &window.inside().why());
+    EXPECT_EQ(window.structurePanel().tabs().currentWidget(), &window.structurePanel().why());
     for (const int view : {0, 1}) EXPECT_NE(picture(view).grabFramebuffer(), before[view]) << view;
     // What the tree or a list picks is marked too, and leaves the tab as it is.
-    window.inside().tabs().setCurrentIndex(0);
+    window.structurePanel().tabs().setCurrentIndex(0);
     const QImage marked = picture(1).grabFramebuffer();
     pickObject(session, session.pick()->object == 0 ? 1 : 0);
     EXPECT_NE(picture(1).grabFramebuffer(), marked);
-    EXPECT_EQ(window.inside().tabs().currentIndex(), 0) << "walking through the tree jumped to Why at every row";
+    EXPECT_EQ(window.structurePanel().tabs().currentIndex(), 0) << "walking through the tree jumped to Why at every row";
 }
 
 TEST_F(EightViews, flyingWithTheRightButtonOpensNoMenu) {
@@ -74,4 +74,4 @@ TEST_F(EightViews, aWipeShowsTheTruthOnTheLeftAndItsLineIsDragged) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::eight_views_pointer_test

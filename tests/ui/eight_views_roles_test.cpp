@@ -3,7 +3,7 @@
 
 #include "tests/ui/eight_views.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::eight_views_roles_test {
 namespace {
 
 TEST_F(EightViews, freezingKeepsFiguresAndNeighboursWhileTheViewFlies) {
@@ -15,7 +15,7 @@ TEST_F(EightViews, freezingKeepsFiguresAndNeighboursWhileTheViewFlies) {
     settle();
     std::vector<QImage> before;
     for (int view = 0; view < 4; ++view) before.push_back(shown(view));
-    const Figures figures = session.figures(1);
+    const ViewMetrics figures = session.figures(1);
     window.actions().freeze->trigger();
     settle();
     EXPECT_EQ(shown(1), before[1]) << "freezing alone changes nothing";
@@ -47,7 +47,7 @@ TEST_F(EightViews, anotherLayoutKeepsWhatAFrozenViewCulls) {
     settle();
     session.setFrozen(0, true);
     settle();
-    const Figures before = session.figures(0);
+    const ViewMetrics before = session.figures(0);
     ASSERT_LT(before.consideredTriangles, before.sceneTriangles);
     for (const int count : {1, 8, 2}) {
         session.setViewCount(count);
@@ -106,7 +106,7 @@ TEST_F(EightViews, anObserverShowsTheVerdictsOfAnotherViewFromItsOwnCamera) {
     EXPECT_EQ(session.figures(1).consideredTriangles, session.figures(0).consideredTriangles);
     ASSERT_TRUE(session.picture(1)->request.states) << "verdicts against the truth, once it is known";
     const QImage before = shown(0);
-    const Figures figures = session.figures(0);
+    const ViewMetrics figures = session.figures(0);
     session.setActiveView(1);
     drag(1, {80, 30}, 5);
     settle();
@@ -138,4 +138,4 @@ TEST_F(EightViews, theLectureBorrowsAViewAndGivesItBack) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::eight_views_roles_test

@@ -14,7 +14,7 @@
 #include "tests/ui/cullbench_picture.h"
 #include "tests/ui/eight_views.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::eight_views_test {
 namespace {
 
 TEST_F(EightViews, picturesAreExactly320By240OnTheLeastScreenInEveryLanguage) {
@@ -77,8 +77,8 @@ TEST_F(EightViews, figuresOfAFixedSizeStayWhateverTheWindowAndEqualCullbenchs) {
             for (const int view : session.shownViews()) {
                 const QJsonObject truth = frame(session.slot(view).id().c_str());
                 if (truth.isEmpty()) continue;
-                const Figures& figures = session.figures(view);
-                ASSERT_EQ(figures.state, Figures::State::Ready);
+                const ViewMetrics& figures = session.figures(view);
+                ASSERT_EQ(figures.state, ViewMetrics::State::Ready);
                 EXPECT_EQ(figures.size, (Viewport{640, 480}));
                 EXPECT_EQ(double(figures.accuracy.missedPixels), truth[QStringLiteral("missed_pixels")].toDouble())
                     << session.slot(view).id() << " in " << count;
@@ -188,7 +188,7 @@ TEST_F(EightViews, hidingAnObjectTakesItOutOfPictureTruthAndCounts) {
     EXPECT_TRUE(window.views().pane(0).chipText().contains(QStringLiteral("hidden")));
     hidden.assign(hidden.size(), true);
     session.setHidden(hidden);
-    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled() && !session.pictures()->busy(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.metricsSettled() && !session.pictures()->busy(); }));
     EXPECT_EQ(session.figures(0).accuracy.coveredPixels, 0u);
     hidden.assign(hidden.size(), false);
     session.setHidden(hidden);
@@ -197,4 +197,4 @@ TEST_F(EightViews, hidingAnObjectTakesItOutOfPictureTruthAndCounts) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::eight_views_test

@@ -9,7 +9,7 @@
 #include "core/base/error.h"
 #include "tests/support/small_experiment.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::experiment_runner_test {
 namespace {
 
 constexpr int kPatience = 60'000;  // ms
@@ -167,4 +167,4 @@ TEST(ExperimentRunner, mayBeDestroyedInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::experiment_runner_test

@@ -23,7 +23,7 @@
 #include "ui/statistics/statistics_panel.h"
 #include "ui/window/main_window.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::failing_places_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -57,7 +57,7 @@ struct FailingPlaces : ::testing::Test {
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
         openAndWait(session, QStringLiteral("torus:triangles=2000"));
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled() && !session.pictures()->busy(); }));
+        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled() && !session.pictures()->busy(); }));
         QFile old(fileNamed("old"));
         ASSERT_TRUE(old.open(QIODevice::WriteOnly));
         old.write(kOld);
@@ -235,4 +235,4 @@ TEST_F(FailingPlaces, cullbenchSaysInOneSentenceWhatItCannotWrite) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::failing_places_test

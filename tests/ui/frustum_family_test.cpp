@@ -6,18 +6,18 @@
 #include <QComboBox>
 #include <QStandardItemModel>
 
+#include "core/scene/camera_moves.h"
 #include "core/visibility/registry.h"
 #include "tests/ui/test_scene.h"
-#include "ui/panels/inside_tree.h"
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/plane_table.h"
 #include "ui/panels/strategy_panel.h"
+#include "ui/panels/structure_tree.h"
 #include "ui/panels/why_panel.h"
-#include "ui/session/inside_reader.h"
-#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
+#include "ui/session/snapshot_reader.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::frustum_family_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -68,7 +68,7 @@ struct FrustumFamily : ::testing::Test {
         ASSERT_TRUE(waitUntil([&] {
             for (const int view : session->shownViews())
                 if (session->slot(view).building()) return false;
-            return session->figuresSettled() && !session->pictures()->busy();
+            return session->metricsSettled() && !session->pictures()->busy();
         }));
     }
 
@@ -81,8 +81,8 @@ TEST_F(FrustumFamily, strategyThatAsksOpenGlIsDrawnMeasuredAndPicked) {
     begin();
     for (const char* id : {"frustum-select", "frustum-query"}) {
         choose("all", id);
-        const Figures& figures = session->figures(1);
-        ASSERT_EQ(figures.state, Figures::State::Ready) << id << ": " << figures.failure.english();
+        const ViewMetrics& figures = session->figures(1);
+        ASSERT_EQ(figures.state, ViewMetrics::State::Ready) << id << ": " << figures.failure.english();
         EXPECT_TRUE(figures.timed);
         EXPECT_EQ(figures.accuracy.missedPixels, 0u) << id;
         EXPECT_LT(figures.consideredTriangles, figures.sceneTriangles) << id;
@@ -99,15 +99,15 @@ TEST_F(FrustumFamily, strategyThatAsksOpenGlIsDrawnMeasuredAndPicked) {
 TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsReadAlsoAfterALoss) {
     begin();
     QWidget watcher;
-    InsideReader reader(*session);
+    SnapshotReader reader(*session);
     reader.readFor(&watcher);
     watcher.show();
     choose("frustum-query", "all");
     pickObject(*session, 0);
     const auto read = [&] { return waitUntil([&] { return reader.fresh() && reader.reading()->triangle.has_value(); }); };
     ASSERT_TRUE(read());
-    const PlaneCounts counts = countByPlane(*reader.reading()->inside);
-    EXPECT_EQ(reader.reading()->inside->nodes.size(), 36u);
+    const PlaneCounts counts = countByPlane(*reader.reading()->snapshot);
+    EXPECT_EQ(reader.reading()->snapshot->nodes.size(), 36u);
     EXPECT_GT(counts.kept, 0u);
     EXPECT_GT(counts.withoutPlane, 0u) << "OpenGL names no plane";
     EXPECT_EQ(counts.kept + counts.withoutPlane, 36u);
@@ -128,14 +128,14 @@ TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsReadAlsoAfterALoss) {
 TEST_F(FrustumFamily, theTwinsKeepEquallyManyBoxes) {
     begin();
     QWidget watcher;
-    InsideReader reader(*session);
+    SnapshotReader reader(*session);
     reader.readFor(&watcher);
     watcher.show();
     std::vector<uint64_t> kept;
     for (const char* id : {"frustum-select", "frustum-query"}) {
         choose(id, "all");
         ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == id; }));
-        kept.push_back(countByPlane(*reader.reading()->inside).kept);
+        kept.push_back(countByPlane(*reader.reading()->snapshot).kept);
     }
     EXPECT_EQ(kept[0], kept[1]);
 }
@@ -155,14 +155,14 @@ TEST_F(FrustumFamily, selectionWithoutItsProfileIsRefusedWithTheReason) {
     EXPECT_TRUE(session->slot(0).refused());
     ASSERT_EQ(said.size(), 1u);
     EXPECT_THAT(said.back(), HasSubstr("gives no compatibility profile"));
-    EXPECT_EQ(session->figures(0).state, Figures::State::Failed);
+    EXPECT_EQ(session->figures(0).state, ViewMetrics::State::Failed);
     EXPECT_EQ(session->figures(0).failure.english(), said.back());
     EXPECT_FALSE(session->picture(0)) << "the picture of another strategy stands under its name";
     EXPECT_TRUE(session->picture(1));
     choose("frustum", "frustum-query");
     EXPECT_FALSE(session->slot(0).refused());
     EXPECT_TRUE(session->picture(0));
-    EXPECT_EQ(session->figures(0).state, Figures::State::Ready);
+    EXPECT_EQ(session->figures(0).state, ViewMetrics::State::Ready);
     EXPECT_EQ(said.size(), 1u);
 }
 
@@ -183,7 +183,7 @@ TEST_F(FrustumFamily, choiceOfWhatIsRefusedIsGreyWithTheReason) {
 
 TEST_F(FrustumFamily, whyNamesAllSixPlanesWhereBoxesAreTested) {
     begin();
-    InsideReader reader(*session);
+    SnapshotReader reader(*session);
     WhyPanel why(*session, reader);
     reader.readFor(&why);
     why.show();
@@ -246,4 +246,4 @@ TEST_F(FrustumFamily, legendCountsTheBoxesOfThePicture) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::frustum_family_test

@@ -8,7 +8,7 @@
 #include <QFile>
 #include <QImage>
 
-namespace cullscope::ui {
+namespace cullscope::ui::help_window_test {
 namespace {
 
 /// The pages of docs/ in the source tree, as in "methods/spherical.md".
@@ -91,4 +91,4 @@ TEST(HelpWindow, pictureIsNoWiderThanThePage) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::help_window_test

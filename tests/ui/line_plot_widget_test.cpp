@@ -7,7 +7,7 @@
 #include "ui/look/appearance.h"
 #include "ui/statistics/plot_file.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::line_plot_widget_test {
 namespace {
 
 LinePlot madeUp() {
@@ -100,4 +100,4 @@ TEST(LinePlotWidget, plotWithoutLinesOrLevelsCanBePainted) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::line_plot_widget_test

@@ -4,7 +4,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::loupe_test {
 namespace {
 
 constexpr int kMostTurns = 40;
@@ -21,7 +21,7 @@ struct Loupe : ::testing::Test {
     }
 
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled() && !session.pictures()->busy(); }));
+        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled() && !session.pictures()->busy(); }));
         QApplication::processEvents();
     }
 
@@ -102,4 +102,4 @@ TEST_F(Loupe, theNextLossIsShownWhereItIsMarked) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::loupe_test

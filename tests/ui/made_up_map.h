@@ -29,22 +29,22 @@ inline SphericalDecision withinDecision(const Vec3& eye) {
 }
 
 /// The maps of a scene's first object with that decision.
-inline InsideMap mapOver(const Scene& scene, const SphericalGrid& grid) {
+inline MapSnapshot mapOver(const Scene& scene, const SphericalGrid& grid) {
     return {std::make_shared<SphericalMaps>(scene.meshes()[scene.instances()[0].mesh], grid), withinDecision({0, 0, 5})};
 }
 
 /// The same as what a panel shows.
 inline ShownMap shownAlone(const ScenePointer& scene, const SphericalGrid& grid) {
-    auto inside = std::make_shared<Inside>();
-    inside->maps.push_back(mapOver(*scene, grid));
-    return {scene, inside, 0};
+    auto snapshot = std::make_shared<StructureSnapshot>();
+    snapshot->maps.push_back(mapOver(*scene, grid));
+    return {scene, snapshot, 0};
 }
 
 /// The same maps with another decision.
 inline ShownMap changed(const ShownMap& shown, const std::function<void(SphericalDecision&)>& how) {
-    auto inside = std::make_shared<Inside>(*shown.inside);
-    how(inside->maps[shown.place].decision);
-    return {shown.scene, inside, shown.place};
+    auto snapshot = std::make_shared<StructureSnapshot>(*shown.snapshot);
+    how(snapshot->maps[shown.place].decision);
+    return {shown.scene, snapshot, shown.place};
 }
 
 /// A frustum that cuts: the region between two corners (θ, φ), all four of them missed.

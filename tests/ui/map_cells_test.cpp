@@ -7,7 +7,7 @@
 #include "tests/ui/made_up_map.h"
 #include "ui/panels/map_layout.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::map_cells_test {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -53,7 +53,7 @@ TEST(MapCells, nothingIsLostInASmallPicture) {
 }
 
 TEST(MapCells, entriesAndReachGrowWithTheTone) {
-    const InsideMap map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
+    const MapSnapshot map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
     const SphericalMaps& maps = *map.maps;
     const CellTones entries = cellTones(map, MapColouring::Entries), reach = cellTones(map, MapColouring::Radius);
     EXPECT_EQ(entries.least, 1.0);
@@ -90,4 +90,4 @@ TEST(MapCells, aCellIsAsItsWorstTriangle) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::map_cells_test

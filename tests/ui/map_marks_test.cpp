@@ -4,7 +4,7 @@
 #include "tests/ui/made_up_map.h"
 #include "ui/panels/map_overlay.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::map_marks_test {
 namespace {
 
 TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
@@ -49,4 +49,4 @@ TEST(MapMarks, edgesOfSectorsKeepTheirAngleOverThePolesToo) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::map_marks_test

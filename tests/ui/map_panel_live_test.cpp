@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
+#include "core/scene/camera_moves.h"
 #include "tests/ui/test_scene.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/map_words.h"
-#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::map_panel_live_test {
 namespace {
 
 /// A panel that reads a real strategy on a field of stars.
@@ -24,22 +24,22 @@ struct LiveMapPanelTest : ::testing::Test {
     }
 
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.figuresSettled(); }));
+        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
     [[nodiscard]] const ShownMap& shown() { return panel.map().contents().shown; }
 
     Session session{sessionOptions(true)};
-    InsideReader reader{session};
+    SnapshotReader reader{session};
     MapPanel panel{session, reader};
 };
 
 TEST_F(LiveMapPanelTest, showsThePickedObjectElseTheFirstThatIsNotOutside) {
     ASSERT_FALSE(shown().empty());
-    const std::vector<InsideMap>& maps = reader.reading()->inside->maps;
+    const std::vector<MapSnapshot>& maps = reader.reading()->snapshot->maps;
     ASSERT_EQ(maps.size(), 9U);
     const auto first = std::find_if(maps.begin(), maps.end(),
-                                    [](const InsideMap& map) { return map.decision.relation != SphereRelation::Outside; });
+                                    [](const MapSnapshot& map) { return map.decision.relation != SphereRelation::Outside; });
     ASSERT_NE(first, maps.end());
     EXPECT_EQ(shown().decision().instance, first->decision.instance);
     pickObject(session, 5);
@@ -73,9 +73,9 @@ TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
     EXPECT_FALSE(reader.fresh());
     EXPECT_FALSE(shown().empty());
     EXPECT_TRUE(panel.sentence().isEmpty());
-    const std::shared_ptr<const Inside> before = shown().inside;
+    const std::shared_ptr<const StructureSnapshot> before = shown().snapshot;
     settle();
-    EXPECT_NE(shown().inside, before);
+    EXPECT_NE(shown().snapshot, before);
 }
 
 TEST_F(LiveMapPanelTest, aStrategyThatIsStillBuiltIsSaidToBePrepared) {
@@ -94,7 +94,7 @@ TEST_F(LiveMapPanelTest, aStrategyThatIsStillBuiltIsSaidToBePrepared) {
 
 TEST(LiveMapPanel, withoutASceneThereIsNothingToPrepare) {
     Session session{sessionOptions(false)};
-    InsideReader reader{session};
+    SnapshotReader reader{session};
     const MapPanel panel{session, reader};
     EXPECT_TRUE(panel.sentence().startsWith(QStringLiteral("Open a scene"))) << panel.sentence().toStdString();
 }
@@ -114,4 +114,4 @@ TEST_F(LiveMapPanelTest, theMapGoesWithTheStrategyAndFollowsTheScene) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::map_panel_live_test

@@ -7,14 +7,14 @@
 
 #include "tests/ui/made_up_map.h"
 #include "tests/ui/test_scene.h"
+#include "ui/look/appearance.h"
+#include "ui/look/verdict_swatch.h"
 #include "ui/panels/map_overlay.h"
 #include "ui/panels/map_words.h"
 #include "ui/session/object_pick.h"
-#include "ui/look/appearance.h"
 #include "ui/statistics/plot_file.h"
-#include "ui/look/verdict_swatch.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::map_panel_test {
 namespace {
 
 using Cell = SphericalGrid::Cell;
@@ -63,7 +63,7 @@ struct MapPanelTest : ::testing::Test {
     [[nodiscard]] QImage picture() { return panel.map().grab().toImage(); }
 
     Session session{sessionOptions(false)};
-    InsideReader reader{session};
+    SnapshotReader reader{session};
     MapPanel panel{session, reader};
     ShownMap shown;
 };
@@ -324,4 +324,4 @@ TEST_F(MapPanelTest, withoutAMapASentenceStandsInItsPlace) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::map_panel_test

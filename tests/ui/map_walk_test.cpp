@@ -3,17 +3,17 @@
 #include <gtest/gtest.h>
 
 #include "core/image/judged_cells.h"
+#include "core/scene/camera_moves.h"
 #include "tests/ui/test_scene.h"
+#include "ui/jobs/built_strategy.h"
 #include "ui/panels/bands_plot.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/map_words.h"
-#include "ui/jobs/built_strategy.h"
 #include "ui/session/cullbench_command.h"
-#include "core/scene/camera_moves.h"
 #include "ui/session/object_pick.h"
 #include "ui/statistics/plot_file.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::map_walk_test {
 namespace {
 
 /// A panel that reads the strategy on a scene.
@@ -32,7 +32,7 @@ struct WalkMap : ::testing::Test {
 
     void open(const QString& scene) { openAndWait(session, scene); }
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.figuresSettled(); }));
+        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
     void choose(MapColouring colouring) {
@@ -46,7 +46,7 @@ struct WalkMap : ::testing::Test {
     [[nodiscard]] QString words() { return QString::fromUtf8(plotSvg(panel.map(), {960, 560})); }
 
     Session session{sessionOptions(true)};
-    InsideReader reader{session};
+    SnapshotReader reader{session};
     MapPanel panel{session, reader};
 };
 
@@ -105,7 +105,7 @@ TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
 }
 
 TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
-    const InsideMap& map = shown().map();
+    const MapSnapshot& map = shown().map();
     const SphericalGrid& grid = shown().grid();
     bool drawn = false, backFacing = false;
     for (uint32_t row = 0; row < grid.rows(); row += 3)
@@ -153,8 +153,8 @@ TEST_F(WalkMap, aPickedObjectOfAnotherMeshIsShownOnlyWhenItsMapIsMade) {
     settle();
     const size_t before = shown().place;
     const auto other = uint32_t(before == 0 ? 1 : 0);
-    ASSERT_FALSE(shown().inside->maps[other].maps == shown().map().maps);
-    pickObject(session, shown().inside->maps[other].decision.instance);
+    ASSERT_FALSE(shown().snapshot->maps[other].maps == shown().map().maps);
+    pickObject(session, shown().snapshot->maps[other].decision.instance);
     EXPECT_EQ(shown().place, before) << "its map would be made in the window's thread";
     settle();
     EXPECT_EQ(shown().place, size_t(other));
@@ -193,4 +193,4 @@ TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::map_walk_test

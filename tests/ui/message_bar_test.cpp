@@ -6,7 +6,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::message_bar_test {
 namespace {
 
 struct MessageOverTheViews : ::testing::Test {
@@ -76,4 +76,4 @@ TEST_F(MessageOverTheViews, theStatisticsButtonLiesBesideIt) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::message_bar_test

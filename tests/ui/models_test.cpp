@@ -4,21 +4,21 @@
 
 #include "core/visibility/registry.h"
 #include "tests/ui/test_scene.h"
-#include "ui/models/figure_model.h"
+#include "ui/models/metrics_model.h"
+#include "ui/models/metrics_words.h"
 #include "ui/models/report_model.h"
 #include "ui/models/scene_model.h"
 #include "ui/models/strategy_model.h"
 #include "ui/text/wording.h"
-#include "ui/models/figure_words.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::models_test {
 namespace {
 
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 
-Figures someFigures() {
-    Figures figures;
-    figures.state = Figures::State::Ready;
+ViewMetrics someFigures() {
+    ViewMetrics figures;
+    figures.state = ViewMetrics::State::Ready;
     figures.speedup = 3.14;
     figures.frameMilliseconds = 4.0;
     figures.consideredTriangles = 15;
@@ -70,8 +70,8 @@ TEST(Models, sceneFactsNameTheTriangles) {
 }
 
 TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
-    FigureModel model;
-    Figures figures = someFigures();
+    MetricsModel model;
+    ViewMetrics figures = someFigures();
     figures.accuracy.missedPixels = 7;
     model.setColumns({{0, figures}});
     const auto valueOf = [&](const QString& title) {
@@ -84,14 +84,14 @@ TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
     figures.missedBeyondSnapping = 2;
     model.setFigures(0, figures);
     EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("2"));
-    EXPECT_TRUE(figureDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
+    EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
 }
 
 TEST(Models, figuresAreColumnsOfTheShownViews) {
-    FigureModel model;
+    MetricsModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
-    Figures stale;
-    stale.state = Figures::State::Stale;
+    ViewMetrics stale;
+    stale.state = ViewMetrics::State::Stale;
     model.setColumns({{0, stale}, {1, someFigures()}});
     ASSERT_EQ(model.columnCount(), 2);
     EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("…"));
@@ -104,15 +104,15 @@ TEST(Models, figuresAreColumnsOfTheShownViews) {
 }
 
 TEST(Wording, headerSaysSpeedupShareAndMissedPixels) {
-    Figures figures = someFigures();
-    EXPECT_EQ(figureLine(figures), QStringLiteral("×3.1 · 15 % · 0 missed"));
+    ViewMetrics figures = someFigures();
+    EXPECT_EQ(metricsLine(figures), QStringLiteral("×3.1 · 15 % · 0 missed"));
     figures.accuracy.missedPixels = 1234;
     figures.speedup.reset();
-    EXPECT_EQ(figureLine(figures), QStringLiteral("×… · 15 % · 1,234 missed"));
-    figures.state = Figures::State::Stale;
-    EXPECT_EQ(figureLine(figures), QStringLiteral("…"));
-    figures.state = Figures::State::Nothing;
-    EXPECT_EQ(figureLine(figures), QString());
+    EXPECT_EQ(metricsLine(figures), QStringLiteral("×… · 15 % · 1,234 missed"));
+    figures.state = ViewMetrics::State::Stale;
+    EXPECT_EQ(metricsLine(figures), QStringLiteral("…"));
+    figures.state = ViewMetrics::State::Nothing;
+    EXPECT_EQ(metricsLine(figures), QString());
 }
 
 TEST(Wording, aShareIsNeverRoundedToNothingOrToAll) {
@@ -130,4 +130,4 @@ TEST(Wording, ratiosHaveTwoDigits) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::models_test

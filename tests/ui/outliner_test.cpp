@@ -6,10 +6,10 @@
 
 #include "core/scene/hidden.h"
 #include "tests/ui/test_scene.h"
-#include "ui/panels/split_dialog.h"
 #include "ui/panels/scene_panel.h"
+#include "ui/panels/split_dialog.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::outliner_test {
 namespace {
 
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
@@ -188,4 +188,4 @@ TEST(SplitDialog, specificationsOpenWhatTheySay) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::outliner_test

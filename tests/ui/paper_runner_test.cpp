@@ -5,7 +5,7 @@
 #include "core/visibility/registry.h"
 #include "tests/ui/test_scene.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::paper_runner_test {
 namespace {
 
 /// Table 2 over a generator: two settings, the second one in four windows.
@@ -228,4 +228,4 @@ TEST(PaperRunner, mayBeDestroyedInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::paper_runner_test

@@ -9,7 +9,7 @@
 #include <QSlider>
 #include <QSpinBox>
 
-namespace cullscope::ui {
+namespace cullscope::ui::parameter_form_test {
 namespace {
 
 ParameterDeclaration number(std::string key, ParameterType type, ParameterValue value, double from, double to, std::string unit) {
@@ -117,4 +117,4 @@ TEST_F(Form, anotherLanguageKeepsTheValues) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::parameter_form_test

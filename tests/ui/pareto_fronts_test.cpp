@@ -10,7 +10,7 @@
 #include "ui/statistics/plot_file.h"
 #include "ui/statistics/statistics_panel.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::pareto_fronts_test {
 namespace {
 
 constexpr int kPatience = 60'000;  // ms
@@ -170,4 +170,4 @@ TEST(Sweep, pointsAppearWhileItRunsAndCancellingKeepsThem) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::pareto_fronts_test

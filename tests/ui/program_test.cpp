@@ -9,7 +9,7 @@
 
 #include "tests/ui/test_scene.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::program_test {
 namespace {
 
 struct Ended {
@@ -134,4 +134,4 @@ TEST(Program, aSceneThatCannotBeReadIsSaidAndShown) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::program_test

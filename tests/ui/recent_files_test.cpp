@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-namespace cullscope::ui {
+namespace cullscope::ui::recent_files_test {
 namespace {
 
 struct Recent : ::testing::Test {
@@ -78,4 +78,4 @@ TEST_F(Recent, aDamagedListIsAnEmptyOne) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::recent_files_test

@@ -8,11 +8,11 @@
 #include <QScreen>
 #include <QTemporaryDir>
 
+#include "core/measure/statistics.h"
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
-#include "core/measure/statistics.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::reproduce_dialog_test {
 namespace {
 
 /// A window on a small scene.
@@ -211,4 +211,4 @@ TEST(PaperTableModel, keepsTheRulesOfModels) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::reproduce_dialog_test

@@ -7,7 +7,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/dialogs/screenshot_dialog.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::screenshot_dialog_test {
 namespace {
 
 struct ScreenshotDialogTest : ::testing::Test {
@@ -87,4 +87,4 @@ TEST_F(ScreenshotDialogTest, everythingIsReachedByTabAndHasAName) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::screenshot_dialog_test

@@ -11,7 +11,7 @@
 #include "core/image/picture_file.h"
 #include "tests/ui/screenshot_fixture.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::screenshot_file_test {
 namespace {
 
 TEST_F(ScreenshotTest, exrHoldsDepthAndTriangleOfEveryPixel) {
@@ -195,4 +195,4 @@ TEST_F(ScreenshotTest, beforeASceneIsDrawnThereIsNothingToSave) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::screenshot_file_test

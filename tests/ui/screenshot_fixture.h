@@ -51,7 +51,7 @@ struct ScreenshotTest : ::testing::Test {
         ASSERT_TRUE(waitUntil([&] {
             for (const int view : session.shownViews())
                 if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
-            return session.figuresSettled();
+            return session.metricsSettled();
         }));
     }
 

@@ -7,7 +7,7 @@
 #include "tests/ui/screenshot_fixture.h"
 #include "ui/jobs/picture_tiles.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::screenshot_test {
 namespace {
 
 /// The height of what is not background in a part of an image.
@@ -258,4 +258,4 @@ TEST_F(ScreenshotTest, eightViewsAreTwoRowsOfFourUnderHeadlines) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::screenshot_test

@@ -12,7 +12,7 @@
 #include "core/geometry/random.h"
 #include "core/visibility/registry.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::session_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -313,4 +313,4 @@ TEST_F(SessionFile, whatIsNoneSaysSo) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::session_file_test

@@ -11,7 +11,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/session/session_file.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::session_opener_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -151,4 +151,4 @@ TEST_F(Opener, bookmarksStoreAndRecallTheActiveViewsCamera) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::session_opener_test

@@ -9,7 +9,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/session/session_opener.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::session_state_test {
 namespace {
 
 size_t below(Random& random, size_t count) { return size_t(random.unit() * double(count)); }
@@ -90,7 +90,7 @@ TEST(SessionState, picturesComeBackPixelForPixel) {
     SessionOpener opener(session, bookmarks);
     for (int view = 0; view < 4; ++view) session.setViewport(view, {160, 120});
     const auto settle = [&] {
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled() && !session.pictures()->busy(); }));
+        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled() && !session.pictures()->busy(); }));
         for (const int view : session.shownViews()) ASSERT_TRUE(session.pictures()->isCurrent(view)) << view;
     };
     openAndWait(session, QStringLiteral("field:n=4"));
@@ -134,4 +134,4 @@ TEST(SessionState, picturesComeBackPixelForPixel) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::session_state_test

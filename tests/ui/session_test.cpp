@@ -13,7 +13,7 @@
 #include "ui/jobs/background.h"
 #include "ui/session/cullbench_command.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::session_test {
 namespace {
 
 TEST(JobNumbers, onlyTheNewestCounts) {
@@ -183,8 +183,8 @@ TEST(CullbenchCommand, theFieldOfViewIsNotRoundedOnTheWay) {
 }
 
 /// The figures of `backface` are told apart from those of a strategy that loses pixels.
-TEST(Figures, edgePixelsOfBackfaceAreNoLoss) {
-    Figures figures;
+TEST(ViewMetrics, edgePixelsOfBackfaceAreNoLoss) {
+    ViewMetrics figures;
     figures.accuracy.missedPixels = 1;
     EXPECT_EQ(figures.lostPixels(), 1u);
     figures.missedBeyondSnapping = 0;
@@ -208,12 +208,12 @@ TEST(Session, aFailedUploadFailsTheFiguresUntilOneSucceeds) {
     ASSERT_TRUE(
         waitUntil([&] { return !session.uploadFailure().empty() && session.slot(0).built() && session.slot(1).built(); }));
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(30.0), {}));
-    EXPECT_TRUE(session.figuresSettled());
-    EXPECT_EQ(session.figures(0).state, Figures::State::Failed);
+    EXPECT_TRUE(session.metricsSettled());
+    EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Failed);
     EXPECT_EQ(said.size(), 1u);
     fail = false;
     openAndWait(session, QStringLiteral("sphere:triangles=320"));
-    ASSERT_TRUE(waitUntil([&] { return session.figures(0).state == Figures::State::Ready; }));
+    ASSERT_TRUE(waitUntil([&] { return session.figures(0).state == ViewMetrics::State::Ready; }));
 }
 
 TEST(GpuThread, buffersMayOutliveIt) {
@@ -248,7 +248,7 @@ TEST(BuiltStrategy, sharedRenderingDrawsTheSamePictureAsCores) {
     });
 }
 
-TEST(Figures, medianIsTheMiddleOrTheMeanOfBothMiddles) {
+TEST(ViewMetrics, medianIsTheMiddleOrTheMeanOfBothMiddles) {
     EXPECT_DOUBLE_EQ(median({3.0, 1.0, 2.0}), 2.0);
     EXPECT_DOUBLE_EQ(median({4.0, 1.0, 2.0, 3.0}), 2.5);
 }
@@ -261,10 +261,10 @@ TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
     session.setViewport(0, {160, 120});
     session.setViewport(1, {160, 120});
     openAndWait(session, QStringLiteral("sphere:triangles=1280"));
-    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled(); }));
     for (const int view : {0, 1}) {
-        const Figures& figures = session.figures(view);
-        ASSERT_EQ(figures.state, Figures::State::Ready);
+        const ViewMetrics& figures = session.figures(view);
+        ASSERT_EQ(figures.state, ViewMetrics::State::Ready);
         EXPECT_EQ(figures.lostPixels(), 0u);
         EXPECT_EQ(figures.missedBeyondSnapping.has_value(), view == 0);
         EXPECT_GT(figures.accuracy.coveredPixels, 1000u);
@@ -282,11 +282,11 @@ TEST(Session, truthIsComputedOnceForViewsThatShareIt) {
     session.setViewport(0, {160, 120});
     session.setViewport(1, {160, 120});
     openAndWait(session, QStringLiteral("sphere:triangles=1280"));
-    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled(); }));
     const size_t before = session.meter()->referencesComputed();
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(30.0), {}));
-    EXPECT_EQ(session.figures(0).state, Figures::State::Stale);
-    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled(); }));
+    EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Stale);
+    ASSERT_TRUE(waitUntil([&] { return session.metricsSettled(); }));
     EXPECT_EQ(session.figures(0).facing, session.figures(1).facing);
     EXPECT_EQ(session.meter()->referencesComputed(), before + 1);
 }
@@ -299,9 +299,9 @@ TEST(Session, movingTheCameraMakesFiguresStale) {
     for (int i = 0; i < 20; ++i) {
         session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {}));
         QTest::qWait(5);
-        EXPECT_EQ(session.figures(1).state, Figures::State::Stale);
+        EXPECT_EQ(session.figures(1).state, ViewMetrics::State::Stale);
     }
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::session_test

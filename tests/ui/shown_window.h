@@ -21,7 +21,7 @@ struct Window : ::testing::Test {
     }
 
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.figuresSettled(); }));
+        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
 

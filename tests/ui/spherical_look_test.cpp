@@ -5,14 +5,14 @@
 
 #include "core/image/spherical_model.h"
 #include "tests/ui/test_scene.h"
-#include "ui/screenshots/screenshot_plan.h"
 #include "ui/look/appearance.h"
+#include "ui/screenshots/screenshot_plan.h"
 #include "ui/text/language.h"
 #include "ui/views/picture_painter.h"
 #include "ui/window/main_window.h"
 #include "ui/window/view_menu.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::spherical_look_test {
 namespace {
 
 struct SphericalLook : ::testing::Test {
@@ -27,7 +27,7 @@ struct SphericalLook : ::testing::Test {
     }
     void settle() {
         ASSERT_TRUE(waitUntil(
-            [&] { return !session.slot(0).building() && session.pictures()->isCurrent(0) && session.figuresSettled(); }));
+            [&] { return !session.slot(0).building() && session.pictures()->isCurrent(0) && session.metricsSettled(); }));
     }
     [[nodiscard]] QImage pictureAfter(QAction* action) {
         action->trigger();
@@ -215,4 +215,4 @@ TEST_F(SphericalLook, screenshotWithoutOverlaysHasNoBands) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::spherical_look_test

@@ -13,7 +13,7 @@
 #include "ui/statistics/pose_strip.h"
 #include "ui/statistics/statistics_panel.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::statistics_panel_test {
 namespace {
 
 constexpr int kPatience = 60'000;  // ms
@@ -238,4 +238,4 @@ TEST_F(Panel, chosenPoseIsPassedOn) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::statistics_panel_test

@@ -13,7 +13,7 @@
 #include "ui/statistics/sphere_map.h"
 #include "ui/statistics/time_bar.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::statistics_test {
 namespace {
 
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
@@ -57,7 +57,7 @@ TEST(ResultTable, whatIsNotMeasuredIsNoZero) {
     EXPECT_EQ(cell(model, 2, ResultTableModel::MissedPpm), QStringLiteral("–"));
     LiveFigures stale;
     stale.strategy = test::request("frustum");
-    stale.figures.state = Figures::State::Stale;
+    stale.figures.state = ViewMetrics::State::Stale;
     model.setRows(liveRows({stale}));
     for (int column = 1; column < ResultTableModel::ColumnCount; ++column)
         EXPECT_EQ(cell(model, 0, column), QStringLiteral("–")) << column;
@@ -252,4 +252,4 @@ TEST(TimeBar, rowsFitTheWidth) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::statistics_test

@@ -14,7 +14,7 @@
 #include "ui/text/language.h"
 #include "ui/text/translated.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::translation_test {
 namespace {
 
 struct Entry {
@@ -134,4 +134,4 @@ TEST(Translation, reasonInAnArgumentIsTranslatedAndANameIsNot) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::translation_test

@@ -9,7 +9,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/session/undo_recorder.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::undo_test {
 namespace {
 
 struct Undo : ::testing::Test {
@@ -247,4 +247,4 @@ TEST_F(Undo, whatReturnsByItselfIsNoStep) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::undo_test

@@ -7,7 +7,7 @@
 #include "ui/text/language.h"
 #include "ui/text/wording.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::view_header_test {
 namespace {
 
 constexpr int kLeastWidth = 320;
@@ -81,4 +81,4 @@ TEST_F(HeaderOfView, whatHasNoRoomAtAllIsKnownToBeCut) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::view_header_test

@@ -8,7 +8,7 @@
 #include "ui/dialogs/help_window.h"
 #include "ui/window/main_window.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::window_layout_test {
 namespace {
 
 /// A program's session and window, as at a start.
@@ -68,13 +68,13 @@ TEST_F(WindowLayout, openingADockBesideEightViewsKeepsTheirSize) {
     program.session.setViewCount(8);
     QApplication::processEvents();
     for (const char* name : {"inside", "statistics"}) EXPECT_FALSE(program.dock(name).isVisible()) << name;
-    const auto settle = [&] { return waitUntil([&] { return program.session.figuresSettled(); }); };
+    const auto settle = [&] { return waitUntil([&] { return program.session.metricsSettled(); }); };
     ASSERT_TRUE(settle());
     const auto expectViewsUnchanged = [&] {
         QApplication::processEvents();
         for (int view = 0; view < 8; ++view) {
             EXPECT_EQ(program.session.viewport(view), (Viewport{320, 240})) << "view " << view;
-            EXPECT_EQ(program.session.figures(view).state, Figures::State::Ready) << "view " << view;
+            EXPECT_EQ(program.session.figures(view).state, ViewMetrics::State::Ready) << "view " << view;
         }
     };
     expectViewsUnchanged();
@@ -164,7 +164,7 @@ TEST_F(WindowLayout, anyPanelStandsInAViewsPlaceAndComesBackWithTheSession) {
         }
     };
     expectPlaced();
-    ASSERT_TRUE(waitUntil([&] { return program.session.figuresSettled() && !program.session.pictures()->busy(); }));
+    ASSERT_TRUE(waitUntil([&] { return program.session.metricsSettled() && !program.session.pictures()->busy(); }));
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("panels.cullscope"));
     ASSERT_TRUE(program.window.document().opener().save(file, QStringLiteral("compare")));
@@ -249,4 +249,4 @@ TEST_F(WindowLayout, helpIsInTheLanguageOfTheWindow) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::window_layout_test

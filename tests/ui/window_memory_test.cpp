@@ -4,7 +4,7 @@
 
 #include <QDockWidget>
 
-namespace cullscope::ui {
+namespace cullscope::ui::window_memory_test {
 namespace {
 
 struct Memory : ::testing::Test {
@@ -56,4 +56,4 @@ TEST_F(Memory, anOtherVersionsLayoutIsNotUsed) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::window_memory_test

@@ -10,7 +10,7 @@
 #include "ui/startup/start_size.h"
 #include "ui/startup/window_picture.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::window_test {
 namespace {
 
 TEST_F(Window, anotherLanguageKeepsTheState) {
@@ -68,8 +68,8 @@ TEST_F(Window, aMessageKeepsTheSizeOfTheViewsAndTheFigures) {
     ASSERT_TRUE(window.message().isVisible());
     EXPECT_EQ(picture(0).renderSize(), size);
     EXPECT_EQ(session.camera(), camera);
-    EXPECT_EQ(session.figures(0).state, Figures::State::Ready);
-    EXPECT_EQ(session.figures(1).state, Figures::State::Ready);
+    EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Ready);
+    EXPECT_EQ(session.figures(1).state, ViewMetrics::State::Ready);
     // It lies inside the middle of the window, wherever that ends.
     window.resize(900, 650);
     QApplication::processEvents();
@@ -88,7 +88,7 @@ TEST_F(Window, activatingAViewWithManyParametersKeepsTheSizeOfTheWindow) {
         QTest::qWait(50);
         EXPECT_EQ(window.size(), QSize(900, 420));
         EXPECT_EQ(picture(0).renderSize(), size);
-        EXPECT_EQ(session.figures(0).state, Figures::State::Ready);
+        EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Ready);
     }
 }
 
@@ -159,7 +159,7 @@ TEST_F(Window, thePictureOfALargeSceneIsTakenOnceItIsDrawn) {
     QObject::connect(&shot, &WindowPicture::done, [&](int result) { status = result; });
     ASSERT_TRUE(waitUntil([&] { return status >= 0; }));
     ASSERT_EQ(status, 0);
-    ASSERT_EQ(session.figures(0).state, Figures::State::OnRequest);
+    ASSERT_EQ(session.figures(0).state, ViewMetrics::State::OnRequest);
     const QPoint middle = picture(0).mapTo(&window, picture(0).rect().center());
     const QPoint corner = picture(0).mapTo(&window, picture(0).rect().topRight() + QPoint(-4, 4));
     const QImage saved(file);
@@ -178,4 +178,4 @@ TEST_F(Window, pictureOfTheWindowIsSaved) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::window_test

@@ -8,7 +8,7 @@
 
 #include "tests/ui/shown_window.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::window_views_test {
 namespace {
 
 TEST_F(Window, headersShowStrategyPromiseAndFigures) {
@@ -162,4 +162,4 @@ TEST_F(Window, theCopiedCommandDrawsTheSamePicture) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::window_views_test

@@ -13,7 +13,7 @@
 
 namespace cullscope::ui {
 
-/// Asks what a screenshot is to be like and where it goes. Says what the file will be called, or why there can be none.
+/// GlRequirement what a screenshot is to be like and where it goes. Says what the file will be called, or why there can be none.
 class ScreenshotDialog : public QDialog {
     Q_OBJECT
 

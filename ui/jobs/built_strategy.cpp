@@ -15,18 +15,18 @@ Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace, Rendere
 
 ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
     if (!look.boxes && !look.bands && !look.kernel) return look;
-    if (built.asks != Asks::Nothing) {
+    if (built.glRequirement != GlRequirement::None) {
         look.bands = look.kernel = false;
         return look;
     }
     const std::lock_guard lock(built.mutex);
     Trace trace;
     (void)built.strategy->cull(view, &trace);
-    const Inside inside = built.strategy->inside(trace);
-    look.boxes = look.boxes && !(inside.nodes.empty() && inside.maps.empty());
+    const StructureSnapshot snapshot = built.strategy->snapshot(trace);
+    look.boxes = look.boxes && !(snapshot.nodes.empty() && snapshot.maps.empty());
     look.bands =
-        look.bands && std::ranges::any_of(inside.maps, [](const InsideMap& map) { return map.decision.bands.has_value(); });
-    look.kernel = look.kernel && std::ranges::any_of(inside.maps, hasKernel);
+        look.bands && std::ranges::any_of(snapshot.maps, [](const MapSnapshot& map) { return map.decision.bands.has_value(); });
+    look.kernel = look.kernel && std::ranges::any_of(snapshot.maps, hasKernel);
     return look;
 }
 

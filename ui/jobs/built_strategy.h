@@ -4,8 +4,8 @@
 #include <mutex>
 #include <string>
 
-#include "core/measure/render_frame.h"
 #include "core/image/view_picture.h"
+#include "core/measure/render_frame.h"
 #include "core/scene/scene.h"
 #include "core/visibility/strategy.h"
 
@@ -17,7 +17,7 @@ struct BuiltStrategy {
     std::string id;
     ScenePointer scene;
     StrategyPointer strategy;
-    Asks asks = Asks::Nothing;  ///< anything else: it can be culled on a thread with a context alone
+    GlRequirement glRequirement = GlRequirement::None;  ///< anything else: it can be culled on a thread with a context alone
     std::mutex mutex;
 };
 

@@ -5,21 +5,21 @@
 namespace cullscope::ui {
 
 void ObjectVerdicts::set(const ScenePointer& scene, const std::shared_ptr<const TriangleStates>& states,
-                         const InsideReadingPointer& reading) {
-    const std::shared_ptr<const Inside> inside = reading ? reading->inside : nullptr;
-    if (scene == m_scene && states == m_states && inside == m_inside) return;
+                         const SnapshotReadingPointer& reading) {
+    const std::shared_ptr<const StructureSnapshot> snapshot = reading ? reading->snapshot : nullptr;
+    if (scene == m_scene && states == m_states && snapshot == m_snapshot) return;
     m_scene = scene;
     m_states = states;
-    m_inside = inside;
+    m_snapshot = snapshot;
     const size_t count = scene ? scene->instances().size() : 0;
     m_known.assign(states ? count : 0, -1);
-    m_nodes.assign(states || !inside ? 0 : count, -1);
+    m_nodes.assign(states || !snapshot ? 0 : count, -1);
     if (m_nodes.empty()) return;
-    std::vector<bool> holdsOthers(inside->nodes.size(), false);
-    for (const InsideNode& node : inside->nodes)
+    std::vector<bool> holdsOthers(snapshot->nodes.size(), false);
+    for (const SnapshotNode& node : snapshot->nodes)
         if (node.parent >= 0) holdsOthers[size_t(node.parent)] = true;
-    for (size_t node = inside->nodes.size(); node-- > 0;)
-        if (!holdsOthers[node] && !inside->nodes[node].isGroup()) m_nodes[inside->nodes[node].instance] = int64_t(node);
+    for (size_t node = snapshot->nodes.size(); node-- > 0;)
+        if (!holdsOthers[node] && !snapshot->nodes[node].isGroup()) m_nodes[snapshot->nodes[node].instance] = int64_t(node);
 }
 
 TriangleState ObjectVerdicts::fromStates(uint32_t instance) const {
@@ -39,7 +39,7 @@ std::optional<ObjectVerdicts::Verdict> ObjectVerdicts::of(uint32_t instance) con
         return Verdict{TriangleState(known), m_states->againstTruth};
     }
     if (m_nodes.empty() || m_nodes[instance] < 0) return std::nullopt;
-    const InsideNode& node = m_inside->nodes[size_t(m_nodes[instance])];
+    const SnapshotNode& node = m_snapshot->nodes[size_t(m_nodes[instance])];
     return Verdict{node.culled ? stateOfCause(node.cause) : TriangleState::Visible, false};
 }
 

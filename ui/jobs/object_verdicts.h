@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/visibility/triangle_states.h"
-#include "ui/jobs/inside_reading.h"
+#include "ui/jobs/snapshot_reading.h"
 
 namespace cullscope::ui {
 
@@ -21,7 +21,8 @@ public:
     };
 
     /// `states` and `reading` may be null; where both are given, the states count. Both are numbered as in `scene`.
-    void set(const ScenePointer& scene, const std::shared_ptr<const TriangleStates>& states, const InsideReadingPointer& reading);
+    void set(const ScenePointer& scene, const std::shared_ptr<const TriangleStates>& states,
+             const SnapshotReadingPointer& reading);
     /// Of an instance of the scene. Wrongly culled, where any of its triangles is; else visible, where any is; else in vain,
     /// where any is; else the state that most of them have. None: not known.
     [[nodiscard]] std::optional<Verdict> of(uint32_t instance) const;
@@ -31,7 +32,7 @@ private:
 
     ScenePointer m_scene;
     std::shared_ptr<const TriangleStates> m_states;
-    std::shared_ptr<const Inside> m_inside;
+    std::shared_ptr<const StructureSnapshot> m_snapshot;
     mutable std::vector<int8_t> m_known;  ///< by instance, of the states; -1: not worked out yet
     std::vector<int64_t> m_nodes;         ///< by instance, its first node without children; -1: none
 };

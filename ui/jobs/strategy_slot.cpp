@@ -59,7 +59,7 @@ void StrategySlot::start() {
                 auto built = std::make_shared<BuiltStrategy>();
                 built->id = id;
                 built->scene = scene;
-                built->asks = findStrategy(id).info.asks;
+                built->glRequirement = findStrategy(id).info.glRequirement;
                 built->strategy = makeStrategy(id, parameters);
                 Progress progress;
                 progress.stop = stop;

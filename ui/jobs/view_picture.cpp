@@ -67,7 +67,7 @@ PictureDrawing::PictureDrawing(const ViewRequest& request, Renderer& renderer)
     m_picture->request = request;
     m_verdict = cullShared(*request.strategy, m_culling, needsTrace(request.look) ? &m_trace : nullptr, &renderer);
     m_picture->consideredTriangles = m_verdict.consideredTriangles;
-    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->strategy->inside(m_trace));
+    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->strategy->snapshot(m_trace));
     m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(request.buffers->scene(), m_verdict.drawList);
     if (request.look.colouring == Colouring::Verdicts && !m_states)
         m_states = std::make_shared<const TriangleStates>(

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/scene/scene.h"
-#include "ui/jobs/figures.h"
+#include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ui/text/translated.h"
-#include "ui/text/wording.h"
 #include "ui/look/tinted_icon.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
@@ -32,7 +32,7 @@ void ObjectModel::setHidden(const std::vector<bool>& hidden) {
 }
 
 void ObjectModel::setVerdicts(const ScenePointer& shown, const std::shared_ptr<const TriangleStates>& states,
-                              const InsideReadingPointer& reading) {
+                              const SnapshotReadingPointer& reading) {
     const auto visible = size_t(std::count(m_hidden.begin(), m_hidden.end(), false));
     m_verdictsFit = shown && shown->instances().size() == visible;
     m_verdicts.set(shown, states, reading);

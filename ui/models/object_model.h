@@ -23,7 +23,7 @@ public:
     void setHidden(const std::vector<bool>& hidden);
     /// `verdicts` are numbered by the instances of the shown scene: the objects that are not hidden, in order.
     void setVerdicts(const ScenePointer& shown, const std::shared_ptr<const TriangleStates>& states,
-                     const InsideReadingPointer& reading);
+                     const SnapshotReadingPointer& reading);
     /// Only names that hold this are shown, whatever their case; empty: all.
     void setSearch(const QString& text);
 

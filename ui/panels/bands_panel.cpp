@@ -15,7 +15,7 @@ constexpr QSize kFileSize{960, 420};
 
 }  // namespace
 
-BandsPanel::BandsPanel(Session& session, InsideReader& reader, QWidget* parent)
+BandsPanel::BandsPanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_reader(reader),

@@ -13,7 +13,7 @@ class BandsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    BandsPanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
+    BandsPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] BandsPlot& plot() { return *m_plot; }
     /// 0: all sectors. Until one is chosen, the one whose cut is farthest.
@@ -37,7 +37,7 @@ private:
     void showAngles();
 
     Session& m_session;
-    InsideReader& m_reader;
+    SnapshotReader& m_reader;
     QWidget* m_choices;
     QLabel* m_sectorLabel;
     QSpinBox* m_sector;

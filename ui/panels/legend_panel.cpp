@@ -6,10 +6,10 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
-#include "ui/text/translated.h"
-#include "ui/text/wording.h"
 #include "ui/look/promise_marker.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
@@ -124,10 +124,10 @@ void LegendPanel::wire() {
         const bool oneObject = m_session.opened() && m_session.opened()->scene->instances().size() < 2;
         if (++m_cameraMoves == kMovesUntilLook) advance(oneObject ? Progress::Pick : Progress::Look);
     });
-    connect(&m_session, &Session::figuresChanged, this, [this](int view) {
+    connect(&m_session, &Session::metricsChanged, this, [this](int view) {
         showCounts();
-        const Figures& figures = m_session.figures(view);
-        const bool culled = figures.state == Figures::State::Ready && figures.consideredTriangles < figures.sceneTriangles;
+        const ViewMetrics& figures = m_session.figures(view);
+        const bool culled = figures.state == ViewMetrics::State::Ready && figures.consideredTriangles < figures.sceneTriangles;
         if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
     // A strategy that is refused has no picture.
@@ -206,8 +206,8 @@ void LegendPanel::showPlanes() {
 }
 
 void LegendPanel::showCounts() {
-    const Figures& figures = m_session.figures(m_session.activeView());
-    const bool known = figures.state == Figures::State::Ready && figures.states;
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == ViewMetrics::State::Ready && figures.states;
     for (size_t state = 0; state < kTriangleStateCount; ++state) {
         const QString word = translated(triangleStateName(TriangleState(state)));
         const uint64_t count = known ? figures.states->counts[state] : 0;

@@ -5,10 +5,10 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include "core/measure/accuracy.h"
 #include "ui/session/object_pick.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
@@ -23,7 +23,7 @@ QString nothingLost(const Accuracy& accuracy) {
         .arg(covered, QLocale().toString(300.0 / double(accuracy.coveredPixels), 'g', 2));
 }
 
-QString lossOf(const Figures& figures) {
+QString lossOf(const ViewMetrics& figures) {
     const Accuracy& accuracy = figures.accuracy;
     QStringList sentences{LossPanel::tr("%1 of %2 covered pixels lost in this view (%3 %). Holes: %4, pixels of the largest: %5.",
                                         "numbers of pixels")
@@ -60,7 +60,7 @@ LossPanel::LossPanel(Session& session, QWidget* parent)
     });
     connect(m_view, &QTreeView::activated, this, &LossPanel::goTo);
     connect(m_measure, &QPushButton::clicked, &session, &Session::requestFigures);
-    connect(&session, &Session::figuresChanged, this, &LossPanel::refresh);
+    connect(&session, &Session::metricsChanged, this, &LossPanel::refresh);
     for (const auto signal : {&Session::activeViewChanged, &Session::sceneChanged, &Session::hiddenChanged})
         connect(&session, signal, this, &LossPanel::refresh);
     connect(&session, &Session::setupChanged, this, &LossPanel::refresh);
@@ -68,34 +68,34 @@ LossPanel::LossPanel(Session& session, QWidget* parent)
 }
 
 QString LossPanel::summary() const {
-    const Figures& figures = this->figures();
+    const ViewMetrics& figures = this->figures();
     switch (figures.state) {
-        case Figures::State::Nothing:
+        case ViewMetrics::State::Nothing:
             return tr("There is no scene.");
-        case Figures::State::Stale:
+        case ViewMetrics::State::Stale:
             return tr("The view changed: what it lost is being counted…");
-        case Figures::State::OnRequest:
+        case ViewMetrics::State::OnRequest:
             return tr("The scene is large: what the view lost is counted when you ask for it.");
-        case Figures::State::Failed:
+        case ViewMetrics::State::Failed:
             return translated(figures.failure);
-        case Figures::State::Ready:
+        case ViewMetrics::State::Ready:
             break;
     }
     return figures.accuracy.missedPixels == 0 ? nothingLost(figures.accuracy) : lossOf(figures);
 }
 
 void LossPanel::refresh() {
-    const Figures& figures = this->figures();
+    const ViewMetrics& figures = this->figures();
     m_view->setAccessibleName(tr("Objects that lost pixels"));
     m_measure->setText(tr("Count now"));
-    m_measure->setVisible(figures.state == Figures::State::OnRequest);
+    m_measure->setVisible(figures.state == ViewMetrics::State::OnRequest);
     m_summary->setText(summary());
-    const bool ready = figures.state == Figures::State::Ready && figures.subject.buffers;
+    const bool ready = figures.state == ViewMetrics::State::Ready && figures.subject.buffers;
     const ScenePointer scene = ready ? figures.subject.buffers->scenePointer() : nullptr;
     // While they are stale the last ones stay, as long as the scene does: they cannot be chosen.
     if (ready)
         m_model->setObjects(scene, figures.lostObjects, figures.accuracy.missedPixels);
-    else if (figures.state != Figures::State::Stale || m_model->scene() != m_session.scene())
+    else if (figures.state != ViewMetrics::State::Stale || m_model->scene() != m_session.scene())
         m_model->setObjects(nullptr, {}, 0);
     m_view->setEnabled(ready);
     m_view->setVisible(m_model->rowCount() > 0);

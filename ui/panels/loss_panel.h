@@ -29,7 +29,7 @@ private:
     /// Picks and frames it.
     void goTo(const QModelIndex& index);
     [[nodiscard]] std::optional<uint32_t> objectAt(const QModelIndex& index) const;
-    [[nodiscard]] const Figures& figures() const { return m_session.figures(m_session.activeView()); }
+    [[nodiscard]] const ViewMetrics& figures() const { return m_session.figures(m_session.activeView()); }
 
     Session& m_session;
     LossModel* m_model;

@@ -54,7 +54,7 @@ uint8_t CellTones::toneOf(TriangleState state) {
     return uint8_t(1 + (std::find(kByStrength.begin(), kByStrength.end(), state) - kByStrength.begin()));
 }
 
-CellTones cellTones(const InsideMap& map, MapColouring colouring) {
+CellTones cellTones(const MapSnapshot& map, MapColouring colouring) {
     const CellShares scale = cellShares(map, colouring);
     CellTones made{std::vector<uint8_t>(scale.shares.size()), scale.least, scale.most};
     std::transform(scale.shares.begin(), scale.shares.end(), made.tones.begin(),

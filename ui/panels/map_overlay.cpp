@@ -93,7 +93,7 @@ std::vector<std::vector<Vec2>> sectorEdge(const ContourBands& bands, double beta
 
 Vec2 cornerOf(const CornerRay& ray) { return mapAngles(ray.point); }
 
-void MapOverlay::paint(const InsideMap& map) const {
+void MapOverlay::paint(const MapSnapshot& map) const {
     m_painter.save();
     m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
     m_painter.setRenderHint(QPainter::Antialiasing);
@@ -126,7 +126,7 @@ QPainterPath MapOverlay::wrapped(const std::vector<Vec2>& line, bool closed) con
     return path;
 }
 
-void MapOverlay::paintWalked(const InsideMap& map) const {
+void MapOverlay::paintWalked(const MapSnapshot& map) const {
     QColor fill = m_colours.walked;
     fill.setAlphaF(0.8F);
     for (const CornerRay& ray : map.decision.rays)
@@ -179,7 +179,7 @@ void MapOverlay::paintBands(const ContourBands& bands) const {
     paintMarker(m_painter, m_layout.placeOf({end.theta, end.phi}), MapSymbol::End, m_colours);
 }
 
-void MapOverlay::paintWalk(const InsideMap& map) const {
+void MapOverlay::paintWalk(const MapSnapshot& map) const {
     QPainterPath cells;
     for (const std::vector<Vec2>& outline : cellOutlines(map, kLeastOutlined * kTurn / m_layout.area.width()))
         cells.addPath(wrapped(outline, false));

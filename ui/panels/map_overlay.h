@@ -17,7 +17,7 @@ public:
 
     /// The corner rays' walked cells, the visible region, its boxes and the four corners; or the contour bands and the edge of
     /// what they leave; or the cells of the quadtree at which the walk ended, as far as they are seen, and the kernel's horizon.
-    void paint(const InsideMap& map) const;
+    void paint(const MapSnapshot& map) const;
     void paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,
                      const SphericalGrid::Cell& centroid) const;
     /// The edges of a sector of the bands: there β stays the same from the start to the end.
@@ -25,11 +25,11 @@ public:
     void paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
 
 private:
-    void paintWalked(const InsideMap& map) const;
+    void paintWalked(const MapSnapshot& map) const;
     void paintRegion(const SphericalGrid& grid, const VisibleRegion& region) const;
     void paintCorners(const SphericalDecision& decision) const;
     void paintBands(const ContourBands& bands) const;
-    void paintWalk(const InsideMap& map) const;
+    void paintWalk(const MapSnapshot& map) const;
     /// A line of (θ, φ) with φ continued over the seam, once for every turn that it reaches into; at least one point.
     [[nodiscard]] QPainterPath wrapped(const std::vector<Vec2>& line, bool closed) const;
 

@@ -30,7 +30,7 @@ std::vector<uint32_t> pickOrder(const SphericalMaps& maps, uint32_t cell) {
 
 }  // namespace
 
-MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
+MapPanel::MapPanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_reader(reader),
@@ -46,7 +46,7 @@ MapPanel::MapPanel(Session& session, InsideReader& reader, QWidget* parent)
     connect(m_map, &MapWidget::cellChosen, this, &MapPanel::pickIn);
     followShownMap(session, reader, this, [this] { refresh(); });
     followMapAbsence(session, this, [this] { showSentence(); });
-    connect(&session, &Session::figuresChanged, this, &MapPanel::refresh);
+    connect(&session, &Session::metricsChanged, this, &MapPanel::refresh);
     retranslate();
     refresh();
 }
@@ -106,8 +106,8 @@ void MapPanel::showSentence() {
 }
 
 std::shared_ptr<const TriangleStates> MapPanel::truth() const {
-    const Figures& figures = m_session.figures(m_session.activeView());
-    const bool known = figures.state == Figures::State::Ready && figures.states && figures.subject.buffers &&
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
     return known && m_reader.fresh() && figures.states->againstTruth ? figures.states : nullptr;
 }

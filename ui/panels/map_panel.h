@@ -14,7 +14,7 @@ class MapPanel : public QWidget {
     Q_OBJECT
 
 public:
-    MapPanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
+    MapPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] MapWidget& map() { return *m_map; }
     [[nodiscard]] QComboBox& colouring() { return *m_colouring; }
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] std::optional<uint32_t> sectorOf(const ShownMap& shown) const;
 
     Session& m_session;
-    InsideReader& m_reader;
+    SnapshotReader& m_reader;
     QLabel* m_sentence;
     QWidget* m_choices;
     QLabel* m_colouringLabel;

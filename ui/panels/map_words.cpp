@@ -38,7 +38,7 @@ QString rangeWords(double from, double to) {
 
 QString countOrUnused(bool used, uint64_t count) { return used ? countText(count) : MapWords::tr("not used", "a test"); }
 
-QString kernelWords(const InsideMap& map) {
+QString kernelWords(const MapSnapshot& map) {
     if (!map.kernel) return MapWords::tr("No kernel: the horizon is switched off, or the mesh is too small for one");
     if (!map.kernel->filled()) return MapWords::tr("No kernel: %1").arg(translated(InnerKernel::stateName(map.kernel->state())));
     if (map.decision.walk->horizon)
@@ -49,7 +49,7 @@ QString kernelWords(const InsideMap& map) {
 }
 
 /// What became of the quadtree's cell under a direction.
-QString judgedWords(const InsideMap& map, const Vec3& direction) {
+QString judgedWords(const MapSnapshot& map, const Vec3& direction) {
     const JudgedCell* judged = judgedCellAt(map, direction);
     if (!judged) return {};
     const CellTree::Node& node = map.tree->nodes()[judged->node];

@@ -47,17 +47,17 @@ Outliner::Outliner(Session& session, QWidget* parent)
     });
     connect(&session, &Session::pickChanged, this, &Outliner::followPick);
     connect(&session, &Session::activeViewChanged, this, &Outliner::refreshVerdicts);
-    connect(&session, &Session::figuresChanged, this, [this](int view) {
+    connect(&session, &Session::metricsChanged, this, [this](int view) {
         if (m_session.culledBy(m_session.activeView()) == view) refreshVerdicts();
     });
     retranslate();
     refreshScene();
 }
 
-void Outliner::setReader(InsideReader& reader) {
+void Outliner::setReader(SnapshotReader& reader) {
     m_reader = &reader;
     reader.readFor(this);
-    connect(&reader, &InsideReader::changed, this, &Outliner::refreshVerdicts);
+    connect(&reader, &SnapshotReader::changed, this, &Outliner::refreshVerdicts);
     connect(&reader, &QObject::destroyed, this, [this] { m_reader = nullptr; });
 }
 
@@ -93,10 +93,10 @@ void Outliner::refreshVerdicts() {
     // What is known of a scene that is not shown any more numbers its objects in another way.
     if (!m_session.opened() || m_model->scene() != m_session.opened()->scene) return;
     const ScenePointer& shown = m_session.scene();
-    const Figures& figures = m_session.figures(m_session.activeView());
-    const bool known = figures.state == Figures::State::Ready && figures.states && figures.subject.buffers &&
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == shown;
-    const InsideReadingPointer reading = m_reader ? m_reader->reading() : nullptr;
+    const SnapshotReadingPointer reading = m_reader ? m_reader->reading() : nullptr;
     const bool read = reading && reading->strategy->scene == shown;
     m_model->setVerdicts(shown, known ? figures.states : nullptr, read ? reading : nullptr);
 }

@@ -5,7 +5,7 @@
 
 #include "ui/models/object_model.h"
 #include "ui/panels/long_list_view.h"
-#include "ui/session/inside_reader.h"
+#include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
@@ -18,7 +18,7 @@ public:
     explicit Outliner(Session& session, QWidget* parent = nullptr);
 
     /// Takes the strategy's decisions from here while the truth is not known.
-    void setReader(InsideReader& reader);
+    void setReader(SnapshotReader& reader);
 
     [[nodiscard]] ObjectModel& model() { return *m_model; }
     [[nodiscard]] QTreeView& view() { return *m_view; }
@@ -57,7 +57,7 @@ private:
     void retranslate();
 
     Session& m_session;
-    InsideReader* m_reader = nullptr;
+    SnapshotReader* m_reader = nullptr;
     ObjectModel* m_model;
     QLineEdit* m_search;
     LongListView* m_view;

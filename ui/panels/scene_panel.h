@@ -20,7 +20,7 @@ public:
     explicit ScenePanel(Session& session, QWidget* parent = nullptr);
 
     /// Where the outliner's verdicts come from while the truth is not known.
-    void setReader(InsideReader& reader) { m_outliner->setReader(reader); }
+    void setReader(SnapshotReader& reader) { m_outliner->setReader(reader); }
 
     [[nodiscard]] Outliner& outliner() { return *m_outliner; }
     [[nodiscard]] QPushButton& splitButton() { return *m_split; }

@@ -4,20 +4,20 @@ namespace cullscope::ui {
 
 QString ShownMap::name() const { return QString::fromStdString(scene->instances()[decision().instance].name); }
 
-ShownMap shownMap(const Session& session, const InsideReader& reader) {
-    const InsideReadingPointer& reading = reader.reading();
+ShownMap shownMap(const Session& session, const SnapshotReader& reader) {
+    const SnapshotReadingPointer& reading = reader.reading();
     // Between a change of the scene and its first reading the numbers are of the old one.
-    if (!reading || reading->inside->maps.empty() || reading->strategy->scene != session.scene()) return {};
+    if (!reading || reading->snapshot->maps.empty() || reading->strategy->scene != session.scene()) return {};
     std::optional<uint32_t> picked;
     if (const std::optional<Pick>& pick = session.pick()) picked = session.instanceOf(pick->object);
-    const std::vector<InsideMap>& maps = reading->inside->maps;
-    const size_t place = placeOfMap(*reading->inside, picked);
+    const std::vector<MapSnapshot>& maps = reading->snapshot->maps;
+    const size_t place = placeOfMap(*reading->snapshot, picked);
     // Maps that are made on request are made by the reader: until then the one before stays.
     const bool made = !maps[place].tree || maps[place].maps == maps[reading->map].maps;
-    return {session.scene(), reading->inside, made ? place : reading->map};
+    return {session.scene(), reading->snapshot, made ? place : reading->map};
 }
 
-MapAbsence mapAbsence(Session& session, const InsideReader& reader) {
+MapAbsence mapAbsence(Session& session, const SnapshotReader& reader) {
     if (!session.scene()) return session.loader().loading() ? MapAbsence::Preparing : MapAbsence::NoScene;
     const StrategySlot& slot = session.slot(session.culledBy(session.activeView()));
     if (slot.building()) return MapAbsence::Preparing;
@@ -27,8 +27,8 @@ MapAbsence mapAbsence(Session& session, const InsideReader& reader) {
     return read ? MapAbsence::NoMaps : MapAbsence::Preparing;
 }
 
-void followShownMap(Session& session, InsideReader& reader, QObject* context, const std::function<void()>& then) {
-    QObject::connect(&reader, &InsideReader::changed, context, then);
+void followShownMap(Session& session, SnapshotReader& reader, QObject* context, const std::function<void()>& then) {
+    QObject::connect(&reader, &SnapshotReader::changed, context, then);
     for (const auto signal :
          {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged, &Session::activeViewChanged})
         QObject::connect(&session, signal, context, then);

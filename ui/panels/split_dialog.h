@@ -6,7 +6,7 @@
 
 namespace cullscope::ui {
 
-/// Asks into what a scene's object is to be split; the answer is a scene specification.
+/// GlRequirement into what a scene's object is to be split; the answer is a scene specification.
 class SplitDialog : public QDialog {
     Q_OBJECT
 

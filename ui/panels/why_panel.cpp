@@ -26,7 +26,7 @@ void makeBold(QLabel& label) {
 
 }  // namespace
 
-WhyPanel::WhyPanel(Session& session, InsideReader& reader, QWidget* parent)
+WhyPanel::WhyPanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QScrollArea(parent),
       m_session(session),
       m_reader(reader),
@@ -40,10 +40,10 @@ WhyPanel::WhyPanel(Session& session, InsideReader& reader, QWidget* parent)
       m_untested(wrappingLabel(m_content)),
       m_steps(wrappingLabel(m_content)) {
     layOut();
-    connect(&reader, &InsideReader::changed, this, &WhyPanel::refresh);
+    connect(&reader, &SnapshotReader::changed, this, &WhyPanel::refresh);
     connect(&session, &Session::pickChanged, this, &WhyPanel::refresh);
     connect(&session, &Session::hiddenChanged, this, &WhyPanel::refresh);
-    connect(&session, &Session::figuresChanged, this, &WhyPanel::refresh);
+    connect(&session, &Session::metricsChanged, this, &WhyPanel::refresh);
     connect(&session, &Session::activeViewChanged, this, &WhyPanel::showState);
     refresh();
 }
@@ -100,17 +100,17 @@ void WhyPanel::refresh() {
 }
 
 QString WhyPanel::missingSentence() const {
-    const InsideReadingPointer& reading = m_reader.reading();
+    const SnapshotReadingPointer& reading = m_reader.reading();
     if (reading && !reading->failure.empty()) return translated(reading->failure);
-    const Figures& figures = m_session.figures(m_session.activeView());
-    if (figures.state == Figures::State::Failed) return translated(figures.failure);
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    if (figures.state == ViewMetrics::State::Failed) return translated(figures.failure);
     return tr("The strategy's decisions are being read…");
 }
 
 void WhyPanel::showPlanes(bool known) {
-    const InsideReadingPointer& reading = m_reader.reading();
+    const SnapshotReadingPointer& reading = m_reader.reading();
     // Strategies with maps test spheres, and others without boxes nothing that has planes.
-    const bool boxes = known && reading->inside->maps.empty() && !reading->inside->nodes.empty();
+    const bool boxes = known && reading->snapshot->maps.empty() && !reading->snapshot->nodes.empty();
     m_planes->setSteps(known ? reading->why : std::vector<WhyStep>(), boxes ? reading->planes : std::vector<PlaneDistance>());
     m_planes->setVisible(m_planes->rowCount() > 0);
     m_untested->setText(tr("In grey: not tested by the strategy for this object alone; worked out here from its own box."));
@@ -141,7 +141,7 @@ QString WhyPanel::outcome() const {
 }
 
 QStringList WhyPanel::sentences() const {
-    const InsideReadingPointer& reading = m_reader.reading();
+    const SnapshotReadingPointer& reading = m_reader.reading();
     const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
     QStringList sentences;
     if (!reading || !triangle || reading->triangle != triangle) return sentences;

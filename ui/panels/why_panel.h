@@ -3,9 +3,9 @@
 #include <QLabel>
 #include <QScrollArea>
 
-#include "ui/panels/plane_table.h"
-#include "ui/session/inside_reader.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/panels/plane_table.h"
+#include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
@@ -14,7 +14,7 @@ class WhyPanel : public QScrollArea {
     Q_OBJECT
 
 public:
-    WhyPanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
+    WhyPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     /// What is read from top to bottom, for tests and screen readers; empty: nothing is picked.
     [[nodiscard]] QStringList sentences() const;
@@ -35,7 +35,7 @@ private:
     [[nodiscard]] QString emptySentence() const;
 
     Session& m_session;
-    InsideReader& m_reader;
+    SnapshotReader& m_reader;
     QLabel* m_empty;
     QWidget* m_content;
     QLabel* m_heading;

@@ -8,19 +8,18 @@
 #include "core/gpu/colour.h"
 #include "core/scene/hidden.h"
 #include "core/visibility/registry.h"
+#include "ui/look/appearance.h"
+#include "ui/models/metrics_words.h"
 #include "ui/screenshots/screenshot_layout.h"
 #include "ui/screenshots/screenshot_words.h"
 #include "ui/session/session_state.h"
-#include "ui/look/appearance.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/views/scene_view.h"
-#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 
 namespace {
-
 
 constexpr Viewport kWidestSize{kMostPixels, kMostPixels};
 
@@ -79,8 +78,8 @@ PictureSubject subjectOf(const Session& session, int view, const ViewRequest& re
     subject.cullingSize = request.cullingSize;
     subject.size = request.size;
     subject.look = request.look;
-    const Figures& figures = session.figures(view);
-    if (figures.state != Figures::State::Ready) return subject;
+    const ViewMetrics& figures = session.figures(view);
+    if (figures.state != ViewMetrics::State::Ready) return subject;
     subject.missedPixels = figures.accuracy.missedPixels;
     subject.figuresSize = figures.size;
     subject.speedup = figures.speedup;
@@ -123,7 +122,7 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
     part.extras = scaled(extras(part.view), shown.size, size, unit);
     part.subject = subjectOf(session, part.view, part.request);
     part.words = QStringLiteral("%1  %2 · %3")
-                     .arg(viewLetter(part.view), strategyText(session, part.view), figureLine(session.figures(part.view)));
+                     .arg(viewLetter(part.view), strategyText(session, part.view), metricsLine(session.figures(part.view)));
 }
 
 void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {

@@ -4,9 +4,9 @@
 #include <QStringList>
 
 #include "core/visibility/registry.h"
+#include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 
@@ -25,9 +25,9 @@ QString madeCaption(Session& session, bool grid) {
     if (!session.opened()) return {};
     const int view = session.activeView();
     QStringList parts{QString::fromStdString(session.opened()->scene->name())};
-    const Figures& figures = session.figures(view);
-    if (!grid) parts << strategyText(session, view) << figureLine(figures);
-    if (figures.state == Figures::State::Ready)
+    const ViewMetrics& figures = session.figures(view);
+    if (!grid) parts << strategyText(session, view) << metricsLine(figures);
+    if (figures.state == ViewMetrics::State::Ready)
         parts << QCoreApplication::translate("Screenshot", "figures at %1 × %2 pixels")
                      .arg(figures.size.width)
                      .arg(figures.size.height);

@@ -8,9 +8,9 @@ namespace {
 
 /// Counted within the object.
 uint64_t tellingTriangle(const Session& session, uint32_t object, uint64_t count) {
-    const Figures& figures = session.figures(session.activeView());
+    const ViewMetrics& figures = session.figures(session.activeView());
     const std::optional<uint32_t> instance = session.instanceOf(object);
-    const bool known = figures.state == Figures::State::Ready && figures.states && figures.subject.buffers &&
+    const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == session.scene();
     if (!known || !instance) return 0;
     const auto begin = figures.states->states.begin() + int64_t(session.scene()->firstTriangle(*instance));

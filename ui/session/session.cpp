@@ -68,7 +68,7 @@ Session::~Session() {
 }
 
 void Session::makeGraphics() {
-    m_meter = std::make_unique<FigureMeter>(*m_gpu);
+    m_meter = std::make_unique<ViewMeter>(*m_gpu);
     m_pictures = std::make_unique<PictureMaker>(*m_gpu, kMostViews, [this](int view) { return viewRequest(view); });
     connect(m_upload.get(), &SceneUpload::changed, this, [this] {
         emit buffersChanged();
@@ -83,9 +83,9 @@ void Session::makeGraphics() {
     connect(m_gpu.get(), &GpuThread::contextLost, this,
             [this](bool replaced) { raise(replaced ? Severity::Warning : Severity::Error, lossMessage(replaced)); });
     connect(m_upload.get(), &SceneUpload::failed, this, [this](const Message& message) { raise(Severity::Error, message); });
-    connect(m_meter.get(), &FigureMeter::measured, this, [this](int view, const Figures& figures) {
-        if (figures.timed || figures.state == Figures::State::Failed)
-            std::erase_if(m_underWay, [view](const FigureMeter::Subject& subject) { return subject.view == view; });
+    connect(m_meter.get(), &ViewMeter::measured, this, [this](int view, const ViewMetrics& figures) {
+        if (figures.timed || figures.state == ViewMetrics::State::Failed)
+            std::erase_if(m_underWay, [view](const ViewMeter::Subject& subject) { return subject.view == view; });
         setFigures(view, figures);
         update();  // verdicts against the truth may be on show
     });
@@ -113,8 +113,8 @@ void Session::makeView(int view) {
         update();
     });
     connect(state.slot.get(), &StrategySlot::failed, this, [this, view](const Message& message) {
-        Figures figures;
-        figures.state = Figures::State::Failed;
+        ViewMetrics figures;
+        figures.state = ViewMetrics::State::Failed;
         figures.failure = message;
         setFigures(view, figures);
         raise(Severity::Error, message);
@@ -266,7 +266,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     const Viewport size = renderSize(view);
     if (!shown(view) || !setup(view).panel.empty() || size.width < 1 || size.height < 1) return std::nullopt;
     const int culling = culledBy(view);
-    const std::optional<FigureSubject> subject = this->subject(culling);
+    const std::optional<MetricsSubject> subject = this->subject(culling);
     if (!subject) return std::nullopt;
     ViewRequest request;
     request.buffers = buffers(setup(view).upload);
@@ -277,7 +277,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.size = size;
     request.look = setup(view).look;
     request.style = m_style;
-    const Figures& known = figures(view);
+    const ViewMetrics& known = figures(view);
     if (request.look.colouring == Colouring::Verdicts && known.states && known.subject == *subject) request.states = known.states;
     const Wipe& wipe = setup(view).wipe;
     request.wipe = wipe.mode;

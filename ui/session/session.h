@@ -7,17 +7,17 @@
 #include <optional>
 
 #include "core/gpu/context.h"
+#include "core/scene/camera_moves.h"
 #include "core/scene/scene_source.h"
 #include "ui/jobs/background.h"
-#include "ui/session/figure_meter.h"
-#include "ui/jobs/figures.h"
 #include "ui/jobs/gpu_thread.h"
-#include "core/scene/camera_moves.h"
 #include "ui/jobs/picture_maker.h"
 #include "ui/jobs/scene_loader.h"
 #include "ui/jobs/scene_upload.h"
 #include "ui/jobs/strategy_slot.h"
+#include "ui/jobs/view_metrics.h"
 #include "ui/jobs/view_setup.h"
+#include "ui/session/view_meter.h"
 
 namespace cullscope::ui {
 
@@ -134,13 +134,13 @@ public:
     [[nodiscard]] PictureMaker* pictures() { return m_pictures.get(); }
 
     // Figures
-    [[nodiscard]] const Figures& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
+    [[nodiscard]] const ViewMetrics& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
     /// The views whose figures the shown pictures have, in order, each once: an observer's are those of the view that it watches.
     [[nodiscard]] std::vector<int> measuredViews() const;
     /// Measures although the scene is large.
     void requestFigures();
     /// Whether the figures of every shown view are known (or known to be unobtainable).
-    [[nodiscard]] bool figuresSettled() const;
+    [[nodiscard]] bool metricsSettled() const;
     /// Stops measuring while something else is being timed.
     void setMeasuring(bool measuring);
 
@@ -154,7 +154,7 @@ public:
     /// Why this machine cannot do a strategy; nothing: it can.
     [[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info) const;
     [[nodiscard]] GpuThread* gpu() { return m_gpu.get(); }
-    [[nodiscard]] FigureMeter* meter() { return m_meter.get(); }
+    [[nodiscard]] ViewMeter* meter() { return m_meter.get(); }
 
     void raise(cullscope::ui::Severity severity, const Message& message) { emit messageRaised(severity, message); }
 
@@ -173,7 +173,7 @@ signals:
     void strategyBuilt(int view);
     void pictureChanged(int view);
     /// A view's own figures; those of its observers are the same.
-    void figuresChanged(int view);
+    void metricsChanged(int view);
     void pickChanged();
     /// After pickChanged, where it was a click into this view's picture that picked.
     void pickedInPicture(int view);
@@ -185,7 +185,7 @@ private:
         ViewSetup setup;
         Viewport viewport{0, 0};
         Camera firstWatch;  ///< Observer: where observe() put the camera that looks
-        Figures figures;
+        ViewMetrics figures;
         bool complained = false;  ///< of a picture that cannot be drawn, since the last one that could
     };
 
@@ -206,9 +206,9 @@ private:
     void updateFigures();
     /// Whether a view's figures are of what it is now.
     [[nodiscard]] bool figuresStand(int view) const;
-    [[nodiscard]] Figures figuresWithoutMeasuring() const;
-    [[nodiscard]] std::optional<FigureSubject> subject(int view) const;
-    void setFigures(int view, const Figures& figures);
+    [[nodiscard]] ViewMetrics figuresWithoutMeasuring() const;
+    [[nodiscard]] std::optional<MetricsSubject> subject(int view) const;
+    void setFigures(int view, const ViewMetrics& figures);
     void measure(bool asked);
 
     SceneSourceOptions m_sceneSource;
@@ -219,7 +219,7 @@ private:
     std::vector<uint32_t> m_objects;
     std::unique_ptr<GpuThread> m_gpu;
     std::unique_ptr<SceneUpload> m_upload;
-    std::unique_ptr<FigureMeter> m_meter;
+    std::unique_ptr<ViewMeter> m_meter;
     std::unique_ptr<PictureMaker> m_pictures;
     DrawStyle m_style;
 
@@ -234,7 +234,7 @@ private:
     std::optional<Pick> m_pick;
     JobNumbers m_picks;
     QTimer m_rest;
-    std::vector<FigureMeter::Subject> m_underWay;  ///< what the meter measures now
+    std::vector<ViewMeter::Subject> m_underWay;  ///< what the meter measures now
     bool m_measuring = true;
 };
 

@@ -26,7 +26,7 @@ bool WindowPicture::settled() const {
     const bool uploaded = m_session.buffers() || !m_session.uploadFailure().empty();
     // The figures of a large scene wait until they are asked for; its pictures come all the same.
     const bool drawn = !m_session.pictures() || !m_session.pictures()->busy();
-    return m_failed || (m_session.opened() && uploaded && drawn && m_session.figuresSettled());
+    return m_failed || (m_session.opened() && uploaded && drawn && m_session.metricsSettled());
 }
 
 void WindowPicture::look() {

@@ -146,7 +146,7 @@ void ExperimentBar::setUpSweeps() {
     m_sweep->setMenu(m_sweeps);
     m_sweeps->addAction({}, this, [this] { start(fronts()); });
     m_sweeps->addSeparator();
-    for (const Front& front : fronts()) m_sweeps->addAction({}, this, [this, front] { start({front}); });
+    for (const ParameterSweep& front : fronts()) m_sweeps->addAction({}, this, [this, front] { start({front}); });
 }
 
 CameraPath ExperimentBar::chosenPath() const {
@@ -157,7 +157,7 @@ CameraPath ExperimentBar::chosenPath() const {
     return cameraPath(name.toStdString(), *m_scene);
 }
 
-void ExperimentBar::start(const std::vector<Front>& fronts) {
+void ExperimentBar::start(const std::vector<ParameterSweep>& fronts) {
     if (!m_scene || m_running) return;
     ExperimentSettings settings;
     try {

@@ -20,8 +20,8 @@ namespace cullscope::ui {
 struct ExperimentSettings {
     CameraPath path;
     Viewport size;
-    int repetitions = 0;        ///< of each frame; 0: until the median is steady
-    std::vector<Front> fronts;  ///< what is measured; empty: the shown views' strategies
+    int repetitions = 0;                 ///< of each frame; 0: until the median is steady
+    std::vector<ParameterSweep> fronts;  ///< what is measured; empty: the shown views' strategies
 };
 
 /// Where an experiment is set up, started and cancelled: the camera path, the size of the picture, the repetitions;
@@ -44,7 +44,7 @@ public:
     void setProgress(double share, const QString& stage);
 
     /// Emits `startRequested`, or `failed` where the path cannot be made.
-    void start(const std::vector<Front>& fronts = {});
+    void start(const std::vector<ParameterSweep>& fronts = {});
     /// All ready-made fronts, then each of them.
     [[nodiscard]] QMenu& sweeps() { return *m_sweeps; }
 

@@ -83,8 +83,8 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
     for (const LiveFigures& view : views) {
         ResultRow row = emptyRow(view.strategy, view.promise);
         row.name = view.view + QStringLiteral(" · ") + row.name;
-        const Figures& figures = view.figures;
-        if (figures.state == Figures::State::Ready && figures.frameMilliseconds > 0.0) {
+        const ViewMetrics& figures = view.figures;
+        if (figures.state == ViewMetrics::State::Ready && figures.frameMilliseconds > 0.0) {
             row.speedup = figures.speedup;
             row.fpsOverall = 1000.0 / figures.frameMilliseconds;
             row.cullShare = figures.cullMilliseconds / figures.frameMilliseconds;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/measure/meter.h"
-#include "ui/jobs/figures.h"
+#include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
 
@@ -14,7 +14,7 @@ struct LiveFigures {
     QString view;  ///< "A"
     StrategyRequest strategy;
     Promise promise = Promise::Approximate;
-    Figures figures;
+    ViewMetrics figures;
 };
 
 /// One row of the table of results; what is not known is empty.

@@ -14,7 +14,7 @@ class FrontWords {
 
 /// Whether that value leaves the choice to the strategy.
 bool automatic(const std::string& strategy, const std::string& key, const std::string& value) {
-    return std::any_of(fronts().begin(), fronts().end(), [&](const Front& front) {
+    return std::any_of(fronts().begin(), fronts().end(), [&](const ParameterSweep& front) {
         return front.strategy == strategy && front.key == key && !front.automatic.empty() && front.automatic == value;
     });
 }
@@ -66,7 +66,7 @@ QString frontName(const QString& strategy, const std::string& key) {
     return FrontWords::tr("%1 by %2").arg(strategy, QString::fromStdString(key));
 }
 
-QString frontWords(const Front& front) {
+QString frontWords(const ParameterSweep& front) {
     ParameterSet parameters(findStrategy(front.strategy).info.parameters);
     QStringList values;
     for (const ParameterDeclaration& declaration : parameters.declarations())

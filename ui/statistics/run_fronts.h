@@ -26,6 +26,6 @@ struct RunFront {
 /// "spherical by rows"
 [[nodiscard]] QString frontName(const QString& strategy, const std::string& key);
 /// "spherical by rows: 45, 90, 180, 360"
-[[nodiscard]] QString frontWords(const Front& front);
+[[nodiscard]] QString frontWords(const ParameterSweep& front);
 
 }  // namespace cullscope::ui

@@ -4,9 +4,9 @@
 #include <QPainter>
 #include <numeric>
 
+#include "ui/look/verdict_swatch.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 
@@ -24,12 +24,12 @@ BudgetBar::BudgetBar(QWidget* parent) : QWidget(parent) {
     describe();
 }
 
-void BudgetBar::setFigures(const Figures& figures) {
-    if (figures.states && figures.state == Figures::State::Ready) {
+void BudgetBar::setFigures(const ViewMetrics& figures) {
+    if (figures.states && figures.state == ViewMetrics::State::Ready) {
         m_counts = figures.states->counts;
         m_known = true;
         m_stale = false;
-    } else if (figures.state == Figures::State::Stale) {
+    } else if (figures.state == ViewMetrics::State::Stale) {
         m_stale = m_known;
     } else {
         clear();

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <array>
 
-#include "ui/jobs/figures.h"
+#include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
 
@@ -16,7 +16,7 @@ public:
     explicit BudgetBar(QWidget* parent = nullptr);
 
     /// While they are stale the last known ones stay, pale.
-    void setFigures(const Figures& figures);
+    void setFigures(const ViewMetrics& figures);
     /// Another scene: what was known is of no use any more.
     void clear();
 

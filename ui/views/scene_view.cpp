@@ -3,13 +3,13 @@
 #include <QMouseEvent>
 #include <cmath>
 
+#include "core/measure/accuracy.h"
 #include "core/scene/hidden.h"
 #include "core/visibility/registry.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/views/pick_painter.h"
 #include "ui/views/view_input.h"
-#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
@@ -47,8 +47,8 @@ SceneView::SceneView(Session& session, int view, QWidget* parent)
         m_lossesShown = m_lossesShown && m_session.setup(m_view).wipe.mode == Wipe::Mode::Loss;
         update();
     });
-    connect(&session, &Session::figuresChanged, this, [this](int changed) {
-        if (changed != m_session.culledBy(m_view) || m_session.figures(m_view).state == Figures::State::Ready) return;
+    connect(&session, &Session::metricsChanged, this, [this](int changed) {
+        if (changed != m_session.culledBy(m_view) || m_session.figures(m_view).state == ViewMetrics::State::Ready) return;
         if (m_loss) emit lossMarked();
         m_loss.reset();
     });

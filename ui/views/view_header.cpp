@@ -4,10 +4,10 @@
 #include <QPainter>
 
 #include "core/visibility/registry.h"
+#include "ui/look/promise_marker.h"
+#include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "ui/look/promise_marker.h"
-#include "ui/models/figure_words.h"
 
 namespace cullscope::ui {
 
@@ -50,7 +50,7 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
     connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::strategyChosen, this, mine);
     connect(&session, &Session::strategyBuilt, this, mine);
-    connect(&session, &Session::figuresChanged, this, mine);
+    connect(&session, &Session::metricsChanged, this, mine);
     connect(&session, &Session::activeViewChanged, this, &ViewHeader::refresh);
     connect(&session, &Session::viewCountChanged, this, &ViewHeader::refresh);
     refresh();
@@ -58,8 +58,8 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
 
 std::optional<Promise> ViewHeader::promise() const {
     // Where the promise depends on the eye's place, it is that of the place measured.
-    const Figures& figures = m_session.figures(m_view);
-    if (figures.state == Figures::State::Ready) return figures.promise;
+    const ViewMetrics& figures = m_session.figures(m_view);
+    if (figures.state == ViewMetrics::State::Ready) return figures.promise;
     const BuiltStrategyPointer& built = m_session.slot(m_session.culledBy(m_view)).built();
     // While the chosen one is being built, the one before it is still there.
     if (!built || built->id != info().id) return std::nullopt;
@@ -86,20 +86,20 @@ QString ViewHeader::roleWord() const {
     return {};
 }
 
-QString ViewHeader::secondLine() const { return figureLine(m_session.figures(m_view)); }
+QString ViewHeader::secondLine() const { return metricsLine(m_session.figures(m_view)); }
 
 void ViewHeader::refresh() {
-    const Figures& figures = m_session.figures(m_view);
+    const ViewMetrics& figures = m_session.figures(m_view);
     m_measure->setText(tr("Measure"));
     m_measure->setToolTip(tr("Compare this large scene with the truth now; this may take a while"));
-    m_measure->setVisible(figures.state == Figures::State::OnRequest);
+    m_measure->setVisible(figures.state == ViewMetrics::State::OnRequest);
     placeButton();
     m_menu->setToolTip(tr("What view %1 shows, and how").arg(viewLetter(m_view)));
     m_menu->setAccessibleName(m_menu->toolTip());
     QStringList lines{firstLine() + QString::fromUtf8(kJoint) + QString::fromStdString(info().id),
                       translated(info().description)};
     if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
-    const QString details = figureDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
+    const QString details = metricsDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
     if (!details.isEmpty()) lines << details;
     setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(lines.join(QLatin1Char('\n')).toHtmlEscaped()));
     setAccessibleName(
@@ -187,8 +187,8 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     if (active && m_session.viewCount() > 1) painter.fillRect(0, 0, 4, height(), colours.color(QPalette::Highlight));
     m_elided = false;
     paintFirstLine(painter);
-    const Figures& figures = m_session.figures(m_view);
-    const bool ready = figures.state == Figures::State::Ready;
+    const ViewMetrics& figures = m_session.figures(m_view);
+    const bool ready = figures.state == ViewMetrics::State::Ready;
     painter.setFont(face(ready && figures.lostPixels() > 0));
     painter.setPen(ready ? colours.color(QPalette::WindowText) : subdued(colours));
     write(painter, QRect(kMargin, kLineHeight, width() - 2 * kMargin, kLineHeight), secondLine());

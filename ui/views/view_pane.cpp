@@ -3,9 +3,9 @@
 #include <QLocale>
 #include <cmath>
 
+#include "core/measure/accuracy.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
-#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
@@ -41,7 +41,7 @@ ViewPane::ViewPane(Session& session, int view, QWidget* parent)
     connect(&session, &Session::viewCountChanged, this, &ViewPane::refreshChip);
     connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::pictureChanged, this, mine);
-    connect(&session, &Session::figuresChanged, this, mine);
+    connect(&session, &Session::metricsChanged, this, mine);
     connect(m_picture, &SceneView::lossMarked, this, &ViewPane::refreshChip);
     retranslate();
 }
@@ -60,8 +60,8 @@ QStringList ViewPane::lensParts() const {
 QString ViewPane::visibleSets() const {
     const Wipe wipe = m_picture->extras().wipe;
     if (wipe.mode != Wipe::Mode::Difference) return {};
-    const Figures &mine = m_session.figures(m_view), &others = m_session.figures(wipe.other);
-    const auto known = [](const Figures& figures) { return figures.state == Figures::State::Ready && figures.states; };
+    const ViewMetrics &mine = m_session.figures(m_view), &others = m_session.figures(wipe.other);
+    const auto known = [](const ViewMetrics& figures) { return figures.state == ViewMetrics::State::Ready && figures.states; };
     if (!known(mine) || !known(others) || mine.subject.buffers->scenePointer() != others.subject.buffers->scenePointer() ||
         !(mine.subject.culling == others.subject.culling) || !(mine.subject.size == others.subject.size))
         return {};

@@ -19,7 +19,7 @@ void Experiments::wire() {
         m_result.reset();
         for (StatisticsPanel* panel : m_panels) showScene(*panel);
     });
-    connect(&m_session, &Session::figuresChanged, this, live);
+    connect(&m_session, &Session::metricsChanged, this, live);
     connect(&m_session, &Session::viewCountChanged, this, live);
     connect(m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
         for (StatisticsPanel* panel : m_panels) panel->setProgress(share, stage);
@@ -115,7 +115,7 @@ void Experiments::showLive(StatisticsPanel& panel) const {
     std::vector<LiveFigures> live;
     for (const int view : m_session.measuredViews()) {
         const StrategySlot& slot = m_session.slot(view);
-        const Figures& figures = m_session.figures(view);
+        const ViewMetrics& figures = m_session.figures(view);
         live.push_back({viewLetter(view), {slot.id(), slot.parameters()}, figures.promise, figures});
     }
     panel.setLive(std::move(live));

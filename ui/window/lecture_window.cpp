@@ -56,7 +56,7 @@ LectureWindow::LectureWindow(Session& session, ViewGrid& views, QWidget* structu
     m_explanation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     makeFoot();
     const auto mine = [this](int) { refresh(); };
-    connect(&session, &Session::figuresChanged, this, mine);
+    connect(&session, &Session::metricsChanged, this, mine);
     connect(&session, &Session::strategyChosen, this, mine);
     connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::sceneChanged, this, &LectureWindow::refresh);
@@ -160,8 +160,8 @@ void LectureWindow::refresh() {
     const QString scene = m_session.opened() ? QString::fromStdString(m_session.opened()->scene->name()) : QString();
     m_title->setText(tr("%1 – %2", "strategy, scene").arg(m_pane->header().firstLine(), scene));
     m_explanation->setText(translated(info.description));
-    const Figures& figures = m_session.figures(view);
-    const bool ready = figures.state == Figures::State::Ready;
+    const ViewMetrics& figures = m_session.figures(view);
+    const bool ready = figures.state == ViewMetrics::State::Ready;
     const QString none = QStringLiteral("…");
     m_numbers[0]->setText(
         tr("Speed: %1").arg(ready && figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : none));

@@ -60,7 +60,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     addToolBar(m_toolBar);
     fixBarHeights();
     setAcceptDrops(true);
-    m_reader = new InsideReader(m_session, this);
+    m_reader = new SnapshotReader(m_session, this);
     makeCentre();
     makeSide();
     makeDocks();
@@ -130,13 +130,13 @@ void MainWindow::makeDocks() {
     m_dockScroll->setFocusPolicy(Qt::NoFocus);
     auto* content = new QWidget(m_dockScroll);
     auto* layout = new QVBoxLayout(content);
-    m_inside = new InsidePanel(m_session, *m_reader, content);
-    m_tabs = &m_inside->tabs();
-    m_figures = new FigurePanel(m_session, m_tabs);
+    m_structure = new StructurePanel(m_session, *m_reader, content);
+    m_tabs = &m_structure->tabs();
+    m_figures = new MetricsPanel(m_session, m_tabs);
     m_tabs->insertTab(0, m_figures, QString());
     m_tabs->setCurrentIndex(0);
     m_legend = new LegendPanel(m_session, content);
-    layout->addWidget(m_inside, 1);
+    layout->addWidget(m_structure, 1);
     layout->addWidget(m_legend);
     m_dockScroll->setWidget(content);
     m_dockScroll->setMinimumWidth(kNarrowestDock);
@@ -278,7 +278,7 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::viewCountChanged, this, &MainWindow::arrange);
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
-    connect(&m_session, &Session::pickedInPicture, m_inside, &InsidePanel::showWhy);
+    connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }

@@ -5,18 +5,17 @@
 #include <QSettings>
 #include <QStackedWidget>
 
+#include "ui/look/appearance.h"
 #include "ui/panels/empty_state.h"
-#include "ui/panels/figure_panel.h"
-#include "ui/panels/inside_panel.h"
 #include "ui/panels/legend_panel.h"
 #include "ui/panels/loading_strip.h"
 #include "ui/panels/message_bar.h"
+#include "ui/panels/metrics_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/strategy_panel.h"
-#include "ui/session/inside_reader.h"
+#include "ui/panels/structure_panel.h"
 #include "ui/session/session.h"
-#include "ui/look/appearance.h"
-#include "ui/window/window_memory.h"
+#include "ui/session/snapshot_reader.h"
 #include "ui/text/language.h"
 #include "ui/views/view_grid.h"
 #include "ui/window/document_commands.h"
@@ -29,6 +28,7 @@
 #include "ui/window/statistics_dock.h"
 #include "ui/window/view_commands.h"
 #include "ui/window/window_actions.h"
+#include "ui/window/window_memory.h"
 
 class QDockWidget;
 class QScrollArea;
@@ -52,11 +52,11 @@ public:
     [[nodiscard]] MessageBar& message() { return *m_message; }
     [[nodiscard]] StrategyPanel& strategyPanel() { return *m_strategy; }
     [[nodiscard]] LegendPanel& legend() { return *m_legend; }
-    [[nodiscard]] FigurePanel& figures() { return *m_figures; }
+    [[nodiscard]] MetricsPanel& figures() { return *m_figures; }
     /// Null: no lecture is being held.
     [[nodiscard]] LectureWindow* lecture() { return m_lecture; }
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
-    [[nodiscard]] InsidePanel& inside() { return *m_inside; }
+    [[nodiscard]] StructurePanel& structurePanel() { return *m_structure; }
     [[nodiscard]] DocumentCommands& document() { return *m_document; }
     [[nodiscard]] PathCommands& paths() { return *m_paths; }
     [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
@@ -113,8 +113,8 @@ private:
     QScrollArea* m_dockScroll;
     StrategyPanel* m_strategy;
     QTabWidget* m_tabs;
-    InsideReader* m_reader;
-    InsidePanel* m_inside;
+    SnapshotReader* m_reader;
+    StructurePanel* m_structure;
     Experiments* m_experiments;
     StatisticsDock* m_statistics;
     FloatingDocks* m_floatingDocks;
@@ -122,7 +122,7 @@ private:
     DocumentCommands* m_document;
     PathCommands* m_paths;
     PaperCommands* m_papers;
-    FigurePanel* m_figures;
+    MetricsPanel* m_figures;
     ScenePanel* m_scene;
     LegendPanel* m_legend;
     LoadingStrip* m_loading;

@@ -2,11 +2,11 @@
 
 #include <QScrollArea>
 
-#include "ui/panels/figure_panel.h"
-#include "ui/panels/inside_panel.h"
 #include "ui/panels/legend_panel.h"
+#include "ui/panels/metrics_panel.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/strategy_panel.h"
+#include "ui/panels/structure_panel.h"
 
 namespace cullscope::ui {
 
@@ -25,7 +25,7 @@ QWidget* scrolling(QWidget* panel) {
 
 }  // namespace
 
-PlacedPanels::PlacedPanels(Session& session, ViewGrid& views, InsideReader& reader, Experiments& experiments, QObject* parent)
+PlacedPanels::PlacedPanels(Session& session, ViewGrid& views, SnapshotReader& reader, Experiments& experiments, QObject* parent)
     : QObject(parent), m_session(session), m_views(views), m_reader(reader), m_experiments(experiments) {
     connect(&session, &Session::setupChanged, this, &PlacedPanels::place);
 }
@@ -36,8 +36,8 @@ std::vector<PlaceablePanel> PlacedPanels::known() {
 }
 
 QWidget* PlacedPanels::make(const std::string& id) const {
-    if (id == "inside") return scrolling(new InsidePanel(m_session, m_reader));
-    if (id == "figures") return new FigurePanel(m_session);
+    if (id == "inside") return scrolling(new StructurePanel(m_session, m_reader));
+    if (id == "figures") return new MetricsPanel(m_session);
     if (id == "statistics") return m_experiments.makePanel();
     if (id == "strategy") return new StrategyPanel(m_session);
     if (id == "legend") return new LegendPanel(m_session);

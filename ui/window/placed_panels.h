@@ -2,7 +2,7 @@
 
 #include <QObject>
 
-#include "ui/session/inside_reader.h"
+#include "ui/session/snapshot_reader.h"
 #include "ui/views/view_grid.h"
 #include "ui/window/experiments.h"
 #include "ui/window/view_menu.h"
@@ -14,7 +14,7 @@ class PlacedPanels : public QObject {
     Q_OBJECT
 
 public:
-    PlacedPanels(Session& session, ViewGrid& views, InsideReader& reader, Experiments& experiments, QObject* parent = nullptr);
+    PlacedPanels(Session& session, ViewGrid& views, SnapshotReader& reader, Experiments& experiments, QObject* parent = nullptr);
 
     /// What a view's menu offers.
     [[nodiscard]] static std::vector<PlaceablePanel> known();
@@ -26,7 +26,7 @@ private:
 
     Session& m_session;
     ViewGrid& m_views;
-    InsideReader& m_reader;
+    SnapshotReader& m_reader;
     Experiments& m_experiments;
 };
 

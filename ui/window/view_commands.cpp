@@ -24,7 +24,7 @@ ViewCommands::ViewCommands(Session& session, ViewGrid& views, WindowActions& act
     connect(&session, &Session::activeViewChanged, this, &ViewCommands::refresh);
     connect(&session, &Session::sceneChanged, this, &ViewCommands::refresh);
     connect(&session, &Session::setupChanged, this, mine);
-    connect(&session, &Session::figuresChanged, this, &ViewCommands::refresh);
+    connect(&session, &Session::metricsChanged, this, &ViewCommands::refresh);
     connect(&views, &ViewGrid::menuRequested, this, &ViewCommands::showMenuOf);
     refresh();
 }

@@ -15,26 +15,27 @@ namespace {
 enum class Answer { Visible, BeforeNear, BeyondFar, Asked };
 
 /// What OpenGL is asked about in one cull.
-struct Questions {
+struct GrownBoxes {
     std::vector<Answer> answers;      ///< by instance
     std::vector<uint32_t> instances;  ///< that are asked about
     std::vector<EyeBox> boxes;        ///< of those, grown
 };
 
-/// How far a box grows: as much as a pixel spans where it lies farthest from the eye, and the slack of a plane test.
+/// How far a box grows: as much as a pixel spans where it lies farthest from the eye, and the margin of a plane test.
 double growthOf(const EyeBounds& bounds, const View& view) {
     const Frustum& frustum = view.frustum();
-    const double farthest = glm::dot(frustum.forward, bounds.box.centre) + glm::dot(glm::abs(frustum.forward), bounds.box.half);
+    const double farthest =
+        glm::dot(frustum.forward, bounds.box.centre) + glm::dot(glm::abs(frustum.forward), bounds.box.halfExtent);
     const double pixel = 2.0 * frustum.tanHalfHeight / view.viewport().height;
-    return pixel * std::max(farthest, 0.0) + bounds.slack;
+    return pixel * std::max(farthest, 0.0) + bounds.margin;
 }
 
 /// What both strategies share: everything but the question.
-class FrustumAsking : public Strategy {
+class FrustumBoxTests : public Strategy {
 public:
     using Strategy::Strategy;
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Inside inside(const Trace& trace) const override { return objectNodes(trace, scene()); }
+    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override { return objectNodes(trace, scene()); }
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
@@ -45,10 +46,10 @@ protected:
 
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
         std::vector<uint8_t> visible(scene().instances().size(), 0);
-        Questions questions;
+        GrownBoxes questions;
         {
             const StageTimer stage(verdict, CULLSCOPE_TR("boxes"));
-            questions = questionsAbout(view);
+            questions = grownBoxes(view);
         }
         {
             const StageTimer stage(verdict, CULLSCOPE_TR("asking OpenGL"));
@@ -78,24 +79,24 @@ private:
     [[nodiscard]] Answer answerTo(const EyeBounds& bounds, const EyeBox& grown, const View& view) const {
         const Frustum& frustum = view.frustum();
         // OpenGL's floats hold neither what is not finite nor what is larger than they are.
-        const double farthest = glm::length(grown.centre) + glm::length(grown.half);
-        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.slack)) return Answer::Visible;
+        const double farthest = glm::length(grown.centre) + glm::length(grown.halfExtent);
+        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.margin)) return Answer::Visible;
         if (!clampsDepth()) return Answer::Asked;
         const auto isOutside = [&](FrustumPlane plane) {
-            return farthestInside(frustum.planes[size_t(plane)], bounds) < -bounds.slack;
+            return farthestInside(frustum.planes[size_t(plane)], bounds) < -bounds.margin;
         };
         if (isOutside(FrustumPlane::Near)) return Answer::BeforeNear;
         return isOutside(FrustumPlane::Far) ? Answer::BeyondFar : Answer::Asked;
     }
 
-    [[nodiscard]] Questions questionsAbout(const View& view) const {
-        Questions questions;
+    [[nodiscard]] GrownBoxes grownBoxes(const View& view) const {
+        GrownBoxes questions;
         questions.answers.assign(scene().instances().size(), Answer::Visible);
         for (uint32_t i = 0; i < scene().instances().size(); ++i) {
             if (scene().meshOf(i).triangleCount() == 0) continue;
             const EyeBounds bounds = boundsFromEye(scene(), i, view.eye());
             EyeBox grown = bounds.box;
-            grown.half += Vec3(growthOf(bounds, view));
+            grown.halfExtent += Vec3(growthOf(bounds, view));
             questions.answers[i] = answerTo(bounds, grown, view);
             if (questions.answers[i] != Answer::Asked) continue;
             questions.instances.push_back(i);
@@ -104,7 +105,7 @@ private:
         return questions;
     }
 
-    void record(const View& view, const Questions& questions, const std::vector<uint8_t>& visible, Trace& trace) const {
+    void record(const View& view, const GrownBoxes& questions, const std::vector<uint8_t>& visible, Trace& trace) const {
         for (uint32_t i = 0; i < visible.size(); ++i) {
             if (scene().meshOf(i).triangleCount() == 0) continue;
             recordAnswer(view, questions.answers[i], i, visible[i] != 0, trace);
@@ -117,7 +118,7 @@ private:
         if (answer == Answer::BeforeNear || answer == Answer::BeyondFar) {
             const FrustumPlane which = answer == Answer::BeforeNear ? FrustumPlane::Near : FrustumPlane::Far;
             const Plane& plane = view.frustum().planes[size_t(which)];
-            addPlaneTest(trace, instance, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.slack);
+            addPlaneTest(trace, instance, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.margin);
             return;
         }
         TraceEvent event{answer == Answer::Asked ? TraceEvent::Kind::AskedOpenGl : TraceEvent::Kind::MeetsNear, instance};
@@ -127,13 +128,13 @@ private:
     }
 };
 
-class FrustumSelect final : public FrustumAsking {
+class FrustumSelect final : public FrustumBoxTests {
 public:
-    using FrustumAsking::FrustumAsking;
+    using FrustumBoxTests::FrustumBoxTests;
 
 protected:
     void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        FrustumAsking::buildStructures(scene, progress, report);
+        FrustumBoxTests::buildStructures(scene, progress, report);
         m_bufferWords = size_t(parameters().integer("buffer"));
     }
     [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
@@ -147,9 +148,9 @@ private:
     size_t m_bufferWords = 0;  ///< as many as did the last time
 };
 
-class FrustumQuery final : public FrustumAsking {
+class FrustumQuery final : public FrustumBoxTests {
 public:
-    using FrustumAsking::FrustumAsking;
+    using FrustumBoxTests::FrustumBoxTests;
 
 protected:
     [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
@@ -176,7 +177,7 @@ StrategyInfo frustumSelectInfo() {
           CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
                        "boxes are drawn again."),
           {}}},
-        Asks::CompatibilityProfile};
+        GlRequirement::CompatibilityProfile};
 }
 
 StrategyPointer makeFrustumSelect(ParameterSet parameters) { return std::make_unique<FrustumSelect>(std::move(parameters)); }
@@ -187,7 +188,7 @@ StrategyInfo frustumQueryInfo() {
             CULLSCOPE_TR("Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view."),
             "",
             {facingParameter()},
-            Asks::OpenGl};
+            GlRequirement::Context};
 }
 
 StrategyPointer makeFrustumQuery(ParameterSet parameters) { return std::make_unique<FrustumQuery>(std::move(parameters)); }

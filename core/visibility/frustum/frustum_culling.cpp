@@ -26,8 +26,8 @@ struct PlaneTest {
 
 /// The one that is more certain that the object is outside, and the other's word that it is inside.
 PlaneTest tighter(const BatchDistances& a, const BatchDistances& b) {
-    const BatchDistances& nearer = a.farthestInside + a.slack <= b.farthestInside + b.slack ? a : b;
-    return {nearer.farthestInside, std::max(a.farthestOutside, b.farthestOutside), nearer.slack};
+    const BatchDistances& nearer = a.farthestInside + a.margin <= b.farthestInside + b.margin ? a : b;
+    return {nearer.farthestInside, std::max(a.farthestOutside, b.farthestOutside), nearer.margin};
 }
 
 class FrustumCulling final : public Strategy {
@@ -35,7 +35,7 @@ public:
     explicit FrustumCulling(ParameterSet set) : Strategy(std::move(set)), m_test(boxTestFromId(parameters().choice("box"))) {}
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Inside inside(const Trace& trace) const override { return objectNodes(trace, scene()); }
+    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override { return objectNodes(trace, scene()); }
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
@@ -123,13 +123,13 @@ private:
         const Plane& plane = view.frustum().planes[static_cast<size_t>(which)];
         const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
         if (m_test == BoxTest::Length) {
-            const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.half);
-            // The batch's slack, so that the test never leaves out what the tighter one keeps.
-            const double slack = std::max(sphere.slack, frustum.distances(which, scene().instanceBox(instance)).slack);
-            return {centre + length, centre - length, slack};
+            const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.halfExtent);
+            // The batch's margin, so that the test never leaves out what the tighter one keeps.
+            const double margin = std::max(sphere.margin, frustum.distances(which, scene().instanceBox(instance)).margin);
+            return {centre + length, centre - length, margin};
         }
         const OrientedBox box = orientedBoxOf(instance, view.eye());
-        return tighter(sphere, {pVertexDistance(plane, box), nVertexDistance(plane, box), bounds.slack});
+        return tighter(sphere, {pVertexDistance(plane, box), nVertexDistance(plane, box), bounds.margin});
     }
 
     /// The mesh's own box, turned with the object.

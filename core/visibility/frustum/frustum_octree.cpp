@@ -5,8 +5,8 @@
 #include "core/base/message.h"
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
-#include "core/visibility/octree_walk.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/octree_walk.h"
 
 namespace cullscope {
 namespace {
@@ -16,8 +16,8 @@ public:
     explicit FrustumOctree(ParameterSet set) : Strategy(std::move(set)), m_refine(parameters().boolean("refine")) {}
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] Inside inside(const Trace& trace) const override {
-        Inside result = objectNodes(trace, scene());
+    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
+        StructureSnapshot result = objectNodes(trace, scene());
         addGroups(result, m_octree, scene(), trace);
         return result;
     }
@@ -40,7 +40,7 @@ protected:
     }
 
     void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        GroupWalkFigures figures;
+        OctreeWalkCounters figures;
         std::vector<KeptObject> kept;
         {
             const StageTimer stage(verdict, CULLSCOPE_TR("groups of objects"));
@@ -65,8 +65,8 @@ private:
         for (size_t p = 0; p < view.frustum().planes.size(); ++p) {
             const Plane& plane = view.frustum().planes[p];
             // Its group decided that no plane has it outside.
-            addPlaneTest(trace, instance, static_cast<FrustumPlane>(p), std::max(farthestInside(plane, bounds), -bounds.slack),
-                         farthestOutside(plane, bounds), bounds.slack);
+            addPlaneTest(trace, instance, static_cast<FrustumPlane>(p), std::max(farthestInside(plane, bounds), -bounds.margin),
+                         farthestOutside(plane, bounds), bounds.margin);
         }
         trace.events.push_back({TraceEvent::Kind::Accepted, instance});
     }

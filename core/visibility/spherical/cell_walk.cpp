@@ -23,7 +23,7 @@ struct OpenTests {
 
 class Walker {
 public:
-    Walker(const CellTree& tree, const MapView& view, const CellTests& tests, bool traced)
+    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced)
         : m_tree(tree), m_view(view), m_horizon(tests.horizon), m_traced(traced), m_snap(snapping(view)) {
         for (size_t p = 0; p < m_spread.size(); ++p) m_spread[p] = glm::abs(view.planesOnMap[p].normal);
     }
@@ -57,8 +57,8 @@ private:
         for (size_t p = 0; p < m_spread.size(); ++p) {
             if ((planes & (1U << p)) == 0) continue;
             const double distance = m_view.planesOnMap[p].distance(middle), reach = glm::dot(m_spread[p], half);
-            if (distance + reach < -m_view.slack) return true;
-            if (distance - reach > m_view.slack) planes = uint8_t(planes & ~(1U << p));
+            if (distance + reach < -m_view.margin) return true;
+            if (distance - reach > m_view.margin) planes = uint8_t(planes & ~(1U << p));
         }
         return false;
     }
@@ -79,7 +79,7 @@ private:
         // normal is not the one on its rim.
         if ((open.planes & kNearPlane) != 0 || along <= 0.0) return false;
         const double far = distance + radius;
-        return along * node.coneCosine - across * node.coneSine > node.planeSlack + 4.0 * m_snap * far / node.leastHeight * far;
+        return along * node.coneCosine - across * node.coneSine > node.planeMargin + 4.0 * m_snap * far / node.leastHeight * far;
     }
 
     void leaveOut(uint32_t number, Cause cause) {
@@ -105,7 +105,7 @@ private:
     }
 
     const CellTree& m_tree;
-    const MapView& m_view;
+    const ObjectSpaceView& m_view;
     const KernelHorizon* m_horizon;
     bool m_traced;
     double m_snap;
@@ -117,12 +117,12 @@ private:
 
 }  // namespace
 
-double snapping(const MapView& view) {
+double snapping(const ObjectSpaceView& view) {
     constexpr double kSteps = 1.0 / 256.0;
     return (kSteps * view.pixelSlope + 0x1p-20) * view.unevenness;
 }
 
-CellWalk walkCells(const CellTree& tree, const MapView& view, const CellTests& tests, bool traced) {
+CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced) {
     Walker walker(tree, view, tests, traced);
     if (!tree.nodes().empty()) walker.visit(0, {tests.planes, tests.cones && view.eyeKnown, tests.horizon != nullptr});
     return walker.take(tests);

@@ -40,7 +40,7 @@ CellState stateOf(const JudgedCell& judged) {
                                               : CellState::OutsideFrustum;
 }
 
-std::vector<CellState> statesOfWalk(const InsideMap& map) {
+std::vector<CellState> statesOfWalk(const MapSnapshot& map) {
     std::vector<CellState> byTriangle(map.tree->mesh().triangleCount(), CellState::OutsideFrustum);
     if (map.decision.walk)
         for (const JudgedCell& judged : map.decision.walk->judged) {
@@ -56,7 +56,7 @@ std::vector<CellState> statesOfWalk(const InsideMap& map) {
 
 }  // namespace
 
-std::vector<CellState> cellStates(const InsideMap& map) {
+std::vector<CellState> cellStates(const MapSnapshot& map) {
     if (map.tree) return statesOfWalk(map);
     const uint32_t cells = map.maps->grid().cellCount();
     const bool hidden = map.decision.bands.has_value();

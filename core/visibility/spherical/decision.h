@@ -5,10 +5,10 @@
 #include <optional>
 #include <vector>
 
+#include "core/frame/cause.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "core/spatial/spherical_search.h"
-#include "core/frame/cause.h"
 #include "core/visibility/spherical/lazy_maps.h"
 
 namespace cullscope {
@@ -122,8 +122,8 @@ struct SphericalDecision {
 };
 
 /// One object's decision with the maps that it was made on.
-struct InsideMap {
-    MapsOnRequest maps;
+struct MapSnapshot {
+    LazyMaps maps;
     SphericalDecision decision;
     CellTreePointer tree{};  ///< of `spherical-lossless`, which decides on it; the maps only show what became of the triangles
     InnerKernelPointer kernel{};  ///< of the same
@@ -133,6 +133,6 @@ struct InsideMap {
 /// of this list that is any's.
 enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Drawn };
 /// By cell number.
-[[nodiscard]] std::vector<CellState> cellStates(const InsideMap& map);
+[[nodiscard]] std::vector<CellState> cellStates(const MapSnapshot& map);
 
 }  // namespace cullscope

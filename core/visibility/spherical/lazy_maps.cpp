@@ -4,7 +4,7 @@
 
 namespace cullscope {
 
-const SphericalMaps& MapsOnRequest::operator*() const {
+const SphericalMaps& LazyMaps::operator*() const {
     if (m_ready) return *m_ready;
     std::call_once(m_made->once, [&] {
         constexpr size_t kMost = 144'046;  // whose automatic grid is the paper's

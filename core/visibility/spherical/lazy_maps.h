@@ -11,19 +11,19 @@ namespace cullscope {
 /// A mesh's spherical maps, for looking at. A strategy that works on them has them ready; of one that works on something else
 /// they are made, at the paper's resolution, when somebody first looks at them, which takes about half a microsecond a triangle.
 /// May be asked from several threads.
-class MapsOnRequest {
+class LazyMaps {
 public:
-    MapsOnRequest() = default;
+    LazyMaps() = default;
     template <std::convertible_to<SphericalMapsPointer> Pointer>
-    MapsOnRequest(const Pointer& ready) : m_mesh(&ready->mesh()), m_ready(ready) {}  // NOLINT: ready maps are maps
-    explicit MapsOnRequest(MeshPointer mesh) : m_mesh(mesh.get()), m_made(std::make_shared<Made>(std::move(mesh))) {}
+    LazyMaps(const Pointer& ready) : m_mesh(&ready->mesh()), m_ready(ready) {}  // NOLINT: ready maps are maps
+    explicit LazyMaps(MeshPointer mesh) : m_mesh(mesh.get()), m_made(std::make_shared<Made>(std::move(mesh))) {}
 
     [[nodiscard]] const TriangleMesh& mesh() const { return *m_mesh; }
     [[nodiscard]] const Sphere& sphere() const { return m_mesh->localSphere(); }
     [[nodiscard]] const SphericalMaps& operator*() const;
     [[nodiscard]] const SphericalMaps* operator->() const { return &**this; }
 
-    bool operator==(const MapsOnRequest&) const = default;
+    bool operator==(const LazyMaps&) const = default;
 
 private:
     struct Made {

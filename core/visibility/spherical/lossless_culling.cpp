@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "core/base/message.h"
-#include "core/visibility/spherical/cell_walk.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/octree_walk.h"
+#include "core/visibility/spherical/cell_walk.h"
 
 namespace cullscope {
 namespace {
@@ -24,7 +24,7 @@ constexpr size_t kObjectsForThreads = 8;
 struct MeshCells {
     CellTreePointer tree;
     InnerKernelPointer kernel;
-    MapsOnRequest maps;
+    LazyMaps maps;
 };
 
 class SphericalLossless final : public Strategy {
@@ -38,9 +38,9 @@ public:
 
     [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
 
-    [[nodiscard]] Inside inside(const Trace& trace) const override {
+    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
         const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
-        Inside result;
+        StructureSnapshot result;
         for (const SphericalDecision& decision : trace.spherical) {
             const MeshCells& mesh = cellsOf(decision.instance);
             result.maps.push_back({mesh.maps, decision, mesh.tree, mesh.kernel});
@@ -61,7 +61,7 @@ protected:
             const MeshPointer& mesh = scene.meshes()[i];
             m_meshes[i].tree = std::make_shared<CellTree>(mesh, m_options, part);
             if (wantsKernel(*mesh)) m_meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
-            m_meshes[i].maps = MapsOnRequest(mesh);
+            m_meshes[i].maps = LazyMaps(mesh);
         }
         m_octree = InstanceOctree(scene);
         m_order = orderOfAll();
@@ -143,7 +143,7 @@ private:
 
     [[nodiscard]] std::vector<KeptObject> keep(const View& view, Verdict& verdict, Trace* trace) const {
         const StageTimer stage(verdict, CULLSCOPE_TR("groups of objects"));
-        GroupWalkFigures figures;
+        OctreeWalkCounters figures;
         std::vector<KeptObject> kept = keptObjects(m_octree, scene(), view, &figures, trace);
         verdict.culledTriangles[size_t(Cause::OutsideFrustum)] += figures.trianglesCulled;
         verdict.nodesVisited += figures.nodesVisited + figures.objectsTested;
@@ -156,7 +156,7 @@ private:
         Decided result{object.instance, object.planes == 0 ? SphereRelation::Within : SphereRelation::Cut, true, {}};
         if (!mesh.tree->divided()) return result;
         result.whole = false;
-        const MapView seen = mapView(scene(), object.instance, mesh.tree->sphere(), view);
+        const ObjectSpaceView seen = objectSpaceView(scene(), object.instance, mesh.tree->sphere(), view);
         result.relation = seen.relation;
         if (seen.relation == SphereRelation::Outside) return result;
         CellTests tests{planesToTest(object, seen), facing() == Facing::Front && m_cones && seen.eyeKnown};
@@ -168,7 +168,7 @@ private:
     }
 
     /// Planes that cut both the box and the sphere of the object.
-    [[nodiscard]] static uint8_t planesToTest(const KeptObject& object, const MapView& seen) {
+    [[nodiscard]] static uint8_t planesToTest(const KeptObject& object, const ObjectSpaceView& seen) {
         uint8_t planes = object.planes;
         for (size_t p = 0; p < seen.planesTested; ++p)
             if (seen.planes[p].containment == Containment::Inside) planes = uint8_t(planes & ~(1U << p));
@@ -176,7 +176,7 @@ private:
     }
 
     /// What the near plane cuts open hides nothing, nor does a surface of which the outside is not drawn.
-    [[nodiscard]] std::optional<KernelHorizon> horizonOf(const MeshCells& mesh, const MapView& seen) const {
+    [[nodiscard]] std::optional<KernelHorizon> horizonOf(const MeshCells& mesh, const ObjectSpaceView& seen) const {
         if (!mesh.kernel || !mesh.kernel->filled() || !seen.beyondNear || seen.relation == SphereRelation::AroundEye) return {};
         if (facing() == Facing::Front && !mesh.kernel->outward()) return {};
         KernelHorizon horizon(*mesh.kernel, seen.eye, mesh.tree->sphere().radius, snapping(seen));
@@ -219,7 +219,8 @@ private:
                 decision.walk->drawn.push_back({0, triangles});
                 decision.walk->judged.push_back({0, std::nullopt});
             } else {
-                const MapView seen = mapView(scene(), object.instance, cellsOf(object.instance).tree->sphere(), view);
+                const ObjectSpaceView seen =
+                    objectSpaceView(scene(), object.instance, cellsOf(object.instance).tree->sphere(), view);
                 decision.eye = seen.eye;
                 recordTests(seen, object.instance, trace);
             }
@@ -231,9 +232,9 @@ private:
             if (scene().meshOf(decision.instance).triangleCount() > 0) trace.spherical.push_back(std::move(decision));
     }
 
-    static void recordTests(const MapView& seen, uint32_t instance, Trace& trace) {
+    static void recordTests(const ObjectSpaceView& seen, uint32_t instance, Trace& trace) {
         for (size_t p = 0; p < seen.planesTested; ++p) {
-            const MapView::PlaneTest& test = seen.planes[p];
+            const ObjectSpaceView::PlaneTest& test = seen.planes[p];
             trace.events.push_back({TraceEvent::Kind::TestedPlane, instance, static_cast<FrustumPlane>(p), test.containment,
                                     test.distance, Cause::OutsideFrustum, test.bound});
         }
@@ -259,8 +260,8 @@ private:
         }
     }
 
-    [[nodiscard]] InsideNode nodeOf(const SphericalDecision& decision) const {
-        InsideNode node;
+    [[nodiscard]] SnapshotNode nodeOf(const SphericalDecision& decision) const {
+        SnapshotNode node;
         node.instance = decision.instance;
         node.box = scene().instanceBox(decision.instance);
         node.triangles = scene().meshOf(decision.instance).triangleCount();

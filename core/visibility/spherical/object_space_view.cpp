@@ -12,7 +12,7 @@ namespace {
 struct EyeFromMap {
     Mat3 linear{1.0};
     Vec3 centre{0.0};
-    double slack = 0.0;    ///< of a plane's test
+    double margin = 0.0;   ///< of a plane's test
     double stretch = 0.0;  ///< no vector grows by more
 };
 
@@ -38,38 +38,38 @@ EyeFromMap eyeFromMap(const Scene& scene, uint32_t instance, const Sphere& spher
     result.centre = centre - eye;
     const double reach = sphere.radius * result.stretch;
     // The subtraction's rounding counts in world coordinates, the picture's in distances from the eye.
-    result.slack = slackFromEye(centre, result.centre, reach, eye) + scene.pictureRounding(scene.instances()[instance]);
+    result.margin = marginFromEye(centre, result.centre, reach, eye) + scene.pictureRounding(scene.instances()[instance]);
     return result;
 }
 
-MapView::PlaneTest test(const Plane& plane, const EyeFromMap& object, double radius) {
+ObjectSpaceView::PlaneTest test(const Plane& plane, const EyeFromMap& object, double radius) {
     const double centre = plane.distance(object.centre);
     const double reach = radius * glm::length(glm::transpose(object.linear) * plane.normal);
-    MapView::PlaneTest result;
+    ObjectSpaceView::PlaneTest result;
     result.distance = centre + reach;
-    result.bound = object.slack;
-    if (result.distance < -object.slack)
+    result.bound = object.margin;
+    if (result.distance < -object.margin)
         result.containment = Containment::Outside;
-    else if (centre - reach > object.slack)
+    else if (centre - reach > object.margin)
         result.containment = Containment::Inside;
     return result;
 }
 
 }  // namespace
 
-MapView mapView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view) {
+ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view) {
     const EyeFromMap object = eyeFromMap(scene, instance, sphere, view.eye());
     const double radius = sphere.radius;
-    MapView result;
+    ObjectSpaceView result;
     bool within = true;
     for (const Plane& plane : view.frustum().planes) {
-        const MapView::PlaneTest tested = result.planes[result.planesTested++] = test(plane, object, radius);
+        const ObjectSpaceView::PlaneTest tested = result.planes[result.planesTested++] = test(plane, object, radius);
         within = within && tested.containment == Containment::Inside;
         if (tested.containment != Containment::Outside) continue;
         result.relation = SphereRelation::Outside;
         return result;
     }
-    result.slack = object.slack;
+    result.margin = object.margin;
     for (size_t p = 0; p < result.planesOnMap.size(); ++p) {
         const Plane& plane = view.frustum().planes[p];
         result.planesOnMap[p] = {glm::transpose(object.linear) * plane.normal, plane.distance(object.centre)};

@@ -11,7 +11,7 @@ namespace cullscope {
 
 /// An instance as a view sees it, in the coordinates of its mesh's maps: sight lines stay sight lines under any affine transform,
 /// so that instances of one mesh share its maps.
-struct MapView {
+struct ObjectSpaceView {
     /// One plane's test of the bounding sphere (in the world an ellipsoid), as in a trace: world units.
     struct PlaneTest {
         Containment containment = Containment::Straddles;
@@ -30,14 +30,14 @@ struct MapView {
 
     /// The frustum's planes on points of the map: normal · p + offset is the distance in world units; normals are of any length.
     std::array<Plane, 6> planesOnMap{};
-    double slack = 0.0;       ///< of distances from them (geometry/frustum.h, conservativeSlack)
+    double margin = 0.0;      ///< of distances from them (geometry/frustum.h, conservativeMargin)
     bool eyeKnown = false;    ///< false: the object is flat, and no point of the map is the eye's
     double unevenness = 1.0;  ///< the longest over the shortest image of a length of the map
     double pixelSlope = 0.0;  ///< a pixel's width over its distance
 };
 
-/// Outside is never said of a sphere that reaches into the frustum (bound: geometry/frustum.h, conservativeSlack).
+/// Outside is never said of a sphere that reaches into the frustum (bound: geometry/frustum.h, conservativeMargin).
 /// `sphere`: the mesh's bounding sphere, relative to its origin.
-[[nodiscard]] MapView mapView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
+[[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
 
 }  // namespace cullscope

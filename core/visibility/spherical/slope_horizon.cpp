@@ -121,7 +121,7 @@ void fillHorizon(ContourBands& bands, const std::vector<double>& least) {
 /// Tests cells against a finished horizon.
 class HorizonTest {
 public:
-    HorizonTest(const SphericalMaps& maps, const MapView& view, const ContourBands& bands)
+    HorizonTest(const SphericalMaps& maps, const ObjectSpaceView& view, const ContourBands& bands)
         : m_maps(maps),
           m_bands(bands),
           m_eyeDistance(glm::length(view.eye)),
@@ -236,7 +236,7 @@ HorizonCells::HorizonCells(const SphericalMaps& maps, const BandCells& cells)
 }
 
 std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells, const HorizonCells& horizonCells,
-                                  const MapView& view, ContourBands& bands) {
+                                  const ObjectSpaceView& view, ContourBands& bands) {
     bands.slopes = true;
     fillHorizon(bands, leastSlopes(horizonCells, bands, glm::length(view.eye)));
     const HorizonTest test(maps, view, bands);

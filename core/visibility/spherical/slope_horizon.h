@@ -1,8 +1,8 @@
 #pragma once
 
 #include "core/frame/draw_list.h"
-#include "core/visibility/spherical/object_space_view.h"
 #include "core/visibility/spherical/contour_bands.h"
+#include "core/visibility/spherical/object_space_view.h"
 
 namespace cullscope {
 
@@ -34,7 +34,8 @@ struct HorizonCells {
 /// snapping to 1/256 pixel (1/64 is taken). Gives the cells that are drawn; fills the bands. Conservative where the surface is
 /// star-shaped around the centre and wholly behind the near plane.
 [[nodiscard]] std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells,
-                                                const HorizonCells& horizonCells, const MapView& view, ContourBands& bands);
+                                                const HorizonCells& horizonCells, const ObjectSpaceView& view,
+                                                ContourBands& bands);
 
 /// Says of each band's sector whether a cell that reaches into it is drawn: for those who look inside.
 void markDrawnSectors(const SphericalMaps& maps, const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands);

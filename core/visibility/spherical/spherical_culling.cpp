@@ -43,9 +43,9 @@ class SphericalCulling : public Strategy {
 public:
     using Strategy::Strategy;
 
-    [[nodiscard]] Inside inside(const Trace& trace) const override {
+    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
         const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
-        Inside result;
+        StructureSnapshot result;
         for (const SphericalDecision& decision : trace.spherical) {
             result.nodes.push_back(nodeOf(decision));
             result.nodes.back().rejectedBy = rejectedBy[decision.instance];
@@ -56,7 +56,8 @@ public:
 
 protected:
     /// Decides about an object that the frustum cuts or holds: fills `drawn` and what the decision shows.
-    virtual void decideAbout(const MappedMesh& mesh, const MapView& view, SphericalDecision& decision, bool traced) const = 0;
+    virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
+                             bool traced) const = 0;
     /// Why what `decideAbout` leaves out is not drawn.
     [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
     virtual void buildFor(MappedMesh& mesh) = 0;
@@ -149,7 +150,7 @@ private:
 
     /// An object by itself: nothing that one is decided by depends on another.
     struct Decided {
-        MapView seen;
+        ObjectSpaceView seen;
         SphericalDecision decision;
     };
 
@@ -161,7 +162,7 @@ private:
             SphericalDecision& decision = decided[i].decision;
             decision.instance = i;
             if (!mesh.maps) return;
-            const MapView seen = decided[i].seen = mapView(scene(), i, mesh.maps->sphere(), view);
+            const ObjectSpaceView seen = decided[i].seen = objectSpaceView(scene(), i, mesh.maps->sphere(), view);
             decision.relation = seen.relation;
             decision.eye = seen.eye;
             decideByRelation(mesh, seen, decision, traced);
@@ -170,7 +171,7 @@ private:
         return decided;
     }
 
-    void decideByRelation(const MappedMesh& mesh, const MapView& seen, SphericalDecision& decision, bool traced) const {
+    void decideByRelation(const MappedMesh& mesh, const ObjectSpaceView& seen, SphericalDecision& decision, bool traced) const {
         if (seen.relation == SphereRelation::AroundEye)
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
         else if (seen.relation != SphereRelation::Outside)
@@ -196,7 +197,7 @@ private:
     void record(const MappedMesh& mesh, const Decided& object, Trace& trace) const {
         const auto& [seen, decision] = object;
         for (size_t p = 0; p < seen.planesTested; ++p) {
-            const MapView::PlaneTest& test = seen.planes[p];
+            const ObjectSpaceView::PlaneTest& test = seen.planes[p];
             trace.events.push_back({TraceEvent::Kind::TestedPlane, decision.instance, static_cast<FrustumPlane>(p),
                                     test.containment, test.distance, Cause::OutsideFrustum, test.bound});
         }
@@ -211,8 +212,8 @@ private:
         trace.spherical.push_back(decision);
     }
 
-    [[nodiscard]] InsideNode nodeOf(const SphericalDecision& decision) const {
-        InsideNode node;
+    [[nodiscard]] SnapshotNode nodeOf(const SphericalDecision& decision) const {
+        SnapshotNode node;
         node.instance = decision.instance;
         node.box = scene().instanceBox(decision.instance);
         node.triangles = scene().meshOf(decision.instance).triangleCount();
@@ -239,7 +240,8 @@ protected:
         return relation == SphereRelation::Within ? Cause::Hidden : Cause::OutsideFrustum;
     }
 
-    void decideAbout(const MappedMesh& mesh, const MapView& view, SphericalDecision& decision, bool traced) const override {
+    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
+                     bool traced) const override {
         if (view.relation == SphereRelation::Within) {
             decision.bands = makeBands(view.eye, bandWidth(), sectors());
             decision.drawn = drawnByS(*mesh.bandCells, *decision.bands);
@@ -276,7 +278,8 @@ protected:
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
 
-    void decideAbout(const MappedMesh& mesh, const MapView& view, SphericalDecision& decision, bool traced) const override {
+    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
+                     bool traced) const override {
         // A surface that the near plane cuts open hides nothing; and what has few triangles is drawn in less time than it is
         // tested.
         if (!view.beyondNear || mesh.maps->mesh().triangleCount() < kFewTriangles) {

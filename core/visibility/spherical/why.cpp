@@ -107,7 +107,7 @@ std::optional<Message> conesLeftOut(const CellWalk& walk) {
                    {}};
 }
 
-std::optional<Message> horizonLeftOut(const InsideMap& map) {
+std::optional<Message> horizonLeftOut(const MapSnapshot& map) {
     if (map.decision.walk->horizon) return std::nullopt;
     if (map.kernel && !map.kernel->filled())
         return Message{CULLSCOPE_TR("The kernel's horizon is not used: %1."), {InnerKernel::stateName(map.kernel->state())}};
@@ -117,7 +117,7 @@ std::optional<Message> horizonLeftOut(const InsideMap& map) {
         {}};
 }
 
-void addWalkSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>& steps) {
+void addWalkSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>& steps) {
     if (!map.tree->divided()) {
         Message small{CULLSCOPE_TR("The object has too few triangles to be divided: it is one cell."), {}};
         steps.push_back(said(std::move(small)));
@@ -137,7 +137,7 @@ void addWalkSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>&
 
 }  // namespace
 
-void addMapSteps(const InsideMap& map, uint32_t triangle, std::vector<WhyStep>& steps) {
+void addMapSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>& steps) {
     const SphericalDecision& decision = map.decision;
     steps.push_back(said({CULLSCOPE_TR("The object's bounding sphere: %1."), {relationName(decision.relation)}}));
     if (decision.relation == SphereRelation::Outside) return;

@@ -5,7 +5,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::atomic_file_test {
 namespace {
 
 class AtomicFile : public testing::Test {
@@ -80,4 +80,4 @@ TEST_F(AtomicFile, writingAgainReplacesTheContents) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::atomic_file_test

@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::file_name_test {
 namespace {
 
 class FileName : public testing::Test {
@@ -84,4 +84,4 @@ TEST_F(FileName, unknownFieldIsRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::file_name_test

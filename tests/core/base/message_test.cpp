@@ -1,7 +1,7 @@
 #include "core/base/message.h"
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::message_test {
 namespace {
 
 TEST(Message, placesAreFilledInAndArgumentsStayAsTheyAre) {
@@ -29,4 +29,4 @@ TEST(Error, kindIsTheExitStatus) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::message_test

@@ -1,7 +1,7 @@
 #include "core/base/progress.h"
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::progress_test {
 namespace {
 
 TEST(Progress, partReportsWithinItsShare) {
@@ -26,4 +26,4 @@ TEST(Progress, stopIsSeenThroughAPart) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::progress_test

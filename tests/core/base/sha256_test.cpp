@@ -1,6 +1,6 @@
 #include "core/base/sha256.h"
 
-namespace cullscope {
+namespace cullscope::sha256_test {
 namespace {
 
 TEST(Sha256, givesTheStandardsExamples) {
@@ -14,4 +14,4 @@ TEST(Sha256, givesTheStandardsExamples) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::sha256_test

@@ -5,12 +5,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/measure/accuracy.h"
 #include "core/visibility/strategy_request.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
-#include "core/measure/accuracy.h"
 
-namespace cullscope::test {
+namespace cullscope::test::cho_figure_6_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -68,7 +68,7 @@ PaperTable madeUpTable() {
     return table;
 }
 
-TEST(ChoViews, settingIsThePapers) {
+TEST(ChoFigure6, settingIsThePapers) {
     ASSERT_EQ(experiment().settings.size(), 1u);
     const PaperSetting& setting = experiment().settings[0];
     EXPECT_EQ(setting.scene, "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5");
@@ -83,7 +83,7 @@ TEST(ChoViews, settingIsThePapers) {
     for (const auto& [strategy, cells] : setting.paper) EXPECT_THAT(setting.strategies, testing::Contains(strategy));
 }
 
-TEST(ChoViews, figuresAreThoseThatThePaperPrints) {
+TEST(ChoFigure6, figuresAreThoseThatThePaperPrints) {
     const auto& paper = experiment().settings[0].paper;
     const auto stated = [&](const std::string& strategy, const std::string& key) {
         return std::get<double>(paper.at(strategy).at(key));
@@ -98,7 +98,7 @@ TEST(ChoViews, figuresAreThoseThatThePaperPrints) {
     EXPECT_FALSE(paper.contains("frustum")) << "the paper draws both sides";
 }
 
-TEST(ChoViews, rowsAreWhatWasMeasured) {
+TEST(ChoFigure6, rowsAreWhatWasMeasured) {
     const PaperTable table = madeUpTable();
     ASSERT_EQ(table.rows.size(), 4u);
     EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "strategy")), "frustum:facing=two-sided");
@@ -119,7 +119,7 @@ TEST(ChoViews, rowsAreWhatWasMeasured) {
     EXPECT_THAT(text, testing::HasSubstr("56.0")) << "the share is not in per cent";
 }
 
-TEST(ChoViews, ratioToAllNeedsAll) {
+TEST(ChoFigure6, ratioToAllNeedsAll) {
     MeasureResult result = madeUp();
     result.runs.erase(result.runs.begin());
     PaperTable table = emptyTable(experiment());
@@ -127,7 +127,7 @@ TEST(ChoViews, ratioToAllNeedsAll) {
     EXPECT_TRUE(empty(table, 0, "speedup_vs_all_max"));
 }
 
-TEST(ChoViews, figureShowsWhatWasMeasured) {
+TEST(ChoFigure6, figureShowsWhatWasMeasured) {
     const PaperTable table = madeUpTable();
     ASSERT_EQ(table.plots.size(), 1u);
     const LinePlot& plot = table.plots[0];
@@ -147,7 +147,7 @@ TEST(ChoViews, figureShowsWhatWasMeasured) {
     EXPECT_THAT(levels, testing::ElementsAre(33.0, 10.0, 0.83));
 }
 
-TEST(ChoViews, newPointsReplaceThoseOfAnEarlierView) {
+TEST(ChoFigure6, newPointsReplaceThoseOfAnEarlierView) {
     PaperTable table = emptyTable(experiment());
     ASSERT_EQ(table.plots.size(), 1u);
     EXPECT_TRUE(table.plots[0].lines.empty());
@@ -161,7 +161,7 @@ TEST(ChoViews, newPointsReplaceThoseOfAnEarlierView) {
     EXPECT_EQ(table.plots[0].lines[0].points.size(), 3u);
 }
 
-TEST(ChoViews, filesHoldTheFigure) {
+TEST(ChoFigure6, filesHoldTheFigure) {
     const PaperTable table = madeUpTable();
     const Json plot = Json::parse(paperTablesJson({table}))["experiments"][0]["plots"][0];
     EXPECT_EQ(plot["x"]["scale"], "linear");
@@ -181,7 +181,7 @@ TEST(ChoViews, filesHoldTheFigure) {
     EXPECT_EQ(lines[9], "3,10,100,12.5,200");
 }
 
-TEST(ChoViews, whatWasLeftOutIsSaidOnce) {
+TEST(ChoFigure6, whatWasLeftOutIsSaidOnce) {
     MeasureResult result = madeUp();
     result.leftOut = {{"\"%1\" is not there.", {"frustum-select"}}};
     PaperTable table = emptyTable(experiment());
@@ -192,7 +192,7 @@ TEST(ChoViews, whatWasLeftOutIsSaidOnce) {
 }
 
 /// The same code over nine bodies: every strategy of the experiment, and none of them loses a pixel of its own picture.
-TEST(ChoViews, smallWalkIsReproduced) {
+TEST(ChoFigure6, smallWalkIsReproduced) {
     PaperExperiment small = experiment();
     small.settings[0].scene = "field:mesh=star:triangles=500,n=4,spacing=2.5";
     small.settings[0].path = "walk:4";
@@ -213,4 +213,4 @@ TEST(ChoViews, smallWalkIsReproduced) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::cho_figure_6_test

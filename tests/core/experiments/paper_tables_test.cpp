@@ -8,12 +8,12 @@
 
 #include "core/base/error.h"
 #include "core/experiments/han_hong_tables.h"
-#include "tests/support/gl_environment.h"
-#include "tests/support/small_experiment.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/statistics.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/small_experiment.h"
 
-namespace cullscope::test {
+namespace cullscope::test::paper_tables_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -319,4 +319,4 @@ TEST(PaperTables, refusalOfAnUnknownExperimentNamesTheKnownOnes) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::paper_tables_test

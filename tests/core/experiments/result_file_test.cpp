@@ -6,7 +6,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
 
-namespace cullscope::test {
+namespace cullscope::test::result_file_test {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -149,4 +149,4 @@ TEST(ResultFile, toolAndMachineHaveNames) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::result_file_test

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <set>
 
-namespace cullscope {
+namespace cullscope::sweeps_test {
 namespace {
 
 TEST(Fronts, everyValueIsOneThatItsStrategyTakes) {
     ASSERT_FALSE(fronts().empty());
-    for (const Front& front : fronts()) {
+    for (const ParameterSweep& front : fronts()) {
         SCOPED_TRACE(front.strategy + "." + front.key);
         ParameterSet parameters(findStrategy(front.strategy).info.parameters);
         std::set<std::string> different;
@@ -27,7 +27,7 @@ TEST(Fronts, everyValueIsOneThatItsStrategyTakes) {
 }
 
 TEST(Fronts, everyFrontHasItsStrategysDefaultOnIt) {
-    for (const Front& front : fronts()) {
+    for (const ParameterSweep& front : fronts()) {
         const ParameterSet defaults(findStrategy(front.strategy).info.parameters);
         EXPECT_EQ(std::count(front.values.begin(), front.values.end(), toText(defaults.value(front.key))), 1)
             << front.strategy << "." << front.key;
@@ -35,7 +35,7 @@ TEST(Fronts, everyFrontHasItsStrategysDefaultOnIt) {
 }
 
 TEST(Fronts, whereTwoCrossIsMeasuredOnce) {
-    const std::vector<Front> crossing{{"spherical", "rows", {"45", "180"}}, {"spherical", "band", {"5", "10"}}};
+    const std::vector<ParameterSweep> crossing{{"spherical", "rows", {"45", "180"}}, {"spherical", "band", {"5", "10"}}};
     const std::vector<StrategyRequest> requests = contestants(crossing);
     ASSERT_EQ(requests.size(), 3u) << "180 rows and bands of 5° are both the default";
     EXPECT_EQ(requests[0].parameters.integer("rows"), 45);
@@ -46,4 +46,4 @@ TEST(Fronts, whereTwoCrossIsMeasuredOnce) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::sweeps_test

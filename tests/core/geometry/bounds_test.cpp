@@ -4,7 +4,7 @@
 
 #include "core/geometry/random.h"
 
-namespace cullscope {
+namespace cullscope::bounds_test {
 namespace {
 
 Mat4 randomAffine(Random& random) {
@@ -101,4 +101,4 @@ TEST(Sphere, rotationAndScaleKeepASphereTight) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::bounds_test

@@ -6,7 +6,7 @@
 
 #include "core/geometry/random.h"
 
-namespace cullscope {
+namespace cullscope::frustum_batch_test {
 namespace {
 
 using Exact = long double;
@@ -67,13 +67,13 @@ Frustum randomFrustum(Random& random) {
                        magnitude(random, 0, 6));
 }
 
-/// Around a place in or near the frustum, its p-vertex about as far from a plane as the slack where `touching`.
+/// Around a place in or near the frustum, its p-vertex about as far from a plane as the margin where `touching`.
 Vec3 randomCentre(Random& random, const Frustum& frustum, const Vec3& eye, double reach, bool touching) {
     const Vec3 centre = random.direction() * frustum.farDistance * std::pow(random.unit(), 2.0) * 1.5;
     if (!touching) return eye + centre;
     const Plane& plane = frustum.planes[random.bits() % 6];
-    const double slack = conservativeSlack(glm::length(centre) + reach);
-    return eye + centre - plane.normal * (plane.distance(centre) + reach + slack * random.between(-1, 3));
+    const double margin = conservativeMargin(glm::length(centre) + reach);
+    return eye + centre - plane.normal * (plane.distance(centre) + reach + margin * random.between(-1, 3));
 }
 
 Box3 randomBox(Random& random, const Frustum& frustum, const Vec3& eye) {
@@ -115,8 +115,8 @@ Bits agreedVerdicts(const std::vector<Object>& objects, const BatchFrustum& frus
         bool outside = false, inside = true;
         for (size_t p = 0; p < 6; ++p) {
             const BatchDistances distances = frustum.distances(FrustumPlane(p), objects[i]);
-            outside = outside || distances.farthestInside < -distances.slack;
-            inside = inside && distances.farthestOutside > distances.slack;
+            outside = outside || distances.farthestInside < -distances.margin;
+            inside = inside && distances.farthestOutside > distances.margin;
         }
         EXPECT_EQ(bit(bits.outside, i), outside) << i;
         EXPECT_EQ(bit(bits.inside, i), inside && !outside) << i;
@@ -150,9 +150,9 @@ ExactDistances exactDistances(const Plane& plane, const Sphere& sphere, const Ve
 Sphere around(const Box3& box) { return {box.centre(), glm::length(box.halfExtent())}; }
 Sphere around(const Sphere& sphere) { return sphere; }
 
-/// What every plane test of the project leans outward by at least (visibility/eye_bounds.h, slackFromEye).
-double leastSlack(const Sphere& sphere, const Vec3& eye) {
-    return conservativeSlack(glm::length(sphere.centre - eye) + sphere.radius) +
+/// What every plane test of the project leans outward by at least (visibility/eye_bounds.h, marginFromEye).
+double leastMargin(const Sphere& sphere, const Vec3& eye) {
+    return conservativeMargin(glm::length(sphere.centre - eye) + sphere.radius) +
            (glm::length(sphere.centre) + glm::length(eye) + sphere.radius) * 0x1p-49;
 }
 
@@ -160,22 +160,23 @@ struct Counts {
     int outside = 0, inside = 0;
 };
 
-/// Asserts that what is said of an object holds exactly with half the slack to spare, and that it is said where it holds by four.
+/// Asserts that what is said of an object holds exactly with half the margin to spare, and that it is said where it holds by
+/// four.
 template <typename Object>
 void expectExact(const Object& object, const Frustum& frustum, const Vec3& eye, bool outside, bool inside, Counts& counts) {
     const BatchFrustum batchFrustum(frustum, eye);
-    const Exact slack = Exact(leastSlack(around(object), eye));
+    const Exact margin = Exact(leastMargin(around(object), eye));
     Exact least = Exact(kInfinity), leastOuter = Exact(kInfinity);
     for (size_t p = 0; p < 6; ++p) {
         const ExactDistances distances = exactDistances(frustum.planes[p], object, eye);
         least = std::min(least, distances.inside);
         leastOuter = std::min(leastOuter, distances.outside);
-        EXPECT_GE(Exact(batchFrustum.distances(FrustumPlane(p), object).slack), slack);
+        EXPECT_GE(Exact(batchFrustum.distances(FrustumPlane(p), object).margin), margin);
     }
-    EXPECT_TRUE(!outside || least < -slack / 2) << "culled at " << double(least / slack) << " slacks";
-    EXPECT_TRUE(outside || least > -4 * slack) << "kept at " << double(least / slack) << " slacks";
-    EXPECT_TRUE(!inside || leastOuter > slack / 2) << "inside at " << double(leastOuter / slack) << " slacks";
-    EXPECT_TRUE(inside || leastOuter < 4 * slack) << "not inside at " << double(leastOuter / slack) << " slacks";
+    EXPECT_TRUE(!outside || least < -margin / 2) << "culled at " << double(least / margin) << " margins";
+    EXPECT_TRUE(outside || least > -4 * margin) << "kept at " << double(least / margin) << " margins";
+    EXPECT_TRUE(!inside || leastOuter > margin / 2) << "inside at " << double(leastOuter / margin) << " margins";
+    EXPECT_TRUE(inside || leastOuter < 4 * margin) << "not inside at " << double(leastOuter / margin) << " margins";
     counts.outside += outside ? 1 : 0;
     counts.inside += inside ? 1 : 0;
 }
@@ -316,11 +317,11 @@ TEST(FrustumBatch, case4SphereFarFromTheOriginIsKept) {
     }
     const Sphere beyond{sphere.centre - normal * 2.01, 1.0};
     EXPECT_EQ(sphereVerdict(beyond, onePlane({normal, 0.0}), on), Containment::Outside)
-        << "the slack hides a sphere that is outside";
+        << "the margin hides a sphere that is outside";
 }
 
 TEST(FrustumBatch, case22BoxAroundTheCameraOrBeyondFarStraddles) {
-    EXPECT_EQ(boxVerdict({Vec3(0.0), Vec3(0.0)}, onePlane({{0, 0, -1}, 0.0})), Containment::Straddles) << "neither: slack 0";
+    EXPECT_EQ(boxVerdict({Vec3(0.0), Vec3(0.0)}, onePlane({{0, 0, -1}, 0.0})), Containment::Straddles) << "neither: margin 0";
     for (const Vec3& eye : {Vec3(0.0), Vec3(1e7, -1e7, 1e7)}) {
         EXPECT_EQ(boxVerdict({eye + Vec3(-1, -1, -3), eye + Vec3(1, 1, 3)}, standardFrustum(), eye), Containment::Straddles);
         EXPECT_EQ(boxVerdict({eye - Vec3(1000), eye + Vec3(1000)}, standardFrustum(), eye), Containment::Straddles);
@@ -347,4 +348,4 @@ TEST(FrustumBatch, case23ExtremeFieldsAndSizesAreJudgedRight) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::frustum_batch_test

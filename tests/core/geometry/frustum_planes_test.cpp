@@ -6,7 +6,7 @@
 #include "core/geometry/frustum.h"
 #include "core/geometry/random.h"
 
-namespace cullscope {
+namespace cullscope::frustum_planes_test {
 namespace {
 
 constexpr std::array kDepths{ClipDepth::MinusOneToOne, ClipDepth::ZeroToOne, ClipDepth::ReversedZeroToOne};
@@ -240,4 +240,4 @@ TEST(BlogAsPrinted, keepsNothingOutWhereTheMendedFormDoes) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::frustum_planes_test

@@ -7,7 +7,7 @@
 // The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
 // said.
 
-namespace cullscope {
+namespace cullscope::frustum_test {
 namespace {
 
 constexpr Vec3 kForward(0, 0, -1);
@@ -63,7 +63,7 @@ TEST(Plane, case3BoxThatOnlyItsExtentLengthKeepsIsOutside) {
     const Plane below{{0, -1, 0}, 0.0};
     const EyeBox flat{{0, 10, 0}, {60, 1, 1}};
     EXPECT_EQ(pVertexDistance(below, flat), -9.0) << "p-vertex: outside";
-    EXPECT_GT(below.distance(flat.centre) + glm::length(flat.half), 0.0) << "extent length: kept";
+    EXPECT_GT(below.distance(flat.centre) + glm::length(flat.halfExtent), 0.0) << "extent length: kept";
     EXPECT_EQ(classify(below, flat, 0.0), Containment::Outside);
 }
 
@@ -137,7 +137,7 @@ TEST(Frustum, boxIsOutsideOrInsideOnlyWhereAllItsCornersAre) {
             bool all = true, none = true;
             for (int corner = 0; corner < 8; ++corner) {
                 const Vec3 sign((corner & 1) != 0 ? 1 : -1, (corner & 2) != 0 ? 1 : -1, (corner & 4) != 0 ? 1 : -1);
-                const bool in = plane.distance(some.centre + sign * some.half) >= 0;
+                const bool in = plane.distance(some.centre + sign * some.halfExtent) >= 0;
                 all = all && in;
                 none = none && !in;
             }
@@ -166,10 +166,10 @@ TEST(Frustum, boxFromTheEyeHoldsItsCorners) {
             for (int axis = 0; axis < 3; ++axis) {
                 const long double exact = static_cast<long double>(corner[axis]) - static_cast<long double>(eye[axis]);
                 EXPECT_LE(std::abs(exact - static_cast<long double>(relative.centre[axis])),
-                          static_cast<long double>(relative.half[axis]));
+                          static_cast<long double>(relative.halfExtent[axis]));
             }
     }
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::frustum_test

@@ -4,7 +4,7 @@
 
 #include "core/geometry/angle.h"
 
-namespace cullscope {
+namespace cullscope::random_test {
 namespace {
 
 TEST(Random, numbersAreThoseOfSplitMix64) {
@@ -52,4 +52,4 @@ TEST(Angle, degreesAndRadiansConvertIntoEachOther) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::random_test

@@ -6,7 +6,7 @@
 #include "tests/support/exact_frustum.h"
 #include "tests/support/long_mode.h"
 
-namespace cullscope::test {
+namespace cullscope::test::separation_property_test {
 namespace {
 
 double powerOfTen(Random& random, double low, double high) { return std::pow(10.0, random.between(low, high)); }
@@ -93,38 +93,38 @@ struct SampleBox {
 
 struct PairTally {
     uint64_t pairs = 0, apart = 0, byPlanes = 0, refined = 0;
-    uint64_t withinSlack = 0;  ///< apart, but by no more than the slack: kept
+    uint64_t withinMargin = 0;  ///< apart, but by no more than the margin: kept
 
     void print(const char* what) const {
-        std::printf("long: separation %s pairs %llu apart %llu by-planes %llu refined %llu apart-within-slack %llu\n", what,
+        std::printf("long: separation %s pairs %llu apart %llu by-planes %llu refined %llu apart-within-margin %llu\n", what,
                     static_cast<unsigned long long>(pairs), static_cast<unsigned long long>(apart),
                     static_cast<unsigned long long>(byPlanes), static_cast<unsigned long long>(refined),
-                    static_cast<unsigned long long>(withinSlack));
+                    static_cast<unsigned long long>(withinMargin));
     }
 };
 
 uint64_t pairsToTest() { return longMode() ? 1'000'000 : 60'000; }
 
-/// Both directions for one pair, with a slack that the test is given and with none: what touches is never parted, and what lies
-/// apart by more than slack and rounding always is.
+/// Both directions for one pair, with a margin that the test is given and with none: what touches is never parted, and what lies
+/// apart by more than margin and rounding always is.
 template <typename Box>
 void checkBox(const Frustum& frustum, const Box& box, const SampleBox& same, PairTally& tally, uint64_t seed) {
     const ExactFrustum exact(frustum);
-    const double slack = conservativeSlack(same.box.farthest());
+    const double margin = conservativeMargin(same.box.farthest());
     const bool meets = exact.meets(same.exact());
     const bool byPlanes = classify(frustum, box) == Containment::Outside;
-    const bool refined = separated(frustum, box, slack);
+    const bool refined = separated(frustum, box, margin);
     ++tally.pairs;
     tally.apart += meets ? 0 : 1;
     tally.byPlanes += byPlanes ? 1 : 0;
     tally.refined += !byPlanes && refined ? 1 : 0;
     EXPECT_FALSE(meets && byPlanes) << "planes cull what is visible: " << seed;
     EXPECT_FALSE(meets && refined) << "refinement culls what is visible: " << seed;
-    EXPECT_FALSE(meets && separated(frustum, box, 0.0)) << "without slack the test's own rounding shows: " << seed;
-    // A flat box that has no direction across itself is parted by its edges alone, whose axes lean: not to the last slack.
+    EXPECT_FALSE(meets && separated(frustum, box, 0.0)) << "without margin the test's own rounding shows: " << seed;
+    // A flat box that has no direction across itself is parted by its edges alone, whose axes lean: not to the last margin.
     if (meets || refined || byPlanes || same.flat()) return;
-    ++tally.withinSlack;
-    EXPECT_TRUE(exact.meets(same.exact(1.001 * slack))) << "apart by more than the slack, and not seen: " << seed;
+    ++tally.withinMargin;
+    EXPECT_TRUE(exact.meets(same.exact(1.001 * margin))) << "apart by more than the margin, and not seen: " << seed;
 }
 
 void expectAllKinds(const PairTally& tally) {
@@ -163,8 +163,10 @@ TEST(SeparationProperty, boxIsPartedExactlyWhereItLiesApart) {
         const double size = randomSize(frustum, random);
         const EyeBox some = randomEyeBox(frustum, size, random);
         const std::array<Vec3, 3> axes{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)};
-        checkBox(frustum, some, {{some.centre, {some.half.x * axes[0], some.half.y * axes[1], some.half.z * axes[2]}, 0.0}, axes},
-                 tally, seed);
+        checkBox(
+            frustum, some,
+            {{some.centre, {some.halfExtent.x * axes[0], some.halfExtent.y * axes[1], some.halfExtent.z * axes[2]}, 0.0}, axes},
+            tally, seed);
     }
     tally.print("boxes");
     expectAllKinds(tally);
@@ -195,9 +197,9 @@ TEST(SeparationProperty, sphereIsPartedExactlyWhereItLiesApart) {
         // Now and then it touches to the last digits, from either side.
         if (random.unit() < 0.5) sphere.radius = double(distance) * (1.0 + random.between(-1, 1) * powerOfTen(random, -16, -1));
         const double magnitude = glm::length(sphere.centre) + sphere.radius;
-        const double slack = conservativeSlack(magnitude);
+        const double margin = conservativeMargin(magnitude);
         const bool byPlanes = classify(frustum, sphere) == Containment::Outside;
-        const bool refined = separated(frustum, sphere, slack);
+        const bool refined = separated(frustum, sphere, margin);
         const bool meets = distance <= sphere.radius;
         ++tally.pairs;
         tally.apart += meets ? 0 : 1;
@@ -205,9 +207,9 @@ TEST(SeparationProperty, sphereIsPartedExactlyWhereItLiesApart) {
         tally.refined += refined && !byPlanes ? 1 : 0;
         EXPECT_FALSE(meets && byPlanes) << seed;
         EXPECT_FALSE(meets && separated(frustum, sphere, 0.0)) << seed;
-        EXPECT_FALSE(distance < Quad(sphere.radius) + slack && refined) << "nearer than the slack: " << seed;
-        EXPECT_TRUE(distance < Quad(sphere.radius) + 1.001 * slack || refined) << "apart, and not seen: " << seed;
-        tally.withinSlack += !meets && !refined ? 1 : 0;
+        EXPECT_FALSE(distance < Quad(sphere.radius) + margin && refined) << "nearer than the margin: " << seed;
+        EXPECT_TRUE(distance < Quad(sphere.radius) + 1.001 * margin || refined) << "apart, and not seen: " << seed;
+        tally.withinMargin += !meets && !refined ? 1 : 0;
     }
     tally.print("spheres");
     expectAllKinds(tally);
@@ -220,15 +222,15 @@ TEST(SeparationProperty, everySeparatedBoxMayBeSeparated) {
         const Frustum frustum = randomFrustum(random);
         const double size = randomSize(frustum, random);
         const EyeBox some = randomEyeBox(frustum, size, random);
-        const double slack = conservativeSlack(glm::length(some.centre) + glm::length(some.half));
+        const double margin = conservativeMargin(glm::length(some.centre) + glm::length(some.halfExtent));
         uint32_t planes = 0;
         bool outside = false;
         for (uint32_t p = 0; p < 6; ++p) {
-            const Containment side = classify(frustum.planes[p], some, slack);
+            const Containment side = classify(frustum.planes[p], some, margin);
             outside = outside || side == Containment::Outside;
             planes |= (side == Containment::Straddles ? 1u : 0u) << p;
         }
-        if (outside || !separated(frustum, some, slack)) continue;
+        if (outside || !separated(frustum, some, margin)) continue;
         ++refined;
         EXPECT_TRUE(mayBeSeparated(planes)) << seed << " planes " << planes;
     }
@@ -244,19 +246,19 @@ TEST(SeparationProperty, boxIsSaidToMeetTheNearRectangleExactlyWhereItDoes) {
         Frustum thin = frustum;
         thin.farDistance = frustum.nearDistance;
         const EyeBox some = randomEyeBox(thin, size, random);
-        const double magnitude = glm::length(some.centre) + glm::length(some.half);
-        const double slack = random.unit() < 0.5 ? 0.0 : conservativeSlack(magnitude);
+        const double magnitude = glm::length(some.centre) + glm::length(some.halfExtent);
+        const double margin = random.unit() < 0.5 ? 0.0 : conservativeMargin(magnitude);
         // Of a rectangle without any thickness the oracle, too, would lose what only touches.
         const ExactFrustum rectangle(frustum, Quad(frustum.nearDistance) + 1e-25 * magnitude);
         const auto meetsWhenGrown = [&](Quad by) {
             QuadBox grown{quad(some.centre), {}};
-            for (int i = 0; i < 3; ++i) grown.halves[size_t(i)][size_t(i)] = Quad(some.half[i]) + by;
+            for (int i = 0; i < 3; ++i) grown.halves[size_t(i)][size_t(i)] = Quad(some.halfExtent[i]) + by;
             return rectangle.meets(grown);
         };
-        const bool meets = meetsNearRectangle(frustum, some, slack);
+        const bool meets = meetsNearRectangle(frustum, some, margin);
         (meets ? on : off) += 1;
-        EXPECT_TRUE(meets || !meetsWhenGrown(slack)) << seed;
-        EXPECT_TRUE(!meets || meetsWhenGrown(slack + 0x1p-38 * magnitude)) << seed;
+        EXPECT_TRUE(meets || !meetsWhenGrown(margin)) << seed;
+        EXPECT_TRUE(!meets || meetsWhenGrown(margin + 0x1p-38 * magnitude)) << seed;
     }
     EXPECT_GT(on, pairsToTest() / 10);
     EXPECT_GT(off, pairsToTest() / 10);
@@ -287,4 +289,4 @@ TEST(OrientedBox, holdsEveryCornerOfTheMeshBox) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::separation_property_test

@@ -5,7 +5,7 @@
 // The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
 // said.
 
-namespace cullscope {
+namespace cullscope::separation_test {
 namespace {
 
 Frustum standardFrustum(double farDistance = 10.0) {
@@ -15,7 +15,7 @@ Frustum standardFrustum(double farDistance = 10.0) {
 EyeBox box(const Vec3& min, const Vec3& max) { return {0.5 * (min + max), 0.5 * (max - min)}; }
 
 OrientedBox oriented(const EyeBox& box) {
-    return {box.centre, {Vec3(box.half.x, 0, 0), Vec3(0, box.half.y, 0), Vec3(0, 0, box.half.z)}, 0.0};
+    return {box.centre, {Vec3(box.halfExtent.x, 0, 0), Vec3(0, box.halfExtent.y, 0), Vec3(0, 0, box.halfExtent.z)}, 0.0};
 }
 
 TEST(Separation, case1FalsePositiveSphereIsSeparated) {
@@ -25,7 +25,7 @@ TEST(Separation, case1FalsePositiveSphereIsSeparated) {
     // 4.3589 = √(3² + 3² + 1²) away.
     EXPECT_TRUE(separated(standardFrustum(), Sphere{sphere.centre, std::sqrt(19.0) - 1e-9}, 0.0));
     EXPECT_FALSE(separated(standardFrustum(), Sphere{sphere.centre, std::sqrt(19.0)}, 0.0));
-    EXPECT_FALSE(separated(standardFrustum(), sphere, 3.0)) << "slack";
+    EXPECT_FALSE(separated(standardFrustum(), sphere, 3.0)) << "margin";
 }
 
 TEST(Separation, case2FalsePositiveBoxIsSeparated) {
@@ -118,4 +118,4 @@ TEST(MayBeSeparated, needsTwoPlanesThatAreNotOpposite) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::separation_test

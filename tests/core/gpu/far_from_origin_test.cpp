@@ -9,7 +9,7 @@
 
 // Case 21: the whole scene moved by (1e7, −1e7, 1e7), through its instances' transforms and as a mesh that lies there.
 
-namespace cullscope::test {
+namespace cullscope::test::far_from_origin_test {
 namespace {
 
 constexpr Vec3 kFar(1e7, -1e7, 1e7);
@@ -123,4 +123,4 @@ INSTANTIATE_TEST_SUITE_P(Ways, FarFromOrigin, testing::Values(movedByTransforms,
                          [](const auto& way) { return way.param == &movedByTransforms ? "byTransforms" : "byOrigins"; });
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::far_from_origin_test

@@ -3,7 +3,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::gl_state_test {
 namespace {
 
 GLint integer(GLenum name) {
@@ -150,4 +150,4 @@ TEST(HeadlessContext, contextIsNewEnoughAndHasAName) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::gl_state_test

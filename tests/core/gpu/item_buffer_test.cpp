@@ -2,7 +2,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::item_buffer_test {
 namespace {
 
 View standardView(Viewport size = {64, 64}) {
@@ -74,4 +74,4 @@ TEST(ItemBuffer, widestAndSmallestPicturesAreCovered) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::item_buffer_test

@@ -3,7 +3,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::overlay_drawing_test {
 namespace {
 
 constexpr Vec3f kRed(1, 0, 0);
@@ -138,4 +138,4 @@ TEST(DrawByState, isTheSameByEitherUploadAndFollowsTheFacing) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::overlay_drawing_test

@@ -5,7 +5,7 @@
 #include "tests/support/pixel_edges.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::renderer_test {
 namespace {
 
 View lookingAt(const Vec3& eye, const Vec3& target, Viewport size = {160, 120}, double nearDistance = 0.05,
@@ -162,4 +162,4 @@ TEST(Renderer, mirroredInstanceIsLitLikeItsMirrorImage) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::renderer_test

@@ -9,7 +9,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::scene_buffers_test {
 namespace {
 
 constexpr Viewport kSize{160, 120};
@@ -128,4 +128,4 @@ TEST(SplitPicture, isThatOfTheWhole) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::scene_buffers_test

@@ -7,7 +7,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_drawing_test {
 namespace {
 
 constexpr Viewport kSize{360, 180};  // one pixel a degree
@@ -139,7 +139,7 @@ TEST(SphericalDrawing, everyDirectionShowsWhatItsRayMeets) {
         for (Vec3f& each : triangle) each = Vec3f(middle + random.direction() * random.between(0.05, 0.8));
         all.push_back(triangle);
     }
-    const auto meets = [](const Vec3& d, const std::array<Vec3f, 3>& t, double slack) {
+    const auto meets = [](const Vec3& d, const std::array<Vec3f, 3>& t, double margin) {
         const std::array c{Vec3(t[0]), Vec3(t[1]), Vec3(t[2])};
         const Vec3 n = glm::cross(c[1] - c[0], c[2] - c[0]);
         if (glm::dot(n, c[0]) / glm::dot(n, d) <= 0.0) return false;
@@ -149,15 +149,15 @@ TEST(SphericalDrawing, everyDirectionShowsWhatItsRayMeets) {
             least = std::min(least, glm::dot(plane, d));
             most = std::max(most, glm::dot(plane, d));
         }
-        return least >= -slack || most <= slack;
+        return least >= -margin || most <= margin;
     };
     const Map map = drawn(triangles(all));
     size_t covered = 0;
     for (int theta = 0; theta < 180; ++theta)
         for (int phi = 0; phi < 360; ++phi) {
             const Vec3 d = direction(theta + 0.5, phi + 0.5);
-            const auto any = [&](double slack) {
-                return std::ranges::any_of(all, [&](const auto& t) { return meets(d, t, slack); });
+            const auto any = [&](double margin) {
+                return std::ranges::any_of(all, [&](const auto& t) { return meets(d, t, margin); });
             };
             if (map.covered(theta, phi))
                 ASSERT_TRUE(any(1e-5)) << theta << " " << phi;
@@ -220,4 +220,4 @@ TEST(MapArea, isTwiceAsWideAsHighAndInTheMiddle) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_drawing_test

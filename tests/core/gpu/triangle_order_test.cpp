@@ -8,7 +8,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::triangle_order_test {
 namespace {
 
 /// Every mesh's triangles backward.
@@ -100,4 +100,4 @@ TEST(TriangleOrder, meshWithoutOneIsDrawnInItsOwn) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::triangle_order_test

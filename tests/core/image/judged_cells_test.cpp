@@ -12,7 +12,7 @@
 #include "tests/support/hand_made_map.h"
 #include "tests/support/lossless_map.h"
 
-namespace cullscope::test {
+namespace cullscope::test::judged_cells_test {
 namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
@@ -133,7 +133,7 @@ TEST(HorizonLine, liesWhereTheSlopeIsLargest) {
     const Vec3 eye(0.5, 0.4, 2.5);
     for (const MeshPointer& mesh : {sphereMesh(20000), starMesh(3, 20000)}) {
         const LosslessMap seen(mesh, MapLayout::Octahedral, eye);
-        const InsideMap& map = seen.map();
+        const MapSnapshot& map = seen.map();
         const double distance = glm::length(map.decision.eye);
         const Vec3 axis = map.decision.eye / distance;
         const auto slope = [&](double radius, double alpha) {
@@ -175,7 +175,7 @@ TEST(CellShares, levelIsThatOfTheWalk) {
     for (const MapLayout layout : kLayouts)
         for (const Vec3& target : {Vec3(0.0), Vec3(0.4, 0.3, 6.0)}) {
             const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0}, target);
-            const InsideMap& map = seen.map();
+            const MapSnapshot& map = seen.map();
             const CellShares shares = cellShares(map, MapColouring::Level);
             EXPECT_EQ(shares.least, 0.0);
             EXPECT_LE(shares.most, map.tree->deepestLevel());
@@ -199,7 +199,7 @@ TEST(CellShares, levelIsThatOfTheWalk) {
 
 TEST(CellShares, kernelIsFilledToThere) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
-    const InsideMap& map = seen.map();
+    const MapSnapshot& map = seen.map();
     ASSERT_TRUE(hasColouring(map, MapColouring::Kernel));
     const CellShares shares = cellShares(map, MapColouring::Kernel);
     EXPECT_DOUBLE_EQ(shares.most, map.maps.sphere().radius);
@@ -225,7 +225,7 @@ TEST(CellColours, judgedCellHasTheColourOfItsState) {
     const DrawStyle style{Vec3f(1.0f)};
     const auto palette = verdictPalette(style.background);
     const LosslessMap seen(starMesh(3, 2400), MapLayout::Octahedral, {0.4, 0.3, 3.0}, {0.5, 0.0, 0.0}, 25.0);
-    const InsideMap& map = seen.map();
+    const MapSnapshot& map = seen.map();
     const std::vector<Vec3f> colours = cellColours(map, MapColouring::State, style.background);
     const std::vector<CellState> states = cellStates(map);
     const CellDirections directions(map.maps->grid());
@@ -271,4 +271,4 @@ TEST(MapPicture, horizonAndBordersOfCellsAreDrawn) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::judged_cells_test

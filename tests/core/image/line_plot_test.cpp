@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace cullscope::test {
+namespace cullscope::test::line_plot_test {
 namespace {
 
 using testing::DoubleNear;
@@ -145,4 +145,4 @@ TEST(LinePlot, exponentIsThePower) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::line_plot_test

@@ -6,7 +6,7 @@
 #include "core/image/view_picture.h"
 #include "tests/support/hand_made_map.h"
 
-namespace cullscope::test {
+namespace cullscope::test::map_picture_test {
 namespace {
 
 const DrawStyle kLight{Vec3f(1.0f)};
@@ -29,7 +29,7 @@ struct Shown {
     }
 };
 
-Shown shown(const InsideMap& map, MapColouring colouring = MapColouring::Entries) {
+Shown shown(const MapSnapshot& map, MapColouring colouring = MapColouring::Entries) {
     return {mapPicture(map, colouring, kSize, kLight)};
 }
 
@@ -38,7 +38,7 @@ const Vec3f kRed(0.86f, 0.08f, 0.08f);
 bool reddish(const Vec3f& colour) { return colour.x > 0.7f && colour.y < 0.3f && colour.z < 0.3f; }
 
 TEST(CellColours, everyStateHasItsColour) {
-    InsideMap map = sphereMap();
+    MapSnapshot map = sphereMap();
     map.decision.drawn = {{0, 900}};
     const auto palette = verdictPalette(kLight.background);
     const std::vector<CellState> states = cellStates(map);
@@ -59,7 +59,7 @@ TEST(CellColours, everyStateHasItsColour) {
 }
 
 TEST(CellColours, moreEntriesStandOutMore) {
-    InsideMap map;
+    MapSnapshot map;
     map.maps = std::make_shared<SphericalMaps>(knotMesh(20000), SphericalGrid(90, 45));
     for (const Vec3f& background : {Vec3f(1.0f), Vec3f(0.078f, 0.09f, 0.11f)}) {
         const std::vector<Vec3f> entries = cellColours(map, MapColouring::Entries, background);
@@ -117,7 +117,7 @@ TEST(Contours, pointsLieAtTheirAngle) {
 }
 
 TEST(MapPicture, everyCellHasItsColour) {
-    InsideMap map = sphereMap();
+    MapSnapshot map = sphereMap();
     map.decision.drawn = {{0, 90 * 20}};
     const Shown picture = shown(map, MapColouring::State);
     const std::vector<Vec3f> colours = cellColours(map, MapColouring::State, kLight.background);
@@ -149,7 +149,7 @@ TEST(MapPicture, regionOverTheSeamIsDrawnOnBothSides) {
 }
 
 TEST(MapPicture, rayIsMarkedWhereItHits) {
-    const InsideMap map = cutMap(100.0, 200.0);
+    const MapSnapshot map = cutMap(100.0, 200.0);
     const Shown picture = shown(map);
     for (const auto& [theta, phi] : {std::pair(100, 100), std::pair(100, 200), std::pair(60, 200)})
         EXPECT_LT(glm::distance(picture.at(theta, phi), kRed), 0.02f) << theta << " " << phi;
@@ -158,7 +158,7 @@ TEST(MapPicture, rayIsMarkedWhereItHits) {
 }
 
 TEST(MapPicture, walkedCellsStandOut) {
-    InsideMap map = cutMap(100.0, 200.0);
+    MapSnapshot map = cutMap(100.0, 200.0);
     const Shown before = shown(map);
     map.decision.rays[0].walkedCells = {{{30, 60}, {}}, {{31, 60}, {}}};
     const Shown after = shown(map);
@@ -168,8 +168,8 @@ TEST(MapPicture, walkedCellsStandOut) {
 }
 
 TEST(MapPicture, everyContourIsDrawn) {
-    const InsideMap map = bandedMap(directionOf(90, 180));
-    InsideMap bare = map;
+    const MapSnapshot map = bandedMap(directionOf(90, 180));
+    MapSnapshot bare = map;
     bare.decision.bands.reset();
     const Shown picture = shown(map), without = shown(bare);
     const auto drawn = [&](double theta, double phi) {
@@ -218,4 +218,4 @@ TEST(Canvas, transparentBackgroundIsNotBlendedIn) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::map_picture_test

@@ -8,7 +8,7 @@
 #include "tests/support/hand_made_map.h"
 #include "tests/support/lossless_map.h"
 
-namespace cullscope::test {
+namespace cullscope::test::overlays_kernel_test {
 namespace {
 
 const DrawStyle kLight{Vec3f(1.0f)};
@@ -37,7 +37,7 @@ TEST(KernelOverlay, gridStaysWithinTheKernel) {
     const InnerKernel& kernel = *seen.map().kernel;
     const Vec3 centre = seen.map().maps.sphere().centre;
     const View viewing = viewFrom({2.0, 1.0, -2.0});
-    const std::vector<OverlayLines> overlays = kernelOverlay(contextOf(seen, viewing), seen.inside);
+    const std::vector<OverlayLines> overlays = kernelOverlay(contextOf(seen, viewing), seen.snapshot);
     ASSERT_GT(overlays[0].lines.size(), 200u);
     for (const LineSegment& line : overlays[0].lines) {
         const Vec3 from = line.from - centre, to = line.to - centre;
@@ -51,7 +51,7 @@ TEST(KernelOverlay, gridStaysWithinTheKernel) {
 
 TEST(KernelOverlay, gridThinsOutAndShowsItsNearSideOnly) {
     const LosslessMap seen(sphereMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
-    const auto grid = [&](const View& viewing) { return kernelOverlay(contextOf(seen, viewing), seen.inside)[0].lines; };
+    const auto grid = [&](const View& viewing) { return kernelOverlay(contextOf(seen, viewing), seen.snapshot)[0].lines; };
     const View near = viewFrom({0, 0, 3}), far = viewFrom({0, 0, 20}), farther = viewFrom({0, 0, 60});
     for (const LineSegment& line : grid(near)) EXPECT_GT(std::max(line.from.z, line.to.z), -0.2);
     EXPECT_LT(grid(far).size(), grid(near).size() / 2);
@@ -62,7 +62,7 @@ TEST(KernelOverlay, gridThinsOutAndShowsItsNearSideOnly) {
 TEST(KernelOverlay, horizonAndAxisAreDrawn) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const View viewing = viewFrom({2.0, 1.0, -2.0});
-    const std::vector<OverlayLines> overlays = kernelOverlay(contextOf(seen, viewing), seen.inside);
+    const std::vector<OverlayLines> overlays = kernelOverlay(contextOf(seen, viewing), seen.snapshot);
     const Vec3 centre = seen.map().maps.sphere().centre;
     const std::vector<Vec3>& outline = seen.map().decision.walk->outline;
     EXPECT_LT(distanceTo(overlays[1].lines, 0.5 * (centre + seen.view.eye())), 1e-6);
@@ -80,13 +80,13 @@ TEST(KernelOverlay, thereIsNoneWhereThereIsNoKernel) {
     const LosslessMap outside(sphereMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0}, {0.4, 0.3, 6.0});
     for (const LosslessMap* seen : {&knot, &outside}) {
         EXPECT_FALSE(hasKernel(seen->map()));
-        for (const OverlayLines& overlay : kernelOverlay(contextOf(*seen, viewing), seen->inside))
+        for (const OverlayLines& overlay : kernelOverlay(contextOf(*seen, viewing), seen->snapshot))
             EXPECT_TRUE(overlay.lines.empty());
     }
     // From within nothing is hidden, but the kernel is there.
     const LosslessMap within(sphereMesh(20000), MapLayout::Octahedral, {0, 0, 0.3}, {1, 0, 0});
     EXPECT_TRUE(hasKernel(within.map()));
-    EXPECT_TRUE(kernelOverlay(contextOf(within, viewing), within.inside)[2].lines.empty());
+    EXPECT_TRUE(kernelOverlay(contextOf(within, viewing), within.snapshot)[2].lines.empty());
 }
 
 TEST(SphereOverlay, judgedCellsLieOnTheSphereInTheirColours) {
@@ -97,7 +97,7 @@ TEST(SphereOverlay, judgedCellsLieOnTheSphereInTheirColours) {
         for (const Vec3& eye : {Vec3(0.4, 0.3, 3.0), Vec3(-0.4, -0.3, -3.0)}) {
             const View viewing = viewFrom(eye);
             const OverlayContext context = contextOf(seen, viewing);
-            const std::vector<LineSegment> lines = sphereOverlay(context, seen.inside).back().lines;
+            const std::vector<LineSegment> lines = sphereOverlay(context, seen.snapshot).back().lines;
             EXPECT_GT(lines.size(), 100u);
             for (const LineSegment& line : lines) {
                 EXPECT_NEAR(glm::length(line.from - Vec3(sphere.centre)), sphere.radius, 1e-9);
@@ -114,4 +114,4 @@ TEST(SphereOverlay, judgedCellsLieOnTheSphereInTheirColours) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::overlays_kernel_test

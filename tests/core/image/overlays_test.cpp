@@ -9,13 +9,13 @@
 #include "tests/support/hand_made_map.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::overlays_test {
 namespace {
 
 /// One map over a mesh that stands somewhere, turned and enlarged, as somebody sees it.
 struct Seen {
-    explicit Seen(const InsideMap& map) {
-        inside.maps = {map};
+    explicit Seen(const MapSnapshot& map) {
+        snapshot.maps = {map};
         scene = sceneOf({std::make_shared<TriangleMesh>(dataOf(map.maps->mesh()))}, {place});
     }
     static TriangleMesh::Data dataOf(const TriangleMesh& mesh) {
@@ -26,20 +26,20 @@ struct Seen {
     }
     /// A point of the map's coordinates in the world.
     [[nodiscard]] Vec3 world(const Vec3& point) const {
-        return Vec3(place * Vec4(inside.maps[0].maps->sphere().centre + point, 1.0));
+        return Vec3(place * Vec4(snapshot.maps[0].maps->sphere().centre + point, 1.0));
     }
     [[nodiscard]] Vec3 local(const Vec3& point) const {
-        return Vec3(glm::inverse(place) * Vec4(point, 1.0)) - inside.maps[0].maps->sphere().centre;
+        return Vec3(glm::inverse(place) * Vec4(point, 1.0)) - snapshot.maps[0].maps->sphere().centre;
     }
     [[nodiscard]] OverlayContext context() const {
         return {
             *scene, view, style, verdictPalette(style.background), contrastTo(style.background), planePalette(style.background)};
     }
-    [[nodiscard]] double radius() const { return inside.maps[0].maps->sphere().radius; }
+    [[nodiscard]] double radius() const { return snapshot.maps[0].maps->sphere().radius; }
 
     // Turned by a right angle about x, twice as large, moved.
     Mat4 place = translation({100, -50, 25}) * Mat4(Vec4(2, 0, 0, 0), Vec4(0, 0, 2, 0), Vec4(0, -2, 0, 0), Vec4(0, 0, 0, 1));
-    Inside inside;
+    StructureSnapshot snapshot;
     ScenePointer scene;
     View view{{Vec3(100, -50, 37), Vec3(100, -50, 25), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {640, 480}};
     DrawStyle style{Vec3f(1.0f)};
@@ -60,10 +60,10 @@ double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
 }
 
 TEST(SphereOverlay, circlesAreGreatCircles) {
-    InsideMap map = sphereMap();
+    MapSnapshot map = sphereMap();
     map.decision.relation = SphereRelation::Within;
     const Seen seen(map);
-    const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.inside);
+    const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.snapshot);
     for (const LineSegment& line : overlays[0].lines) {
         const Vec3 point = seen.local(line.from);
         EXPECT_NEAR(glm::length(point), seen.radius(), 1e-9);
@@ -79,14 +79,14 @@ TEST(SphereOverlay, circlesAreGreatCircles) {
 
 TEST(SphereOverlay, objectOutsideHasNoLines) {
     const Seen seen(sphereMap());
-    for (const OverlayLines& overlay : sphereOverlay(seen.context(), seen.inside)) EXPECT_TRUE(overlay.lines.empty());
+    for (const OverlayLines& overlay : sphereOverlay(seen.context(), seen.snapshot)) EXPECT_TRUE(overlay.lines.empty());
 }
 
 TEST(SphereOverlay, regionAndRaysLieInTheirPlaces) {
     for (const auto& [left, right] : {std::pair(100.0, 200.0), std::pair(320.0, 400.0)}) {
-        const InsideMap map = cutMap(left, right);
+        const MapSnapshot map = cutMap(left, right);
         const Seen seen(map);
-        const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.inside);
+        const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.snapshot);
         const auto onSphere = [&](double theta, double phi) { return seen.world(seen.radius() * directionOf(theta, phi)); };
         for (double phi = left; phi <= right; phi += 4.0) {
             EXPECT_LT(distanceTo(overlays[1].lines, onSphere(60, phi)), kPixel);
@@ -106,7 +106,7 @@ TEST(SphereOverlay, regionAndRaysLieInTheirPlaces) {
 TEST(GroupOverlay, exactlyTheTestedGroupsHaveABox) {
     Seen seen(sphereMap());
     const auto node = [](int32_t parent, uint32_t instance, double size, Containment containment) {
-        InsideNode made;
+        SnapshotNode made;
         made.parent = parent;
         made.instance = instance;
         made.box = {Vec3(-size), Vec3(size)};
@@ -115,11 +115,11 @@ TEST(GroupOverlay, exactlyTheTestedGroupsHaveABox) {
         return made;
     };
     using enum Containment;
-    constexpr uint32_t kGroup = InsideNode::kGroup;
+    constexpr uint32_t kGroup = SnapshotNode::kGroup;
     // A root that straddles; below it a group outside and one inside, each with a group that was decided with it.
-    seen.inside.nodes = {node(4, 0, 1, Outside),      node(5, 1, 2, Inside),       node(-1, kGroup, 10, Straddles),
-                         node(2, kGroup, 8, Outside), node(3, kGroup, 7, Outside), node(6, kGroup, 5, Inside),
-                         node(2, kGroup, 6, Inside)};
+    seen.snapshot.nodes = {node(4, 0, 1, Outside),      node(5, 1, 2, Inside),       node(-1, kGroup, 10, Straddles),
+                           node(2, kGroup, 8, Outside), node(3, kGroup, 7, Outside), node(6, kGroup, 5, Inside),
+                           node(2, kGroup, 6, Inside)};
     const OverlayContext context = seen.context();
     const auto colours = [&](const OverlayLines& overlay, double size) {
         std::vector<Vec3f> found;
@@ -128,7 +128,7 @@ TEST(GroupOverlay, exactlyTheTestedGroupsHaveABox) {
         return found;
     };
     const auto twelve = [&](TriangleState state) { return std::vector<Vec3f>(12, context.palette[size_t(state)].colour); };
-    const OverlayLines groups = groupOverlay(context, seen.inside), boxes = boxOverlay(context, seen.inside);
+    const OverlayLines groups = groupOverlay(context, seen.snapshot), boxes = boxOverlay(context, seen.snapshot);
     EXPECT_EQ(groups.lines.size(), 36u);
     EXPECT_EQ(colours(groups, 10), twelve(TriangleState::Visible));
     EXPECT_EQ(colours(groups, 8), twelve(TriangleState::OutsideFrustum));
@@ -140,7 +140,7 @@ TEST(GroupOverlay, exactlyTheTestedGroupsHaveABox) {
 TEST(BoxesByPlane, boxHasTheColourOfItsPlane) {
     Seen seen(sphereMap());
     const auto node = [](int32_t parent, uint32_t instance, double size, std::optional<FrustumPlane> plane) {
-        InsideNode made;
+        SnapshotNode made;
         made.parent = parent;
         made.instance = instance;
         made.box = {Vec3(-size), Vec3(size)};
@@ -150,10 +150,11 @@ TEST(BoxesByPlane, boxHasTheColourOfItsPlane) {
         return made;
     };
     // Kept; rejected by a plane; by none alone; and a group with one that was decided with it.
-    seen.inside.nodes = {node(-1, 0, 1, {}), node(-1, 1, 2, FrustumPlane::Top), node(-1, 2, 3, {}),
-                         node(-1, InsideNode::kGroup, 5, FrustumPlane::Near), node(3, InsideNode::kGroup, 4, FrustumPlane::Near)};
+    seen.snapshot.nodes = {node(-1, 0, 1, {}), node(-1, 1, 2, FrustumPlane::Top), node(-1, 2, 3, {}),
+                           node(-1, SnapshotNode::kGroup, 5, FrustumPlane::Near),
+                           node(3, SnapshotNode::kGroup, 4, FrustumPlane::Near)};
     const OverlayContext context = seen.context();
-    const std::vector<OverlayLines> overlays = boxOverlayByPlane(context, seen.inside);
+    const std::vector<OverlayLines> overlays = boxOverlayByPlane(context, seen.snapshot);
     std::map<double, std::vector<Vec3f>> colours;
     std::map<double, float> widths;
     for (const OverlayLines& overlay : overlays)
@@ -193,8 +194,8 @@ TEST(PlaneOverlay, bordersLieOnTheirPlanes) {
 
 TEST(BandOverlay, circlesLieAtTheirAngles) {
     const Seen seen(bandedMap(directionOf(50, 70)));
-    const ContourBands& bands = *seen.inside.maps[0].decision.bands;
-    const std::vector<OverlayLines> overlays = bandOverlay(seen.context(), seen.inside);
+    const ContourBands& bands = *seen.snapshot.maps[0].decision.bands;
+    const std::vector<OverlayLines> overlays = bandOverlay(seen.context(), seen.snapshot);
     const auto palette = seen.context().palette;
     for (const LineSegment& line : overlays[0].lines) {
         const Vec3 point = seen.local(line.from);
@@ -217,13 +218,13 @@ TEST(BandOverlay, circlesLieAtTheirAngles) {
 
 TEST(BandOverlay, sizesHaveTheirLengths) {
     for (const bool slopes : {false, true}) {
-        InsideMap map = bandedMap(directionOf(50, 70));
+        MapSnapshot map = bandedMap(directionOf(50, 70));
         map.decision.bands->slopes = slopes;
         if (slopes)
             for (BandSector& sector : map.decision.bands->table) sector.size = 0.1;
         const Seen seen(map);
         const ContourBands& bands = *map.decision.bands;
-        const std::vector<LineSegment> sizes = bandOverlay(seen.context(), seen.inside)[2].lines;
+        const std::vector<LineSegment> sizes = bandOverlay(seen.context(), seen.snapshot)[2].lines;
         ASSERT_EQ(sizes.size(), 2u * bands.bands) << "to either side of the axis";
         for (size_t i = 0; i < sizes.size(); ++i) {
             const Vec3 foot = seen.local(sizes[i].from), tip = seen.local(sizes[i].to);
@@ -241,21 +242,21 @@ TEST(BandOverlay, sizesHaveTheirLengths) {
 }
 
 TEST(BandOverlay, smallObjectHasFewerLines) {
-    const InsideMap map = bandedMap(directionOf(50, 70));
+    const MapSnapshot map = bandedMap(directionOf(50, 70));
     Seen seen(map);
     size_t near = 0, far = 0;
-    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.inside)) near += overlay.lines.size();
+    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) near += overlay.lines.size();
     Camera camera = seen.view.camera();
     camera.eye.z += 200.0;
     seen.view = View(camera, seen.view.viewport());
-    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.inside)) far += overlay.lines.size();
+    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) far += overlay.lines.size();
     EXPECT_LT(far, near / 4);
     EXPECT_GT(far, 0u);
 }
 
 TEST(BandOverlay, objectWithoutBandsHasNoLines) {
     const Seen seen(cutMap(100, 200));
-    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.inside)) EXPECT_TRUE(overlay.lines.empty());
+    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) EXPECT_TRUE(overlay.lines.empty());
 }
 
 TEST(Marks, sizeIsTheSameAtEveryDistance) {
@@ -276,4 +277,4 @@ TEST(Marks, sizeIsTheSameAtEveryDistance) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::overlays_test

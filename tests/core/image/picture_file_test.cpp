@@ -12,7 +12,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::picture_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -299,4 +299,4 @@ TEST(ForwardDistances, depthsGiveDistancesAndNothingIsInfinitelyFar) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::picture_file_test

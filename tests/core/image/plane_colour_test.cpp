@@ -9,7 +9,7 @@
 // the background: in normal sight and with three colour-vision deficiencies. Thirteen greys cannot all be told apart, so that the
 // luminance alone is not asked.
 
-namespace cullscope::test {
+namespace cullscope::test::plane_colour_test {
 namespace {
 
 constexpr double kLeastDifference = 11.0;
@@ -51,23 +51,23 @@ TEST(PlaneColours, linesStandOutFromTheBackground) {
 
 TEST(PlaneCounts, objectsAreCountedAndGroupsAreNot) {
     const auto node = [](uint32_t instance, bool culled, std::optional<FrustumPlane> plane) {
-        InsideNode made;
+        SnapshotNode made;
         made.instance = instance;
         made.culled = culled;
         made.rejectedBy = plane;
         return made;
     };
-    Inside inside;
-    inside.nodes = {node(0, true, FrustumPlane::Far),
-                    node(1, true, FrustumPlane::Far),
-                    node(2, true, FrustumPlane::Left),
-                    node(3, true, std::nullopt),
-                    node(4, false, std::nullopt),
-                    node(InsideNode::kGroup, true, FrustumPlane::Far),
-                    node(InsideNode::kGroup, false, std::nullopt)};
-    EXPECT_EQ(countByPlane(inside), (PlaneCounts{{1, 0, 0, 0, 0, 2}, 1, 1}));
+    StructureSnapshot snapshot;
+    snapshot.nodes = {node(0, true, FrustumPlane::Far),
+                      node(1, true, FrustumPlane::Far),
+                      node(2, true, FrustumPlane::Left),
+                      node(3, true, std::nullopt),
+                      node(4, false, std::nullopt),
+                      node(SnapshotNode::kGroup, true, FrustumPlane::Far),
+                      node(SnapshotNode::kGroup, false, std::nullopt)};
+    EXPECT_EQ(countByPlane(snapshot), (PlaneCounts{{1, 0, 0, 0, 0, 2}, 1, 1}));
     EXPECT_EQ(countByPlane({}), PlaneCounts{});
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::plane_colour_test

@@ -7,7 +7,7 @@
 #include "tests/support/hand_made_map.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_model_test {
 namespace {
 
 constexpr Viewport kSize{440, 400};  // the map 360 × 180: a pixel a degree
@@ -122,4 +122,4 @@ TEST(SphericalModelPicture, partIsNotTakenForTheWhole) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_model_test

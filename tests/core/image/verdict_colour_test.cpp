@@ -5,16 +5,17 @@
 #include "core/geometry/random.h"
 #include "core/gpu/colour.h"
 #include "core/image/view_picture.h"
+#include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
-#include "tests/support/gl_environment.h"
 #include "tests/support/colour_difference.h"
+#include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
 // Verdict colours can be told apart: any two that are neighbours in a picture of the field differ by ΔE₀₀ ≥ 8, in normal sight,
 // in grey and with each of three colour-vision deficiencies, on the light and on the dark background.
 
-namespace cullscope::test {
+namespace cullscope::test::verdict_colour_test {
 namespace {
 
 constexpr double kLeastDifference = 8.0;
@@ -224,4 +225,4 @@ TEST(VerdictColours, anyTwoStatesAreToldApartBesideEachOther) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::verdict_colour_test

@@ -4,10 +4,10 @@
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/grouped_frustum.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::view_picture_test {
 namespace {
 
 const DrawStyle kLight{Vec3f(1.0f), 1.0f, Vec3f(0.2f)};
@@ -196,7 +196,7 @@ TEST(ViewPicture, observerColoursByTheCullingCamera) {
     frustum->build(*scene);
     (void)frustum->cull(culling, &trace);
     size_t culled = 0;
-    for (const InsideNode& node : frustum->inside(trace).nodes) {
+    for (const SnapshotNode& node : frustum->snapshot(trace).nodes) {
         const auto [x, y] = Shown::pixelOf(observer, node.box.centre());
         const Vec3f centre = look.at(x, y);
         const bool drawn = within(centre, shaded(palette[size_t(TriangleState::Visible)]), 0.1f) ||
@@ -221,10 +221,10 @@ TEST(ViewPicture, everyObjectHasItsBox) {
     frustum->build(*scene);
     Trace trace;
     (void)frustum->cull(culling, &trace);
-    const Inside inside = frustum->inside(trace);
-    ASSERT_GT(inside.nodes.size(), 2000u);
+    const StructureSnapshot snapshot = frustum->snapshot(trace);
+    ASSERT_GT(snapshot.nodes.size(), 2000u);
     size_t culled = 0;
-    for (const InsideNode& node : inside.nodes) {
+    for (const SnapshotNode& node : snapshot.nodes) {
         // The middles of the four upper edges; the observer looks down on them.
         const Vec3f colour = palette[size_t(node.culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
         const Vec3 centre = node.box.centre(), half = node.box.halfExtent();
@@ -344,4 +344,4 @@ TEST(VerdictPalette, backgroundChoosesTheColours) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::view_picture_test

@@ -1,11 +1,11 @@
+#include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
-#include "core/measure/accuracy.h"
 
-namespace cullscope::test {
+namespace cullscope::test::accuracy_test {
 namespace {
 
 /// Four triangles in two meshes: numbers 0, 1 and 2, 3.
@@ -204,4 +204,4 @@ TEST(MissedBeyondSnapping, backFaceCullingLosesNoSurfaceOfAClosedMesh) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::accuracy_test

@@ -2,16 +2,16 @@
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"
+#include "core/measure/accuracy.h"
 #include "core/measure/meter.h"
-#include "core/measure/render_frame.h"
 #include "core/measure/ray_reference.h"
+#include "core/measure/render_frame.h"
 #include "core/scene/hidden.h"
 #include "core/visibility/registry.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
-#include "core/measure/accuracy.h"
 
-namespace cullscope::test {
+namespace cullscope::test::empty_scene_test {
 namespace {
 
 constexpr Viewport kSize{40, 30};
@@ -59,4 +59,4 @@ TEST(EmptyScene, measurementIsRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::empty_scene_test

@@ -2,16 +2,16 @@
 
 #include "core/measure/reference.h"
 #include "core/visibility/registry.h"
-#include "tests/support/gl_environment.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/exact_visibility.h"
+#include "tests/support/gl_environment.h"
 #include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
 
 // The other half of the bound in geometry/frustum.h: what the GPU's float arithmetic puts on the raster, `frustum` must have
 // drawn, also where an object touches a plane to within rounding. The judge is the picture of everything; for `frustum-select`,
 // which promises more than samples, the exact one too.
 
-namespace cullscope::test {
+namespace cullscope::test::frustum_picture_test {
 namespace {
 
 constexpr uint64_t kAllViews = 10'000;
@@ -198,4 +198,4 @@ TEST(FrustumPicture, noPixelOfACulledObjectIsMissing) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::frustum_picture_test

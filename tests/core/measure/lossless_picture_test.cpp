@@ -3,14 +3,14 @@
 
 #include <cstdio>
 
+#include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/scene/camera_path.h"
-#include "tests/support/gl_environment.h"
 #include "tests/support/exact_visibility.h"
+#include "tests/support/gl_environment.h"
 #include "tests/support/lossless_scenes.h"
-#include "core/measure/accuracy.h"
 
-namespace cullscope::test {
+namespace cullscope::test::lossless_picture_test {
 namespace {
 
 constexpr uint64_t kAllViews = 10'000;
@@ -273,4 +273,4 @@ TEST(LosslessPicture, castleOfManyObjectsLosesNoPixel) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::lossless_picture_test

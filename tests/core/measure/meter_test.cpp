@@ -1,11 +1,11 @@
 #include "core/measure/meter.h"
 
 #include "core/base/error.h"
+#include "core/measure/accuracy.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
-#include "core/measure/accuracy.h"
 
-namespace cullscope::test {
+namespace cullscope::test::meter_test {
 namespace {
 
 TEST(Measure, fieldsFitTogether) {
@@ -180,4 +180,4 @@ TEST(RunMeasurement, brokenPromiseIsTold) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::meter_test

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "core/geometry/random.h"
+#include "core/measure/accuracy.h"
 #include "core/measure/ray_reference.h"
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
@@ -9,7 +10,6 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/pixel_edges.h"
 #include "tests/support/test_scenes.h"
-#include "core/measure/accuracy.h"
 
 // The item buffer against Embree's rays: they share no code, so what both say is so. They agree at a pixel where their depths
 // differ by no more than a shift of 1/256 pixel explains (the raster's snapping) and float's rounding of a depth; both of them
@@ -17,7 +17,7 @@
 // centre must lie within 1/128 pixel of an edge of that very triangle. Two surfaces nearer to each other than the tolerance are
 // an agreement.
 
-namespace cullscope::test {
+namespace cullscope::test::reference_agreement_test {
 namespace {
 
 const Viewport kSize{320, 240};
@@ -215,4 +215,4 @@ TEST(RayReference, emptySceneHasNoSurfaces) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::reference_agreement_test

@@ -4,16 +4,16 @@
 
 #include <cstdio>
 
+#include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/frustum_share.h"
 #include "core/scene/scene_source.h"
-#include "tests/support/gl_environment.h"
 #include "tests/support/exact_visibility.h"
+#include "tests/support/gl_environment.h"
 #include "tests/support/spherical_scenes.h"
-#include "core/measure/accuracy.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_picture_test {
 namespace {
 
 constexpr uint64_t kAllViews = 5'000;
@@ -229,4 +229,4 @@ TEST(SphericalPicture, upsideOfAnInstanceIsLookedUpInTheMeshsOwnAxes) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_picture_test

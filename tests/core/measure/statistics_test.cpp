@@ -1,7 +1,7 @@
-#include "core/measure/meter.h"
 #include "core/measure/statistics.h"
+#include "core/measure/meter.h"
 
-namespace cullscope {
+namespace cullscope::statistics_test {
 namespace {
 
 TEST(Quantile, interpolatesBetweenRanks) {
@@ -33,4 +33,4 @@ TEST(BootstrapMean, meanAndIntervalAreThoseOfTheory) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::statistics_test

@@ -3,7 +3,7 @@
 
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::corpus_test {
 namespace {
 
 constexpr unsigned kSecondsForAFile = 20;
@@ -37,4 +37,4 @@ TEST(MalformedFiles, collectedCorpusLoadsOrIsRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::corpus_test

@@ -1,6 +1,6 @@
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::load_obj_test {
 namespace {
 
 class LoadObj : public MeshFiles {};
@@ -131,4 +131,4 @@ TEST_F(LoadObj, aPositionWithAHundredThousandNormalsTakesNoTimeToSpeakOf) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::load_obj_test

@@ -1,6 +1,6 @@
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::load_other_formats_test {
 namespace {
 
 class LoadStl : public MeshFiles {};
@@ -93,4 +93,4 @@ TEST_F(LoadOm, filesOfOpenMeshAreReadWithTheirNormalsAndInDouble) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::load_other_formats_test

@@ -1,6 +1,6 @@
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::load_ply_test {
 namespace {
 
 class LoadPly : public MeshFiles {};
@@ -119,4 +119,4 @@ TEST_F(LoadPly, analysisIsNotMadeAboveItsLimitAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::load_ply_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::load_precision_test {
 namespace {
 
 class Precision : public MeshFiles {
@@ -70,4 +70,4 @@ TEST_F(Precision, meshesTooSmallForFloatsAreRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::load_precision_test

@@ -3,7 +3,7 @@
 #include "core/base/error.h"
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::load_refusals_test {
 namespace {
 
 class Refusals : public MeshFiles {};
@@ -76,4 +76,4 @@ TEST_F(Refusals, hashIsThatOfTheWholeFile) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::load_refusals_test

@@ -2,7 +2,7 @@
 #include "core/base/error.h"
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::load_stop_test {
 namespace {
 
 constexpr size_t kMostBytesBetweenQuestions = size_t{512} << 10;
@@ -84,4 +84,4 @@ TEST_F(Stopping, aStopAtAnyReportEndsTheLoadBeforeTheNextOne) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::load_stop_test

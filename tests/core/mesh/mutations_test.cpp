@@ -4,7 +4,7 @@
 
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::mutations_test {
 namespace {
 
 constexpr int kMutationsPerFormat = 600;
@@ -156,4 +156,4 @@ TEST_F(Mutations, everySeededMutationLoadsOrIsRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::mutations_test

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <random>
 
-namespace cullscope::test {
+namespace cullscope::test::polygon_test {
 namespace {
 
 double area(std::span<const Vec3> points) { return 0.5 * glm::length(doubledArea(points)); }
@@ -73,4 +73,4 @@ TEST(Polygon, hugeConcavePolygonIsCutAsAFanAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::polygon_test

@@ -1,7 +1,7 @@
 // The real models, where they are at hand: counts as their manifest states them.
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::real_models_test {
 namespace {
 
 const std::filesystem::path kModels = CULLSCOPE_SOURCE_DIR "/../shared/models";
@@ -57,4 +57,4 @@ TEST(RealModels, allCleanFilesLoad) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::real_models_test

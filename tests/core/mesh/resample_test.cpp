@@ -4,7 +4,7 @@
 #include "core/mesh/parametric.h"
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::resample_test {
 namespace {
 
 MeshPointer bunnyOrKnot() {
@@ -101,4 +101,4 @@ TEST_F(Resample, aStopEndsSimplifyingAndSubdividing) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::resample_test

@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "tests/support/mesh_files.h"
 
-namespace cullscope::test {
+namespace cullscope::test::save_test {
 namespace {
 
 class Save : public MeshFiles {
@@ -89,4 +89,4 @@ TEST_F(Save, aStopLeavesNoFileBehind) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::save_test

@@ -7,7 +7,7 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 
-namespace cullscope::test {
+namespace cullscope::test::split_test {
 namespace {
 
 /// A triangle by its corners' positions and normals, whatever their numbers.
@@ -188,4 +188,4 @@ TEST(Split, progressNeverGoesBackOrBeyondTheEnd) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::split_test

@@ -6,7 +6,7 @@
 #include "core/mesh/parametric.h"
 #include "core/mesh/steps.h"
 
-namespace cullscope::test {
+namespace cullscope::test::triangle_mesh_test {
 namespace {
 
 TriangleMesh::Data cube() {
@@ -102,4 +102,4 @@ TEST(SortInSteps, sortsMoreThanOneBlock) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::triangle_mesh_test

@@ -8,7 +8,7 @@
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 
-namespace cullscope::test {
+namespace cullscope::test::vertex_cache_test {
 namespace {
 
 using Corners = std::array<uint32_t, 3>;
@@ -69,4 +69,4 @@ TEST(VertexCache, emptyOrderStaysEmpty) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::vertex_cache_test

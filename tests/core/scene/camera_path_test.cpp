@@ -9,7 +9,7 @@
 #include "core/scene/scene_source.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::camera_path_test {
 namespace {
 
 /// A file of the test's own, gone with it.
@@ -160,4 +160,4 @@ TEST(CameraPath, overviewShowsEverything) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::camera_path_test

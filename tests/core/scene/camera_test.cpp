@@ -5,7 +5,7 @@
 #include "core/base/error.h"
 #include "core/geometry/random.h"
 
-namespace cullscope {
+namespace cullscope::camera_test {
 namespace {
 
 const Viewport kSize{640, 480};
@@ -178,4 +178,4 @@ TEST(Validate, tinyAndHugeVectorsAreRefusedOrMakeTheRightView) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::camera_test

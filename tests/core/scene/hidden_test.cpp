@@ -4,7 +4,7 @@
 #include "core/scene/camera_path.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::hidden_test {
 namespace {
 
 using Marks = std::vector<bool>;
@@ -90,4 +90,4 @@ TEST(Hidden, wrongListIsRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::hidden_test

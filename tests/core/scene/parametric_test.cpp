@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::parametric_test {
 namespace {
 
 struct Shape {
@@ -111,4 +111,4 @@ TEST(ParametricShape, teapotStandsUpright) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::parametric_test

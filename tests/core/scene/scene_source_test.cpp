@@ -5,7 +5,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::scene_source_test {
 namespace {
 
 /// A folder of the test's own, gone with it.
@@ -164,4 +164,4 @@ TEST(SceneSource, stopIsAnswered) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::scene_source_test

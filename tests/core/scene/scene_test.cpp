@@ -4,7 +4,7 @@
 #include "core/mesh/parametric.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::scene_test {
 namespace {
 
 TEST(Scene, everyTriangleHasItsInstance) {
@@ -83,4 +83,4 @@ TEST(Scene, emptySceneHasNoBounds) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::scene_test

@@ -6,7 +6,7 @@
 #include "core/scene/scene_source.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::split_scene_test {
 namespace {
 
 /// Two boxes that do not touch, as one mesh.
@@ -118,4 +118,4 @@ TEST(SceneFiles, areChangedWhereverTheyStand) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::split_scene_test

@@ -5,7 +5,7 @@
 
 #include "tests/support/tested_trees.h"
 
-namespace cullscope::test {
+namespace cullscope::test::cell_tree_bounds_test {
 namespace {
 
 using Node = CellTree::Node;
@@ -107,7 +107,7 @@ TEST(CellTreeBounds, conesHoldAllNormals) {
     });
 }
 
-TEST(CellTreeBounds, planeSlackHoldsForAllPlanes) {
+TEST(CellTreeBounds, planeMarginHoldsForAllPlanes) {
     forAllTrees([](const CellTree& tree) {
         const std::vector<Facet> facets = facetsOf(tree);
         for (const Node& node : tree.nodes()) {
@@ -116,9 +116,9 @@ TEST(CellTreeBounds, planeSlackHoldsForAllPlanes) {
             for (const Facet& facet : below(node, facets))
                 if (facet.normal != Vec3(0.0) && facet.height >= 1e-9 * tree.sphere().radius)
                     farthest = std::max(farthest, glm::dot(facet.normal, middleOf(node) - facet.corners[0]));
-            ASSERT_LE(farthest, double(node.planeSlack)) << "node of " << node.count << " triangles";
+            ASSERT_LE(farthest, double(node.planeMargin)) << "node of " << node.count << " triangles";
             if (node.childCount == 0 && node.leastHeight > 1e-4 * tree.sphere().radius) {
-                ASSERT_GE(farthest, double(node.planeSlack) - 1e-5 * tree.sphere().radius);
+                ASSERT_GE(farthest, double(node.planeMargin) - 1e-5 * tree.sphere().radius);
             }
         }
     });
@@ -174,10 +174,10 @@ TEST(CellTreeBounds, centreInACornerIsNoTroubleForWhatMeetsThere) {
                     EXPECT_GE(glm::dot(facet.normal, Vec3(node.coneAxis)), double(node.coneCosine));
                 }
             }
-            EXPECT_FALSE(std::isnan(node.planeSlack) || std::isnan(node.coneSine) || std::isnan(node.leastHeight));
+            EXPECT_FALSE(std::isnan(node.planeMargin) || std::isnan(node.coneSine) || std::isnan(node.leastHeight));
         }
     }
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::cell_tree_bounds_test

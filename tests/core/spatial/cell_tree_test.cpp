@@ -10,7 +10,7 @@
 #include "tests/support/test_scenes.h"
 #include "tests/support/tested_trees.h"
 
-namespace cullscope::test {
+namespace cullscope::test::cell_tree_test {
 namespace {
 
 using Node = CellTree::Node;
@@ -109,7 +109,7 @@ TEST(CellTree, leavesAreAsFineAsAsked) {
 
 TEST(CellTree, doesNotDependOnTheNumberOfThreads) {
     const auto fields = [](const Node& n) {
-        return std::tuple(n.low, n.high, n.coneAxis, n.coneCosine, n.coneSine, n.planeSlack, n.leastHeight,
+        return std::tuple(n.low, n.high, n.coneAxis, n.coneCosine, n.coneSine, n.planeMargin, n.leastHeight,
                           std::tuple(n.first, n.count, n.firstChild, n.code, n.level, n.childCount));
     };
     for (const MeshPointer& mesh : {knotMesh(30'000), awkwardTriangles(), bowlMesh(20'000)})
@@ -178,4 +178,4 @@ TEST(CellTree, trianglesAtOnePointAreKeptAndHaveNoNormals) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::cell_tree_test

@@ -10,7 +10,7 @@
 #include "core/base/error.h"
 #include "core/geometry/random.h"
 
-namespace cullscope::test {
+namespace cullscope::test::direction_map_test {
 namespace {
 
 constexpr double kSphere = 4.0 * std::numbers::pi;
@@ -206,4 +206,4 @@ TEST(DirectionMapLayout, idsNameTheLayouts) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::direction_map_test

@@ -9,10 +9,10 @@
 
 #include "core/geometry/triangle.h"
 #include "core/mesh/parametric.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/spherical_meshes.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::inner_kernel_test {
 namespace {
 
 using State = InnerKernel::State;
@@ -237,4 +237,4 @@ TEST(InnerKernel, doesNotDependOnTheNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::inner_kernel_test

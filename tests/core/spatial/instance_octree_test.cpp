@@ -7,7 +7,7 @@
 #include "core/geometry/random.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::instance_octree_test {
 namespace {
 
 MeshPointer smallBox() { return boxMesh(Vec3f(-0.1f), Vec3f(0.1f)); }
@@ -189,4 +189,4 @@ TEST(InstanceOctree, hundredThousandInstancesMakeTheSameShallowTree) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::instance_octree_test

@@ -10,7 +10,7 @@
 #include "core/spatial/spherical_triangle.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_battery_test {
 namespace {
 
 constexpr double kDegree = std::numbers::pi / 180.0;
@@ -101,4 +101,4 @@ TEST(SphericalBattery, case15RayOfImpactIsWalkedToTheSurface) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_battery_test

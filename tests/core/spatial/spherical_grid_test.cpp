@@ -7,7 +7,7 @@
 
 #include "core/geometry/random.h"
 
-namespace cullscope {
+namespace cullscope::spherical_grid_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -102,4 +102,4 @@ TEST(SphericalGrid, autoHasThePapersCellsForThePapersBunny) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::spherical_grid_test

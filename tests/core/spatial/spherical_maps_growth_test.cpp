@@ -6,7 +6,7 @@
 #include "core/mesh/parametric.h"
 #include "core/spatial/spherical_maps.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_maps_growth_test {
 namespace {
 
 double bytesAFace(size_t triangles) {
@@ -21,4 +21,4 @@ TEST(SphericalMapsGrowth, bytesGrowInProportionToTheFaces) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_maps_growth_test

@@ -11,10 +11,10 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/spherical_triangle.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/spherical_meshes.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_maps_test {
 namespace {
 
 /// Visits points of a triangle: its corners, along its edges, and inside; where an arc turns (its least and greatest θ) more
@@ -178,4 +178,4 @@ TEST(SphericalMaps, stopIsHeard) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_maps_test

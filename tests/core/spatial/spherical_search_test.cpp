@@ -7,10 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "tests/support/test_scenes.h"
 #include "tests/support/spherical_meshes.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_search_test {
 namespace {
 
 /// Embree over a mesh about the maps' centre.
@@ -171,4 +171,4 @@ TEST(ThroughSphere, beginsWhereTheRayDoes) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_search_test

@@ -2,7 +2,7 @@
 
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::exact_visibility_test {
 namespace {
 
 /// Camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10.
@@ -54,4 +54,4 @@ TEST(ExactVisibility, planesAgreeWithClosedForms) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::exact_visibility_test

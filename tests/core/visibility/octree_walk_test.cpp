@@ -4,12 +4,12 @@
 #include <optional>
 
 #include "core/geometry/random.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/grouped_frustum.h"
 #include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::octree_walk_test {
 namespace {
 
 constexpr uint64_t kAllViews = 10'000;
@@ -28,18 +28,18 @@ Kept byInstance(const std::vector<KeptObject>& kept, size_t instances) {
     return result;
 }
 
-/// How an object's own bounds lie to one plane: the tighter of box and sphere, and the slack that both are given.
+/// How an object's own bounds lie to one plane: the tighter of box and sphere, and the margin that both are given.
 struct OwnTest {
-    double inner, outer, slack;
+    double inner, outer, margin;
 };
 
 OwnTest ownTest(const Plane& plane, const Scene& scene, size_t instance, const Vec3& eye) {
     const EyeBox box = relativeToEye(scene.instanceBox(instance), eye);
     const Sphere& sphere = scene.instanceSphere(instance);
-    const double centre = plane.distance(box.centre), reach = glm::dot(glm::abs(plane.normal), box.half);
+    const double centre = plane.distance(box.centre), reach = glm::dot(glm::abs(plane.normal), box.halfExtent);
     const double middle = plane.distance(sphere.centre - eye);
     return {std::min(centre + reach, middle + sphere.radius), std::max(centre - reach, middle - sphere.radius),
-            conservativeSlack(glm::length(sphere.centre - eye) + sphere.radius) +
+            conservativeMargin(glm::length(sphere.centre - eye) + sphere.radius) +
                 (glm::length(sphere.centre) + glm::length(eye) + sphere.radius) * 0x1p-49};
 }
 
@@ -64,7 +64,7 @@ public:
 private:
     void check(const Scene& scene, const InstanceOctree& octree, const RandomView& random) {
         const View view(random.camera, random.viewport);
-        GroupWalkFigures figures;
+        OctreeWalkCounters figures;
         const Kept kept = byInstance(keptObjects(octree, scene, view, &figures), scene.instances().size());
         const ExactVisibility exact(random.camera, random.viewport);
         uint64_t culled = 0;
@@ -89,9 +89,9 @@ private:
         for (size_t p = 0; p < 6; ++p) {
             const Plane& plane = view.frustum().planes[p];
             const OwnTest own = ownTest(plane, scene, instance, view.eye());
-            EXPECT_GE(own.inner, -2.0 * own.slack) << "kept though outside: seed " << m_seed << " instance " << instance;
+            EXPECT_GE(own.inner, -2.0 * own.margin) << "kept though outside: seed " << m_seed << " instance " << instance;
             if ((planes >> p & 1) != 0)
-                EXPECT_LE(own.outer, 2.0 * own.slack) << "inside plane " << p << ": seed " << m_seed << " instance " << instance;
+                EXPECT_LE(own.outer, 2.0 * own.margin) << "inside plane " << p << ": seed " << m_seed << " instance " << instance;
             else
                 EXPECT_GE(leastDistance(scene, instance, plane, view.eye()), 0.0)
                     << "cut by plane " << p << ": seed " << m_seed << " instance " << instance;
@@ -149,7 +149,7 @@ TEST(GroupWalkTrace, culledObjectsHaveAPlaneAndKeptOnesNone) {
             const RandomView sample = randomView(*scene, random);
             const View view(sample.camera, sample.viewport);
             Trace trace;
-            GroupWalkFigures figures;
+            OctreeWalkCounters figures;
             const Kept kept = byInstance(keptObjects(octree, *scene, view, &figures, &trace), scene->instances().size());
             EXPECT_EQ(kept, byInstance(keptObjects(octree, *scene, view), kept.size())) << "a trace changes the answer";
             EXPECT_EQ(trace.groups.size(), figures.nodesVisited);
@@ -164,7 +164,7 @@ TEST(GroupWalkTrace, culledObjectsHaveAPlaneAndKeptOnesNone) {
                 EXPECT_LT(test.distance, -test.bound);
                 EXPECT_GT(test.bound, 0.0);
                 const OwnTest own = ownTest(view.frustum().planes[size_t(test.plane)], *scene, test.instance, view.eye());
-                EXPECT_NEAR(test.distance, own.inner, own.slack) << "not of its own bounds";
+                EXPECT_NEAR(test.distance, own.inner, own.margin) << "not of its own bounds";
                 EXPECT_EQ(end.kind, TraceEvent::Kind::Culled);
                 EXPECT_EQ(end.cause, Cause::OutsideFrustum);
                 EXPECT_EQ(end.instance, test.instance);
@@ -176,17 +176,17 @@ TEST(GroupWalkTrace, culledObjectsHaveAPlaneAndKeptOnesNone) {
 }
 
 TEST(GroupWalkTrace, boundIsTheOneThatDecided) {
-    // Stretched, its sphere reaches farther than its box and has the larger slack; it lies before the near plane by a distance
+    // Stretched, its sphere reaches farther than its box and has the larger margin; it lies before the near plane by a distance
     // between the two.
-    const double groupSlack = (0.9 + 10.0) * 0x1p-20;
+    const double groupMargin = (0.9 + 10.0) * 0x1p-20;
     const ScenePointer scene =
-        copiesOf(boxMesh(Vec3f(-1), Vec3f(1)), {translation({0, 0, -0.9 + 1.3 * groupSlack}) * scaling({10, 0.1, 0.1})});
+        copiesOf(boxMesh(Vec3f(-1), Vec3f(1)), {translation({0, 0, -0.9 + 1.3 * groupMargin}) * scaling({10, 0.1, 0.1})});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 1, 100}, {64, 64});
     Trace trace;
     EXPECT_TRUE(keptObjects(InstanceOctree(*scene), *scene, view, nullptr, &trace).empty());
     ASSERT_EQ(trace.events.size(), 2u);
     EXPECT_EQ(trace.events[0].plane, FrustumPlane::Near);
-    EXPECT_GT(ownTest(view.frustum().planes[4], *scene, 0, view.eye()).slack, -trace.events[0].distance);
+    EXPECT_GT(ownTest(view.frustum().planes[4], *scene, 0, view.eye()).margin, -trace.events[0].distance);
     EXPECT_LT(trace.events[0].distance, -trace.events[0].bound);
 }
 
@@ -199,7 +199,7 @@ ScenePointer field(int n, double spacing) {
 }
 
 struct Walked {
-    GroupWalkFigures figures;
+    OctreeWalkCounters figures;
     size_t kept = 0;
 
     [[nodiscard]] uint64_t tests() const { return figures.nodesVisited + figures.objectsTested; }
@@ -211,7 +211,7 @@ Walked walked(const Scene& scene, const Camera& camera) {
     return result;
 }
 
-TEST(GroupWalk, costGrowsWithTheBoundaryAndNotWithTheCount) {
+TEST(OctreeWalk, costGrowsWithTheBoundaryAndNotWithTheCount) {
     // The same square kilometre from the same place, in ever smaller steps: its boundary holds √n objects, its inside n.
     std::vector<Walked> at;
     for (const int n : {32, 100, 316}) {
@@ -227,7 +227,7 @@ TEST(GroupWalk, costGrowsWithTheBoundaryAndNotWithTheCount) {
     EXPECT_LT(at[2].tests(), 15 * at[0].tests()) << "the boundary grew by ten";
 }
 
-TEST(GroupWalk, costDoesNotGrowWithWhatIsNotInThePicture) {
+TEST(OctreeWalk, costDoesNotGrowWithWhatIsNotInThePicture) {
     const Camera camera{{0.3, 2, 0.2}, {5, 0, 3}, {0, 1, 0}, Angle::fromDegrees(50), 0.1, 15};
     const Walked small = walked(*field(32, 1.5), camera), large = walked(*field(316, 1.5), camera);
     EXPECT_EQ(small.kept, large.kept);
@@ -235,7 +235,7 @@ TEST(GroupWalk, costDoesNotGrowWithWhatIsNotInThePicture) {
     EXPECT_LT(large.tests(), small.tests() + 100) << "more than a path from the root";
 }
 
-TEST(GroupWalk, planeThatHasAGroupInsideIsNotTestedBelowIt) {
+TEST(OctreeWalk, planeThatHasAGroupInsideIsNotTestedBelowIt) {
     // From above, with a picture 90° wide whose one side plane stands upright near the middle: no other cuts anything.
     const Angle fovy = Angle::fromRadians(2.0 * std::atan(480.0 / 640.0));
     const ScenePointer scene = field(100, 1.5);
@@ -246,7 +246,7 @@ TEST(GroupWalk, planeThatHasAGroupInsideIsNotTestedBelowIt) {
     EXPECT_LT(half.figures.planesTested, 2 * half.tests());
 }
 
-TEST(GroupWalk, wholeSceneInsideOrOutsideTakesOneTest) {
+TEST(OctreeWalk, wholeSceneInsideOrOutsideTakesOneTest) {
     const ScenePointer scene = field(100, 1.5);
     const Camera over{{0, 500, 1}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 1, 1000};
     const Walked all = walked(*scene, over);
@@ -262,7 +262,7 @@ TEST(GroupWalk, wholeSceneInsideOrOutsideTakesOneTest) {
     EXPECT_EQ(none.figures.trianglesCulled, scene->triangleCount());
 }
 
-TEST(GroupWalk, emptySceneIsNotVisitedAndWhatCannotBePlacedIsKept) {
+TEST(OctreeWalk, emptySceneIsNotVisitedAndWhatCannotBePlacedIsKept) {
     const Camera camera{{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100};
     EXPECT_EQ(walked(Scene("nothing", {}, {}), camera).figures.nodesVisited, 0u);
     std::vector<Mat4> places;
@@ -284,11 +284,11 @@ TEST(GroupNodes, verdictsAndPlacesFitThoseOfTheParents) {
             const RandomView sample = randomView(*scene, random);
             Trace trace;
             (void)strategy.cull(View(sample.camera, sample.viewport), &trace);
-            const Inside inside = strategy.inside(trace);
+            const StructureSnapshot snapshot = strategy.snapshot(trace);
             const size_t objects = scene->instances().size();
-            ASSERT_EQ(inside.nodes.size(), objects + strategy.octree().nodes().size());
-            for (size_t n = 0; n < inside.nodes.size(); ++n) {
-                const InsideNode& node = inside.nodes[n];
+            ASSERT_EQ(snapshot.nodes.size(), objects + strategy.octree().nodes().size());
+            for (size_t n = 0; n < snapshot.nodes.size(); ++n) {
+                const SnapshotNode& node = snapshot.nodes[n];
                 EXPECT_EQ(node.isGroup(), n >= objects);
                 EXPECT_EQ(node.culled, node.containment == Containment::Outside);
                 EXPECT_EQ(node.culled, node.rejectedBy.has_value());
@@ -296,7 +296,7 @@ TEST(GroupNodes, verdictsAndPlacesFitThoseOfTheParents) {
                     EXPECT_EQ(n, objects) << "two roots";
                     continue;
                 }
-                const InsideNode& parent = inside.nodes[size_t(node.parent)];
+                const SnapshotNode& parent = snapshot.nodes[size_t(node.parent)];
                 ASSERT_TRUE(parent.isGroup());
                 EXPECT_TRUE(glm::all(glm::lessThanEqual(parent.box.min, node.box.min)));
                 EXPECT_TRUE(glm::all(glm::greaterThanEqual(parent.box.max, node.box.max)));
@@ -314,21 +314,21 @@ TEST(GroupNodes, countsAddUp) {
     const ScenePointer scene = field(12, 1.5);
     GroupedFrustum strategy;
     strategy.build(*scene);
-    const Inside inside = strategy.inside({});
-    std::vector<uint32_t> objects(inside.nodes.size(), 0);
-    std::vector<uint64_t> triangles(inside.nodes.size(), 0);
-    for (const InsideNode& node : inside.nodes) {
+    const StructureSnapshot snapshot = strategy.snapshot({});
+    std::vector<uint32_t> objects(snapshot.nodes.size(), 0);
+    std::vector<uint64_t> triangles(snapshot.nodes.size(), 0);
+    for (const SnapshotNode& node : snapshot.nodes) {
         EXPECT_FALSE(node.culled) << "nothing was decided";
         if (node.parent < 0) continue;
         objects[size_t(node.parent)] += node.objects;
         triangles[size_t(node.parent)] += node.triangles;
     }
-    for (size_t n = 0; n < inside.nodes.size(); ++n) {
-        if (!inside.nodes[n].isGroup()) continue;
-        EXPECT_EQ(objects[n], inside.nodes[n].objects);
-        EXPECT_EQ(triangles[n], inside.nodes[n].triangles);
+    for (size_t n = 0; n < snapshot.nodes.size(); ++n) {
+        if (!snapshot.nodes[n].isGroup()) continue;
+        EXPECT_EQ(objects[n], snapshot.nodes[n].objects);
+        EXPECT_EQ(triangles[n], snapshot.nodes[n].triangles);
     }
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::octree_walk_test

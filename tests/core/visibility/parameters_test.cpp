@@ -2,7 +2,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::parameters_test {
 namespace {
 
 std::vector<ParameterDeclaration> declarations() {
@@ -97,4 +97,4 @@ TEST(ParameterSet, textComesBackAsTheSameValue) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::parameters_test

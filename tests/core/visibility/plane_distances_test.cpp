@@ -6,7 +6,7 @@
 #include "core/visibility/registry.h"
 #include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::plane_distances_test {
 namespace {
 
 TEST(PlaneDistances, planesLieAsFrustumTestedThem) {
@@ -39,4 +39,4 @@ TEST(PlaneDistances, planesLieAsFrustumTestedThem) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::plane_distances_test

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope {
+namespace cullscope::registry_test {
 namespace {
 
 TEST(Registry, baselinesAreThereAndEveryIdIsThereOnce) {
@@ -53,4 +53,4 @@ TEST(Registry, madeStrategyHasTheGivenParameters) {
 }
 
 }  // namespace
-}  // namespace cullscope
+}  // namespace cullscope::registry_test

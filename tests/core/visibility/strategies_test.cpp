@@ -3,10 +3,10 @@
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::strategies_test {
 namespace {
 
 constexpr int kScenes = 40;
@@ -212,4 +212,4 @@ TEST(Baselines, facingRulesAreThoseOfTheirNames) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::strategies_test

@@ -4,7 +4,7 @@
 
 #include "core/base/error.h"
 
-namespace cullscope::test {
+namespace cullscope::test::strategy_request_test {
 namespace {
 
 std::string refusal(const std::string& text) {
@@ -39,4 +39,4 @@ TEST(StrategyText, whatIsUnknownIsRefused) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::strategy_request_test

@@ -2,14 +2,14 @@
 
 #include <numeric>
 
+#include "core/measure/accuracy.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/random_views.h"
-#include "core/measure/accuracy.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::triangle_states_test {
 namespace {
 
 TEST(VisibleSets, whatOnlyOneOfTwoShowsIsCounted) {
@@ -220,12 +220,13 @@ TEST(TriangleStates, fieldCountsAgreeWithTheVerdict) {
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, frustum->referenceFacing());
         const uint64_t outside = verdict.culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)];
         ASSERT_GT(outside, 0u);
-        for (const Reference* truth : {&reference, static_cast<const Reference*>(nullptr)}) {
+        for (const std::optional<VisibleTriangles>& truth :
+             {std::optional(reference.visible()), std::optional<VisibleTriangles>()}) {
             const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, truth);
             expectPartition(states, *scene);
             EXPECT_EQ(count(states, TriangleState::OutsideFrustum), outside);
             EXPECT_EQ(count(states, TriangleState::WronglyCulled), 0u);
-            EXPECT_EQ(count(states, TriangleState::InVain) > 0, truth != nullptr);
+            EXPECT_EQ(count(states, TriangleState::InVain) > 0, truth.has_value());
         }
     }
 }
@@ -237,4 +238,4 @@ TEST(TriangleStates, everyStateHasANameOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::triangle_states_test

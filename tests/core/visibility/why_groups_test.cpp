@@ -3,10 +3,10 @@
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/why.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/grouped_frustum.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::why_groups_test {
 namespace {
 
 ScenePointer field() {
@@ -73,4 +73,4 @@ TEST(WhyOfGroups, onlyTheLevelThatDecidedIsNamed) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::why_groups_test

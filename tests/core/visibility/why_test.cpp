@@ -5,10 +5,10 @@
 #include "core/mesh/parametric.h"
 #include "core/visibility/registry.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::why_test {
 namespace {
 
 /// A plane through the eye or at a distance, made here from the camera's own numbers: inside where normal·p + offset > 0, p from
@@ -84,7 +84,7 @@ TEST(Why, planeDistanceIsThatOfAnIndependentOne) {
                 const double own = ownDistance(planes[size_t(*step.plane)], *scene, instance, camera.eye);
                 EXPECT_NEAR(*step.distance, own, 1e-9);
                 EXPECT_GT(*step.bound, 0.0);
-                EXPECT_LT(*step.bound, 1e-4) << "a slack, not a distance";
+                EXPECT_LT(*step.bound, 1e-4) << "a margin, not a distance";
                 EXPECT_EQ(step.containment == Containment::Outside, *step.distance < -*step.bound);
                 ++seen[{*step.plane, step.containment}];
             }
@@ -162,7 +162,7 @@ TEST(Why, facingOfTheTriangleIsTold) {
     }
 }
 
-TEST(Inside, frustumShowsEveryBoxWithItsVerdict) {
+TEST(StructureSnapshot, frustumShowsEveryBoxWithItsVerdict) {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         const ScenePointer scene = randomScene(seed);
         const StrategyPointer frustum = makeStrategy("frustum");
@@ -174,9 +174,9 @@ TEST(Inside, frustumShowsEveryBoxWithItsVerdict) {
             const Verdict verdict = frustum->cull(View(sample.camera, sample.viewport), &trace);
             std::vector<bool> drawn(scene->instances().size(), false);
             for (const DrawRange& range : verdict.drawList.ranges) drawn[range.instance] = true;
-            const Inside inside = frustum->inside(trace);
-            ASSERT_EQ(inside.nodes.size(), scene->instances().size());
-            for (const InsideNode& node : inside.nodes) {
+            const StructureSnapshot snapshot = frustum->snapshot(trace);
+            ASSERT_EQ(snapshot.nodes.size(), scene->instances().size());
+            for (const SnapshotNode& node : snapshot.nodes) {
                 EXPECT_EQ(node.parent, -1);
                 EXPECT_EQ(node.box.min, scene->instanceBox(node.instance).min);
                 EXPECT_EQ(node.box.max, scene->instanceBox(node.instance).max);
@@ -189,21 +189,21 @@ TEST(Inside, frustumShowsEveryBoxWithItsVerdict) {
     }
 }
 
-TEST(Inside, containmentAndRejectingPlaneAreRight) {
+TEST(StructureSnapshot, containmentAndRejectingPlaneAreRight) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({0, 0, 5}), translation({5, 0, -5}),
                                                          translation({-20, 0, -5}), translation({0, 0, -30})});
     const StrategyPointer frustum = makeStrategy("frustum");
     frustum->build(*scene);
     Trace trace;
     (void)frustum->cull({{Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 20}, {100, 100}}, &trace);
-    const Inside inside = frustum->inside(trace);
-    ASSERT_EQ(inside.nodes.size(), 5u);
+    const StructureSnapshot snapshot = frustum->snapshot(trace);
+    ASSERT_EQ(snapshot.nodes.size(), 5u);
     using enum Containment;
     const std::array expected{Inside, Outside, Straddles, Outside, Outside};
-    for (size_t i = 0; i < 5; ++i) EXPECT_EQ(inside.nodes[i].containment, expected[i]) << i;
-    EXPECT_EQ(inside.nodes[1].rejectedBy, FrustumPlane::Left) << "behind the eye it lies outside the first plane tested";
-    EXPECT_EQ(inside.nodes[3].rejectedBy, FrustumPlane::Left);
-    EXPECT_EQ(inside.nodes[4].rejectedBy, FrustumPlane::Far);
+    for (size_t i = 0; i < 5; ++i) EXPECT_EQ(snapshot.nodes[i].containment, expected[i]) << i;
+    EXPECT_EQ(snapshot.nodes[1].rejectedBy, FrustumPlane::Left) << "behind the eye it lies outside the first plane tested";
+    EXPECT_EQ(snapshot.nodes[3].rejectedBy, FrustumPlane::Left);
+    EXPECT_EQ(snapshot.nodes[4].rejectedBy, FrustumPlane::Far);
 }
 
 TEST(Trace, everyTriangleNotSubmittedHasACause) {
@@ -243,4 +243,4 @@ TEST(Trace, everyTriangleNotSubmittedHasACause) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::why_test

@@ -8,7 +8,7 @@
 #include "tests/ui/looks/desktop.h"
 #include "ui/text/wording.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::compare_test {
 namespace {
 
 constexpr int kEnlarged = 3;      // letters of 14 pixels are small for tesseract
@@ -159,7 +159,7 @@ TEST(Compare, aFrozenViewIsSeenFromTheSideWithItsHoles) {
     desktop.session.setCamera(zoomed(desktop.session.camera(), desktop.session.camera().target, 0.35, 1.0));
     desktop.settle();
     const QImage neighbour = desktop.scene(1), before = desktop.scene(0);
-    const Figures figures = desktop.session.figures(0);
+    const ViewMetrics figures = desktop.session.figures(0);
     ASSERT_LT(figures.consideredTriangles, figures.sceneTriangles);
     QTest::keyClick(&desktop.view(0), Qt::Key_F);
     ASSERT_EQ(desktop.session.setup(0).role, Role::Frozen);
@@ -175,4 +175,4 @@ TEST(Compare, aFrozenViewIsSeenFromTheSideWithItsHoles) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::compare_test

@@ -5,7 +5,7 @@
 #include <QStatusBar>
 #include <QTableView>
 
-#include "ui/models/figure_model.h"
+#include "ui/models/metrics_model.h"
 #include "ui/startup/first_views.h"
 #include "ui/statistics/result_table_model.h"
 #include "ui/statistics/statistics_panel.h"
@@ -24,9 +24,9 @@ QRect placeIn(const QWidget& window, const QWidget& widget, const QRect& part) {
 /// The cells of a table that hold times, and what is reckoned from them.
 QRect timesOf(const QTableView& table) {
     const QRect cells = table.viewport()->rect();
-    if (qobject_cast<const FigureModel*>(table.model())) {
+    if (qobject_cast<const MetricsModel*>(table.model())) {
         int last = 0;
-        while (last < table.model()->rowCount() && table.model()->headerData(last, Qt::Vertical) != FigureModel::tr("Culling"))
+        while (last < table.model()->rowCount() && table.model()->headerData(last, Qt::Vertical) != MetricsModel::tr("Culling"))
             ++last;
         EXPECT_LT(last, table.model()->rowCount()) << "there is no row of the time for culling";
         return cells & QRect(0, 0, cells.width(), table.rowViewportPosition(last) + table.rowHeight(last));
@@ -79,13 +79,13 @@ Desktop::Desktop(const Start& start) : window(begun(*this, start), language, app
 }
 
 bool Desktop::settled() {
-    if (session.loader().loading() || !session.opened() || !session.buffers() || !session.figuresSettled() ||
+    if (session.loader().loading() || !session.opened() || !session.buffers() || !session.metricsSettled() ||
         session.pictures()->busy())
         return false;
     for (const int view : session.shownViews()) {
         if (session.slot(session.culledBy(view)).building() || !session.pictures()->isCurrent(view)) return false;
-        const Figures& figures = session.figures(view);
-        if (figures.state == Figures::State::Ready && !figures.timed) return false;
+        const ViewMetrics& figures = session.figures(view);
+        if (figures.state == ViewMetrics::State::Ready && !figures.timed) return false;
     }
     return true;
 }

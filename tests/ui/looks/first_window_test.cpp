@@ -5,7 +5,7 @@
 #include "tests/ui/looks/shown_texts.h"
 #include "ui/look/verdict_swatch.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::first_window_test {
 namespace {
 
 const QStringList kLanguages{QStringLiteral("en"), QStringLiteral("ko"), QStringLiteral("zh_CN")};
@@ -188,4 +188,4 @@ TEST(FirstWindow, anotherLanguageWhileSteppingKeepsTheState) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::first_window_test

@@ -7,7 +7,7 @@
 
 #include "tests/ui/looks/desktop.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::keyboard_test {
 namespace {
 
 constexpr int kMostStops = 120;
@@ -68,10 +68,10 @@ TEST(Keyboard, everythingOfALessonWorksWithoutAMouse) {
     press(Qt::Key_Escape);
     desktop.settle();
     ASSERT_TRUE(tabTo(window.tabs().tabBar()));
-    for (int tab = 0; tab < window.tabs().count() && window.tabs().currentWidget() != &window.inside().losses(); ++tab)
+    for (int tab = 0; tab < window.tabs().count() && window.tabs().currentWidget() != &window.structurePanel().losses(); ++tab)
         press(Qt::Key_Right);
-    EXPECT_EQ(window.tabs().currentWidget(), &window.inside().losses());
-    EXPECT_TRUE(window.inside().losses().isVisible());
+    EXPECT_EQ(window.tabs().currentWidget(), &window.structurePanel().losses());
+    EXPECT_TRUE(window.structurePanel().losses().isVisible());
     // Turned until there is one.
     ASSERT_TRUE(tabTo(&desktop.view(0)));
     for (int turn = 0; turn < kMostTurns && session.figures(0).holes.empty(); ++turn) {
@@ -127,4 +127,4 @@ TEST(Keyboard, whatTakesTheFocusHasAName) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::keyboard_test

@@ -7,7 +7,7 @@
 
 #include "tests/ui/looks/desktop.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::reopened_test {
 namespace {
 
 const Viewport kUltraHd{3840, 2160};
@@ -145,4 +145,4 @@ TEST(Reopened, aMalformedFileIsOneSentenceAndChangesNothing) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::reopened_test

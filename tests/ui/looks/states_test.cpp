@@ -8,7 +8,7 @@
 #include "tests/ui/looks/desktop.h"
 #include "tests/ui/looks/shown_texts.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::states_test {
 namespace {
 
 constexpr int kSmallestLectureLetters = 20;  // pixels
@@ -124,4 +124,4 @@ TEST(States, aScaledScreenHasThePictureScaledAndNoTextCut) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::states_test

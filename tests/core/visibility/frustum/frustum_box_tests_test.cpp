@@ -7,7 +7,7 @@
 // `frustum-select` and `frustum-query`; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°,
 // aspect 1, near 0.1, far 10 unless said.
 
-namespace cullscope::test {
+namespace cullscope::test::frustum_box_tests_test {
 namespace {
 
 constexpr std::array kIds{"frustum-select", "frustum-query"};
@@ -27,7 +27,7 @@ std::vector<uint32_t> drawn(const char* id, const Scene& scene, const View& view
     return drawn(*strategy, view);
 }
 
-TEST(FrustumAsking, objectInViewIsDrawnAndObjectBesideItCulled) {
+TEST(FrustumBoxTests, objectInViewIsDrawnAndObjectBesideItCulled) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({0, 0, 5}), translation({9, 0, -5}),
                                                          translation({5.5, 0, -5}), scaling(Vec3(50.0))});
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, standardView()), testing::ElementsAre(0, 3, 4)) << id;
@@ -40,13 +40,13 @@ TEST(FrustumQuery, whatLiesBeforeNearOrBeyondFarIsCulledThoughDepthIsClamped) {
     strategy->build(*scene);
     Trace trace;
     EXPECT_THAT(drawn(*strategy, standardView(), &trace), testing::ElementsAre(2));
-    const Inside inside = strategy->inside(trace);
-    ASSERT_EQ(inside.nodes.size(), 3u);
-    EXPECT_EQ(inside.nodes[0].rejectedBy, FrustumPlane::Far);
-    EXPECT_EQ(inside.nodes[1].rejectedBy, FrustumPlane::Near);
+    const StructureSnapshot snapshot = strategy->snapshot(trace);
+    ASSERT_EQ(snapshot.nodes.size(), 3u);
+    EXPECT_EQ(snapshot.nodes[0].rejectedBy, FrustumPlane::Far);
+    EXPECT_EQ(snapshot.nodes[1].rejectedBy, FrustumPlane::Near);
 }
 
-TEST(FrustumAsking, case26BoxAroundTheWholeFrustumIsDrawn) {
+TEST(FrustumBoxTests, case26BoxAroundTheWholeFrustumIsDrawn) {
     // With the far plane inside it, around the eye and with the eye 0.05 outside of it: OpenGL hits none of its faces.
     const ScenePointer around = sceneOf({boxMesh(Vec3f(-1000), Vec3f(1000))});
     const ScenePointer before = sceneOf({boxMesh({-1000, -1000, -1000}, {1000, 1000, -0.05f})});
@@ -56,12 +56,12 @@ TEST(FrustumAsking, case26BoxAroundTheWholeFrustumIsDrawn) {
     }
 }
 
-TEST(FrustumAsking, case22ObjectAroundTheEyeIsDrawn) {
+TEST(FrustumBoxTests, case22ObjectAroundTheEyeIsDrawn) {
     const ScenePointer scene = sceneOf({boxMesh({-1, -1, -3}, {1, 1, 3})});
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, standardView()), testing::ElementsAre(0)) << id;
 }
 
-TEST(FrustumAsking, objectSmallerThanAPixelThatCoversASampleIsDrawn) {
+TEST(FrustumBoxTests, objectSmallerThanAPixelThatCoversASampleIsDrawn) {
     // Its own box covers a sample or none by a hair; grown by a pixel it does.
     const View view = standardView();
     const Vec3 sample = view.direction(40.5, 60.5) * 5.0;
@@ -69,7 +69,7 @@ TEST(FrustumAsking, objectSmallerThanAPixelThatCoversASampleIsDrawn) {
     for (const char* id : kIds) EXPECT_THAT(drawn(id, *scene, view), testing::ElementsAre(0)) << id;
 }
 
-TEST(FrustumAsking, objectJustBeforeFarIsDrawnWhereNearIsVeryNear) {
+TEST(FrustumBoxTests, objectJustBeforeFarIsDrawnWhereNearIsVeryNear) {
     // Seen from the side, where a far plane misplaced by 2 % leaves nothing of the object: selection mode with OpenGL's own depth
     // range of -1 … 1 in floats.
     const Camera camera{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(179), 4.5e-5, 33};
@@ -94,7 +94,7 @@ TEST(FrustumSelect, case25NoObjectIsLostWhereTheHitBufferOverflows) {
     }
 }
 
-TEST(FrustumAsking, traceHasEveryObjectAndNamesNoPlane) {
+TEST(FrustumBoxTests, traceHasEveryObjectAndNamesNoPlane) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({9, 0, -5}), scaling(Vec3(50.0))});
     for (const char* id : kIds) {
         const StrategyPointer strategy = makeStrategy(id);
@@ -107,14 +107,14 @@ TEST(FrustumAsking, traceHasEveryObjectAndNamesNoPlane) {
         EXPECT_THAT(kinds, testing::ElementsAre(Kind::AskedOpenGl, Kind::Accepted, Kind::AskedOpenGl, Kind::Culled,
                                                 Kind::MeetsNear, Kind::Accepted))
             << id;
-        const Inside inside = strategy->inside(trace);
-        ASSERT_EQ(inside.nodes.size(), 3u);
-        EXPECT_TRUE(inside.nodes[1].culled);
-        EXPECT_FALSE(inside.nodes[1].rejectedBy);
+        const StructureSnapshot snapshot = strategy->snapshot(trace);
+        ASSERT_EQ(snapshot.nodes.size(), 3u);
+        EXPECT_TRUE(snapshot.nodes[1].culled);
+        EXPECT_FALSE(snapshot.nodes[1].rejectedBy);
     }
 }
 
-TEST(FrustumAsking, refusesToDecideWithoutOpenGl) {
+TEST(FrustumBoxTests, refusesToDecideWithoutOpenGl) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {Mat4(1.0)});
     for (const char* id : kIds) {
         const StrategyPointer strategy = makeStrategy(id);
@@ -138,4 +138,4 @@ TEST(FrustumSelect, aloneNeedsACompatibilityProfile) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::frustum_box_tests_test

@@ -3,14 +3,14 @@
 
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/registry.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
 
 // The strategies that test bounds against the frustum, over the same random object-frustum pairs and beside the same exact
 // oracle.
 
-namespace cullscope::test {
+namespace cullscope::test::frustum_family_test {
 namespace {
 
 constexpr uint64_t kAllPairs = 1'000'000;
@@ -37,9 +37,9 @@ struct VariantTally {
 
 struct Tally {
     uint64_t views = 0, pairs = 0, visible = 0, straddling = 0;
-    uint64_t boxOutside = 0, withinSlack = 0;  ///< of the boxes outside, those that the slack may keep
-    std::array<uint64_t, 6> touching{};        ///< visible objects with a vertex within 1e-6 of a plane
-    std::array<uint64_t, 6> justOutside{};     ///< culled ones within 1e-3
+    uint64_t boxOutside = 0, withinMargin = 0;  ///< of the boxes outside, those that the margin may keep
+    std::array<uint64_t, 6> touching{};         ///< visible objects with a vertex within 1e-6 of a plane
+    std::array<uint64_t, 6> justOutside{};      ///< culled ones within 1e-3
     std::array<VariantTally, kVariants> variants;
 };
 
@@ -54,8 +54,8 @@ std::vector<char> drawnBy(Strategy& strategy, const View& view, size_t instances
 struct PairTruth {
     ObjectTruth object;
     bool boxMeets = false;           ///< the object's box meets the frustum
-    bool boxMeetsInSlack = false;    ///< the same box, grown by slack and rounding
-    bool boxClearlyOutside = false;  ///< outside by more than any test's slack: a batch test's is a few times the others'
+    bool boxMeetsInMargin = false;   ///< the same box, grown by margin and rounding
+    bool boxClearlyOutside = false;  ///< outside by more than any test's margin: a batch test's is a few times the others'
 };
 
 class FrustumFamily {
@@ -105,8 +105,8 @@ private:
         const double rounding = 0x1p-44 * (glm::length(box.centre()) + glm::length(eye) + box.diagonal());
         const auto meetsGrown = [&](double by) { return exact.meets({box.min - by, box.max + by}); };
         truth.boxMeets = exact.meets(box);
-        truth.boxMeetsInSlack = truth.boxMeets || meetsGrown(1.001 * bounds.slack + rounding);
-        truth.boxClearlyOutside = !truth.boxMeetsInSlack && !meetsGrown(4.0 * bounds.slack + rounding);
+        truth.boxMeetsInMargin = truth.boxMeets || meetsGrown(1.001 * bounds.margin + rounding);
+        truth.boxClearlyOutside = !truth.boxMeetsInMargin && !meetsGrown(4.0 * bounds.margin + rounding);
         return truth;
     }
 
@@ -115,7 +115,7 @@ private:
         m_tally.visible += truth.object.visible ? 1 : 0;
         m_tally.straddling += truth.object.straddles ? 1 : 0;
         m_tally.boxOutside += truth.boxMeets ? 0 : 1;
-        m_tally.withinSlack += !truth.boxMeets && truth.boxMeetsInSlack ? 1 : 0;
+        m_tally.withinMargin += !truth.boxMeets && truth.boxMeetsInMargin ? 1 : 0;
         for (size_t plane = 0; plane < 6; ++plane) {
             m_tally.touching[plane] += truth.object.visible && truth.object.closest[plane] < 1e-6 ? 1 : 0;
             m_tally.justOutside[plane] += culled[PVertex] && truth.object.closest[plane] < 1e-3 ? 1 : 0;
@@ -132,7 +132,7 @@ private:
         for (size_t v = 0; v < kVariants; ++v)
             if (truth.object.visible && culled[v]) return std::string("visible object culled by ") + kSettings[v].name;
         if (truth.object.visible && !truth.boxMeets) return "the box does not hold its object";
-        if (!truth.boxMeetsInSlack && !culled[Refined]) return "box outside kept by the refinement";
+        if (!truth.boxMeetsInMargin && !culled[Refined]) return "box outside kept by the refinement";
         // What one leaves out, the tighter one leaves out.
         constexpr std::array<std::pair<Variant, Variant>, 4> kLooserThan{
             {{Length, PVertex}, {PVertex, Oriented}, {PVertex, Groups}, {Groups, Refined}}};
@@ -157,9 +157,9 @@ void print(const Tally& t) {
     const auto number = [](uint64_t n) { return static_cast<unsigned long long>(n); };
     std::printf(
         "long: frustum-family views %llu pairs %llu visible %llu straddling %llu touching-planes %s culled-just-outside %s "
-        "boxes-outside %llu within-slack %llu\n",
+        "boxes-outside %llu within-margin %llu\n",
         number(t.views), number(t.pairs), number(t.visible), number(t.straddling), list(t.touching).c_str(),
-        list(t.justOutside).c_str(), number(t.boxOutside), number(t.withinSlack));
+        list(t.justOutside).c_str(), number(t.boxOutside), number(t.withinMargin));
     for (size_t v = 0; v < kVariants; ++v)
         std::printf("long: frustum-family %s pairs %llu culled %llu visible-culled %llu false-positives %llu\n",
                     kSettings[v].name, number(t.pairs), number(t.variants[v].culled), number(t.variants[v].visibleCulled),
@@ -185,7 +185,7 @@ TEST(FrustumFamily, noVisibleObjectIsCulledAndTighterTestsKeepTheirPromises) {
     // The known false positives of plane tests, and their order.
     EXPECT_EQ(t.variants[Refined].falsePositives, 0u);
     EXPECT_GT(t.variants[Groups].falsePositives, t.pairs / 2000);
-    // Groups alone make no test sharper; what is left between the two is the batch's wider slack.
+    // Groups alone make no test sharper; what is left between the two is the batch's wider margin.
     EXPECT_LE(t.variants[Groups].falsePositives, t.variants[PVertex].falsePositives);
     EXPECT_GE(t.variants[Groups].falsePositives, t.variants[PVertex].falsePositives * 9 / 10);
     EXPECT_LT(t.variants[Oriented].falsePositives, t.variants[PVertex].falsePositives);
@@ -193,4 +193,4 @@ TEST(FrustumFamily, noVisibleObjectIsCulledAndTighterTestsKeepTheirPromises) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::frustum_family_test

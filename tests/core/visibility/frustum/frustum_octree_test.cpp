@@ -2,13 +2,13 @@
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/plane_distances.h"
 #include "core/visibility/registry.h"
-#include "tests/support/test_scenes.h"
 #include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
 
 // The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
 // said.
 
-namespace cullscope::test {
+namespace cullscope::test::frustum_octree_test {
 namespace {
 
 View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
@@ -93,7 +93,7 @@ TEST(FrustumOctree, planeThatFailedIsTestedFirstTheNextTime) {
     camera.eye = {90, 2, 0};
     camera.target = {90, 0, -60};
     const View view(camera, {200, 150});
-    GroupWalkFigures first, second;
+    OctreeWalkCounters first, second;
     const auto kept = keptObjects(tree, *scene, view, &first, nullptr, {true, &memory});
     EXPECT_EQ(keptObjects(tree, *scene, view, &second, nullptr, {true, &memory}).size(), kept.size());
     EXPECT_EQ(second.objectsCulled, first.objectsCulled);
@@ -151,9 +151,9 @@ TEST(FrustumOctree, everyObjectIsInAGroup) {
     strategy->build(*scene);
     Trace trace;
     (void)strategy->cull(standardView(), &trace);
-    const Inside inside = strategy->inside(trace);
+    const StructureSnapshot snapshot = strategy->snapshot(trace);
     size_t groups = 0, objects = 0;
-    for (const InsideNode& node : inside.nodes) {
+    for (const SnapshotNode& node : snapshot.nodes) {
         ++(node.isGroup() ? groups : objects);
         EXPECT_TRUE(node.isGroup() || node.parent >= 0);
     }
@@ -162,4 +162,4 @@ TEST(FrustumOctree, everyObjectIsInAGroup) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::frustum_octree_test

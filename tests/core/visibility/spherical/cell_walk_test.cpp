@@ -6,7 +6,7 @@
 
 // The walk through the 20 × 20 field at 650 × 650: the frustum culls 79 % of the objects on average, as in Cho et al.
 
-namespace cullscope::test {
+namespace cullscope::test::cell_walk_test {
 namespace {
 
 double culledShare(const Scene& scene) {
@@ -46,4 +46,4 @@ TEST(Walk, walkStaysInTheField) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::cell_walk_test

@@ -5,7 +5,7 @@
 #include "tests/support/spherical_scenes.h"
 #include "tests/support/spherical_views.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_horizon_test {
 namespace {
 
 TEST(SphericalHorizon, resultDoesNotDependOnTheThreads) {
@@ -61,4 +61,4 @@ TEST(SphericalHorizon, promiseForInwardFrontsAloneIsApproximate) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_horizon_test

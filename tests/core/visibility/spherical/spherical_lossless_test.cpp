@@ -10,7 +10,7 @@
 #include "core/visibility/spherical/cell_walk.h"
 #include "tests/support/lossless_scenes.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_lossless_test {
 namespace {
 
 struct Culled {
@@ -215,4 +215,4 @@ TEST(SphericalLossless, extremeViewHasAnAnswer) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_lossless_test

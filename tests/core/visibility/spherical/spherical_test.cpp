@@ -10,7 +10,7 @@
 #include "tests/support/spherical_scenes.h"
 #include "tests/support/spherical_views.h"
 
-namespace cullscope::test {
+namespace cullscope::test::spherical_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -177,9 +177,9 @@ TEST(Spherical, instancesShareTheirMeshsMaps) {
         EXPECT_THAT(relations, testing::IsSupersetOf({SphereRelation::Outside, SphereRelation::Cut, SphereRelation::Within}))
             << id;
         EXPECT_LT(verdict.consideredTriangles, many->triangleCount() / 2) << id;
-        const Inside inside = strategy->inside(trace);
-        ASSERT_EQ(inside.maps.size(), 25u);
-        for (const InsideMap& map : inside.maps) EXPECT_EQ(map.maps, inside.maps[0].maps);
+        const StructureSnapshot snapshot = strategy->snapshot(trace);
+        ASSERT_EQ(snapshot.maps.size(), 25u);
+        for (const MapSnapshot& map : snapshot.maps) EXPECT_EQ(map.maps, snapshot.maps[0].maps);
     }
 }
 
@@ -313,4 +313,4 @@ TEST(Spherical, whyNamesCaseAndCause) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::spherical_test

@@ -3,24 +3,24 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "ui/jobs/figures.h"
+#include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
 
 /// The figures of the shown views: a figure a row, a view a column, "…" while stale.
-class FigureModel : public QAbstractTableModel {
+class MetricsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     struct Column {
         int view = 0;
-        Figures figures;
+        ViewMetrics figures;
     };
 
     using QAbstractTableModel::QAbstractTableModel;
 
     void setColumns(std::vector<Column> columns);
-    void setFigures(int view, const Figures& figures);
+    void setFigures(int view, const ViewMetrics& figures);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : RowCount; }
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override {
@@ -35,7 +35,7 @@ private:
 
     [[nodiscard]] static QString title(int row);
     [[nodiscard]] static QString explanation(int row);
-    [[nodiscard]] static QString value(const Figures& figures, int row);
+    [[nodiscard]] static QString value(const ViewMetrics& figures, int row);
 
     std::vector<Column> m_columns;
 };

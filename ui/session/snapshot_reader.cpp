@@ -1,4 +1,4 @@
-#include "ui/session/inside_reader.h"
+#include "ui/session/snapshot_reader.h"
 
 #include <QEvent>
 #include <QWidget>
@@ -13,18 +13,18 @@ namespace {
 constexpr int kPauseBetweenCulls = 100;  // ms between two culls' beginnings
 
 /// Fills what is read from one traced cull; `known` are the boxes where they are known already.
-void read(InsideReading& reading, const std::shared_ptr<const Inside>& known, Renderer* renderer) {
+void read(SnapshotReading& reading, const std::shared_ptr<const StructureSnapshot>& known, Renderer* renderer) {
     const View view(reading.culling, reading.size);
     const Scene& scene = *reading.strategy->scene;
     const Strategy& strategy = *reading.strategy->strategy;
     Trace trace;
     const Verdict verdict = cullShared(*reading.strategy, view, &trace, renderer);
-    reading.inside = known ? known : std::make_shared<const Inside>(strategy.inside(trace));
+    reading.snapshot = known ? known : std::make_shared<const StructureSnapshot>(strategy.snapshot(trace));
     std::optional<uint32_t> picked;
     if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
-    if (!reading.inside->maps.empty()) {
-        reading.map = placeOfMap(*reading.inside, picked);
-        (void)*reading.inside->maps[reading.map].maps;
+    if (!reading.snapshot->maps.empty()) {
+        reading.map = placeOfMap(*reading.snapshot, picked);
+        (void)*reading.snapshot->maps[reading.map].maps;
     }
     if (!picked) return;
     reading.why = why(scene, view, strategy, verdict.drawList, trace, *reading.triangle);
@@ -33,9 +33,9 @@ void read(InsideReading& reading, const std::shared_ptr<const Inside>& known, Re
 
 }  // namespace
 
-InsideReadingPointer InsideReader::readingOf(const Request& request, const std::shared_ptr<const Inside>& known,
-                                             Renderer* renderer) {
-    auto reading = std::make_shared<InsideReading>();
+SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const std::shared_ptr<const StructureSnapshot>& known,
+                                                 Renderer* renderer) {
+    auto reading = std::make_shared<SnapshotReading>();
     reading->strategy = request.strategy;
     reading->culling = request.culling;
     reading->size = request.size;
@@ -44,49 +44,49 @@ InsideReadingPointer InsideReader::readingOf(const Request& request, const std::
         read(*reading, known, renderer);
     } catch (const Error& error) {
         reading->failure = error.message();
-        reading->inside = std::make_shared<const Inside>();
+        reading->snapshot = std::make_shared<const StructureSnapshot>();
     }
     return reading;
 }
 
-InsideReader::InsideReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseBetweenCulls);
-    connect(&m_pause, &QTimer::timeout, this, &InsideReader::check);
+    connect(&m_pause, &QTimer::timeout, this, &SnapshotReader::check);
     for (const auto signal : {&Session::sceneChanged, &Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged,
                               &Session::viewCountChanged, &Session::activeViewChanged, &Session::pickChanged})
-        connect(&session, signal, this, &InsideReader::check);
+        connect(&session, signal, this, &SnapshotReader::check);
     // A changed size of a view shows by its next picture, or by its figures.
     for (const auto signal :
-         {&Session::setupChanged, &Session::strategyBuilt, &Session::pictureChanged, &Session::figuresChanged})
-        connect(&session, signal, this, &InsideReader::check);
+         {&Session::setupChanged, &Session::strategyBuilt, &Session::pictureChanged, &Session::metricsChanged})
+        connect(&session, signal, this, &SnapshotReader::check);
 }
 
-InsideReader::~InsideReader() {
+SnapshotReader::~SnapshotReader() {
     m_background.cancel();
     m_asked.invalidate();
     // What was posted may be at work, or find itself stale: wait for it.
     if (m_session.gpu()) m_session.gpu()->run([] {});
 }
 
-void InsideReader::readFor(QWidget* widget) {
+void SnapshotReader::readFor(QWidget* widget) {
     m_readers.push_back(widget);
     widget->installEventFilter(this);
     connect(widget, &QObject::destroyed, this, [this, widget] { std::erase(m_readers, widget); });
     check();
 }
 
-bool InsideReader::eventFilter(QObject* watched, QEvent* event) {
+bool SnapshotReader::eventFilter(QObject* watched, QEvent* event) {
     // The widget is not visible yet when it hears that it will be.
-    if (event->type() == QEvent::Show) QMetaObject::invokeMethod(this, &InsideReader::check, Qt::QueuedConnection);
+    if (event->type() == QEvent::Show) QMetaObject::invokeMethod(this, &SnapshotReader::check, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);
 }
 
-bool InsideReader::wanted() const {
+bool SnapshotReader::wanted() const {
     return std::any_of(m_readers.begin(), m_readers.end(), [](const QWidget* widget) { return widget->isVisible(); });
 }
 
-std::optional<uint64_t> InsideReader::pickedTriangle() const {
+std::optional<uint64_t> SnapshotReader::pickedTriangle() const {
     const std::optional<Pick>& pick = m_session.pick();
     if (!pick) return std::nullopt;
     const std::optional<uint32_t> instance = m_session.instanceOf(pick->object);
@@ -94,22 +94,22 @@ std::optional<uint64_t> InsideReader::pickedTriangle() const {
     return m_session.scene()->firstTriangle(*instance) + pick->triangle - m_session.opened()->scene->firstTriangle(pick->object);
 }
 
-std::optional<InsideReader::Request> InsideReader::present() const {
+std::optional<SnapshotReader::Request> SnapshotReader::present() const {
     const std::optional<ViewRequest> view = m_session.viewRequest(m_session.activeView());
     if (!view || view->strategy->scene != m_session.scene()) return std::nullopt;
     return Request{view->strategy, view->culling, view->cullingSize, pickedTriangle()};
 }
 
-bool InsideReader::answers(const Request& request) const {
+bool SnapshotReader::answers(const Request& request) const {
     return m_reading && request == Request{m_reading->strategy, m_reading->culling, m_reading->size, m_reading->triangle};
 }
 
-bool InsideReader::fresh() const {
+bool SnapshotReader::fresh() const {
     const std::optional<Request> request = present();
     return request && answers(*request);
 }
 
-void InsideReader::check() {
+void SnapshotReader::check() {
     // Another scene numbers its objects in another way, and a strategy that is refused decides nothing.
     const bool refused = m_session.slot(m_session.culledBy(m_session.activeView())).refused();
     const bool outdated = m_reading && (refused || m_reading->strategy->scene != m_session.scene());
@@ -119,45 +119,45 @@ void InsideReader::check() {
     if (!fresh && wanted() && !busy() && !m_pause.isActive()) start();
 }
 
-void InsideReader::start() {
+void SnapshotReader::start() {
     const std::optional<Request> request = present();
     if (!request) return;
     const bool same = m_reading && m_reading->failure.empty() && m_reading->strategy == request->strategy &&
                       m_reading->culling == request->culling && m_reading->size == request->size;
-    const std::shared_ptr<const Inside> known = same ? m_reading->inside : nullptr;
+    const std::shared_ptr<const StructureSnapshot> known = same ? m_reading->snapshot : nullptr;
     m_pause.start();
     ++m_begun;
-    if (request->strategy->asks != Asks::Nothing) return startAsking(*request, known);
+    if (request->strategy->glRequirement != GlRequirement::None) return startOnGpuThread(*request, known);
     m_background.start([this, request = *request, known](const std::stop_token& stop) {
-        InsideReadingPointer reading = readingOf(request, known, nullptr);
+        SnapshotReadingPointer reading = readingOf(request, known, nullptr);
         if (stop.stop_requested()) return Background::Delivery();
         return Background::Delivery(
             [this, request, reading = std::move(reading)]() mutable { take(request, std::move(reading)); });
     });
 }
 
-void InsideReader::startAsking(const Request& request, const std::shared_ptr<const Inside>& known) {
+void SnapshotReader::startOnGpuThread(const Request& request, const std::shared_ptr<const StructureSnapshot>& known) {
     const uint64_t job = m_asked.begin();
-    m_asking = true;
+    m_culling = true;
     GpuThread* gpu = m_session.gpu();
     gpu->post([this, job, gpu, request, known] {
         if (!m_asked.isCurrent(job)) return;
         // What a lost context answers is worth nothing; it is asked again with the buffers of the new one.
         const bool held = !gpu->lost();
-        InsideReadingPointer reading = held ? readingOf(request, known, &gpu->renderer()) : nullptr;
+        SnapshotReadingPointer reading = held ? readingOf(request, known, &gpu->renderer()) : nullptr;
         if (gpu->lost()) reading = nullptr;
         QMetaObject::invokeMethod(
             this,
             [this, job, request, reading = std::move(reading)]() mutable {
                 if (!m_asked.isCurrent(job)) return;
-                m_asking = false;
+                m_culling = false;
                 if (reading) take(request, std::move(reading));
             },
             Qt::QueuedConnection);
     });
 }
 
-void InsideReader::take(const Request& request, InsideReadingPointer reading) {
+void SnapshotReader::take(const Request& request, SnapshotReadingPointer reading) {
     if (present() == request) {
         m_reading = std::move(reading);
         m_wasFresh = true;
@@ -166,10 +166,10 @@ void InsideReader::take(const Request& request, InsideReadingPointer reading) {
     check();
 }
 
-std::optional<TriangleState> InsideReader::pickedState() const {
+std::optional<TriangleState> SnapshotReader::pickedState() const {
     const std::optional<uint64_t> triangle = pickedTriangle();
-    const Figures& figures = m_session.figures(m_session.activeView());
-    if (!triangle || figures.state != Figures::State::Ready || !figures.states) return std::nullopt;
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    if (!triangle || figures.state != ViewMetrics::State::Ready || !figures.states) return std::nullopt;
     if (!figures.subject.buffers || figures.subject.buffers->scenePointer() != m_session.scene()) return std::nullopt;
     return figures.states->states[*triangle];
 }

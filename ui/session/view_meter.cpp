@@ -1,13 +1,13 @@
-#include "ui/session/figure_meter.h"
+#include "ui/session/view_meter.h"
 
 #include <QCoreApplication>
 #include <chrono>
 #include <map>
 
 #include "core/base/error.h"
+#include "core/measure/accuracy.h"
 #include "core/measure/render_frame.h"
 #include "core/visibility/registry.h"
-#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
@@ -21,17 +21,17 @@ constexpr const char* kBaseline = "backface";
 
 /// One strategy to be timed; several views may share it.
 struct Runner {
-    FigureSubject what;
+    MetricsSubject what;
     std::vector<double> frameTimes, cullTimes;
 };
 
-bool sameWork(const FigureSubject& a, const FigureSubject& b) {
+bool sameWork(const MetricsSubject& a, const MetricsSubject& b) {
     return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id == b.strategy->id &&
            a.strategy->strategy->parameters() == b.strategy->strategy->parameters();
 }
 
 /// The runner for this work, made where there is none yet.
-size_t runnerFor(std::vector<Runner>& runners, const FigureSubject& what) {
+size_t runnerFor(std::vector<Runner>& runners, const MetricsSubject& what) {
     for (size_t i = 0; i < runners.size(); ++i)
         if (sameWork(runners[i].what, what)) return i;
     runners.push_back({what, {}, {}});
@@ -48,15 +48,15 @@ std::vector<LostObject> lostObjects(const Scene& scene, const Reference& truth, 
     return objects;
 }
 
-Figures failure(const Message& message, const FigureSubject& subject) {
-    Figures figures;
-    figures.state = Figures::State::Failed;
+ViewMetrics failure(const Message& message, const MetricsSubject& subject) {
+    ViewMetrics figures;
+    figures.state = ViewMetrics::State::Failed;
     figures.failure = message;
     figures.subject = subject;
     return figures;
 }
 
-void fillTimes(Figures& figures, const Runner& runner, const Runner& baseline) {
+void fillTimes(ViewMetrics& figures, const Runner& runner, const Runner& baseline) {
     figures.frameMilliseconds = median(runner.frameTimes);
     figures.cullMilliseconds = median(runner.cullTimes);
     figures.timed = true;
@@ -68,7 +68,7 @@ void fillTimes(Figures& figures, const Runner& runner, const Runner& baseline) {
 
 }  // namespace
 
-struct FigureMeter::Bench {
+struct ViewMeter::Bench {
     std::unique_ptr<Renderer> renderer;
     std::unique_ptr<Framebuffer> framebuffer;
     BuiltStrategyPointer baseline;
@@ -115,24 +115,24 @@ struct FigureMeter::Bench {
         return truth;
     }
 
-    FrameResult draw(const FigureSubject& what) {
+    FrameResult draw(const MetricsSubject& what) {
         Framebuffer& into = target(what.size);
         return renderShared(*renderer, *what.buffers, *what.strategy, View(what.culling, what.size), into);
     }
 
     /// Everything of `figures` that is not a ratio.
-    Figures accuracy(const FigureSubject& what) {
+    ViewMetrics accuracy(const MetricsSubject& what) {
         const View view(what.culling, what.size);
         const Scene& scene = what.buffers->scene();
         const FrameResult frame = draw(what);
         Trace trace;
-        Figures figures;
+        ViewMetrics figures;
         {
             const std::lock_guard lock(what.strategy->mutex);
             (void)what.strategy->strategy->cull(view, &trace, renderer.get());
             figures.promise = what.strategy->strategy->promiseAt(view);
         }
-        figures.state = Figures::State::Ready;
+        figures.state = ViewMetrics::State::Ready;
         figures.subject = what;
         figures.frameMilliseconds = frame.frameMilliseconds;
         figures.cullMilliseconds = frame.verdict.cullMilliseconds;
@@ -165,10 +165,10 @@ struct FigureMeter::Bench {
     }
 };
 
-struct FigureMeter::Job {
+struct ViewMeter::Job {
     uint64_t number = 0;
     std::vector<Subject> subjects;
-    std::vector<Figures> figures;
+    std::vector<ViewMetrics> figures;
     std::vector<Runner> runners;
     std::vector<std::pair<size_t, size_t>> places;  ///< of a subject's runner and of its baseline's
     int round = -1;                                 ///< the first one warms up
@@ -177,7 +177,7 @@ struct FigureMeter::Job {
 
     void prepareTiming(Bench& bench) {
         for (const Subject& subject : subjects) {
-            FigureSubject baseline = subject.what;
+            MetricsSubject baseline = subject.what;
             baseline.strategy = bench.baselineFor(subject.what.buffers->scenePointer());
             const size_t baselinePlace = runnerFor(runners, baseline);
             places.emplace_back(runnerFor(runners, subject.what), baselinePlace);
@@ -201,12 +201,12 @@ struct FigureMeter::Job {
     }
 };
 
-FigureMeter::FigureMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {
+ViewMeter::ViewMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {
     connect(
         &gpu, &GpuThread::contextGoing, this, [bench = m_bench] { bench->letGo(); }, Qt::DirectConnection);
 }
 
-FigureMeter::~FigureMeter() {
+ViewMeter::~ViewMeter() {
     cancel();
     // A step in hand may post one more, which finds itself cancelled: wait for both.
     m_gpu.run([] {});
@@ -214,29 +214,29 @@ FigureMeter::~FigureMeter() {
     m_gpu.run([this] { *m_bench = Bench(); });
 }
 
-size_t FigureMeter::referencesComputed() {
+size_t ViewMeter::referencesComputed() {
     size_t count = 0;
     m_gpu.run([&] { count = m_bench->referencesComputed; });
     return count;
 }
 
-void FigureMeter::cancel() {
+void ViewMeter::cancel() {
     m_jobs.invalidate();
     m_busy = false;
 }
 
-void FigureMeter::deliver(uint64_t job, int view, const Figures& figures) {
+void ViewMeter::deliver(uint64_t job, int view, const ViewMetrics& figures) {
     QMetaObject::invokeMethod(
         this,
         [this, job, view, figures] {
             if (!m_jobs.isCurrent(job)) return;
-            if (figures.timed || figures.state == Figures::State::Failed) m_busy = false;
+            if (figures.timed || figures.state == ViewMetrics::State::Failed) m_busy = false;
             emit measured(view, figures);
         },
         Qt::QueuedConnection);
 }
 
-void FigureMeter::measure(std::vector<Subject> subjects) {
+void ViewMeter::measure(std::vector<Subject> subjects) {
     auto job = std::make_shared<Job>();
     job->number = m_jobs.begin();
     job->subjects = std::move(subjects);
@@ -247,12 +247,12 @@ void FigureMeter::measure(std::vector<Subject> subjects) {
     });
 }
 
-bool FigureMeter::held(const Job& job) const {
+bool ViewMeter::held(const Job& job) const {
     return std::all_of(job.subjects.begin(), job.subjects.end(),
                        [this](const Subject& subject) { return m_gpu.holds(subject.what.buffers); });
 }
 
-void FigureMeter::step(const std::shared_ptr<Job>& job) {
+void ViewMeter::step(const std::shared_ptr<Job>& job) {
     // What the loss of the context ends is asked for again with the buffers of the new one.
     if (!m_jobs.isCurrent(job->number) || !held(*job)) return;
     try {
@@ -264,7 +264,7 @@ void FigureMeter::step(const std::shared_ptr<Job>& job) {
     }
 }
 
-bool FigureMeter::measureNext(Job& job) {
+bool ViewMeter::measureNext(Job& job) {
     if (job.figures.size() < job.subjects.size()) {
         const Subject& subject = job.subjects[job.figures.size()];
         job.figures.push_back(m_bench->accuracy(subject.what));
@@ -282,7 +282,7 @@ bool FigureMeter::measureNext(Job& job) {
     return false;
 }
 
-void FigureMeter::fail(const Job& job, const Message& message) {
+void ViewMeter::fail(const Job& job, const Message& message) {
     if (!held(job)) return;
     for (const Subject& subject : job.subjects) deliver(job.number, subject.view, failure(message, subject.what));
 }

@@ -1,24 +1,24 @@
-#include "ui/panels/inside_panel.h"
+#include "ui/panels/structure_panel.h"
 
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
 #include <random>
 
-#include "tests/ui/test_scene.h"
-#include "core/scene/camera_moves.h"
-#include "ui/session/object_pick.h"
-#include "ui/jobs/object_verdicts.h"
 #include "core/measure/accuracy.h"
+#include "core/scene/camera_moves.h"
+#include "tests/ui/test_scene.h"
+#include "ui/jobs/object_verdicts.h"
+#include "ui/session/object_pick.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::structure_panel_test {
 namespace {
 
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 constexpr const char* kField = "field:mesh=sphere:triangles=80,n=4";
 
-InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
-    InsideNode node;
+SnapshotNode node(int32_t parent, uint32_t instance, bool culled = false) {
+    SnapshotNode node;
     node.parent = parent;
     node.instance = instance;
     node.triangles = 80;
@@ -27,7 +27,7 @@ InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
     return node;
 }
 
-TEST(InsideModel, holdsTreesWhoseParentsComeAfterTheirChildren) {
+TEST(StructureModel, holdsTreesWhoseParentsComeAfterTheirChildren) {
     const ScenePointer scene = openScene(kField).scene;
     std::mt19937 random(7);
     for (int round = 0; round < 20; ++round) {
@@ -35,22 +35,22 @@ TEST(InsideModel, holdsTreesWhoseParentsComeAfterTheirChildren) {
         std::vector<int32_t> order(count);
         std::iota(order.begin(), order.end(), 0);
         std::shuffle(order.begin(), order.end(), random);
-        auto inside = std::make_shared<Inside>();
-        inside->nodes.assign(count, node(-1, 0));
+        auto snapshot = std::make_shared<StructureSnapshot>();
+        snapshot->nodes.assign(count, node(-1, 0));
         // Each one's parent stands before it in a random order: no cycle, and no order of the indices.
         for (size_t i = 0; i < count; ++i) {
             const size_t parent = random() % (i + 1);
-            inside->nodes[size_t(order[i])] = node(parent == i ? -1 : order[parent], uint32_t(i % scene->instances().size()));
+            snapshot->nodes[size_t(order[i])] = node(parent == i ? -1 : order[parent], uint32_t(i % scene->instances().size()));
         }
-        InsideModel model;
+        StructureModel model;
         const QAbstractItemModelTester tester(&model, kFatal);
-        model.setInside(scene, inside);
+        model.setSnapshot(scene, snapshot);
         size_t seen = 0;
         std::function<void(const QModelIndex&, int32_t)> walk = [&](const QModelIndex& parent, int32_t number) {
             for (int row = 0; row < model.rowCount(parent); ++row) {
                 const QModelIndex child = model.index(row, 0, parent);
                 ++seen;
-                EXPECT_EQ(inside->nodes[model.nodeOf(child)].parent, number);
+                EXPECT_EQ(snapshot->nodes[model.nodeOf(child)].parent, number);
                 EXPECT_EQ(model.parent(child), parent);
                 EXPECT_EQ(model.instanceAt(child).has_value(), model.rowCount(child) == 0);
                 walk(child, int32_t(model.nodeOf(child)));
@@ -61,34 +61,34 @@ TEST(InsideModel, holdsTreesWhoseParentsComeAfterTheirChildren) {
     }
 }
 
-TEST(InsideModel, aNewReadingOfTheSameBoxesKeepsTheRows) {
+TEST(StructureModel, aNewReadingOfTheSameBoxesKeepsTheRows) {
     const ScenePointer scene = openScene(kField).scene;
-    InsideModel model;
+    StructureModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
-    auto before = std::make_shared<Inside>();
+    auto before = std::make_shared<StructureSnapshot>();
     before->nodes = {node(-1, 0), node(0, 3), node(0, 5)};
-    model.setInside(scene, before);
+    model.setSnapshot(scene, before);
     const QPersistentModelIndex kept = model.indexOfInstance(5);
     ASSERT_TRUE(kept.isValid());
     QSignalSpy resets(&model, &QAbstractItemModel::modelReset);
-    auto after = std::make_shared<Inside>(*before);
+    auto after = std::make_shared<StructureSnapshot>(*before);
     after->nodes[2] = node(0, 5, true);
-    model.setInside(scene, after);
+    model.setSnapshot(scene, after);
     EXPECT_EQ(resets.count(), 0);
     EXPECT_TRUE(kept.isValid());
-    EXPECT_EQ(kept.sibling(kept.row(), InsideModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
-    EXPECT_EQ(kept.sibling(kept.row(), InsideModel::Plane).data().toString(), QStringLiteral("top plane"));
+    EXPECT_EQ(kept.sibling(kept.row(), StructureModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
+    EXPECT_EQ(kept.sibling(kept.row(), StructureModel::Plane).data().toString(), QStringLiteral("top plane"));
     EXPECT_FALSE(model.indexOfInstance(0).isValid()) << "a box that holds others stands for no object";
-    after = std::make_shared<Inside>();
+    after = std::make_shared<StructureSnapshot>();
     after->nodes = {node(-1, 5)};
-    model.setInside(scene, after);
+    model.setSnapshot(scene, after);
     EXPECT_EQ(resets.count(), 1);
-    model.setInside(scene, nullptr);
+    model.setSnapshot(scene, nullptr);
     EXPECT_EQ(model.rowCount(), 0);
 }
 
 /// A panel on a field of spheres, half of it outside of the active view.
-struct InsidePanelTest : ::testing::Test {
+struct StructurePanelTest : ::testing::Test {
     void SetUp() override {
         session.slot(1).choose("frustum");
         session.setViewport(0, {160, 120});
@@ -102,7 +102,7 @@ struct InsidePanelTest : ::testing::Test {
     }
 
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.figuresSettled(); }));
+        ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
 
@@ -111,53 +111,53 @@ struct InsidePanelTest : ::testing::Test {
         camera.eye = camera.target + 0.3 * (camera.eye - camera.target);
         return camera;
     }
-    [[nodiscard]] const Inside& inside() const { return *reader.reading()->inside; }
+    [[nodiscard]] const StructureSnapshot& snapshot() const { return *reader.reading()->snapshot; }
     [[nodiscard]] uint32_t firstCulled() const {
-        for (const InsideNode& node : inside().nodes)
+        for (const SnapshotNode& node : snapshot().nodes)
             if (node.culled) return node.instance;
         ADD_FAILURE() << "nothing is culled";
         return 0;
     }
 
     Session session{sessionOptions(true)};
-    InsideReader reader{session};
-    InsidePanel panel{session, reader};
+    SnapshotReader reader{session};
+    StructurePanel panel{session, reader};
 };
 
-TEST_F(InsidePanelTest, treeShowsWhatTheStrategyDecided) {
+TEST_F(StructurePanelTest, treeShowsWhatTheStrategyDecided) {
     Trace trace;
     const BuiltStrategy& built = *session.slot(1).built();
     (void)session.slot(1).built()->strategy->cull(View(session.camera(), {160, 120}), &trace);
-    const Inside expected = built.strategy->inside(trace);
-    const InsideModel& model = panel.tree().model();
+    const StructureSnapshot expected = built.strategy->snapshot(trace);
+    const StructureModel& model = panel.tree().model();
     ASSERT_EQ(model.rowCount(), int(expected.nodes.size()));
     int culled = 0;
     for (int row = 0; row < model.rowCount(); ++row) {
-        const InsideNode& node = expected.nodes[size_t(row)];
+        const SnapshotNode& node = expected.nodes[size_t(row)];
         culled += node.culled ? 1 : 0;
-        EXPECT_EQ(model.index(row, InsideModel::Name).data().toString().toStdString(),
+        EXPECT_EQ(model.index(row, StructureModel::Name).data().toString().toStdString(),
                   session.scene()->instances()[node.instance].name);
-        const QString verdict = model.index(row, InsideModel::Verdict).data().toString();
+        const QString verdict = model.index(row, StructureModel::Verdict).data().toString();
         if (node.culled)
             EXPECT_EQ(verdict, QStringLiteral("outside the frustum"));
         else  // what the truth says to it is known by then
             EXPECT_TRUE(verdict == QStringLiteral("drawn and visible") || verdict == QStringLiteral("drawn in vain"))
                 << verdict.toStdString();
-        EXPECT_EQ(model.index(row, InsideModel::Plane).data().toString().isEmpty(), !node.culled);
+        EXPECT_EQ(model.index(row, StructureModel::Plane).data().toString().isEmpty(), !node.culled);
     }
     EXPECT_GT(culled, 0);
     EXPECT_LT(culled, model.rowCount());
 }
 
-TEST_F(InsidePanelTest, selectingARowPicksAndAPickSelectsTheRow) {
-    InsideTree& tree = panel.tree();
+TEST_F(StructurePanelTest, selectingARowPicksAndAPickSelectsTheRow) {
+    StructureTree& tree = panel.tree();
     tree.view().setCurrentIndex(tree.model().index(3, 0));
     ASSERT_TRUE(session.pick());
     EXPECT_EQ(session.pick()->object, *tree.model().instanceAt(tree.model().index(3, 0)));
     const uint32_t picked = session.pick()->object;
     EXPECT_EQ(uint32_t(session.scene()->instanceOf(session.pick()->triangle)), picked);
     // It stands for the object: visible where any of it is.
-    const Figures& figures = session.figures(session.activeView());
+    const ViewMetrics& figures = session.figures(session.activeView());
     ASSERT_TRUE(figures.states);
     ObjectVerdicts verdicts;
     verdicts.set(session.scene(), figures.states, nullptr);
@@ -170,7 +170,7 @@ TEST_F(InsidePanelTest, selectingARowPicksAndAPickSelectsTheRow) {
     EXPECT_FALSE(tree.view().selectionModel()->hasSelection());
 }
 
-TEST_F(InsidePanelTest, picksKeepTheirObjectWhenOthersAreHidden) {
+TEST_F(StructurePanelTest, picksKeepTheirObjectWhenOthersAreHidden) {
     std::vector<bool> hidden(session.hidden().size(), false);
     hidden[0] = hidden[2] = true;
     session.setHidden(hidden);
@@ -190,7 +190,7 @@ TEST_F(InsidePanelTest, picksKeepTheirObjectWhenOthersAreHidden) {
     EXPECT_FALSE(reader.pickedTriangle());
 }
 
-TEST_F(InsidePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
+TEST_F(StructurePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
     EXPECT_TRUE(panel.why().sentences().isEmpty());
     const uint32_t culled = firstCulled();
     pickObject(session, culled);
@@ -208,7 +208,7 @@ TEST_F(InsidePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
     EXPECT_EQ(reader.pickedState(), TriangleState::OutsideFrustum);
 }
 
-TEST_F(InsidePanelTest, allHasNoBoxesAndNoTree) {
+TEST_F(StructurePanelTest, allHasNoBoxesAndNoTree) {
     session.slot(1).choose("all");
     settle();
     EXPECT_EQ(panel.tree().model().rowCount(), 0);
@@ -218,9 +218,9 @@ TEST_F(InsidePanelTest, allHasNoBoxesAndNoTree) {
     EXPECT_FALSE(panel.tree().view().isHidden());
 }
 
-TEST_F(InsidePanelTest, readingsFollowTheViewAndAreNeverStale) {
+TEST_F(StructurePanelTest, readingsFollowTheViewAndAreNeverStale) {
     int stale = 0;
-    QObject::connect(&reader, &InsideReader::changed, [&] {
+    QObject::connect(&reader, &SnapshotReader::changed, [&] {
         if (!reader.reading()) return;
         const bool present = reader.reading()->culling == session.camera();
         if (reader.fresh() && !present) ++stale;
@@ -239,18 +239,18 @@ TEST_F(InsidePanelTest, readingsFollowTheViewAndAreNeverStale) {
     EXPECT_EQ(reader.reading()->culling, session.camera());
 }
 
-TEST_F(InsidePanelTest, nothingIsReadWhileNobodyLooks) {
+TEST_F(StructurePanelTest, nothingIsReadWhileNobodyLooks) {
     panel.hide();
     const size_t begun = reader.begun();
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), {}));
-    ASSERT_TRUE(waitUntil([&] { return session.figuresSettled(); }));
+    ASSERT_TRUE(waitUntil([&] { return session.metricsSettled(); }));
     EXPECT_EQ(reader.begun(), begun);
     EXPECT_FALSE(reader.fresh());
     panel.show();
     EXPECT_TRUE(waitUntil([&] { return reader.fresh(); }));
 }
 
-TEST_F(InsidePanelTest, observersShowTheInsideOfWhatTheyWatch) {
+TEST_F(StructurePanelTest, observersShowTheInsideOfWhatTheyWatch) {
     session.observe(0, 1);
     session.setActiveView(0);
     settle();
@@ -258,7 +258,7 @@ TEST_F(InsidePanelTest, observersShowTheInsideOfWhatTheyWatch) {
     EXPECT_EQ(reader.reading()->culling, session.cullingCamera(1));
 }
 
-TEST_F(InsidePanelTest, noLossIsSaidWithItsUpperBound) {
+TEST_F(StructurePanelTest, noLossIsSaidWithItsUpperBound) {
     const Accuracy& accuracy = session.figures(1).accuracy;
     ASSERT_EQ(accuracy.missedPixels, 0U);
     EXPECT_EQ(panel.losses().model().rowCount(), 0);
@@ -266,7 +266,7 @@ TEST_F(InsidePanelTest, noLossIsSaidWithItsUpperBound) {
     EXPECT_TRUE(panel.losses().summary().contains(QStringLiteral("3 in ")));
 }
 
-TEST_F(InsidePanelTest, theSectorOfTheShownBandsIsMarkedOnTheMap) {
+TEST_F(StructurePanelTest, theSectorOfTheShownBandsIsMarkedOnTheMap) {
     session.slot(1).choose("spherical");
     openAndWait(session, QStringLiteral("star:seed=3,triangles=2000"));
     Camera camera = session.camera();
@@ -300,4 +300,4 @@ TEST(LossModel, objectsHaveNamesPixelsAndShares) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::structure_panel_test

@@ -5,7 +5,7 @@
 // OpenGL asked about boxes; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1,
 // near 0.1, far 10 unless said.
 
-namespace cullscope::test {
+namespace cullscope::test::box_tests_test {
 namespace {
 
 using testing::ElementsAre;
@@ -60,12 +60,12 @@ TEST(BoxSelection, boxAroundTheFrustumIsNotHit) {
     EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), around, 100).hits, IsEmpty());
 }
 
-TEST(BoxQuestions, askingAboutNoBoxesGivesNone) {
+TEST(BoxTests, askingAboutNoBoxesGivesNone) {
     EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), {}, 0).hits, IsEmpty());
     EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), {}), IsEmpty());
 }
 
-TEST(BoxQuestions, pictureOfOnePixelOrOneRowHitsTheBox) {
+TEST(BoxTests, pictureOfOnePixelOrOneRowHitsTheBox) {
     for (const Viewport size : {Viewport{1, 1}, Viewport{16384, 1}, Viewport{1, 4096}}) {
         const View view = standardView(size);
         const Vec3 middle = view.direction(0.5, 0.5) * 5.0;
@@ -75,7 +75,7 @@ TEST(BoxQuestions, pictureOfOnePixelOrOneRowHitsTheBox) {
     }
 }
 
-TEST(BoxQuestions, stateThatTheyChangeIsRestored) {
+TEST(BoxTests, stateThatTheyChangeIsRestored) {
     (void)GlEnvironment::renderer().selectBoxes(standardView(), kAround, 4);
     (void)GlEnvironment::renderer().queryBoxes(standardView(), kAround);
     GLint value = -1;
@@ -100,4 +100,4 @@ TEST(BoxQuestions, stateThatTheyChangeIsRestored) {
 }
 
 }  // namespace
-}  // namespace cullscope::test
+}  // namespace cullscope::test::box_tests_test

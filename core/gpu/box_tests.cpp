@@ -23,14 +23,14 @@ std::vector<Vec3f> cornersOf(std::span<const EyeBox> boxes) {
     for (const EyeBox& box : boxes)
         for (int c = 0; c < kCorners; ++c)
             corners.emplace_back(box.centre +
-                                 box.half * Vec3((c & 1) != 0 ? 1 : -1, (c & 2) != 0 ? 1 : -1, (c & 4) != 0 ? 1 : -1));
+                                 box.halfExtent * Vec3((c & 1) != 0 ? 1 : -1, (c & 2) != 0 ? 1 : -1, (c & 4) != 0 ? 1 : -1));
     return corners;
 }
 
 /// A framebuffer of a picture's size that holds nothing, for what is drawn to be asked about. Both sides are drawn, filled.
-class Nowhere {
+class EmptyFramebuffer {
 public:
-    explicit Nowhere(const Viewport& size) {
+    explicit EmptyFramebuffer(const Viewport& size) {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_draw);
         glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_read);
         glCreateFramebuffers(1, &m_framebuffer);
@@ -43,7 +43,7 @@ public:
         glDisable(GL_CULL_FACE);
         glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     }
-    ~Nowhere() {
+    ~EmptyFramebuffer() {
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(m_draw));
         glBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<GLuint>(m_read));
         glDeleteFramebuffers(1, &m_framebuffer);
@@ -51,8 +51,8 @@ public:
         glUseProgram(0);
         glBindBuffer(GL_ARRAY_BUFFER, 0);
     }
-    Nowhere(const Nowhere&) = delete;
-    Nowhere& operator=(const Nowhere&) = delete;
+    EmptyFramebuffer(const EmptyFramebuffer&) = delete;
+    EmptyFramebuffer& operator=(const EmptyFramebuffer&) = delete;
 
 private:
     GLint m_draw = 0, m_read = 0;
@@ -145,7 +145,7 @@ Renderer::SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const 
     SelectedBoxes selected{{}, std::max<size_t>(bufferWords, 1), 0};
     if (boxes.empty()) return selected;
     const std::vector<Vec3f> corners = cornersOf(boxes);
-    const Nowhere target(view.viewport());
+    const EmptyFramebuffer target(view.viewport());
     const FixedFunction matrices(view, corners);
     std::vector<GLuint> buffer(selected.bufferWords);
     GLint hits = hitRecords(boxes.size(), buffer);
@@ -161,7 +161,7 @@ Renderer::SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const 
 std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes) {
     std::vector<uint32_t> passed;
     if (boxes.empty()) return passed;
-    const Nowhere target(view.viewport());
+    const EmptyFramebuffer target(view.viewport());
     const BoxArray array(cornersOf(boxes));
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_CLAMP);

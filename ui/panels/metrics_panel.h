@@ -3,17 +3,17 @@
 #include <QLabel>
 #include <QTableView>
 
-#include "ui/models/figure_model.h"
+#include "ui/models/metrics_model.h"
 #include "ui/session/session.h"
 
 namespace cullscope::ui {
 
 /// The figures of the shown views beside each other, all rows at once; below them, where the processor draws, that it does.
-class FigurePanel : public QWidget {
+class MetricsPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit FigurePanel(Session& session, QWidget* parent = nullptr);
+    explicit MetricsPanel(Session& session, QWidget* parent = nullptr);
 
     [[nodiscard]] QTableView& table() { return *m_table; }
 
@@ -29,7 +29,7 @@ private:
     void fitColumns();
 
     Session& m_session;
-    FigureModel* m_model;
+    MetricsModel* m_model;
     QTableView* m_table;
     QLabel* m_software;
 };

@@ -2,20 +2,20 @@
 
 #include <QLabel>
 
-#include "ui/models/inside_model.h"
+#include "ui/models/structure_model.h"
 #include "ui/panels/long_list_view.h"
-#include "ui/session/inside_reader.h"
+#include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
 /// The boxes that the active view's strategy tests, by verdict. A selected row is picked, and what is picked is selected.
-class InsideTree : public QWidget {
+class StructureTree : public QWidget {
     Q_OBJECT
 
 public:
-    InsideTree(Session& session, InsideReader& reader, QWidget* parent = nullptr);
+    StructureTree(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
-    [[nodiscard]] InsideModel& model() { return *m_model; }
+    [[nodiscard]] StructureModel& model() { return *m_model; }
     [[nodiscard]] QTreeView& view() { return *m_view; }
 
 protected:
@@ -31,8 +31,8 @@ private:
     [[nodiscard]] QString emptySentence() const;
 
     Session& m_session;
-    InsideReader& m_reader;
-    InsideModel* m_model;
+    SnapshotReader& m_reader;
+    StructureModel* m_model;
     LongListView* m_view;
     QLabel* m_empty;
     bool m_following = false;

@@ -5,7 +5,7 @@
 
 #include <random>
 
-namespace cullscope::ui {
+namespace cullscope::ui::camera_moves_test {
 namespace {
 
 constexpr Viewport kSize{640, 480};
@@ -167,4 +167,4 @@ TEST(Axes, aClickOnAnEndLooksFromThere) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::camera_moves_test

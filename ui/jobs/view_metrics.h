@@ -6,23 +6,23 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
-#include "core/visibility/triangle_states.h"
 #include "core/visibility/strategy.h"
+#include "core/visibility/triangle_states.h"
 #include "ui/jobs/built_strategy.h"
 #include "ui/jobs/gpu_thread.h"
-#include "core/measure/accuracy.h"
 
 namespace cullscope::ui {
 
 /// What figures depend on: equal subjects have equal counts.
-struct FigureSubject {
+struct MetricsSubject {
     SceneBuffersPointer buffers;
     BuiltStrategyPointer strategy;
     Camera culling;
     Viewport size;
 
-    bool operator==(const FigureSubject&) const = default;
+    bool operator==(const MetricsSubject&) const = default;
 };
 
 /// An object of the scene that lost pixels.
@@ -32,7 +32,7 @@ struct LostObject {
 };
 
 /// What is known of one view's speed and error at the present camera.
-struct Figures {
+struct ViewMetrics {
     enum class State {
         Nothing,    ///< there is no scene
         Stale,      ///< the camera, the size or the strategy changed since; being measured or about to be
@@ -62,7 +62,7 @@ struct Figures {
     std::vector<LostObject> lostObjects;  ///< most pixels first
     /// The promise at this camera; may be less than the strategy's in general.
     Promise promise = Promise::Approximate;
-    FigureSubject subject;  ///< what was measured
+    MetricsSubject subject;  ///< what was measured
 
     /// Missed pixels that break a promise.
     [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }

@@ -1,12 +1,12 @@
-#include "ui/models/inside_model.h"
+#include "ui/models/structure_model.h"
 
 #include <algorithm>
 
 #include "core/visibility/triangle_states.h"
-#include "ui/text/translated.h"
-#include "ui/text/wording.h"
 #include "ui/look/plane_swatch.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
@@ -15,98 +15,98 @@ namespace {
 /// Where a node's children begin in the list of lists; -1 is the list of the roots.
 size_t place(int64_t node) { return size_t(node + 1); }
 
-bool sameBoxes(const Inside& a, const Inside& b) {
+bool sameBoxes(const StructureSnapshot& a, const StructureSnapshot& b) {
     return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
-                      [](const InsideNode& x, const InsideNode& y) {
+                      [](const SnapshotNode& x, const SnapshotNode& y) {
                           return x.parent == y.parent && x.instance == y.instance && x.objects == y.objects;
                       });
 }
 
-TriangleState stateOf(const InsideNode& node) { return node.culled ? stateOfCause(node.cause) : TriangleState::Visible; }
+TriangleState stateOf(const SnapshotNode& node) { return node.culled ? stateOfCause(node.cause) : TriangleState::Visible; }
 
 }  // namespace
 
-void InsideModel::setInside(const ScenePointer& scene, const std::shared_ptr<const Inside>& inside) {
-    if (scene == m_scene && inside == m_inside) return;
+void StructureModel::setSnapshot(const ScenePointer& scene, const std::shared_ptr<const StructureSnapshot>& snapshot) {
+    if (scene == m_scene && snapshot == m_snapshot) return;
     if (scene != m_scene) m_states = nullptr;
-    if (inside && m_inside && scene == m_scene && sameBoxes(*inside, *m_inside)) {
-        m_inside = inside;
+    if (snapshot && m_snapshot && scene == m_scene && sameBoxes(*snapshot, *m_snapshot)) {
+        m_snapshot = snapshot;
         tellOfData();
         return;
     }
     beginResetModel();
     m_scene = scene;
-    m_inside = inside;
+    m_snapshot = snapshot;
     layOut();
     endResetModel();
 }
 
-void InsideModel::setStates(const std::shared_ptr<const TriangleStates>& states) {
+void StructureModel::setStates(const std::shared_ptr<const TriangleStates>& states) {
     if (states == m_states) return;
     m_states = states;
     m_verdicts.set(m_scene, states, nullptr);
     tellOfData();
 }
 
-std::optional<TriangleState> InsideModel::stateAgainstTruth(const InsideNode& node, size_t number) const {
+std::optional<TriangleState> StructureModel::stateAgainstTruth(const SnapshotNode& node, size_t number) const {
     if (!m_states || node.culled || holdsOthers(number)) return std::nullopt;
     const std::optional<ObjectVerdicts::Verdict> verdict = m_verdicts.of(node.instance);
     return verdict ? std::optional(verdict->state) : std::nullopt;
 }
 
-void InsideModel::layOut() {
-    const size_t count = m_inside ? m_inside->nodes.size() : 0;
+void StructureModel::layOut() {
+    const size_t count = m_snapshot ? m_snapshot->nodes.size() : 0;
     m_firstChild.assign(count + 2, 0);
     m_children.assign(count, 0);
     m_rowOfNode.assign(count, 0);
     m_nodeOfInstance.assign(m_scene ? m_scene->instances().size() : 0, -1);
     for (size_t node = 0; node < count; ++node) {
-        uint32_t& number = m_firstChild[place(m_inside->nodes[node].parent) + 1];
+        uint32_t& number = m_firstChild[place(m_snapshot->nodes[node].parent) + 1];
         m_rowOfNode[node] = number++;
     }
     for (size_t i = 1; i < m_firstChild.size(); ++i) m_firstChild[i] += m_firstChild[i - 1];
     for (size_t node = 0; node < count; ++node)
-        m_children[m_firstChild[place(m_inside->nodes[node].parent)] + m_rowOfNode[node]] = uint32_t(node);
+        m_children[m_firstChild[place(m_snapshot->nodes[node].parent)] + m_rowOfNode[node]] = uint32_t(node);
     for (size_t node = count; node-- > 0;)
-        if (!holdsOthers(node)) m_nodeOfInstance[m_inside->nodes[node].instance] = int64_t(node);
+        if (!holdsOthers(node)) m_nodeOfInstance[m_snapshot->nodes[node].instance] = int64_t(node);
 }
 
-bool InsideModel::holdsOthers(size_t node) const {
-    return m_inside->nodes[node].isGroup() || childCount(place(int64_t(node))) > 0;
+bool StructureModel::holdsOthers(size_t node) const {
+    return m_snapshot->nodes[node].isGroup() || childCount(place(int64_t(node))) > 0;
 }
 
-QModelIndex InsideModel::indexOfNode(size_t node) const { return createIndex(int(m_rowOfNode[node]), 0, quintptr(node)); }
+QModelIndex StructureModel::indexOfNode(size_t node) const { return createIndex(int(m_rowOfNode[node]), 0, quintptr(node)); }
 
-std::optional<uint32_t> InsideModel::instanceAt(const QModelIndex& index) const {
+std::optional<uint32_t> StructureModel::instanceAt(const QModelIndex& index) const {
     if (!index.isValid() || holdsOthers(nodeOf(index))) return std::nullopt;
-    return m_inside->nodes[nodeOf(index)].instance;
+    return m_snapshot->nodes[nodeOf(index)].instance;
 }
 
-QModelIndex InsideModel::indexOfInstance(uint32_t instance) const {
+QModelIndex StructureModel::indexOfInstance(uint32_t instance) const {
     if (instance >= m_nodeOfInstance.size() || m_nodeOfInstance[instance] < 0) return {};
     return indexOfNode(size_t(m_nodeOfInstance[instance]));
 }
 
-QModelIndex InsideModel::index(int row, int column, const QModelIndex& parent) const {
+QModelIndex StructureModel::index(int row, int column, const QModelIndex& parent) const {
     if (!hasIndex(row, column, parent)) return {};
     const size_t list = place(parent.isValid() ? int64_t(nodeOf(parent)) : -1);
     return createIndex(row, column, quintptr(m_children[m_firstChild[list] + size_t(row)]));
 }
 
-QModelIndex InsideModel::parent(const QModelIndex& index) const {
+QModelIndex StructureModel::parent(const QModelIndex& index) const {
     if (!index.isValid()) return {};
-    const int32_t parent = m_inside->nodes[nodeOf(index)].parent;
+    const int32_t parent = m_snapshot->nodes[nodeOf(index)].parent;
     return parent < 0 ? QModelIndex() : indexOfNode(size_t(parent));
 }
 
-int InsideModel::rowCount(const QModelIndex& parent) const {
+int StructureModel::rowCount(const QModelIndex& parent) const {
     if (empty() || parent.column() > 0) return 0;
     return int(childCount(place(parent.isValid() ? int64_t(nodeOf(parent)) : -1)));
 }
 
-int InsideModel::columnCount(const QModelIndex& /*parent*/) const { return ColumnCount; }
+int StructureModel::columnCount(const QModelIndex& /*parent*/) const { return ColumnCount; }
 
-QString InsideModel::text(const InsideNode& node, size_t number, int column) const {
+QString StructureModel::text(const SnapshotNode& node, size_t number, int column) const {
     switch (column) {
         case Name:
             if (node.isGroup())
@@ -128,9 +128,9 @@ QString InsideModel::text(const InsideNode& node, size_t number, int column) con
     }
 }
 
-QVariant InsideModel::data(const QModelIndex& index, int role) const {
+QVariant StructureModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid)) return {};
-    const InsideNode& node = m_inside->nodes[nodeOf(index)];
+    const SnapshotNode& node = m_snapshot->nodes[nodeOf(index)];
     if (role == Qt::ToolTipRole && index.column() == Name)
         return tr("%1: %2 triangles", "an object or a group").arg(text(node, nodeOf(index), Name), countText(node.triangles));
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole) return text(node, nodeOf(index), index.column());
@@ -141,7 +141,7 @@ QVariant InsideModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
-QVariant InsideModel::headerData(int section, Qt::Orientation orientation, int role) const {
+QVariant StructureModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || (role != Qt::DisplayRole && role != Qt::ToolTipRole)) return {};
     switch (section) {
         case Name:
@@ -157,12 +157,12 @@ QVariant InsideModel::headerData(int section, Qt::Orientation orientation, int r
     }
 }
 
-void InsideModel::tellOfData() {
+void StructureModel::tellOfData() {
     // Views repaint as a whole at this; told for every inner node's rows, they would look for each of them.
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 
-void InsideModel::retranslate() {
+void StructureModel::retranslate() {
     emit headerDataChanged(Qt::Horizontal, 0, ColumnCount - 1);
     tellOfData();
 }

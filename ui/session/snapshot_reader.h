@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/jobs/inside_reading.h"
+#include "ui/jobs/snapshot_reading.h"
 #include "ui/session/session.h"
 
 class QWidget;
@@ -17,19 +17,19 @@ namespace cullscope::ui {
 /// state is ever delivered. What is read is ready to be shown: the map of the picked object is made here, not where it is
 /// painted. Strategies that ask OpenGL are culled on the session's OpenGL thread, the others on a thread of their own. Nothing is
 /// read while none of the widgets that want it is visible.
-class InsideReader : public QObject {
+class SnapshotReader : public QObject {
     Q_OBJECT
 
 public:
-    explicit InsideReader(Session& session, QObject* parent = nullptr);
-    ~InsideReader() override;
+    explicit SnapshotReader(Session& session, QObject* parent = nullptr);
+    ~SnapshotReader() override;
 
     /// Reads whenever this widget is visible.
     void readFor(QWidget* widget);
 
     /// The newest; null: none of the present scene yet. While `fresh` is false its camera or strategy may be older than the
     /// view's.
-    [[nodiscard]] const InsideReadingPointer& reading() const { return m_reading; }
+    [[nodiscard]] const SnapshotReadingPointer& reading() const { return m_reading; }
     [[nodiscard]] bool fresh() const;
     /// The picked triangle in the numbering of the shown scene; none: nothing picked, or its object is hidden.
     [[nodiscard]] std::optional<uint64_t> pickedTriangle() const;
@@ -55,26 +55,27 @@ private:
         bool operator==(const Request&) const = default;
     };
 
-    [[nodiscard]] static InsideReadingPointer readingOf(const Request& request, const std::shared_ptr<const Inside>& known,
-                                                        Renderer* renderer);
+    [[nodiscard]] static SnapshotReadingPointer readingOf(const Request& request,
+                                                          const std::shared_ptr<const StructureSnapshot>& known,
+                                                          Renderer* renderer);
     [[nodiscard]] std::optional<Request> present() const;
     [[nodiscard]] bool answers(const Request& request) const;
     [[nodiscard]] bool wanted() const;
     void check();
     void start();
-    void startAsking(const Request& request, const std::shared_ptr<const Inside>& known);
-    [[nodiscard]] bool busy() const { return m_background.busy() || m_asking; }
-    void take(const Request& request, InsideReadingPointer reading);
+    void startOnGpuThread(const Request& request, const std::shared_ptr<const StructureSnapshot>& known);
+    [[nodiscard]] bool busy() const { return m_background.busy() || m_culling; }
+    void take(const Request& request, SnapshotReadingPointer reading);
 
     Session& m_session;
     std::vector<QWidget*> m_readers;
-    InsideReadingPointer m_reading;
+    SnapshotReadingPointer m_reading;
     bool m_wasFresh = false;
     size_t m_begun = 0;
     QTimer m_pause;
     Background m_background;
     JobNumbers m_asked;
-    bool m_asking = false;  ///< of OpenGL
+    bool m_culling = false;  ///< of OpenGL
 };
 
 }  // namespace cullscope::ui

@@ -1,4 +1,4 @@
-#include "ui/jobs/figures.h"
+#include "ui/jobs/view_metrics.h"
 
 #include <algorithm>
 #include <cassert>

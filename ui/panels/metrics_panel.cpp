@@ -1,4 +1,4 @@
-#include "ui/panels/figure_panel.h"
+#include "ui/panels/metrics_panel.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -13,10 +13,10 @@ constexpr int kRowHeight = 20;
 
 }  // namespace
 
-FigurePanel::FigurePanel(Session& session, QWidget* parent)
+MetricsPanel::MetricsPanel(Session& session, QWidget* parent)
     : QWidget(parent),
       m_session(session),
-      m_model(new FigureModel(this)),
+      m_model(new MetricsModel(this)),
       m_table(new QTableView(this)),
       m_software(new QLabel(this)) {
     setUpTable();
@@ -31,19 +31,19 @@ FigurePanel::FigurePanel(Session& session, QWidget* parent)
     layout->addWidget(m_table, 1);
     layout->addWidget(m_software);
     setFocusProxy(m_table);
-    connect(&session, &Session::viewCountChanged, this, &FigurePanel::refresh);
+    connect(&session, &Session::viewCountChanged, this, &MetricsPanel::refresh);
     connect(&session, &Session::activeViewChanged, this, [this] {
         if (m_session.viewCount() == 1) refresh();
     });
-    connect(&session, &Session::setupChanged, this, &FigurePanel::refresh);
-    connect(&session, &Session::figuresChanged, this, [this](int view) {
+    connect(&session, &Session::setupChanged, this, &MetricsPanel::refresh);
+    connect(&session, &Session::metricsChanged, this, [this](int view) {
         m_model->setFigures(view, m_session.figures(view));
         fitColumns();
     });
     refresh();
 }
 
-void FigurePanel::setUpTable() {
+void MetricsPanel::setUpTable() {
     m_table->setModel(m_model);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setShowGrid(false);
@@ -63,7 +63,7 @@ void FigurePanel::setUpTable() {
 }
 
 /// A style sheet keeps the palette that it was made under: its colours are named, and named anew with another palette.
-void FigurePanel::setColours() {
+void MetricsPanel::setColours() {
     // Padding around all of the columns' titles would move them from their columns.
     m_table->setStyleSheet(
         QStringLiteral("QTableView, QHeaderView, QHeaderView::section, QTableCornerButton::section { border: 0; background: %1; "
@@ -71,18 +71,18 @@ void FigurePanel::setColours() {
             .arg(palette().color(QPalette::Base).name(), palette().color(QPalette::Text).name()));
 }
 
-void FigurePanel::refresh() {
+void MetricsPanel::refresh() {
     m_table->setAccessibleName(tr("Figures"));
     m_software->setText(tr("Software OpenGL: not the times of a graphics card"));
     m_software->setVisible(m_session.gpu() && m_session.gpu()->info().software);
-    std::vector<FigureModel::Column> columns;
+    std::vector<MetricsModel::Column> columns;
     for (const int view : m_session.measuredViews()) columns.push_back({view, m_session.figures(view)});
     m_model->setColumns(std::move(columns));
     m_table->ensurePolished();
     fitColumns();
 }
 
-void FigurePanel::fitColumns() {
+void MetricsPanel::fitColumns() {
     QHeaderView& header = *m_table->horizontalHeader();
     const QAbstractItemView& cells = *m_table;
     int widest = 0, all = 0;
@@ -100,12 +100,12 @@ void FigurePanel::fitColumns() {
     m_table->setMinimumHeight(header.sizeHint().height() + m_table->verticalHeader()->length() + 4 + bar);
 }
 
-bool FigurePanel::eventFilter(QObject* watched, QEvent* event) {
+bool MetricsPanel::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Resize) fitColumns();
     return QWidget::eventFilter(watched, event);
 }
 
-void FigurePanel::changeEvent(QEvent* event) {
+void MetricsPanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) setColours();
     if (event->type() == QEvent::LanguageChange) {
         m_model->retranslate();

@@ -14,7 +14,7 @@ std::vector<int> Session::measuredViews() const {
     return views;
 }
 
-std::optional<FigureSubject> Session::subject(int view) const {
+std::optional<MetricsSubject> Session::subject(int view) const {
     const SceneBuffersPointer& uploaded = buffers(setup(view).upload);
     const BuiltStrategyPointer& built = slot(view).built();
     Viewport size = setup(view).role == Role::Frozen ? setup(view).cullingSize.value_or(renderSize(view)) : renderSize(view);
@@ -22,30 +22,30 @@ std::optional<FigureSubject> Session::subject(int view) const {
     for (int other = 0; other < kMostViews && size.width < 1; ++other)
         if (shown(other) && culledBy(other) == view) size = renderSize(other);
     if (!uploaded || !built || built->scene != uploaded->scenePointer() || size.width < 1 || size.height < 1) return std::nullopt;
-    return FigureSubject{uploaded, built, cullingCamera(view), size};
+    return MetricsSubject{uploaded, built, cullingCamera(view), size};
 }
 
-Figures Session::figuresWithoutMeasuring() const {
-    Figures figures;
-    figures.state = m_opened ? Figures::State::Stale : Figures::State::Nothing;
+ViewMetrics Session::figuresWithoutMeasuring() const {
+    ViewMetrics figures;
+    figures.state = m_opened ? ViewMetrics::State::Stale : ViewMetrics::State::Nothing;
     if (!uploadFailure().empty()) {
-        figures.state = Figures::State::Failed;
+        figures.state = ViewMetrics::State::Failed;
         figures.failure = uploadFailure();
     }
     return figures;
 }
 
 bool Session::figuresStand(int view) const {
-    const Figures& known = m_views[size_t(view)].figures;
+    const ViewMetrics& known = m_views[size_t(view)].figures;
     // What cannot be built has no figures, and that is said until it is chosen anew.
-    if (known.state == Figures::State::Failed && !slot(view).built() && m_opened && uploadFailure().empty()) return true;
-    if (known.state != Figures::State::Ready && known.state != Figures::State::Failed) return false;
-    const std::optional<FigureSubject> now = subject(view);
+    if (known.state == ViewMetrics::State::Failed && !slot(view).built() && m_opened && uploadFailure().empty()) return true;
+    if (known.state != ViewMetrics::State::Ready && known.state != ViewMetrics::State::Failed) return false;
+    const std::optional<MetricsSubject> now = subject(view);
     return now && !slot(view).building() && known.subject == *now;
 }
 
 void Session::updateFigures() {
-    const bool overtaken = std::any_of(m_underWay.begin(), m_underWay.end(), [this](const FigureMeter::Subject& measured) {
+    const bool overtaken = std::any_of(m_underWay.begin(), m_underWay.end(), [this](const ViewMeter::Subject& measured) {
         return subject(measured.view) != measured.what || slot(measured.view).building();
     });
     if (overtaken) {
@@ -55,17 +55,17 @@ void Session::updateFigures() {
     const std::vector<int> measured = measuredViews();
     for (int view = 0; view < kMostViews; ++view) {
         if (figuresStand(view)) continue;
-        const Figures next = figuresWithoutMeasuring();
+        const ViewMetrics next = figuresWithoutMeasuring();
         if (m_views[size_t(view)].figures.state != next.state) setFigures(view, next);
         const bool begun = std::any_of(m_underWay.begin(), m_underWay.end(),
-                                       [view](const FigureMeter::Subject& subject) { return subject.view == view; });
+                                       [view](const ViewMeter::Subject& subject) { return subject.view == view; });
         if (!begun && std::find(measured.begin(), measured.end(), view) != measured.end()) m_rest.start();
     }
 }
 
-void Session::setFigures(int view, const Figures& figures) {
+void Session::setFigures(int view, const ViewMetrics& figures) {
     m_views[size_t(view)].figures = figures;
-    emit figuresChanged(view);
+    emit metricsChanged(view);
 }
 
 void Session::requestFigures() { measure(true); }
@@ -81,18 +81,18 @@ void Session::setMeasuring(bool measuring) {
 void Session::measure(bool asked) {
     if (!m_meter || !m_opened || !m_measuring) return;
     const bool large = m_scene->triangleCount() > kOptionalAnalysisLimit;
-    std::vector<FigureMeter::Subject> subjects;
+    std::vector<ViewMeter::Subject> subjects;
     for (const int view : measuredViews()) {
-        const std::optional<FigureSubject> now = subject(view);
-        const Figures& known = m_views[size_t(view)].figures;
+        const std::optional<MetricsSubject> now = subject(view);
+        const ViewMetrics& known = m_views[size_t(view)].figures;
         if (!now || slot(view).building() || (known.timed && known.subject == *now)) continue;
         if (large && !asked) {
-            Figures waiting;
-            waiting.state = Figures::State::OnRequest;
+            ViewMetrics waiting;
+            waiting.state = ViewMetrics::State::OnRequest;
             if (known.state != waiting.state) setFigures(view, waiting);
             continue;
         }
-        if (known.state == Figures::State::OnRequest) setFigures(view, figuresWithoutMeasuring());
+        if (known.state == ViewMetrics::State::OnRequest) setFigures(view, figuresWithoutMeasuring());
         subjects.push_back({view, *now});
     }
     if (subjects.empty()) return;
@@ -100,10 +100,10 @@ void Session::measure(bool asked) {
     m_meter->measure(std::move(subjects));
 }
 
-bool Session::figuresSettled() const {
+bool Session::metricsSettled() const {
     for (const int view : measuredViews()) {
-        const Figures& known = figures(view);
-        if (known.state == Figures::State::Stale || (known.state == Figures::State::Ready && !known.timed)) return false;
+        const ViewMetrics& known = figures(view);
+        if (known.state == ViewMetrics::State::Stale || (known.state == ViewMetrics::State::Ready && !known.timed)) return false;
     }
     return true;
 }

@@ -1,4 +1,4 @@
-#include "ui/panels/inside_panel.h"
+#include "ui/panels/structure_panel.h"
 
 #include <QEvent>
 #include <QTabBar>
@@ -6,12 +6,12 @@
 
 namespace cullscope::ui {
 
-InsidePanel::InsidePanel(Session& session, InsideReader& reader, QWidget* parent)
+StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent),
       m_map(new MapPanel(session, reader, this)),
       m_tabs(new QTabWidget(this)),
       m_bands(new BandsPanel(session, reader, m_tabs)),
-      m_tree(new InsideTree(session, reader, m_tabs)),
+      m_tree(new StructureTree(session, reader, m_tabs)),
       m_why(new WhyPanel(session, reader, m_tabs)),
       m_losses(new LossPanel(session, m_tabs)) {
     for (QWidget* page : std::initializer_list<QWidget*>{m_bands, m_tree, m_why, m_losses}) m_tabs->addTab(page, QString());
@@ -22,19 +22,19 @@ InsidePanel::InsidePanel(Session& session, InsideReader& reader, QWidget* parent
     layout->setSpacing(4);
     layout->addWidget(m_map);
     layout->addWidget(m_tabs, 1);
-    connect(m_bands, &BandsPanel::sectorChanged, this, &InsidePanel::markSector);
-    connect(m_tabs, &QTabWidget::currentChanged, this, &InsidePanel::markSector);
+    connect(m_bands, &BandsPanel::sectorChanged, this, &StructurePanel::markSector);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &StructurePanel::markSector);
     markSector();
     reader.readFor(this);
     retranslate();
 }
 
-void InsidePanel::markSector() {
+void StructurePanel::markSector() {
     // A mark on the map explains the chart below it: without the chart it would itself have to be explained.
     m_map->setSector(m_tabs->currentWidget() == m_bands ? m_bands->plot().sector() : std::nullopt);
 }
 
-void InsidePanel::retranslate() {
+void StructurePanel::retranslate() {
     m_tabs->tabBar()->setAccessibleName(tr("Inside the strategy"));
     m_tabs->setTabText(m_tabs->indexOf(m_bands), tr("Bands"));
     m_tabs->setTabText(m_tabs->indexOf(m_tree), tr("Tree"));
@@ -42,7 +42,7 @@ void InsidePanel::retranslate() {
     m_tabs->setTabText(m_tabs->indexOf(m_losses), tr("Losses"));
 }
 
-void InsidePanel::changeEvent(QEvent* event) {
+void StructurePanel::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) retranslate();
     QWidget::changeEvent(event);
 }

@@ -5,17 +5,17 @@
 #include <QAbstractItemModelTester>
 
 #include "tests/ui/test_scene.h"
-#include "ui/models/inside_model.h"
+#include "ui/models/structure_model.h"
 #include "ui/panels/long_list_view.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::structure_groups_test {
 namespace {
 
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 constexpr const char* kField = "field:mesh=sphere:triangles=80,n=4";
 
-InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
-    InsideNode node;
+SnapshotNode node(int32_t parent, uint32_t instance, bool culled = false) {
+    SnapshotNode node;
     node.parent = parent;
     node.instance = instance;
     node.triangles = 80;
@@ -25,30 +25,30 @@ InsideNode node(int32_t parent, uint32_t instance, bool culled = false) {
 }
 
 /// Objects 0 … 15 in four groups of four under one, the last group culled; as a strategy lists them: objects first.
-std::shared_ptr<Inside> groupedInside() {
-    auto inside = std::make_shared<Inside>();
-    for (uint32_t i = 0; i < 16; ++i) inside->nodes.push_back(node(int32_t(17 + i / 4), i, i >= 12));
+std::shared_ptr<StructureSnapshot> groupedSnapshot() {
+    auto snapshot = std::make_shared<StructureSnapshot>();
+    for (uint32_t i = 0; i < 16; ++i) snapshot->nodes.push_back(node(int32_t(17 + i / 4), i, i >= 12));
     for (int32_t group = 0; group < 5; ++group) {
-        inside->nodes.push_back(node(group == 0 ? -1 : 16, InsideNode::kGroup, group == 4));
-        inside->nodes.back().objects = group == 0 ? 16 : 4;
+        snapshot->nodes.push_back(node(group == 0 ? -1 : 16, SnapshotNode::kGroup, group == 4));
+        snapshot->nodes.back().objects = group == 0 ? 16 : 4;
     }
-    return inside;
+    return snapshot;
 }
 
-TEST(InsideModel, groupStandsForNoObjectAndHasAVerdict) {
+TEST(StructureModel, groupStandsForNoObjectAndHasAVerdict) {
     const ScenePointer scene = openScene(kField).scene;
-    InsideModel model;
+    StructureModel model;
     const QAbstractItemModelTester tester(&model, kFatal);
-    model.setInside(scene, groupedInside());
+    model.setSnapshot(scene, groupedSnapshot());
     ASSERT_TRUE(model.nested());
     const QModelIndex root = model.index(0, 0);
     EXPECT_EQ(root.data().toString(), QStringLiteral("16 objects"));
     ASSERT_EQ(model.rowCount(root), 4);
     const QModelIndex culled = model.index(3, 0, root);
     EXPECT_EQ(culled.data().toString(), QStringLiteral("4 objects"));
-    EXPECT_EQ(culled.siblingAtColumn(InsideModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
-    EXPECT_EQ(culled.siblingAtColumn(InsideModel::Plane).data().toString(), QStringLiteral("top plane"));
-    EXPECT_EQ(root.siblingAtColumn(InsideModel::Verdict).data().toString(), QStringLiteral("kept"));
+    EXPECT_EQ(culled.siblingAtColumn(StructureModel::Verdict).data().toString(), QStringLiteral("outside the frustum"));
+    EXPECT_EQ(culled.siblingAtColumn(StructureModel::Plane).data().toString(), QStringLiteral("top plane"));
+    EXPECT_EQ(root.siblingAtColumn(StructureModel::Verdict).data().toString(), QStringLiteral("kept"));
     EXPECT_FALSE(model.instanceAt(root) || model.instanceAt(culled));
     for (uint32_t i = 0; i < 16; ++i) {
         const QModelIndex index = model.indexOfInstance(i);
@@ -56,22 +56,22 @@ TEST(InsideModel, groupStandsForNoObjectAndHasAVerdict) {
         EXPECT_EQ(model.instanceAt(index), i);
         EXPECT_EQ(model.parent(index), model.index(int(i / 4), 0, root));
     }
-    auto alone = std::make_shared<Inside>();
-    alone->nodes = {node(1, 5), node(-1, InsideNode::kGroup)};
-    model.setInside(scene, alone);
+    auto alone = std::make_shared<StructureSnapshot>();
+    alone->nodes = {node(1, 5), node(-1, SnapshotNode::kGroup)};
+    model.setSnapshot(scene, alone);
     EXPECT_EQ(model.index(0, 0).data().toString(), QStringLiteral("1 object"));
-    alone = std::make_shared<Inside>();
-    alone->nodes = {node(-1, InsideNode::kGroup)};
-    model.setInside(scene, alone);
+    alone = std::make_shared<StructureSnapshot>();
+    alone->nodes = {node(-1, SnapshotNode::kGroup)};
+    model.setSnapshot(scene, alone);
     EXPECT_FALSE(model.instanceAt(model.index(0, 0))) << "a group stays one without rows below it";
 }
 
 TEST(ObjectVerdicts, objectsHaveTheirOwnVerdictAndNotTheirGroups) {
     const ScenePointer scene = openScene(kField).scene;
-    auto reading = std::make_shared<InsideReading>();
-    const std::shared_ptr<Inside> inside = groupedInside();
-    inside->nodes[1].culled = true;
-    reading->inside = inside;
+    auto reading = std::make_shared<SnapshotReading>();
+    const std::shared_ptr<StructureSnapshot> snapshot = groupedSnapshot();
+    snapshot->nodes[1].culled = true;
+    reading->snapshot = snapshot;
     ObjectVerdicts verdicts;
     verdicts.set(scene, nullptr, reading);
     for (uint32_t i = 0; i < 16; ++i) {
@@ -82,8 +82,8 @@ TEST(ObjectVerdicts, objectsHaveTheirOwnVerdictAndNotTheirGroups) {
 
 TEST(LongListView, levelsOfATreeAreOpenAsFarAsTheRowsAllow) {
     const ScenePointer scene = openScene(kField).scene;
-    InsideModel model;
-    model.setInside(scene, groupedInside());
+    StructureModel model;
+    model.setSnapshot(scene, groupedSnapshot());
     LongListView view;
     view.setModel(&model);
     const QModelIndex root = model.index(0, 0), group = model.index(3, 0, root);
@@ -99,4 +99,4 @@ TEST(LongListView, levelsOfATreeAreOpenAsFarAsTheRowsAllow) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::structure_groups_test

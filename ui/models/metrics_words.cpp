@@ -1,4 +1,4 @@
-#include "ui/models/figure_words.h"
+#include "ui/models/metrics_words.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -8,17 +8,17 @@
 
 namespace cullscope::ui {
 
-QString figureLine(const Figures& figures) {
+QString metricsLine(const ViewMetrics& figures) {
     switch (figures.state) {
-        case Figures::State::Nothing:
+        case ViewMetrics::State::Nothing:
             return {};
-        case Figures::State::Stale:
+        case ViewMetrics::State::Stale:
             return QStringLiteral("…");
-        case Figures::State::OnRequest:
+        case ViewMetrics::State::OnRequest:
             return QCoreApplication::translate("Wording", "large scene: figures on request");
-        case Figures::State::Failed:
+        case ViewMetrics::State::Failed:
             return QCoreApplication::translate("Wording", "no figures");
-        case Figures::State::Ready:
+        case ViewMetrics::State::Ready:
             break;
     }
     const QString speed = figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : QStringLiteral("×…");
@@ -27,10 +27,10 @@ QString figureLine(const Figures& figures) {
         .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
 }
 
-QString figureDetails(const Figures& figures, const GlInfo& gl) {
-    if (figures.state == Figures::State::Failed) return translated(figures.failure);
+QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
+    if (figures.state == ViewMetrics::State::Failed) return translated(figures.failure);
     QStringList lines;
-    if (figures.state == Figures::State::Ready) {
+    if (figures.state == ViewMetrics::State::Ready) {
         const double fps = figures.frameMilliseconds > 0.0 ? 1000.0 / figures.frameMilliseconds : 0.0;
         lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
                      .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds), millisecondsText(figures.cullMilliseconds))

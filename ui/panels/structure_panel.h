@@ -3,25 +3,25 @@
 #include <QTabWidget>
 
 #include "ui/panels/bands_panel.h"
-#include "ui/panels/inside_tree.h"
 #include "ui/panels/loss_panel.h"
 #include "ui/panels/map_panel.h"
+#include "ui/panels/structure_tree.h"
 #include "ui/panels/why_panel.h"
-#include "ui/session/inside_reader.h"
+#include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
 /// What happens inside the active view's strategy: on top its map, where it has one, below it bands, tree, decisions and losses.
-class InsidePanel : public QWidget {
+class StructurePanel : public QWidget {
     Q_OBJECT
 
 public:
-    InsidePanel(Session& session, InsideReader& reader, QWidget* parent = nullptr);
+    StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
     [[nodiscard]] MapPanel& map() { return *m_map; }
     [[nodiscard]] BandsPanel& bands() { return *m_bands; }
-    [[nodiscard]] InsideTree& tree() { return *m_tree; }
+    [[nodiscard]] StructureTree& tree() { return *m_tree; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
     /// Brings the decisions about what is picked to the front.
@@ -37,7 +37,7 @@ private:
     MapPanel* m_map;
     QTabWidget* m_tabs;
     BandsPanel* m_bands;
-    InsideTree* m_tree;
+    StructureTree* m_tree;
     WhyPanel* m_why;
     LossPanel* m_losses;
 };

@@ -12,25 +12,25 @@ namespace cullscope::ui {
 
 /// The boxes that a strategy tests, as the tree that their parents make, with what was decided about each. A new reading of the
 /// same boxes changes the verdicts only, so that what is opened and selected stays.
-class InsideModel : public QAbstractItemModel {
+class StructureModel : public QAbstractItemModel {
     Q_OBJECT
 
 public:
     enum Column { Name, Triangles, Verdict, Plane, ColumnCount };
 
-    explicit InsideModel(QObject* parent = nullptr) : QAbstractItemModel(parent) {}
+    explicit StructureModel(QObject* parent = nullptr) : QAbstractItemModel(parent) {}
 
     /// `inside` numbers the instances of `scene`. A parent may come after its children; none may be its own ancestor.
     /// Null: no rows.
-    void setInside(const ScenePointer& scene, const std::shared_ptr<const Inside>& inside);
+    void setSnapshot(const ScenePointer& scene, const std::shared_ptr<const StructureSnapshot>& snapshot);
     /// What became of the objects, against the truth; null: only what the strategy decided is known.
     void setStates(const std::shared_ptr<const TriangleStates>& states);
-    [[nodiscard]] bool empty() const { return !m_inside || m_inside->nodes.empty(); }
+    [[nodiscard]] bool empty() const { return !m_snapshot || m_snapshot->nodes.empty(); }
 
     /// Whether any box holds others.
-    [[nodiscard]] bool nested() const { return !empty() && size_t(rowCount()) < m_inside->nodes.size(); }
+    [[nodiscard]] bool nested() const { return !empty() && size_t(rowCount()) < m_snapshot->nodes.size(); }
 
-    /// Index into Inside::nodes.
+    /// Index into StructureSnapshot::nodes.
     [[nodiscard]] size_t nodeOf(const QModelIndex& index) const { return size_t(index.internalId()); }
     /// The instance of the scene; none for a box that holds other boxes.
     [[nodiscard]] std::optional<uint32_t> instanceAt(const QModelIndex& index) const;
@@ -52,13 +52,13 @@ private:
     [[nodiscard]] bool holdsOthers(size_t node) const;
     [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
     /// Of a box of one object that was kept; none: not known.
-    [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const InsideNode& node, size_t number) const;
-    [[nodiscard]] QString text(const InsideNode& node, size_t number, int column) const;
+    [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const SnapshotNode& node, size_t number) const;
+    [[nodiscard]] QString text(const SnapshotNode& node, size_t number, int column) const;
     void layOut();
     void tellOfData();
 
     ScenePointer m_scene;
-    std::shared_ptr<const Inside> m_inside;
+    std::shared_ptr<const StructureSnapshot> m_snapshot;
     std::shared_ptr<const TriangleStates> m_states;
     ObjectVerdicts m_verdicts;
     // Children lists, one after the other: those of no parent first, then those of node 0, 1, …

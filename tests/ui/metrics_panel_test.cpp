@@ -1,5 +1,5 @@
 // The figures of many views stand whole beside each other.
-#include "ui/panels/figure_panel.h"
+#include "ui/panels/metrics_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/look/appearance.h"
 
-namespace cullscope::ui {
+namespace cullscope::ui::metrics_panel_test {
 namespace {
 
 struct FiguresOfViews : ::testing::Test {
@@ -21,25 +21,25 @@ struct FiguresOfViews : ::testing::Test {
 
     /// Large numbers in all of the columns.
     void fill() {
-        Figures figures;
-        figures.state = Figures::State::Ready;
+        ViewMetrics figures;
+        figures.state = ViewMetrics::State::Ready;
         figures.consideredTriangles = 12'345'678;
         figures.frameMilliseconds = 1234.567;
         figures.cullMilliseconds = 0.00712;
         figures.accuracy.coveredPixels = 9'876'543;
-        auto* model = panel.findChild<FigureModel*>();
+        auto* model = panel.findChild<MetricsModel*>();
         ASSERT_TRUE(model);
-        std::vector<FigureModel::Column> columns;
+        std::vector<MetricsModel::Column> columns;
         for (int view = 0; view < session.viewCount(); ++view) columns.push_back({view, figures});
         model->setColumns(columns);
-        for (int view = 0; view < session.viewCount(); ++view) emit session.figuresChanged(view);
+        for (int view = 0; view < session.viewCount(); ++view) emit session.metricsChanged(view);
         model->setColumns(columns);
         panel.resize(panel.width() + 1, panel.height());
         QApplication::processEvents();
     }
 
     Session session{sessionOptions(false)};
-    FigurePanel panel{session};
+    MetricsPanel panel{session};
 };
 
 TEST_F(FiguresOfViews, valuesOfUpToEightColumnsStandWhole) {
@@ -90,4 +90,4 @@ TEST_F(FiguresOfViews, theTableHasTheColoursOfTheWindowsAppearance) {
 }
 
 }  // namespace
-}  // namespace cullscope::ui
+}  // namespace cullscope::ui::metrics_panel_test

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/scene/camera.h"
-#include "ui/jobs/figures.h"
 #include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/job_numbers.h"
+#include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
 
@@ -15,17 +15,17 @@ namespace cullscope::ui {
 /// camera, size and facing rule), then their speed beside `backface`, interleaved. Goes step by step, so that pictures
 /// come in between. A newer request makes an older one stale: it stops after the step in hand and brings nothing any more.
 /// So does the loss of the thread's context.
-class FigureMeter : public QObject {
+class ViewMeter : public QObject {
     Q_OBJECT
 
 public:
     struct Subject {
         int view = 0;
-        FigureSubject what;
+        MetricsSubject what;
     };
 
-    explicit FigureMeter(GpuThread& gpu, QObject* parent = nullptr);
-    ~FigureMeter() override;
+    explicit ViewMeter(GpuThread& gpu, QObject* parent = nullptr);
+    ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);
     void cancel();
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] size_t referencesComputed();
 
 signals:
-    void measured(int view, const cullscope::ui::Figures& figures);
+    void measured(int view, const cullscope::ui::ViewMetrics& figures);
 
 private:
     struct Bench;  ///< what lives on the GPU thread
@@ -46,7 +46,7 @@ private:
     /// Whether OpenGL still has what the job measures.
     [[nodiscard]] bool held(const Job& job) const;
     void fail(const Job& job, const Message& message);
-    void deliver(uint64_t job, int view, const Figures& figures);
+    void deliver(uint64_t job, int view, const ViewMetrics& figures);
 
     GpuThread& m_gpu;
     JobNumbers m_jobs;

@@ -1,4 +1,4 @@
-#include "ui/panels/inside_tree.h"
+#include "ui/panels/structure_tree.h"
 
 #include <QEvent>
 #include <QHeaderView>
@@ -18,11 +18,11 @@ constexpr int kFirstRows = 24;                 // of a tree when it is first sho
 
 }  // namespace
 
-InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
+StructureTree::StructureTree(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent),
       m_session(session),
       m_reader(reader),
-      m_model(new InsideModel(this)),
+      m_model(new StructureModel(this)),
       m_view(new LongListView(this)),
       m_empty(new QLabel(this)) {
     setUpView();
@@ -33,32 +33,32 @@ InsideTree::InsideTree(Session& session, InsideReader& reader, QWidget* parent)
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_empty, 1);
-    connect(&reader, &InsideReader::changed, this, &InsideTree::refresh);
-    connect(&session, &Session::figuresChanged, this, &InsideTree::refresh);
-    connect(&session, &Session::pickChanged, this, &InsideTree::followPick);
-    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &InsideTree::pickSelected);
-    connect(m_model, &InsideModel::modelReset, m_view, [this] { m_view->expandFirstLevels(kFirstRows); });
+    connect(&reader, &SnapshotReader::changed, this, &StructureTree::refresh);
+    connect(&session, &Session::metricsChanged, this, &StructureTree::refresh);
+    connect(&session, &Session::pickChanged, this, &StructureTree::followPick);
+    connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &StructureTree::pickSelected);
+    connect(m_model, &StructureModel::modelReset, m_view, [this] { m_view->expandFirstLevels(kFirstRows); });
     retranslate();
     refresh();
 }
 
-void InsideTree::setUpView() {
+void StructureTree::setUpView() {
     m_view->setModel(m_model);
     m_view->setIconSize({14, 14});
     m_view->setIndentation(kIndentation);
     m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_view->header()->setSectionResizeMode(InsideModel::Name, QHeaderView::Stretch);
-    for (int column = InsideModel::Triangles; column < InsideModel::ColumnCount; ++column)
+    m_view->header()->setSectionResizeMode(StructureModel::Name, QHeaderView::Stretch);
+    for (int column = StructureModel::Triangles; column < StructureModel::ColumnCount; ++column)
         m_view->setColumnWidth(column, kWidths[size_t(column)]);
 }
 
-void InsideTree::refresh() {
-    const InsideReadingPointer& reading = m_reader.reading();
-    m_model->setInside(reading ? reading->strategy->scene : nullptr, reading ? reading->inside : nullptr);
+void StructureTree::refresh() {
+    const SnapshotReadingPointer& reading = m_reader.reading();
+    m_model->setSnapshot(reading ? reading->strategy->scene : nullptr, reading ? reading->snapshot : nullptr);
     m_model->setStates(statesOfTruth());
     // A flat list needs no place for arrows; in a tree the names need the place of the counts, which their tooltips have.
     m_view->setRootIsDecorated(m_model->nested());
-    m_view->setColumnHidden(InsideModel::Triangles, m_model->nested());
+    m_view->setColumnHidden(StructureModel::Triangles, m_model->nested());
     m_view->setVisible(!m_model->empty());
     // The Tab key does not get past a panel whose proxy is hidden.
     setFocusProxy(m_model->empty() ? nullptr : m_view);
@@ -69,14 +69,14 @@ void InsideTree::refresh() {
     if (rows.isEmpty() || m_model->instanceAt(rows.front())) followPick();
 }
 
-std::shared_ptr<const TriangleStates> InsideTree::statesOfTruth() const {
-    const Figures& figures = m_session.figures(m_session.activeView());
-    const bool known = figures.state == Figures::State::Ready && figures.states && figures.subject.buffers &&
+std::shared_ptr<const TriangleStates> StructureTree::statesOfTruth() const {
+    const ViewMetrics& figures = m_session.figures(m_session.activeView());
+    const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
     return known && m_reader.fresh() ? figures.states : nullptr;
 }
 
-void InsideTree::followPick() {
+void StructureTree::followPick() {
     const QScopedValueRollback guard(m_following, true);
     const std::optional<Pick>& pick = m_session.pick();
     const std::optional<uint32_t> instance = pick ? m_session.instanceOf(pick->object) : std::nullopt;
@@ -90,7 +90,7 @@ void InsideTree::followPick() {
     m_view->scrollTo(index);
 }
 
-void InsideTree::pickSelected() {
+void StructureTree::pickSelected() {
     if (m_following) return;
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
     const std::optional<uint32_t> instance = rows.isEmpty() ? std::nullopt : m_model->instanceAt(rows.front());
@@ -99,21 +99,21 @@ void InsideTree::pickSelected() {
     pickObject(m_session, m_session.objectOf(*instance));
 }
 
-void InsideTree::retranslate() {
+void StructureTree::retranslate() {
     m_model->retranslate();
     m_view->setAccessibleName(tr("Boxes that the strategy tests"));
     m_empty->setText(emptySentence());
 }
 
-QString InsideTree::emptySentence() const {
-    const InsideReadingPointer& reading = m_reader.reading();
+QString StructureTree::emptySentence() const {
+    const SnapshotReadingPointer& reading = m_reader.reading();
     if (reading && !reading->failure.empty()) return translated(reading->failure);
     return tr(
         "This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they "
         "decided about each.");
 }
 
-void InsideTree::changeEvent(QEvent* event) {
+void StructureTree::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) retranslate();
     QWidget::changeEvent(event);
 }

@@ -1,17 +1,17 @@
-#include "ui/models/figure_model.h"
+#include "ui/models/metrics_model.h"
 
-#include "ui/text/wording.h"
 #include "core/measure/accuracy.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
-void FigureModel::setColumns(std::vector<Column> columns) {
+void MetricsModel::setColumns(std::vector<Column> columns) {
     beginResetModel();
     m_columns = std::move(columns);
     endResetModel();
 }
 
-void FigureModel::setFigures(int view, const Figures& figures) {
+void MetricsModel::setFigures(int view, const ViewMetrics& figures) {
     for (size_t column = 0; column < m_columns.size(); ++column) {
         if (m_columns[column].view != view) continue;
         m_columns[column].figures = figures;
@@ -19,7 +19,7 @@ void FigureModel::setFigures(int view, const Figures& figures) {
     }
 }
 
-QString FigureModel::title(int row) {
+QString MetricsModel::title(int row) {
     switch (row) {
         case Speedup:
             return tr("Speed against backface");
@@ -48,7 +48,7 @@ QString FigureModel::title(int row) {
     }
 }
 
-QString FigureModel::explanation(int row) {
+QString MetricsModel::explanation(int row) {
     switch (row) {
         case Speedup:
             return tr("Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera");
@@ -81,9 +81,9 @@ QString FigureModel::explanation(int row) {
     }
 }
 
-QString FigureModel::value(const Figures& figures, int row) {
-    if (figures.state == Figures::State::Stale) return QStringLiteral("…");
-    if (figures.state != Figures::State::Ready) return QStringLiteral("–");
+QString MetricsModel::value(const ViewMetrics& figures, int row) {
+    if (figures.state == ViewMetrics::State::Stale) return QStringLiteral("…");
+    if (figures.state != ViewMetrics::State::Ready) return QStringLiteral("–");
     const Accuracy& accuracy = figures.accuracy;
     switch (row) {
         case Speedup:
@@ -113,7 +113,7 @@ QString FigureModel::value(const Figures& figures, int row) {
     }
 }
 
-QVariant FigureModel::data(const QModelIndex& index, int role) const {
+QVariant MetricsModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
     switch (role) {
         case Qt::DisplayRole:
@@ -127,7 +127,7 @@ QVariant FigureModel::data(const QModelIndex& index, int role) const {
     }
 }
 
-QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int role) const {
+QVariant MetricsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (section < 0) return {};
     if (orientation == Qt::Vertical) {
         if (section >= RowCount) return {};
@@ -141,7 +141,7 @@ QVariant FigureModel::headerData(int section, Qt::Orientation orientation, int r
     return {};
 }
 
-void FigureModel::retranslate() {
+void MetricsModel::retranslate() {
     emit headerDataChanged(Qt::Vertical, 0, RowCount - 1);
     if (!m_columns.empty()) emit dataChanged(index(0, 0), index(RowCount - 1, int(m_columns.size()) - 1));
 }
