@@ -54,18 +54,18 @@ void requireBands(const std::string& strategy, const StructureSnapshot& snapshot
     if (snapshot.maps.empty() || snapshot.maps.front().tree)
         throwUsage(CULLSCOPE_TR("--overlay bands: the strategy \"%1\" has no contour bands. Strategies that have them: %2."),
                    {strategy, kStrategiesWithBands});
-    for (const MapSnapshot& map : snapshot.maps)
+    for (const spherical::MapSnapshot& map : snapshot.maps)
         if (map.decision.bands) return;
-    const SphericalDecision& decision = shownMap(snapshot)->decision;
+    const spherical::SphericalDecision& decision = shownMap(snapshot)->decision;
     throwUsage(
         CULLSCOPE_TR("--overlay bands: the object \"%1\" is %2, and only one inside the frustum has contour bands. Choose an "
                      "eye farther away or a larger --fovy; for what the frustum cuts there are --overlay boxes and "
                      "--overlay index-map."),
-        {scene.instances()[decision.instance].name, relationName(decision.relation)});
+        {scene.instances()[decision.instance].name, spherical::relationName(decision.relation)});
 }
 
 /// Says why an object has no kernel; nothing where it has one.
-void requireKernelOf(const MapSnapshot& map, const std::string& option, const Scene& scene) {
+void requireKernelOf(const spherical::MapSnapshot& map, const std::string& option, const Scene& scene) {
     const std::string& name = scene.instances()[map.decision.instance].name;
     if (!map.kernel)
         throwUsage(CULLSCOPE_TR("%1: no inner kernel was made for the object \"%2\", because the parameter horizon is off or the "
@@ -82,17 +82,17 @@ void requireKernel(const std::string& strategy, const StructureSnapshot& snapsho
         throwUsage(CULLSCOPE_TR("%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3."),
                    {option, strategy, kStrategiesWithCells});
     if (std::ranges::any_of(snapshot.maps, hasKernel)) return;
-    const MapSnapshot& shown = *shownMap(snapshot);
+    const spherical::MapSnapshot& shown = *shownMap(snapshot);
     requireKernelOf(shown, option, scene);
     throwUsage(CULLSCOPE_TR("%1: the object \"%2\" is %3, so that its inner kernel is not shown. Choose another eye or target."),
-               {option, scene.instances()[shown.decision.instance].name, relationName(shown.decision.relation)});
+               {option, scene.instances()[shown.decision.instance].name, spherical::relationName(shown.decision.relation)});
 }
 
 void requireMap(MapColouring colouring, const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
     if (snapshot.maps.empty())
         throwUsage(CULLSCOPE_TR("--overlay index-map: the strategy \"%1\" has no index map. Strategies that have one: %2."),
                    {strategy, kStrategiesWithMaps});
-    const MapSnapshot& shown = *shownMap(snapshot);
+    const spherical::MapSnapshot& shown = *shownMap(snapshot);
     if (hasColouring(shown, colouring)) return;
     const std::string option = std::string("--map-colouring ") + mapColouringId(colouring);
     if (shown.tree) requireKernelOf(shown, option, scene);
@@ -200,9 +200,9 @@ void requireOverlays(const OverlayChoice& choice, const std::string& strategy, c
     if (choice.map) requireMap(*choice.map, strategy, snapshot, scene);
 }
 
-const MapSnapshot* shownMap(const StructureSnapshot& snapshot) {
-    for (const MapSnapshot& map : snapshot.maps)
-        if (map.decision.relation != SphereRelation::Outside) return &map;
+const spherical::MapSnapshot* shownMap(const StructureSnapshot& snapshot) {
+    for (const spherical::MapSnapshot& map : snapshot.maps)
+        if (map.decision.relation != spherical::SphereRelation::Outside) return &map;
     return snapshot.maps.empty() ? nullptr : &snapshot.maps.front();
 }
 

@@ -59,7 +59,7 @@ void requireOverlays(const OverlayChoice& choice, const std::string& strategy, c
 
 /// The index map that is shown: of the first object that is not outside the frustum, of the first one where all are. Null: the
 /// strategy has none.
-[[nodiscard]] const MapSnapshot* shownMap(const StructureSnapshot& snapshot);
+[[nodiscard]] const spherical::MapSnapshot* shownMap(const StructureSnapshot& snapshot);
 
 /// The camera that looks: the culling camera with what was given in its place, its depth range fitted to the scene.
 [[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);

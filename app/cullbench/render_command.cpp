@@ -93,16 +93,16 @@ struct Drawn {
 };
 
 /// What the walk over an object's cells tested, and how many triangles each test left out.
-std::string describedWalk(const CellWalk& walk) {
+std::string describedWalk(const spherical::CellWalk& walk) {
     const auto culled = [&](Cause cause) { return fmt::format("{} {}", walk.culled[size_t(cause)], causeName(cause)); };
     return fmt::format("{} nodes visited; planes: {}; cones: {}; horizon: {}", walk.nodesVisited, culled(Cause::OutsideFrustum),
                        walk.cones ? culled(Cause::BackFacing) : "not used", walk.horizon ? culled(Cause::Hidden) : "not used");
 }
 
-std::string describedMap(const MapSnapshot& map, const Scene& scene) {
-    const SphericalDecision& decision = map.decision;
+std::string describedMap(const spherical::MapSnapshot& map, const Scene& scene) {
+    const spherical::SphericalDecision& decision = map.decision;
     std::string text = fmt::format("the bounding sphere of \"{}\" is {}", scene.instances()[decision.instance].name,
-                                   relationName(decision.relation));
+                                   spherical::relationName(decision.relation));
     if (decision.region) text += fmt::format(", case {}", decision.region->caseNumber);
     if (decision.walk) text += "; " + describedWalk(*decision.walk);
     return text;

@@ -49,7 +49,7 @@ CellFigures cellFigures(Strategy& strategy, const Scene& scene) {
     Trace trace;
     (void)strategy.cull(View(overviewCamera(scene, 1.0), {64, 64}), &trace);
     std::set<uint32_t> seen;
-    for (const MapSnapshot& map : strategy.snapshot(trace).maps) {
+    for (const spherical::MapSnapshot& map : strategy.snapshot(trace).maps) {
         if (!map.tree || !seen.insert(scene.instances()[map.decision.instance].mesh).second) continue;
         figures.layout = mapLayoutId(map.tree->layout());
         ++figures.meshesByKernel[map.kernel ? InnerKernel::stateName(map.kernel->state()) : "not made"];

@@ -16,7 +16,7 @@ struct GlInfo {
     bool software = false;              ///< llvmpipe, softpipe, SWR, …: times are not a GPU's
 };
 
-/// GlRequirement the current context. Throws Error(OpenGl) where none is current or it is older than 4.5.
+/// Asks the current context. Throws Error(OpenGl) where none is current or it is older than 4.5.
 [[nodiscard]] GlInfo requireOpenGl45();
 
 /// Whether OpenGL says that the current context was lost, as by a driver's reset. Says so only where the context was made with

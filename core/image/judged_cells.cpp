@@ -59,14 +59,14 @@ Vec2 sizeOf(MapLayout layout, const MapCell& cell) {
 
 }  // namespace
 
-const JudgedCell* judgedCellAt(const MapSnapshot& map, const Vec3& direction) {
+const spherical::JudgedCell* judgedCellAt(const spherical::MapSnapshot& map, const Vec3& direction) {
     if (!map.tree || !map.decision.walk) return nullptr;
     const CellTree::Node* leaf = map.tree->leafAt(direction);
     if (leaf == nullptr) return nullptr;
-    const std::vector<JudgedCell>& judged = map.decision.walk->judged;
+    const std::vector<spherical::JudgedCell>& judged = map.decision.walk->judged;
     const auto& nodes = map.tree->nodes();
-    const auto after =
-        std::ranges::upper_bound(judged, leaf->first, {}, [&](const JudgedCell& cell) { return nodes[cell.node].first; });
+    const auto after = std::ranges::upper_bound(judged, leaf->first, {},
+                                                [&](const spherical::JudgedCell& cell) { return nodes[cell.node].first; });
     return after == judged.begin() ? nullptr : &*std::prev(after);
 }
 
@@ -84,11 +84,11 @@ std::vector<Vec2> cellOutline(MapLayout layout, const MapCell& cell) {
     return outline;
 }
 
-std::vector<std::vector<Vec2>> cellOutlines(const MapSnapshot& map, double leastSize) {
+std::vector<std::vector<Vec2>> cellOutlines(const spherical::MapSnapshot& map, double leastSize) {
     std::vector<std::vector<Vec2>> outlines;
     if (!map.tree || !map.decision.walk) return outlines;
     const MapLayout layout = map.tree->layout();
-    for (const JudgedCell& judged : map.decision.walk->judged) {
+    for (const spherical::JudgedCell& judged : map.decision.walk->judged) {
         const CellTree::Node& node = map.tree->nodes()[judged.node];
         if (node.level == 0) continue;
         const Vec2 size = sizeOf(layout, node.cell());
@@ -97,7 +97,7 @@ std::vector<std::vector<Vec2>> cellOutlines(const MapSnapshot& map, double least
     return outlines;
 }
 
-std::vector<Vec2> horizonLine(const MapSnapshot& map) {
+std::vector<Vec2> horizonLine(const spherical::MapSnapshot& map) {
     if (!map.decision.walk || map.decision.walk->outline.empty()) return {};
     const std::vector<Vec3>& outline = map.decision.walk->outline;
     MapLine line(outline.front());

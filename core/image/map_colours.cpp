@@ -19,28 +19,28 @@ constexpr std::array<uint32_t, 8> kRamp{0xDEEBF7, 0xC6DBEF, 0x9ECAE1, 0x6BAED6, 
 /// Cividis, which is told apart in every sight (Nuñez, Anderton & Renslow 2018), begun a little brighter.
 constexpr std::array<uint32_t, 5> kRelief{0x2C4478, 0x434E6C, 0x7D7C78, 0xBCAF6F, 0xFEE838};
 
-Vec3f stateColour(CellState state, const Vec3f& background) {
+Vec3f stateColour(spherical::CellState state, const Vec3f& background) {
     const auto palette = verdictPalette(background);
     switch (state) {
-        case CellState::Drawn:
+        case spherical::CellState::Drawn:
             return palette[size_t(TriangleState::Visible)].colour;
-        case CellState::OutsideFrustum:
+        case spherical::CellState::OutsideFrustum:
             return palette[size_t(TriangleState::OutsideFrustum)].colour;
-        case CellState::BackFacing:
+        case spherical::CellState::BackFacing:
             return palette[size_t(TriangleState::BackFacing)].colour;
-        case CellState::Hidden:
+        case spherical::CellState::Hidden:
             return palette[size_t(TriangleState::Hidden)].colour;
-        case CellState::Empty:
+        case spherical::CellState::Empty:
             break;
     }
     return background;
 }
 
 /// Of the quadtree's cell that holds a direction in which no centroid lies: the display's cells may be the smaller ones.
-Vec3f colourBetween(const MapSnapshot& map, const Vec3& direction, const Vec3f& background) {
+Vec3f colourBetween(const spherical::MapSnapshot& map, const Vec3& direction, const Vec3f& background) {
     if (map.tree->leafAt(direction) == nullptr) return background;
-    const JudgedCell* judged = judgedCellAt(map, direction);
-    if (judged == nullptr) return stateColour(CellState::OutsideFrustum, background);
+    const spherical::JudgedCell* judged = judgedCellAt(map, direction);
+    if (judged == nullptr) return stateColour(spherical::CellState::OutsideFrustum, background);
     const TriangleState state = judged->cause ? stateOfCause(*judged->cause) : TriangleState::Visible;
     return verdictPalette(background)[size_t(state)].colour;
 }
@@ -71,9 +71,9 @@ CellShares radiusShares(const SphericalMaps& maps) {
     return result;
 }
 
-CellShares levelShares(const MapSnapshot& map) {
+CellShares levelShares(const spherical::MapSnapshot& map) {
     const SphericalGrid& grid = map.maps->grid();
-    const CellDirections directions(grid);
+    const spherical::CellDirections directions(grid);
     CellShares result{std::vector<float>(grid.cellCount(), -1.0f), 0.0, 1.0};
     for (uint32_t cell = 0; cell < result.shares.size(); ++cell) {
         const Vec3 middle = directions.middle(grid.cell(cell));
@@ -81,16 +81,16 @@ CellShares levelShares(const MapSnapshot& map) {
         if (node == nullptr) continue;
         // The scale does not change from view to view. Single leaves may lie far deeper: many triangles at one place.
         result.most = std::max(result.most, double(node->level));
-        if (const JudgedCell* judged = judgedCellAt(map, middle)) node = &map.tree->nodes()[judged->node];
+        if (const spherical::JudgedCell* judged = judgedCellAt(map, middle)) node = &map.tree->nodes()[judged->node];
         result.shares[cell] = float(node->level);
     }
     for (float& share : result.shares) share = share < 0.0f ? share : float(share / result.most);
     return result;
 }
 
-CellShares kernelShares(const MapSnapshot& map) {
+CellShares kernelShares(const spherical::MapSnapshot& map) {
     const SphericalGrid& grid = map.maps->grid();
-    const CellDirections directions(grid);
+    const spherical::CellDirections directions(grid);
     const double most = map.maps.sphere().radius;
     CellShares result{std::vector<float>(grid.cellCount(), -1.0f), 0.0, most};
     for (uint32_t cell = 0; cell < result.shares.size(); ++cell)
@@ -112,12 +112,12 @@ MapColouring mapColouringFromId(std::string_view id) {
                {std::string(id), "entries, radius, state, level, kernel"});
 }
 
-bool hasColouring(const MapSnapshot& map, MapColouring colouring) {
+bool hasColouring(const spherical::MapSnapshot& map, MapColouring colouring) {
     if (colouring == MapColouring::Level) return map.tree != nullptr;
     return colouring != MapColouring::Kernel || (map.kernel && map.kernel->filled());
 }
 
-CellShares cellShares(const MapSnapshot& map, MapColouring colouring) {
+CellShares cellShares(const spherical::MapSnapshot& map, MapColouring colouring) {
     if (!hasColouring(map, colouring)) return {std::vector<float>(map.maps->grid().cellCount(), -1.0f), 0.0, 0.0};
     if (colouring == MapColouring::Level) return levelShares(map);
     if (colouring == MapColouring::Kernel) return kernelShares(map);
@@ -136,7 +136,7 @@ std::array<Vec3f, 5> reliefColours() {
     return colours;
 }
 
-std::vector<Vec3f> cellColours(const MapSnapshot& map, MapColouring colouring, const Vec3f& background) {
+std::vector<Vec3f> cellColours(const spherical::MapSnapshot& map, MapColouring colouring, const Vec3f& background) {
     if (colouring != MapColouring::State) {
         std::vector<Vec3f> colours;
         for (const float share : cellShares(map, colouring).shares)
@@ -144,10 +144,10 @@ std::vector<Vec3f> cellColours(const MapSnapshot& map, MapColouring colouring, c
         return colours;
     }
     std::vector<Vec3f> colours;
-    const std::vector<CellState> states = cellStates(map);
-    const CellDirections directions(map.maps->grid());
+    const std::vector<spherical::CellState> states = spherical::cellStates(map);
+    const spherical::CellDirections directions(map.maps->grid());
     for (uint32_t cell = 0; cell < states.size(); ++cell) {
-        const bool between = states[cell] == CellState::Empty && map.tree;
+        const bool between = states[cell] == spherical::CellState::Empty && map.tree;
         colours.push_back(between ? colourBetween(map, directions.middle(map.maps->grid().cell(cell)), background)
                                   : stateColour(states[cell], background));
     }

@@ -39,14 +39,14 @@ Vec2 mapAngles(const Vec3& direction) {
     return {point.theta, point.phi};
 }
 
-std::vector<Vec2> contour(const ContourBands& bands, double alpha) {
+std::vector<Vec2> contour(const spherical::ContourBands& bands, double alpha) {
     const auto at = [&](double beta) { return bands.direction(alpha, beta); };
     MapLine line(at(0.0));
     for (int i = 0; i < kFirstPieces; ++i) line.follow(at, kTurn * i / kFirstPieces, kTurn * (i + 1) / kFirstPieces);
     return std::move(line).take();
 }
 
-std::vector<Contour> contours(const ContourBands& bands) {
+std::vector<Contour> contours(const spherical::ContourBands& bands) {
     std::vector<Contour> result;
     for (uint32_t band = 1; band < bands.bands; ++band) {
         const double alpha = band * bands.width;

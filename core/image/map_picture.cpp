@@ -29,7 +29,7 @@ constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in 
 /// Draws the map and what lies over it.
 class MapPainter {
 public:
-    MapPainter(const MapSnapshot& map, const Viewport& size, const DrawStyle& style)
+    MapPainter(const spherical::MapSnapshot& map, const Viewport& size, const DrawStyle& style)
         : m_map(map), m_canvas(size, style), m_style(style), m_contrast(contrastTo(style.background)) {
         const MapArea area = mapArea(size, kMargin * style.unit);
         const double top = size.height - area.bottom - area.height;
@@ -38,9 +38,9 @@ public:
 
     void paintCells(const std::vector<Vec3f>& colours);
     void paintFrame();
-    void paintRegion(const VisibleRegion& region);
-    void paintRays(std::span<const CornerRay> rays);
-    void paintBands(const ContourBands& bands);
+    void paintRegion(const spherical::VisibleRegion& region);
+    void paintRays(std::span<const spherical::CornerRay> rays);
+    void paintBands(const spherical::ContourBands& bands);
     void paintJudgedCells();
     void paintHorizon();
     [[nodiscard]] std::vector<uint8_t> rgba() const { return m_canvas.rgba(); }
@@ -55,12 +55,12 @@ private:
     [[nodiscard]] Vec3f meanColour(const std::vector<Vec3f>& colours, int x, int y) const;
     /// A line through (θ, φ) with a casing, wherever it shows: also where it comes in again over the seam.
     void curve(const std::vector<Vec2>& angles, const Canvas::Pen& pen);
-    void box(const CellBox& box, const Canvas::Pen& pen);
+    void box(const spherical::CellBox& box, const Canvas::Pen& pen);
     void cross(const Vec2& centre, const Canvas::Pen& pen);
     void axisMarks(const Vec3& axis);
     void tick(const Vec2& from, const Vec2& outward, int degrees);
 
-    const MapSnapshot& m_map;
+    const spherical::MapSnapshot& m_map;
     Canvas m_canvas;
     const DrawStyle& m_style;
     Vec3f m_contrast;
@@ -113,7 +113,7 @@ void MapPainter::curve(const std::vector<Vec2>& angles, const Canvas::Pen& pen) 
         }
 }
 
-void MapPainter::box(const CellBox& box, const Canvas::Pen& pen) {
+void MapPainter::box(const spherical::CellBox& box, const Canvas::Pen& pen) {
     const SphericalGrid& grid = m_map.maps->grid();
     const double top = grid.thetaOf(box.firstRow), bottom = grid.thetaOf(box.lastRow + 1);
     const double left = grid.phiOf(box.firstColumn), right = grid.phiOf(box.lastColumn + 1);
@@ -123,9 +123,9 @@ void MapPainter::box(const CellBox& box, const Canvas::Pen& pen) {
     m_canvas.line(corners, pen);
 }
 
-void MapPainter::paintRegion(const VisibleRegion& region) {
+void MapPainter::paintRegion(const spherical::VisibleRegion& region) {
     m_canvas.clipTo(m_area);
-    for (const CellBox& each : region.boxes) box(each, {m_contrast, kThin * unit()});
+    for (const spherical::CellBox& each : region.boxes) box(each, {m_contrast, kThin * unit()});
     std::vector<Vec2> outline = region.outline;
     // In case 1 it ends a whole turn away from its beginning.
     if (region.caseNumber != 1 && !outline.empty()) outline.push_back(outline.front());
@@ -141,10 +141,10 @@ void MapPainter::cross(const Vec2& centre, const Canvas::Pen& pen) {
     }
 }
 
-void MapPainter::paintRays(std::span<const CornerRay> rays) {
+void MapPainter::paintRays(std::span<const spherical::CornerRay> rays) {
     const SphericalGrid& grid = m_map.maps->grid();
     m_canvas.clipTo(m_area);
-    for (const CornerRay& ray : rays)
+    for (const spherical::CornerRay& ray : rays)
         for (const WalkedCell& walked : ray.walkedCells) {
             const auto& [row, column] = walked.cell;
             const Vec2 low = place({grid.thetaOf(row), grid.phiOf(column)});
@@ -152,7 +152,7 @@ void MapPainter::paintRays(std::span<const CornerRay> rays) {
             m_canvas.fill({low.x, low.y, std::max(high.x, low.x + 1.0), std::max(high.y, low.y + 1.0)}, m_contrast,
                           kWalkedOpacity);
         }
-    for (const CornerRay& ray : rays) {
+    for (const spherical::CornerRay& ray : rays) {
         const Vec2 centre = place(mapAngles(ray.point));
         if (!ray.hit) {
             cross(centre, {m_contrast, kStrong * unit()});
@@ -163,7 +163,7 @@ void MapPainter::paintRays(std::span<const CornerRay> rays) {
     }
 }
 
-void MapPainter::paintBands(const ContourBands& bands) {
+void MapPainter::paintBands(const spherical::ContourBands& bands) {
     m_canvas.clipTo(m_area);
     for (const Contour& contour : contours(bands)) {
         const bool equator = std::abs(contour.alpha - kRightAngle) < 1e-9;
@@ -206,8 +206,9 @@ void MapPainter::paintHorizon() {
 
 }  // namespace
 
-std::vector<uint8_t> mapPicture(const MapSnapshot& map, MapColouring colouring, const Viewport& size, const DrawStyle& style) {
-    const SphericalDecision& decision = map.decision;
+std::vector<uint8_t> mapPicture(const spherical::MapSnapshot& map, MapColouring colouring, const Viewport& size,
+                                const DrawStyle& style) {
+    const spherical::SphericalDecision& decision = map.decision;
     MapPainter painter(map, size, style);
     painter.paintCells(cellColours(map, colouring, style.background));
     painter.paintFrame();

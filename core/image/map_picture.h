@@ -23,7 +23,7 @@ enum class MapColouring {
 [[nodiscard]] MapColouring mapColouringFromId(std::string_view id);
 
 /// Whether a map has what a colouring shows: a quadtree for Level, a filled inner kernel for Kernel; the others need neither.
-[[nodiscard]] bool hasColouring(const MapSnapshot& map, MapColouring colouring);
+[[nodiscard]] bool hasColouring(const spherical::MapSnapshot& map, MapColouring colouring);
 
 /// Where each cell lies on the scale of a colouring but State.
 struct CellShares {
@@ -31,7 +31,7 @@ struct CellShares {
     double least = 0.0, most = 0.0;  ///< the values at 0 and 1: triangles, mesh units, or levels
 };
 /// Of a map that has no such colouring all cells are empty.
-[[nodiscard]] CellShares cellShares(const MapSnapshot& map, MapColouring colouring);
+[[nodiscard]] CellShares cellShares(const spherical::MapSnapshot& map, MapColouring colouring);
 
 /// A colour for a share from 0 to 1: little is near the background's lightness, much is far from it.
 [[nodiscard]] Vec3f rampColour(double share, const Vec3f& background);
@@ -41,11 +41,11 @@ struct CellShares {
 [[nodiscard]] std::array<Vec3f, 5> reliefColours();
 
 /// By cell number; the background's where a cell is empty. States have the verdicts' colours.
-[[nodiscard]] std::vector<Vec3f> cellColours(const MapSnapshot& map, MapColouring colouring, const Vec3f& background);
+[[nodiscard]] std::vector<Vec3f> cellColours(const spherical::MapSnapshot& map, MapColouring colouring, const Vec3f& background);
 
 /// The directions at one angle α from the axis of the bands as points (θ, φ), φ continued over the seam: the last one is the
 /// first, a whole turn on where the curve goes around a pole.
-[[nodiscard]] std::vector<Vec2> contour(const ContourBands& bands, double alpha);
+[[nodiscard]] std::vector<Vec2> contour(const spherical::ContourBands& bands, double alpha);
 
 /// The same, cut at the seam.
 struct Contour {
@@ -54,7 +54,7 @@ struct Contour {
     std::vector<std::vector<Vec2>> lines;
 };
 /// The borders between the bands, by growing α: all but the start (α = 0) and the end (α = 180°), which are points.
-[[nodiscard]] std::vector<Contour> contours(const ContourBands& bands);
+[[nodiscard]] std::vector<Contour> contours(const spherical::ContourBands& bands);
 
 /// (θ, φ) of a direction of any length but 0; φ in [0, 2π).
 [[nodiscard]] Vec2 mapAngles(const Vec3& direction);
@@ -65,7 +65,7 @@ struct Contour {
 /// and end (dot); the
 /// cells at which the walk of `spherical-lossless` ended, of those that are some pixels large, and in strong red the kernel's
 /// outline as the eye sees it, with the directions to the eye (ring) and away from it (dot). RGBA, rows from the bottom.
-[[nodiscard]] std::vector<uint8_t> mapPicture(const MapSnapshot& map, MapColouring colouring, const Viewport& size,
+[[nodiscard]] std::vector<uint8_t> mapPicture(const spherical::MapSnapshot& map, MapColouring colouring, const Viewport& size,
                                               const DrawStyle& style);
 
 }  // namespace cullscope

@@ -10,7 +10,7 @@ namespace cullscope {
 /// From the coordinates of a map, which count from its bounding sphere's centre, to the world.
 class MapPlace {
 public:
-    MapPlace(const Scene& scene, const MapSnapshot& map)
+    MapPlace(const Scene& scene, const spherical::MapSnapshot& map)
         : m_worldFromMesh(scene.instances()[map.decision.instance].worldFromMesh),
           m_centre(map.maps.mesh().origin() + map.maps.sphere().centre) {}
 

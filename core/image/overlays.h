@@ -73,8 +73,8 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour);
 [[nodiscard]] std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const StructureSnapshot& snapshot);
 
 /// Whether there is a kernel to be shown.
-[[nodiscard]] inline bool hasKernel(const MapSnapshot& map) {
-    return map.kernel && map.kernel->filled() && map.decision.relation != SphereRelation::Outside;
+[[nodiscard]] inline bool hasKernel(const spherical::MapSnapshot& map) {
+    return map.kernel && map.kernel->filled() && map.decision.relation != spherical::SphereRelation::Outside;
 }
 /// The inner kernels of the objects that are not outside the frustum, but for those of a few pixels: the grid of a kernel's map
 /// on its surface, as far as it faces the viewer and pixels keep the lines apart; its outline as the culling camera's eye sees

@@ -23,11 +23,11 @@ class BandLines {
 public:
     explicit BandLines(const OverlayContext& context) : m_context(context) {}
 
-    void add(const MapSnapshot& map) {
+    void add(const spherical::MapSnapshot& map) {
         const Object object{map, *map.decision.bands, MapPlace(m_context.scene, map), map.maps.sphere().radius,
                             pixelsOf(m_context.viewing, MapPlace(m_context.scene, map).world(Vec3(0.0)),
                                      m_context.scene.instanceSphere(map.decision.instance).radius)};
-        const ContourBands& bands = object.bands;
+        const spherical::ContourBands& bands = object.bands;
         const uint32_t step =
             uint32_t(std::max(1.0, std::ceil(kLeastGap * m_context.style.unit / (object.pixels * bands.width))));
         for (uint32_t band = 1; band < bands.bands; ++band)
@@ -48,8 +48,8 @@ public:
 
 private:
     struct Object {
-        const MapSnapshot& map;
-        const ContourBands& bands;
+        const spherical::MapSnapshot& map;
+        const spherical::ContourBands& bands;
         MapPlace place;
         double radius = 0.0;  ///< of the bounding sphere, mesh units
         double pixels = 0.0;  ///< the same in the picture
@@ -59,7 +59,7 @@ private:
         }
     };
 
-    [[nodiscard]] const Vec3f& colourOf(const BandSector& sector) const {
+    [[nodiscard]] const Vec3f& colourOf(const spherical::BandSector& sector) const {
         return m_context.palette[size_t(sector.drawn ? TriangleState::Visible : TriangleState::Hidden)].colour;
     }
 
@@ -88,7 +88,7 @@ private:
     }
 
     /// How far a band's size reaches from the axis at a height along it.
-    [[nodiscard]] static double reach(const Object& object, const BandSector& sector, double along) {
+    [[nodiscard]] static double reach(const Object& object, const spherical::BandSector& sector, double along) {
         if (!object.bands.slopes) return sector.size;
         // The sight line of that slope: it leaves the axis at the eye.
         return sector.size * std::max(glm::length(object.map.decision.eye) - along, 0.0);
@@ -107,7 +107,7 @@ private:
     }
 
     void addSizes(const Object& object, uint32_t step) {
-        const ContourBands& bands = object.bands;
+        const spherical::ContourBands& bands = object.bands;
         const std::array<uint32_t, 2> sectors = sectorsAside(object);
         for (uint32_t band = 0; band < bands.bands; band += step)
             for (const uint32_t sector : sectors) {
@@ -129,7 +129,7 @@ private:
 
 std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     BandLines lines(context);
-    for (const MapSnapshot& map : snapshot.maps)
+    for (const spherical::MapSnapshot& map : snapshot.maps)
         if (map.decision.bands) lines.add(map);
     return std::move(lines).overlays();
 }

@@ -92,7 +92,7 @@ class KernelLines {
 public:
     explicit KernelLines(const OverlayContext& context) : m_context(context) {}
 
-    void add(const MapSnapshot& map) {
+    void add(const spherical::MapSnapshot& map) {
         const MapPlace place(m_context.scene, map);
         const Vec3 centre = place.world(Vec3(0.0));
         const KernelSurface surface(*map.kernel, place);
@@ -137,7 +137,7 @@ private:
             }
     }
 
-    void addHorizon(const MapSnapshot& map, const MapPlace& place) {
+    void addHorizon(const spherical::MapSnapshot& map, const MapPlace& place) {
         if (!map.decision.walk) return;
         const std::vector<Vec3>& outline = map.decision.walk->outline;
         for (size_t i = 0; i < outline.size(); ++i)
@@ -152,7 +152,7 @@ private:
 
 std::vector<OverlayLines> kernelOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     KernelLines lines(context);
-    for (const MapSnapshot& map : snapshot.maps)
+    for (const spherical::MapSnapshot& map : snapshot.maps)
         if (hasKernel(map)) lines.add(map);
     return std::move(lines).overlays();
 }

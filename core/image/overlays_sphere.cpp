@@ -30,13 +30,13 @@ class SphereLines {
 public:
     explicit SphereLines(const OverlayContext& context) : m_context(context) {}
 
-    void add(const MapSnapshot& map) {
+    void add(const spherical::MapSnapshot& map) {
         const MapPlace place(m_context.scene, map);
         addCircles(map, place);
         if (map.tree && map.decision.walk) addCells(map, place);
-        if (map.decision.relation != SphereRelation::Cut) return;
+        if (map.decision.relation != spherical::SphereRelation::Cut) return;
         if (map.decision.region) addRegion(map, place);
-        for (const CornerRay& ray : map.decision.rays) addRay(ray, map.decision.eye, place);
+        for (const spherical::CornerRay& ray : map.decision.rays) addRay(ray, map.decision.eye, place);
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    void addCircles(const MapSnapshot& map, const MapPlace& place) {
+    void addCircles(const spherical::MapSnapshot& map, const MapPlace& place) {
         const double radius = map.maps.sphere().radius;
         const Vec3f colour = m_context.palette[size_t(TriangleState::Visible)].colour;
         const Vec3 centre = place.world(Vec3(0.0));
@@ -81,7 +81,7 @@ private:
             if (!dashed || m_dash / kStepsADash % 2 == 0) m_lines.push_back({at(i), at(i + 1), colour});
     }
 
-    void addBox(const CellBox& box, const SphericalGrid& grid, double radius, const MapPlace& place) {
+    void addBox(const spherical::CellBox& box, const SphericalGrid& grid, double radius, const MapPlace& place) {
         const double top = grid.thetaOf(box.firstRow), bottom = grid.thetaOf(box.lastRow + 1);
         const double left = grid.phiOf(box.firstColumn), right = grid.phiOf(box.lastColumn + 1);
         for (const double theta : {top, bottom})
@@ -91,10 +91,10 @@ private:
         for (const double phi : {left, right}) addOnSphere({top, phi}, {bottom, phi}, radius, place, m_context.contrast, false);
     }
 
-    void addRegion(const MapSnapshot& map, const MapPlace& place) {
-        const VisibleRegion& region = *map.decision.region;
+    void addRegion(const spherical::MapSnapshot& map, const MapPlace& place) {
+        const spherical::VisibleRegion& region = *map.decision.region;
         const double radius = map.maps.sphere().radius;
-        for (const CellBox& box : region.boxes) addBox(box, map.maps->grid(), radius, place);
+        for (const spherical::CellBox& box : region.boxes) addBox(box, map.maps->grid(), radius, place);
         const std::vector<Vec2>& outline = region.outline;
         m_dash = 0;
         for (size_t i = 1; i < outline.size(); ++i) addOnSphere(outline[i - 1], outline[i], radius, place, kRegionColour, true);
@@ -103,14 +103,14 @@ private:
             addOnSphere(outline.back(), outline.front(), radius, place, kRegionColour, true);
     }
 
-    void addCells(const MapSnapshot& map, const MapPlace& place) {
+    void addCells(const spherical::MapSnapshot& map, const MapPlace& place) {
         const double radius = map.maps.sphere().radius, squared = radius * radius;
         const double pixels =
             pixelsOf(m_context.viewing, place.world(Vec3(0.0)), m_context.scene.instanceSphere(map.decision.instance).radius);
         const double leastAngle = kLeastCell * m_context.style.unit / pixels;
         const Vec3 eye = place.local(m_context.viewing.eye());
         const MapLayout layout = map.tree->layout();
-        for (const JudgedCell& judged : map.decision.walk->judged) {
+        for (const spherical::JudgedCell& judged : map.decision.walk->judged) {
             const MapCell cell = map.tree->nodes()[judged.node].cell();
             if (!(solidAngle(layout, cell) > leastAngle * leastAngle)) continue;
             const TriangleState state = judged.cause ? stateOfCause(*judged.cause) : TriangleState::Visible;
@@ -125,7 +125,7 @@ private:
         }
     }
 
-    void addRay(const CornerRay& ray, const Vec3& eye, const MapPlace& place) {
+    void addRay(const spherical::CornerRay& ray, const Vec3& eye, const MapPlace& place) {
         m_lines.push_back({place.world(eye), place.world(ray.point), m_context.contrast});
         if (ray.span)
             addMark(m_marks, m_context, place.world(ray.ray.at(ray.span->from)), kEntryRadius, MarkShape::Ring,
@@ -146,8 +146,8 @@ private:
 
 std::vector<OverlayLines> sphereOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     SphereLines lines(context);
-    for (const MapSnapshot& map : snapshot.maps)
-        if (map.decision.relation != SphereRelation::Outside) lines.add(map);
+    for (const spherical::MapSnapshot& map : snapshot.maps)
+        if (map.decision.relation != spherical::SphereRelation::Outside) lines.add(map);
     return std::move(lines).overlays();
 }
 

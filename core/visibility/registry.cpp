@@ -5,22 +5,22 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
-#include "core/visibility/spherical/spherical_culling.h"
 #include "core/visibility/spherical/lossless_culling.h"
+#include "core/visibility/spherical/spherical_culling.h"
 
 namespace cullscope {
 
 const std::vector<RegisteredStrategy>& strategies() {
     static const std::vector<RegisteredStrategy> kStrategies{
-        {allInfo(), makeAll},
-        {backfaceInfo(), makeBackface},
-        {frustumInfo(), makeFrustum},
-        {frustumOctreeInfo(), makeFrustumOctree},
-        {frustumSelectInfo(), makeFrustumSelect},
-        {frustumQueryInfo(), makeFrustumQuery},
-        {sphericalInfo(), makeSpherical},
-        {sphericalHorizonInfo(), makeSphericalHorizon},
-        {sphericalLosslessInfo(), makeSphericalLossless},
+        {baseline::allInfo(), baseline::makeAll},
+        {baseline::backfaceInfo(), baseline::makeBackface},
+        {frustum::frustumInfo(), frustum::makeFrustum},
+        {frustum::frustumOctreeInfo(), frustum::makeFrustumOctree},
+        {frustum::frustumSelectInfo(), frustum::makeFrustumSelect},
+        {frustum::frustumQueryInfo(), frustum::makeFrustumQuery},
+        {spherical::sphericalInfo(), spherical::makeSpherical},
+        {spherical::sphericalHorizonInfo(), spherical::makeSphericalHorizon},
+        {spherical::sphericalLosslessInfo(), spherical::makeSphericalLossless},
     };
     return kStrategies;
 }

@@ -28,12 +28,12 @@ struct SnapshotNode {
 
 /// What a strategy shows of its inside after a cull, as plain data.
 struct StructureSnapshot {
-    std::vector<SnapshotNode> nodes;  ///< empty: this strategy has no boxes
-    std::vector<MapSnapshot> maps;    ///< by instance; empty: this strategy has no maps of directions
+    std::vector<SnapshotNode> nodes;           ///< empty: this strategy has no boxes
+    std::vector<spherical::MapSnapshot> maps;  ///< by instance; empty: this strategy has no maps of directions
 
     /// Null: this strategy has no map of the object.
-    [[nodiscard]] const MapSnapshot* mapOf(uint32_t instance) const {
-        for (const MapSnapshot& map : maps)
+    [[nodiscard]] const spherical::MapSnapshot* mapOf(uint32_t instance) const {
+        for (const spherical::MapSnapshot& map : maps)
             if (map.decision.instance == instance) return &map;
         return nullptr;
     }

@@ -44,16 +44,16 @@ struct TestedGroup {
 /// Triangles of one object that are left out for one cause: places in the draw list's order.
 struct CulledRun {
     uint32_t instance = 0;
-    PlaceRun places;
+    spherical::PlaceRun places;
     Cause cause = Cause::OutsideFrustum;
 };
 
 /// The decisions of one `cull`, in the order they were made.
 struct Trace {
     std::vector<TraceEvent> events;
-    std::vector<TestedGroup> groups;           ///< of strategies with a hierarchy over instances: parents before their children
-    std::vector<CulledRun> culledRuns;         ///< of strategies that leave out parts of objects for more than one cause
-    std::vector<SphericalDecision> spherical;  ///< of strategies with maps of directions: one an object
+    std::vector<TestedGroup> groups;    ///< of strategies with a hierarchy over instances: parents before their children
+    std::vector<CulledRun> culledRuns;  ///< of strategies that leave out parts of objects for more than one cause
+    std::vector<spherical::SphericalDecision> spherical;  ///< of strategies with maps of directions: one an object
 };
 
 /// By instance: the last plane that a trace names as having rejected it.

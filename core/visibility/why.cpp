@@ -185,7 +185,7 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
         else
             steps.push_back(step(event));
     }
-    if (const MapSnapshot* map = snapshot.mapOf(instance)) addMapSteps(*map, uint32_t(own), steps);
+    if (const spherical::MapSnapshot* map = snapshot.mapOf(instance)) spherical::addMapSteps(*map, uint32_t(own), steps);
     const bool given = submits(list, scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     steps.push_back(

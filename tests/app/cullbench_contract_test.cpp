@@ -104,7 +104,7 @@ TEST_F(CullbenchContract, missingOpenGlIsStatus4) {
 TEST_F(CullbenchContract, interruptKeepsWhatWasMeasured) {
     const ProcessResult result = cullbench({"measure", "sphere:triangles=20", "-s", "all", "--path", "fibonacci:1000000",
                                             "--size", "16x16", "--repeat", "1", "--json", file("partial.json")},
-                                           {}, 8.0);
+                                           {}, 4.0);
     EXPECT_EQ(result.exitStatus, 130) << result.err;
     const json root = json::parse(std::ifstream(file("partial.json")));
     EXPECT_EQ(root["interrupted"], true);

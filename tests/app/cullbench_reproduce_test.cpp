@@ -66,7 +66,7 @@ TEST_F(CullbenchContract, reproduceGivesThePapersAndOurFigures) {
 }
 
 TEST_F(CullbenchContract, interruptKeepsTheTable) {
-    const ProcessResult result = cullbench({"reproduce", "table-3", "--json", file("t.json")}, {}, 7.0);
+    const ProcessResult result = cullbench({"reproduce", "table-3", "--json", file("t.json")}, {}, 4.0);
     EXPECT_EQ(result.exitStatus, 130) << result.err;
     std::ifstream in(file("t.json"));
     const json table = json::parse(in)["experiments"][0];
@@ -76,7 +76,7 @@ TEST_F(CullbenchContract, interruptKeepsTheTable) {
 /// All 40 views take a minute: a few of them are enough for the files. (What the rows and lines hold: cho_views_test.)
 TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
     const ProcessResult result =
-        cullbench({"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg", file("f.svg")}, {}, 15.0);
+        cullbench({"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg", file("f.svg")}, {}, 10.0);
     EXPECT_EQ(result.exitStatus, 130) << result.err;
     std::ifstream in(file("f.json"));
     const json table = json::parse(in)["experiments"][0];

@@ -40,11 +40,13 @@ std::vector<fs::path> filesBelow(const fs::path& folder, const std::set<std::str
     return files;
 }
 
-std::optional<size_t> levelOf(std::string_view layer) {
-    const auto found = std::find(layers().begin(), layers().end(), layer);
-    if (found == layers().end()) return std::nullopt;
-    return static_cast<size_t>(found - layers().begin());
+std::optional<size_t> levelIn(const std::vector<std::string>& order, std::string_view folder) {
+    const auto found = std::find(order.begin(), order.end(), folder);
+    if (found == order.end()) return std::nullopt;
+    return static_cast<size_t>(found - order.begin());
 }
+
+std::optional<size_t> levelOf(std::string_view layer) { return levelIn(layers(), layer); }
 
 /// "core/mesh/load.h" → "core", "mesh", "load.h".
 std::vector<std::string> partsOf(const fs::path& path) {
@@ -81,13 +83,35 @@ std::string wrongInCore(const Include& include) {
     return "";
 }
 
+/// "views" for "ui/views/view_pane.h"; empty for a file outside ui and for one in ui itself.
+std::string uiFolderOf(const fs::path& path) {
+    const std::vector<std::string> parts = partsOf(path);
+    return parts.size() > 2 && parts[0] == "ui" ? parts[1] : std::string();
+}
+
 std::string wrongInUi(const Include& include) {
     const std::string top = partsOf(include.name)[0];
     if (top == "app" || top == "tests") return "ui includes " + top + ": " + include.name;
     const bool generated = fs::path(include.name).extension() == ".moc" || include.name.starts_with("ui_");
     if (include.quoted && top != "core" && top != "ui" && !generated)
         return "is not named from the root of the tree: " + include.name;
+    const std::optional<size_t> level = levelIn(uiFolders(), uiFolderOf(include.file));
+    const std::optional<size_t> targetLevel = levelIn(uiFolders(), uiFolderOf(include.name));
+    if (level && targetLevel && *targetLevel > *level)
+        return "ui/" + uiFolderOf(include.file) + " includes the higher folder " + uiFolderOf(include.name) + ": " + include.name;
     return "";
+}
+
+/// "spherical" for "core/visibility/spherical/decision.h"; empty for what belongs to no family.
+std::string familyOf(const fs::path& path) {
+    const std::vector<std::string> parts = partsOf(path);
+    return parts.size() > 3 && parts[0] == "core" && parts[1] == "visibility" ? parts[2] : std::string();
+}
+
+/// Whether a file may include the headers of every family: the registry, and experiments, which compare the methods.
+bool knowsFamilies(const fs::path& file) {
+    return file.generic_string() == "core/visibility/registry.cpp" || layerOf(file) == "experiments" ||
+           uiFolderOf(file) == "families";
 }
 
 std::string wrongInApp(const Include& include) {
@@ -190,9 +214,16 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence) {
 }
 
 const std::vector<std::string>& layers() {
-    static const std::vector<std::string> kLayers = {"base",   "geometry", "mesh",       "scene",  "spatial",
-                                                     "raster", "gpu",      "visibility", "measure"};
+    static const std::vector<std::string> kLayers = {"base",   "geometry", "mesh",       "scene", "frame",   "spatial",
+                                                     "raster", "gpu",      "visibility", "image", "measure", "experiments"};
     return kLayers;
+}
+
+const std::vector<std::string>& uiFolders() {
+    static const std::vector<std::string> kFolders = {"text",    "look",        "jobs",   "models", "session",
+                                                      "views",   "screenshots", "plots",  "panels", "statistics",
+                                                      "dialogs", "window",      "startup"};
+    return kFolders;
 }
 
 std::vector<Include> includesBelow(const fs::path& root, const std::vector<std::string>& folders) {
@@ -217,9 +248,38 @@ std::vector<Offence> layeringOffences(const fs::path& root) {
         const std::string what = top == "core" ? wrongInCore(include) : top == "ui" ? wrongInUi(include) : wrongInApp(include);
         if (!what.empty()) offences.push_back({include.file, include.line, what});
     }
-    for (const fs::directory_entry& entry : fs::directory_iterator(root / "core")) {
-        const std::string name = entry.path().filename().string();
-        if (entry.is_directory() && !levelOf(name)) offences.push_back({"core/" + name, 0, "is a folder of core but no layer"});
+    for (const auto& [top, order] : {std::pair("core", &layers()), std::pair("ui", &uiFolders())}) {
+        for (const fs::directory_entry& entry : fs::directory_iterator(root / top)) {
+            const std::string name = entry.path().filename().string();
+            if (entry.is_directory() && !levelIn(*order, name))
+                offences.push_back(
+                    {fs::path(top) / name, 0, std::string("is a folder of ") + top + " that has no place in its order"});
+        }
+    }
+    return offences;
+}
+
+std::vector<Offence> familyOffences(const fs::path& root, const std::vector<std::string>& stillKnowFamilies) {
+    std::vector<Offence> offences;
+    std::set<std::string> found;
+    for (const Include& include : includesBelow(root, {"core", "ui", "app"})) {
+        const std::string family = familyOf(include.name);
+        if (family.empty() || family == familyOf(include.file) || knowsFamilies(include.file)) continue;
+        const std::string file = include.file.generic_string();
+        found.insert(file);
+        if (std::find(stillKnowFamilies.begin(), stillKnowFamilies.end(), file) != stillKnowFamilies.end()) continue;
+        offences.push_back({include.file, include.line, "knows the family " + family + ": " + include.name});
+    }
+    for (const std::string& file : stillKnowFamilies)
+        if (!found.contains(file)) offences.push_back({file, 0, "knows no family any more: it leaves the list of those that do"});
+    for (const fs::path& file : filesBelow(root / "core" / "visibility", {".h", ".cpp"})) {
+        const fs::path relative = fs::relative(file, root);
+        const std::string family = familyOf(relative);
+        if (family.empty()) continue;
+        const std::vector<Line> lines = linesOf(file);
+        const bool opens = std::any_of(lines.begin(), lines.end(),
+                                       [&](const Line& line) { return line.text == "namespace cullscope::" + family + " {"; });
+        if (!opens) offences.push_back({relative, 0, "has not the namespace of its family: cullscope::" + family});
     }
     return offences;
 }

@@ -32,8 +32,18 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// The layers of core, from the ground up.
 [[nodiscard]] const std::vector<std::string>& layers();
 
-/// Includes that point down the list of layers, from core to ui or app, or from ui to app; folders of core that are no layer.
+/// The folders of ui, from the ground up.
+[[nodiscard]] const std::vector<std::string>& uiFolders();
+
+/// Includes that point down the list of layers or of ui's folders, from core to ui or app, or from ui to app; folders of core and
+/// ui that stand in neither list.
 [[nodiscard]] std::vector<Offence> layeringOffences(const std::filesystem::path& root);
+
+/// Includes of a family's headers (core/visibility/FAMILY) by another family, by the contract that all share, and by what
+/// stands above: only the registry, the experiments and ui/families may know families. Sources of a family outside its namespace.
+/// `stillKnowFamilies`: files that do today; one that does not any more is an offence, so that the list only gets shorter.
+[[nodiscard]] std::vector<Offence> familyOffences(const std::filesystem::path& root,
+                                                  const std::vector<std::string>& stillKnowFamilies = {});
 
 /// Includes of Qt in core or in cullbench, of OpenGL outside core/gpu, and of OpenMesh outside core/mesh.
 [[nodiscard]] std::vector<Offence> libraryOffences(const std::filesystem::path& root);

@@ -22,6 +22,9 @@ protected:
         write("core/gpu/context.cpp", "#include <epoxy/gl.h>\n#include \"core/mesh/load.h\"\n");
         write("core/mesh/CMakeLists.txt",
               "cullscope_layer(mesh LINKS cullscope::base PRIVATE_LINKS OpenMeshCore)  # not Qt6::Core\n");
+        write("core/visibility/registry.cpp", "#include \"core/visibility/frustum/octree.h\"\n");
+        write("core/visibility/frustum/octree.h", "namespace cullscope::frustum {\n}\n");
+        write("ui/panels/panel.cpp", "#include \"ui/session/session.h\"\n");
         write("ui/window.cpp",
               "#include \"ui/window.h\"\n#include \"core/gpu/context.h\"\n#include <QWidget>\n#include \"window.moc\"\n");
         write("app/cullbench.cpp", "#include \"core/mesh/load.h\"\n");
@@ -50,6 +53,7 @@ private:
 
 TEST_F(PlantedTree, treeWithoutOffenceIsNotReported) {
     EXPECT_THAT(layeringOffences(root()), IsEmpty());
+    EXPECT_THAT(familyOffences(root()), IsEmpty());
     EXPECT_THAT(libraryOffences(root()), IsEmpty());
     EXPECT_THAT(linkOffences(root()), IsEmpty());
     EXPECT_THAT(topLevelOffences(root()), IsEmpty());
@@ -80,7 +84,43 @@ TEST_F(PlantedTree, includeOfALayerInACommonHeaderIsReported) {
 
 TEST_F(PlantedTree, folderThatIsNoLayerIsReported) {
     write("core/helpers/text.h", "");
-    EXPECT_THAT(layeringOffences(root()), ElementsAre(Offence{"core/helpers", 0, "is a folder of core but no layer"}));
+    EXPECT_THAT(layeringOffences(root()),
+                ElementsAre(Offence{"core/helpers", 0, "is a folder of core that has no place in its order"}));
+}
+
+TEST_F(PlantedTree, includeOfAHigherFolderOfUiIsReported) {
+    write("ui/session/session.cpp", "#include \"ui/session/session.h\"\n#include \"ui/views/scene_view.h\"\n");
+    EXPECT_THAT(
+        layeringOffences(root()),
+        ElementsAre(Offence{"ui/session/session.cpp", 2, "ui/session includes the higher folder views: ui/views/scene_view.h"}));
+}
+
+TEST_F(PlantedTree, folderOfUiWithoutAPlaceIsReported) {
+    write("ui/helpers/text.h", "");
+    EXPECT_THAT(layeringOffences(root()),
+                ElementsAre(Offence{"ui/helpers", 0, "is a folder of ui that has no place in its order"}));
+}
+
+TEST_F(PlantedTree, familyKnownOutsideTheRegistryIsReported) {
+    write("core/measure/meter.cpp", "#include \"core/visibility/frustum/octree.h\"\n");
+    write("core/visibility/spherical/map.cpp",
+          "#include \"core/visibility/frustum/octree.h\"\nnamespace cullscope::spherical {\n");
+    write("core/experiments/tables.cpp", "#include \"core/visibility/frustum/octree.h\"\n");
+    const Offence meter{"core/measure/meter.cpp", 1, "knows the family frustum: core/visibility/frustum/octree.h"};
+    const Offence map{"core/visibility/spherical/map.cpp", 1, "knows the family frustum: core/visibility/frustum/octree.h"};
+    EXPECT_THAT(familyOffences(root()), ElementsAre(meter, map));
+    EXPECT_THAT(familyOffences(root(), {"core/measure/meter.cpp"}), ElementsAre(map));
+}
+
+TEST_F(PlantedTree, listedFileThatKnowsNoFamilyAnyMoreIsReported) {
+    EXPECT_THAT(familyOffences(root(), {"core/mesh/load.cpp"}),
+                ElementsAre(Offence{"core/mesh/load.cpp", 0, "knows no family any more: it leaves the list of those that do"}));
+}
+
+TEST_F(PlantedTree, sourceOutsideItsFamilysNamespaceIsReported) {
+    write("core/visibility/frustum/boxes.cpp", "namespace cullscope {\n");
+    EXPECT_THAT(familyOffences(root()), ElementsAre(Offence{"core/visibility/frustum/boxes.cpp", 0,
+                                                            "has not the namespace of its family: cullscope::frustum"}));
 }
 
 TEST_F(PlantedTree, includeOfAppInUiIsReported) {
@@ -181,6 +221,11 @@ const fs::path& project() {
 
 TEST(SourceRules, includesAreFoundAtAll) { EXPECT_GT(includesBelow(project(), {"core", "ui", "app", "tests"}).size(), 100u); }
 TEST(SourceRules, dependenciesPointUpTheList) { EXPECT_THAT(layeringOffences(project()), IsEmpty()); }
+/// The data that panels and explanations show is still the spherical family's own.
+const std::vector<std::string> kStillKnowFamilies = {"core/image/map_colours.cpp", "core/visibility/structure_snapshot.h",
+                                                     "core/visibility/trace.h", "core/visibility/why.cpp",
+                                                     "ui/panels/map_layout.h"};
+TEST(SourceRules, familiesAreKnownWhereTheyMayBe) { EXPECT_THAT(familyOffences(project(), kStillKnowFamilies), IsEmpty()); }
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }
 TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()), IsEmpty()); }

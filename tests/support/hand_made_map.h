@@ -16,19 +16,19 @@ inline Vec3 directionOf(double theta, double phi) {
 }
 
 /// A map of 90 × 45 cells over a sphere of radius 1 about the origin, as a strategy would give it: outside the frustum.
-inline MapSnapshot sphereMap() {
-    MapSnapshot map;
+inline spherical::MapSnapshot sphereMap() {
+    spherical::MapSnapshot map;
     map.maps = std::make_shared<SphericalMaps>(sphereMesh(20000), SphericalGrid(90, 45));
-    map.decision.relation = SphereRelation::Outside;
+    map.decision.relation = spherical::SphereRelation::Outside;
     return map;
 }
 
 /// The same inside the frustum, with twelve bands of 15° and six sectors, of which the second half is hidden; seen along `axis`.
-inline MapSnapshot bandedMap(const Vec3& axis) {
-    MapSnapshot map = sphereMap();
-    map.decision.relation = SphereRelation::Within;
+inline spherical::MapSnapshot bandedMap(const Vec3& axis) {
+    spherical::MapSnapshot map = sphereMap();
+    map.decision.relation = spherical::SphereRelation::Within;
     map.decision.eye = 4.0 * axis;
-    ContourBands bands;
+    spherical::ContourBands bands;
     bands.axis = axis;
     bands.side = glm::normalize(glm::cross(axis, std::abs(axis.z) < 0.9 ? Vec3(0, 0, 1) : Vec3(1, 0, 0)));
     bands.over = glm::cross(axis, bands.side);
@@ -44,11 +44,11 @@ inline MapSnapshot bandedMap(const Vec3& axis) {
 
 /// The same cut by the frustum, with a region from azimuth `left` to `right` (over the seam where right is beyond 360°) and from
 /// zenith angle 60° to 100°.
-inline MapSnapshot cutMap(double left, double right) {
-    MapSnapshot map = sphereMap();
-    map.decision.relation = SphereRelation::Cut;
+inline spherical::MapSnapshot cutMap(double left, double right) {
+    spherical::MapSnapshot map = sphereMap();
+    map.decision.relation = spherical::SphereRelation::Cut;
     map.decision.eye = 4.0 * directionOf(80.0, 0.5 * (left + right));
-    VisibleRegion region;
+    spherical::VisibleRegion region;
     region.caseNumber = right > 360.0 ? 3 : 2;
     for (const auto& [theta, phi] :
          {std::pair(100.0, left), std::pair(100.0, right), std::pair(60.0, right), std::pair(60.0, left)})
@@ -59,7 +59,7 @@ inline MapSnapshot cutMap(double left, double right) {
     else
         region.boxes = {{15, 24, column(left), column(right) - 1}};
     for (size_t i = 0; i < 4; ++i) {
-        CornerRay& ray = map.decision.rays[i];
+        spherical::CornerRay& ray = map.decision.rays[i];
         ray.point = directionOf(region.outline[i].x / kDegree, region.outline[i].y / kDegree);
         ray.ray = {map.decision.eye, ray.point - map.decision.eye};
         ray.span = throughSphere(ray.ray, map.maps->sphere().radius);

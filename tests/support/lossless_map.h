@@ -20,7 +20,7 @@ struct LosslessMap {
         snapshot = strategy->snapshot(trace);
     }
 
-    [[nodiscard]] const MapSnapshot& map() const { return snapshot.maps.front(); }
+    [[nodiscard]] const spherical::MapSnapshot& map() const { return snapshot.maps.front(); }
 
     ScenePointer scene;
     View view;

@@ -24,7 +24,7 @@ struct BandsPanelTest : ::testing::Test {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
     }
 
-    void change(const std::function<void(SphericalDecision&)>& how) {
+    void change(const std::function<void(spherical::SphericalDecision&)>& how) {
         shown = changed(shown, how);
         panel.showMap(shown);
     }
@@ -41,7 +41,7 @@ struct BandsPanelTest : ::testing::Test {
 
 TEST_F(BandsPanelTest, allSectorsHaveTheLargestOfEach) {
     panel.sector().setValue(0);
-    const ContourBands& table = *shown.decision().bands;
+    const spherical::ContourBands& table = *shown.decision().bands;
     const std::vector<BandsPlot::Band> bands = panel.plot().bands();
     ASSERT_EQ(bands.size(), table.bands);
     for (uint32_t band = 0; band < table.bands; ++band) {
@@ -76,14 +76,14 @@ TEST_F(BandsPanelTest, theLargestNearerIsDrawnForOneSectorOnly) {
 
 TEST_F(BandsPanelTest, untilOneIsChosenTheSectorIsTheOneDrawnFarthest) {
     EXPECT_EQ(panel.sector().value(), 1) << "all are cut at the same band";
-    change([](SphericalDecision& decision) {
+    change([](spherical::SphericalDecision& decision) {
         decision.bands->table[14 * 8 + 5].drawn = true;
         for (uint32_t band = 0; band < 18; ++band) decision.bands->table[band * 8 + 3].drawn = true;
     });
     EXPECT_EQ(panel.sector().value(), 6) << "the fourth is not cut";
     EXPECT_EQ(panel.plot().sector(), 5U);
     panel.sector().setValue(2);
-    change([](SphericalDecision& decision) { decision.bands->table[15 * 8 + 4].drawn = true; });
+    change([](spherical::SphericalDecision& decision) { decision.bands->table[15 * 8 + 4].drawn = true; });
     EXPECT_EQ(panel.sector().value(), 2) << "it was chosen";
 }
 
@@ -92,7 +92,7 @@ TEST_F(BandsPanelTest, drawnAndHiddenBandsDiffer) {
     const QPalette palette = panel.plot().palette();
     EXPECT_EQ(colourAt(45, 0.2), verdictColour(TriangleState::Visible, palette));
     EXPECT_EQ(colourAt(145, 0.2), verdictColour(TriangleState::Hidden, palette));
-    change([](SphericalDecision& decision) {
+    change([](spherical::SphericalDecision& decision) {
         for (uint32_t sector = 0; sector < 4; ++sector) decision.bands->table[14 * 8 + sector].drawn = true;
     });
     // One band, both colours: sectors differ in it.
@@ -104,19 +104,19 @@ TEST_F(BandsPanelTest, theCutIsWhereTheLastDrawnBandEnds) {
     panel.sector().setValue(0);
     ASSERT_TRUE(panel.plot().cut());
     EXPECT_NEAR(*panel.plot().cut(), 110.0 * kDegree, 1e-12);
-    change([](SphericalDecision& decision) { decision.bands->table[14 * 8 + 5].drawn = true; });
+    change([](spherical::SphericalDecision& decision) { decision.bands->table[14 * 8 + 5].drawn = true; });
     EXPECT_NEAR(*panel.plot().cut(), 150.0 * kDegree, 1e-12);
     panel.sector().setValue(2);
     EXPECT_NEAR(*panel.plot().cut(), 110.0 * kDegree, 1e-12) << "that of another sector";
-    change([](SphericalDecision& decision) {
-        for (BandSector& sector : decision.bands->table) sector.drawn = true;
+    change([](spherical::SphericalDecision& decision) {
+        for (spherical::BandSector& sector : decision.bands->table) sector.drawn = true;
     });
     EXPECT_FALSE(panel.plot().cut());
 }
 
 TEST_F(BandsPanelTest, sectorsInWhichNothingLiesAreNeitherDrawnNorHidden) {
     panel.sector().setValue(0);
-    change([](SphericalDecision& decision) {
+    change([](spherical::SphericalDecision& decision) {
         for (uint32_t sector = 0; sector < 8; ++sector) decision.bands->table[17 * 8 + sector].size = 0.0;
         decision.bands->table[16 * 8].size = std::numeric_limits<double>::infinity();
     });
@@ -129,7 +129,7 @@ TEST_F(BandsPanelTest, sectorsInWhichNothingLiesAreNeitherDrawnNorHidden) {
 
 TEST_F(BandsPanelTest, theAxisSaysSOrSlope) {
     EXPECT_TRUE(panel.plot().accessibleDescription().contains(QStringLiteral("S, mesh units")));
-    change([](SphericalDecision& decision) { decision.bands->slopes = true; });
+    change([](spherical::SphericalDecision& decision) { decision.bands->slopes = true; });
     EXPECT_TRUE(panel.plot().accessibleDescription().contains(QStringLiteral("slope")));
     EXPECT_FALSE(panel.plot().accessibleDescription().contains(QStringLiteral("mesh units")));
 }
@@ -146,7 +146,7 @@ TEST_F(BandsPanelTest, filesHaveTheirWordsAsText) {
 }
 
 TEST_F(BandsPanelTest, withoutBandsASentenceSaysWhy) {
-    change([](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
+    change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
     EXPECT_TRUE(panel.plot().empty());
     EXPECT_TRUE(panel.plot().accessibleDescription().contains(QStringLiteral("cut by the frustum")));
     EXPECT_FALSE(panel.sector().isVisible());
@@ -154,7 +154,7 @@ TEST_F(BandsPanelTest, withoutBandsASentenceSaysWhy) {
     EXPECT_EQ(panel.plot().accessibleDescription(), QStringLiteral("The strategy is being prepared…"));
     panel.plot().setAbsence(MapAbsence::NoMaps);
     EXPECT_TRUE(panel.plot().accessibleDescription().startsWith(QStringLiteral("This strategy has no bands.")));
-    change([](SphericalDecision& decision) { decision = withinDecision({0, 0, 5}); });
+    change([](spherical::SphericalDecision& decision) { decision = withinDecision({0, 0, 5}); });
     EXPECT_FALSE(panel.plot().empty());
     EXPECT_TRUE(panel.sector().isVisible());
 }
@@ -165,7 +165,7 @@ TEST_F(BandsPanelTest, aChosenSectorOutlivesAnObjectWithoutBands) {
     panel.showMap({});
     panel.showMap(before);
     EXPECT_EQ(panel.plot().sector(), 7U);
-    change([](SphericalDecision& decision) {
+    change([](spherical::SphericalDecision& decision) {
         decision.bands->sectors = 4;
         decision.bands->bands = 36;
         decision.bands->width /= 2;

@@ -9,11 +9,11 @@
 namespace cullscope::ui {
 
 /// A sphere within the frustum: contour bands of 10° in eight sectors, of which those up to 110° are drawn.
-inline SphericalDecision withinDecision(const Vec3& eye) {
-    SphericalDecision decision;
-    decision.relation = SphereRelation::Within;
+inline spherical::SphericalDecision withinDecision(const Vec3& eye) {
+    spherical::SphericalDecision decision;
+    decision.relation = spherical::SphereRelation::Within;
     decision.eye = eye;
-    ContourBands bands;
+    spherical::ContourBands bands;
     bands.width = std::numbers::pi / 18;
     bands.bands = 18;
     bands.sectors = 8;
@@ -29,7 +29,7 @@ inline SphericalDecision withinDecision(const Vec3& eye) {
 }
 
 /// The maps of a scene's first object with that decision.
-inline MapSnapshot mapOver(const Scene& scene, const SphericalGrid& grid) {
+inline spherical::MapSnapshot mapOver(const Scene& scene, const SphericalGrid& grid) {
     return {std::make_shared<SphericalMaps>(scene.meshes()[scene.instances()[0].mesh], grid), withinDecision({0, 0, 5})};
 }
 
@@ -41,17 +41,17 @@ inline ShownMap shownAlone(const ScenePointer& scene, const SphericalGrid& grid)
 }
 
 /// The same maps with another decision.
-inline ShownMap changed(const ShownMap& shown, const std::function<void(SphericalDecision&)>& how) {
+inline ShownMap changed(const ShownMap& shown, const std::function<void(spherical::SphericalDecision&)>& how) {
     auto snapshot = std::make_shared<StructureSnapshot>(*shown.snapshot);
     how(snapshot->maps[shown.place].decision);
     return {shown.scene, snapshot, shown.place};
 }
 
 /// A frustum that cuts: the region between two corners (θ, φ), all four of them missed.
-inline SphericalDecision cutDecision(const Vec2& from, const Vec2& to, int caseNumber) {
-    SphericalDecision decision;
-    decision.relation = SphereRelation::Cut;
-    VisibleRegion region;
+inline spherical::SphericalDecision cutDecision(const Vec2& from, const Vec2& to, int caseNumber) {
+    spherical::SphericalDecision decision;
+    decision.relation = spherical::SphereRelation::Cut;
+    spherical::VisibleRegion region;
     region.caseNumber = caseNumber;
     region.outline = {{to.x, from.y}, {to.x, to.y}, {from.x, to.y}, {from.x, from.y}};
     for (size_t i = 0; i < 4; ++i) {

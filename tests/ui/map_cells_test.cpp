@@ -53,7 +53,7 @@ TEST(MapCells, nothingIsLostInASmallPicture) {
 }
 
 TEST(MapCells, entriesAndReachGrowWithTheTone) {
-    const MapSnapshot map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
+    const spherical::MapSnapshot map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
     const SphericalMaps& maps = *map.maps;
     const CellTones entries = cellTones(map, MapColouring::Entries), reach = cellTones(map, MapColouring::Radius);
     EXPECT_EQ(entries.least, 1.0);

@@ -14,11 +14,11 @@ TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
                                    {{0.9, -0.05}, {1.9, 0.05}},
                                    {{0.02, 1.0}, {0.3, 2.0}},
                                    {{2.9, 5.9}, {3.13, 6.26}}}) {
-        const SphericalDecision decision = cutDecision(from, to, 2);
+        const spherical::SphericalDecision decision = cutDecision(from, to, 2);
         const std::array<QRectF, 4> numbers = cornerNumbers(layout, decision, metrics);
         for (size_t i = 0; i < numbers.size(); ++i) {
             EXPECT_TRUE(layout.area.adjusted(1, 1, -1, -1).contains(numbers[i])) << "on the frame";
-            for (const CornerRay& ray : decision.rays)
+            for (const spherical::CornerRay& ray : decision.rays)
                 EXPECT_FALSE(numbers[i].adjusted(-3, -3, 3, 3).contains(layout.placeOf(cornerOf(ray)))) << from.x << " " << i;
             for (size_t j = 0; j < i; ++j) EXPECT_FALSE(numbers[i].intersects(numbers[j])) << from.x;
         }
@@ -26,7 +26,7 @@ TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
 }
 
 TEST(MapMarks, edgesOfSectorsKeepTheirAngleOverThePolesToo) {
-    ContourBands bands = *withinDecision({5, 0, 0}).bands;
+    spherical::ContourBands bands = *withinDecision({5, 0, 0}).bands;
     bands.axis = {1, 0, 0};
     bands.side = {0, 1, 0};
     bands.over = {0, 0, 1};

@@ -36,10 +36,11 @@ struct LiveMapPanelTest : ::testing::Test {
 
 TEST_F(LiveMapPanelTest, showsThePickedObjectElseTheFirstThatIsNotOutside) {
     ASSERT_FALSE(shown().empty());
-    const std::vector<MapSnapshot>& maps = reader.reading()->snapshot->maps;
+    const std::vector<spherical::MapSnapshot>& maps = reader.reading()->snapshot->maps;
     ASSERT_EQ(maps.size(), 9U);
-    const auto first = std::find_if(maps.begin(), maps.end(),
-                                    [](const MapSnapshot& map) { return map.decision.relation != SphereRelation::Outside; });
+    const auto first = std::find_if(maps.begin(), maps.end(), [](const spherical::MapSnapshot& map) {
+        return map.decision.relation != spherical::SphereRelation::Outside;
+    });
     ASSERT_NE(first, maps.end());
     EXPECT_EQ(shown().decision().instance, first->decision.instance);
     pickObject(session, 5);

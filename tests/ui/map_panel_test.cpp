@@ -42,7 +42,7 @@ struct MapPanelTest : ::testing::Test {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
     }
 
-    void change(const std::function<void(SphericalDecision&)>& how) {
+    void change(const std::function<void(spherical::SphericalDecision&)>& how) {
         shown = changed(shown, how);
         panel.showMap(shown);
     }
@@ -130,8 +130,8 @@ TEST_F(MapPanelTest, drawnAndCulledCellsDiffer) {
     const uint32_t drawn = cellWith(1);
     uint32_t culled = drawn + 3;
     while (shown.maps().centroids(culled).empty()) ++culled;
-    const auto choose = [&](SphericalDecision& decision) {
-        decision.relation = SphereRelation::Cut;
+    const auto choose = [&](spherical::SphericalDecision& decision) {
+        decision.relation = spherical::SphereRelation::Cut;
         decision.bands.reset();
         decision.drawn = {{drawn, drawn + 1}};
     };
@@ -140,7 +140,7 @@ TEST_F(MapPanelTest, drawnAndCulledCellsDiffer) {
     const QPalette palette = panel.map().palette();
     EXPECT_EQ(QColor(picture().pixel(pixelOf(drawn))), verdictColour(TriangleState::Visible, palette));
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::OutsideFrustum, palette));
-    change([&](SphericalDecision& decision) { decision.drawn = {{culled, culled + 1}}; });
+    change([&](spherical::SphericalDecision& decision) { decision.drawn = {{culled, culled + 1}}; });
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
     for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Radius}) {
         colourBy(colouring);
@@ -149,7 +149,7 @@ TEST_F(MapPanelTest, drawnAndCulledCellsDiffer) {
 }
 
 TEST_F(MapPanelTest, aRegionOverTheSeamIsOutlinedOnBothSides) {
-    change([](SphericalDecision& decision) { decision = cutDecision({0.9, -0.5}, {1.9, 0.7}, 3); });
+    change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, -0.5}, {1.9, 0.7}, 3); });
     const QImage image = picture();
     const QRectF area = panel.map().layoutOfMap().area;
     const auto reds = [&](const QRectF& part) {
@@ -165,20 +165,20 @@ TEST_F(MapPanelTest, aRegionOverTheSeamIsOutlinedOnBothSides) {
 
 TEST_F(MapPanelTest, casesAreSaidInWords) {
     for (int number = 1; number <= 3; ++number) {
-        change([&](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, number); });
+        change([&](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, number); });
         EXPECT_TRUE(decisionWords(shown).startsWith(QStringLiteral("Case %1:").arg(number)));
         EXPECT_TRUE(panel.map().accessibleDescription().contains(QStringLiteral("Case %1:").arg(number)));
     }
-    change([](SphericalDecision& decision) {
+    change([](spherical::SphericalDecision& decision) {
         decision = {};
-        decision.relation = SphereRelation::Outside;
+        decision.relation = spherical::SphereRelation::Outside;
     });
     EXPECT_EQ(decisionWords(shown), QStringLiteral("Nothing of it is drawn."));
     EXPECT_TRUE(objectWords(shown).endsWith(QStringLiteral("outside the frustum")));
 }
 
 TEST_F(MapPanelTest, cornersSayWhetherTheyWereHit) {
-    change([](SphericalDecision& decision) {
+    change([](spherical::SphericalDecision& decision) {
         decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2);
         decision.rays[0].span = Span{1.0, 2.0};
         decision.rays[0].hit = TriangleHit{17, 1.5};
@@ -205,7 +205,7 @@ TEST_F(MapPanelTest, aChosenSectorIsMarked) {
     EXPECT_FALSE(panel.map().contents().sector) << "there are eight";
     EXPECT_EQ(picture(), before);
     panel.setSector(2);
-    change([](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
+    change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
     EXPECT_FALSE(panel.map().contents().sector);
 }
 
@@ -253,10 +253,10 @@ TEST_F(MapPanelTest, arrowKeysGoOverTheSeamAndStopAtThePoles) {
 }
 
 TEST_F(MapPanelTest, nothingJumpsWhenTheCaseChanges) {
-    change([](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
+    change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
     const QRectF cut = panel.map().layoutOfMap().area;
     const int height = panel.map().neededHeight(400);
-    change([](SphericalDecision& decision) { decision = withinDecision(decision.eye); });
+    change([](spherical::SphericalDecision& decision) { decision = withinDecision(decision.eye); });
     EXPECT_EQ(panel.map().layoutOfMap().area, cut);
     EXPECT_EQ(panel.map().neededHeight(400), height);
     // Desktop.md: 400 × 200 in the narrow dock.
@@ -265,7 +265,7 @@ TEST_F(MapPanelTest, nothingJumpsWhenTheCaseChanges) {
 }
 
 TEST_F(MapPanelTest, filesHaveTheirWordsAsText) {
-    change([](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
+    change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
     const QByteArray svg = plotSvg(panel.map(), {960, 560});
     EXPECT_TRUE(svg.contains(decisionWords(shown).toUtf8())) << "the case is not text";
     EXPECT_TRUE(svg.contains(">270°</text>"));
@@ -296,7 +296,7 @@ TEST_F(MapPanelTest, picturesAreSavedByTheirEndingOrNotAtAll) {
 }
 
 TEST_F(MapPanelTest, wordsFollowTheLanguage) {
-    change([](SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 3); });
+    change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 3); });
     // Of one size: longer words need a higher panel.
     const auto look = [&] { return plotImage(panel.map(), {480, 320}); };
     const QImage before = look();

@@ -85,7 +85,7 @@ TEST_F(WalkMap, aMeshWithoutAKernelSaysWhyAndHasNoKernelColours) {
 }
 
 TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
-    const CellWalk& walk = *shown().decision().walk;
+    const spherical::CellWalk& walk = *shown().decision().walk;
     ASSERT_TRUE(walk.cones && walk.horizon);
     ASSERT_GT(walk.culled[size_t(Cause::BackFacing)], 0U);
     const QStringList said = walkWords(shown());
@@ -105,14 +105,14 @@ TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
 }
 
 TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
-    const MapSnapshot& map = shown().map();
+    const spherical::MapSnapshot& map = shown().map();
     const SphericalGrid& grid = shown().grid();
     bool drawn = false, backFacing = false;
     for (uint32_t row = 0; row < grid.rows(); row += 3)
         for (uint32_t column = 0; column < grid.columns(); column += 3) {
             const double theta = (grid.thetaOf(row) + grid.thetaOf(row + 1)) / 2;
             const double phi = (grid.phiOf(column) + grid.phiOf(column + 1)) / 2;
-            const JudgedCell* judged =
+            const spherical::JudgedCell* judged =
                 judgedCellAt(map, {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
             const QString said = cellWords(shown(), nullptr, {row, column});
             ASSERT_EQ(said.contains(QStringLiteral("Quadtree: level")), judged != nullptr) << said.toStdString();

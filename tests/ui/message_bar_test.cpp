@@ -9,8 +9,11 @@
 namespace cullscope::ui::message_bar_test {
 namespace {
 
+constexpr int kInformationTime = 1000;  // ms
+
 struct MessageOverTheViews : ::testing::Test {
     void SetUp() override {
+        window.message().setInformationTime(kInformationTime);
         window.resize(1000, 700);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
@@ -48,7 +51,7 @@ TEST_F(MessageOverTheViews, warningsAndErrorsStayUntilTheyAreClosed) {
         say(severity);
         QTest::mouseClick(&window.views(), Qt::LeftButton);
         QTest::keyClick(&window.views(), Qt::Key_Space);
-        QTest::qWait(MessageBar::kInformationTime + 500);
+        QTest::qWait(kInformationTime + 500);
         EXPECT_TRUE(window.message().isVisible());
         auto* close = window.message().findChild<QToolButton*>();
         ASSERT_TRUE(close);

@@ -292,7 +292,9 @@ TEST(Session, truthIsComputedOnceForViewsThatShareIt) {
 }
 
 TEST(Session, movingTheCameraMakesFiguresStale) {
-    Session session(sessionOptions(true));
+    Session::Options options = sessionOptions(true);
+    options.restBeforeMeasuring = 200;  // between two moves nothing is measured
+    Session session(options);
     session.setViewport(0, {160, 120});
     session.setViewport(1, {160, 120});
     openAndWait(session, QStringLiteral("sphere:triangles=1280"));

@@ -16,8 +16,11 @@ namespace cullscope::ui {
 inline constexpr int kPatience = 60'000;  // ms
 
 /// A session on the generators alone.
+/// Views are measured in one round after a short rest: no test of these sessions asks how fast a strategy is.
 inline Session::Options sessionOptions(bool graphics) {
     Session::Options options;
+    options.restBeforeMeasuring = 20;
+    options.rounds = {1, 1, 0.0};
     options.graphics = graphics;
     return options;
 }

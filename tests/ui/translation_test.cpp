@@ -78,7 +78,7 @@ TEST(Translation, everySentenceInTheSourcesIsInTheCatalogues) {
     const QTemporaryDir folder;
     const QString fresh = folder.filePath(QStringLiteral("fresh_ko.ts"));
     QProcess update;
-    update.start(QStringLiteral(CULLSCOPE_SOURCE_DIR "/ui/translation/update.sh"),
+    update.start(QStringLiteral(CULLSCOPE_SOURCE_DIR "/resources/translations/update.sh"),
                  {QStringLiteral(CULLSCOPE_LUPDATE), QStringLiteral(CULLSCOPE_SOURCE_DIR), folder.path(), fresh});
     ASSERT_TRUE(update.waitForFinished(60'000));
     ASSERT_EQ(update.exitCode(), 0) << update.readAllStandardError().toStdString();

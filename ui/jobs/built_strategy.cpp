@@ -24,8 +24,9 @@ ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
     (void)built.strategy->cull(view, &trace);
     const StructureSnapshot snapshot = built.strategy->snapshot(trace);
     look.boxes = look.boxes && !(snapshot.nodes.empty() && snapshot.maps.empty());
-    look.bands =
-        look.bands && std::ranges::any_of(snapshot.maps, [](const MapSnapshot& map) { return map.decision.bands.has_value(); });
+    look.bands = look.bands && std::ranges::any_of(snapshot.maps, [](const spherical::MapSnapshot& map) {
+                     return map.decision.bands.has_value();
+                 });
     look.kernel = look.kernel && std::ranges::any_of(snapshot.maps, hasKernel);
     return look;
 }

@@ -7,9 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "ui/look/verdict_swatch.h"
 #include "ui/panels/map_words.h"
 #include "ui/text/translated.h"
-#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 
@@ -24,11 +24,11 @@ constexpr double kHalf = std::numbers::pi;
 double finite(double size) { return std::isfinite(size) ? size : 0.0; }
 
 /// The number of the band from which on a sector is only hidden; 0: it is not cut.
-uint32_t cutOf(const ContourBands& bands, uint32_t sector) {
+uint32_t cutOf(const spherical::ContourBands& bands, uint32_t sector) {
     uint32_t cut = 0;
     bool hiddenBeyond = false;
     for (uint32_t band = 0; band < bands.bands; ++band) {
-        const BandSector& entry = bands.at(band, sector);
+        const spherical::BandSector& entry = bands.at(band, sector);
         if (finite(entry.size) <= 0.0) continue;
         if (entry.drawn) cut = band + 1;
         hiddenBeyond = !entry.drawn;
@@ -38,7 +38,7 @@ uint32_t cutOf(const ContourBands& bands, uint32_t sector) {
 
 }  // namespace
 
-uint32_t farthestCutSector(const ContourBands& bands) {
+uint32_t farthestCutSector(const spherical::ContourBands& bands) {
     uint32_t farthest = 0, most = 0;
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         const uint32_t cut = cutOf(bands, sector);
@@ -70,7 +70,7 @@ void BandsPlot::setSector(const std::optional<uint32_t>& sector) {
 }
 
 std::vector<BandsPlot::Band> BandsPlot::bands() const {
-    const ContourBands& table = contourBands();
+    const spherical::ContourBands& table = contourBands();
     std::vector<Band> bands(table.bands);
     for (uint32_t number = 0; number < table.bands; ++number) {
         Band& band = bands[number];
@@ -78,7 +78,7 @@ std::vector<BandsPlot::Band> BandsPlot::bands() const {
         band.to = std::min(kHalf, (number + 1) * table.width);
         for (uint32_t sector = 0; sector < table.sectors; ++sector) {
             if (m_sector && sector != *m_sector) continue;
-            const BandSector& entry = table.at(number, sector);
+            const spherical::BandSector& entry = table.at(number, sector);
             band.horizon = std::max(band.horizon, finite(entry.horizon));
             // Nothing lies in a sector without size: it is neither drawn nor left out.
             if (finite(entry.size) <= 0.0) continue;
@@ -125,7 +125,7 @@ QString BandsPlot::emptySentence() const {
         return tr("This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.");
     return tr("%1 is %2: its bands are not tested. Bring all of it into the picture to see them.",
               "object, how it lies to the frustum")
-        .arg(m_shown.name(), translated(relationName(m_shown.decision().relation)));
+        .arg(m_shown.name(), translated(spherical::relationName(m_shown.decision().relation)));
 }
 
 QString BandsPlot::bandWords(const Band& band) const {

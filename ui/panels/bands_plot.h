@@ -60,7 +60,7 @@ private:
     };
 
     [[nodiscard]] Frame frame(const QRectF& place, const QFontMetricsF& metrics) const;
-    [[nodiscard]] const ContourBands& contourBands() const { return *m_shown.decision().bands; }
+    [[nodiscard]] const spherical::ContourBands& contourBands() const { return *m_shown.decision().bands; }
     [[nodiscard]] double largest() const;
     [[nodiscard]] QString sizeName() const;
     [[nodiscard]] QString caption() const;
@@ -78,6 +78,6 @@ private:
 
 /// The sector, from 0, of which something is drawn up to the largest α, of those where it ends before the hidden rest; the first
 /// of several, and 0 where nothing is cut.
-[[nodiscard]] uint32_t farthestCutSector(const ContourBands& bands);
+[[nodiscard]] uint32_t farthestCutSector(const spherical::ContourBands& bands);
 
 }  // namespace cullscope::ui

@@ -32,14 +32,14 @@ std::vector<Cells> cellsUnder(uint32_t pixels, uint32_t cells) {
     return under;
 }
 
-TriangleState stateOf(CellState state) {
-    if (state == CellState::Drawn) return TriangleState::Visible;
-    if (state == CellState::BackFacing) return TriangleState::BackFacing;
-    return state == CellState::Hidden ? TriangleState::Hidden : TriangleState::OutsideFrustum;
+TriangleState stateOf(spherical::CellState state) {
+    if (state == spherical::CellState::Drawn) return TriangleState::Visible;
+    if (state == spherical::CellState::BackFacing) return TriangleState::BackFacing;
+    return state == spherical::CellState::Hidden ? TriangleState::Hidden : TriangleState::OutsideFrustum;
 }
 
-uint8_t toneOf(const ShownMap& shown, const TriangleStates* truth, uint32_t cell, CellState state) {
-    if (state == CellState::Empty) return 0;
+uint8_t toneOf(const ShownMap& shown, const TriangleStates* truth, uint32_t cell, spherical::CellState state) {
+    if (state == spherical::CellState::Empty) return 0;
     if (!truth) return CellTones::toneOf(stateOf(state));
     const uint64_t first = shown.scene->firstTriangle(shown.decision().instance);
     uint8_t strongest = 0;
@@ -54,7 +54,7 @@ uint8_t CellTones::toneOf(TriangleState state) {
     return uint8_t(1 + (std::find(kByStrength.begin(), kByStrength.end(), state) - kByStrength.begin()));
 }
 
-CellTones cellTones(const MapSnapshot& map, MapColouring colouring) {
+CellTones cellTones(const spherical::MapSnapshot& map, MapColouring colouring) {
     const CellShares scale = cellShares(map, colouring);
     CellTones made{std::vector<uint8_t>(scale.shares.size()), scale.least, scale.most};
     std::transform(scale.shares.begin(), scale.shares.end(), made.tones.begin(),
@@ -64,7 +64,7 @@ CellTones cellTones(const MapSnapshot& map, MapColouring colouring) {
 
 CellTones stateTones(const ShownMap& shown, const TriangleStates* truth) {
     const SphericalMaps& maps = shown.maps();
-    const std::vector<CellState> states = cellStates(shown.map());
+    const std::vector<spherical::CellState> states = spherical::cellStates(shown.map());
     CellTones made;
     made.tones.resize(states.size());
     std::vector<uint8_t> ofTriangle(maps.mesh().triangleCount(), 0);
@@ -73,13 +73,13 @@ CellTones stateTones(const ShownMap& shown, const TriangleStates* truth) {
         for (const uint32_t triangle : maps.centroids(cell)) ofTriangle[triangle] = made.tones[cell];
     }
     for (uint32_t cell = 0; cell < states.size(); ++cell)
-        if (states[cell] == CellState::Empty && !maps.triangles(cell).empty())
+        if (states[cell] == spherical::CellState::Empty && !maps.triangles(cell).empty())
             made.tones[cell] = ofTriangle[maps.triangles(cell).back()];
     return made;
 }
 
 uint8_t stateTone(const ShownMap& shown, const TriangleStates* truth, uint32_t cell) {
-    return toneOf(shown, truth, cell, cellStates(shown.map())[cell]);
+    return toneOf(shown, truth, cell, spherical::cellStates(shown.map())[cell]);
 }
 
 QList<QRgb> toneColours(MapColouring colouring, const QPalette& palette) {

@@ -23,7 +23,7 @@ struct CellTones {
 };
 
 /// Of a colouring but State.
-[[nodiscard]] CellTones cellTones(const MapSnapshot& map, MapColouring colouring);
+[[nodiscard]] CellTones cellTones(const spherical::MapSnapshot& map, MapColouring colouring);
 /// Of State. `truth`, where known, are the states of the shown scene's triangles: a cell is as the worst triangle that it owns
 /// (wrongly culled before visible before drawn in vain); null: drawn cells count as visible. A cell that owns none but is touched
 /// by some is as the cell that owns the farthest-out of those.

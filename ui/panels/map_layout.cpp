@@ -42,10 +42,10 @@ std::optional<SphericalGrid::Cell> MapLayout::cellAt(const SphericalGrid& grid, 
 }
 
 QRectF MapLayout::rectOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const {
-    return rectOf(grid, CellBox{cell.row, cell.row, cell.column, cell.column});
+    return rectOf(grid, spherical::CellBox{cell.row, cell.row, cell.column, cell.column});
 }
 
-QRectF MapLayout::rectOf(const SphericalGrid& grid, const CellBox& box) const {
+QRectF MapLayout::rectOf(const SphericalGrid& grid, const spherical::CellBox& box) const {
     const double width = area.width() / grid.columns(), height = area.height() / grid.rows();
     return {area.left() + box.firstColumn * width, area.top() + box.firstRow * height,
             (box.lastColumn + 1 - box.firstColumn) * width, (box.lastRow + 1 - box.firstRow) * height};

@@ -20,7 +20,7 @@ struct MapLayout {
     /// None: outside of the map.
     [[nodiscard]] std::optional<SphericalGrid::Cell> cellAt(const SphericalGrid& grid, const QPointF& position) const;
     [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
-    [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const CellBox& box) const;
+    [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const spherical::CellBox& box) const;
 
     QRectF area;  ///< of the map alone, on whole pixels
 };

@@ -48,7 +48,8 @@ double distanceTo(const QRectF& rect, const QPointF& point) {
 
 }  // namespace
 
-std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const SphericalDecision& decision, const QFontMetricsF& metrics) {
+std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const spherical::SphericalDecision& decision,
+                                    const QFontMetricsF& metrics) {
     std::array<QPointF, 4> places;
     for (size_t corner = 0; corner < places.size(); ++corner) places[corner] = layout.placeOf(cornerOf(decision.rays[corner]));
     const QPointF middle = (places[0] + places[1] + places[2] + places[3]) / 4;
@@ -70,12 +71,12 @@ std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const SphericalDeci
     return numbers;
 }
 
-double contourStep(const ContourBands& bands) {
+double contourStep(const spherical::ContourBands& bands) {
     const double degrees = bands.width * 180.0 / std::numbers::pi;
     return bands.width * std::max(1.0, std::ceil(kLeastContourStep / degrees - 1e-9));
 }
 
-std::vector<std::vector<Vec2>> sectorEdge(const ContourBands& bands, double beta) {
+std::vector<std::vector<Vec2>> sectorEdge(const spherical::ContourBands& bands, double beta) {
     constexpr int kSteps = 180;
     std::vector<std::vector<Vec2>> lines(1);
     for (int step = 0; step <= kSteps; ++step) {
@@ -91,9 +92,9 @@ std::vector<std::vector<Vec2>> sectorEdge(const ContourBands& bands, double beta
     return lines;
 }
 
-Vec2 cornerOf(const CornerRay& ray) { return mapAngles(ray.point); }
+Vec2 cornerOf(const spherical::CornerRay& ray) { return mapAngles(ray.point); }
 
-void MapOverlay::paint(const MapSnapshot& map) const {
+void MapOverlay::paint(const spherical::MapSnapshot& map) const {
     m_painter.save();
     m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
     m_painter.setRenderHint(QPainter::Antialiasing);
@@ -126,16 +127,16 @@ QPainterPath MapOverlay::wrapped(const std::vector<Vec2>& line, bool closed) con
     return path;
 }
 
-void MapOverlay::paintWalked(const MapSnapshot& map) const {
+void MapOverlay::paintWalked(const spherical::MapSnapshot& map) const {
     QColor fill = m_colours.walked;
     fill.setAlphaF(0.8F);
-    for (const CornerRay& ray : map.decision.rays)
+    for (const spherical::CornerRay& ray : map.decision.rays)
         for (const WalkedCell& walked : ray.walkedCells)
             m_painter.fillRect(atLeast(m_layout.rectOf(map.maps->grid(), walked.cell), kLeastWalkedSize), fill);
 }
 
-void MapOverlay::paintRegion(const SphericalGrid& grid, const VisibleRegion& region) const {
-    for (const CellBox& box : region.boxes) {
+void MapOverlay::paintRegion(const SphericalGrid& grid, const spherical::VisibleRegion& region) const {
+    for (const spherical::CellBox& box : region.boxes) {
         QPainterPath path;
         path.addRect(m_layout.rectOf(grid, box).intersected(m_layout.area.adjusted(0.5, 0.5, -0.5, -0.5)));
         strokeOver(m_painter, path, linePen(MapSymbol::Box, m_colours), m_colours.ground);
@@ -146,19 +147,19 @@ void MapOverlay::paintRegion(const SphericalGrid& grid, const VisibleRegion& reg
                    m_colours.ground);
 }
 
-void MapOverlay::paintCorners(const SphericalDecision& decision) const {
+void MapOverlay::paintCorners(const spherical::SphericalDecision& decision) const {
     m_painter.save();
     m_painter.setRenderHint(QPainter::Antialiasing);
     const std::array<QRectF, 4> numbers = cornerNumbers(m_layout, decision, QFontMetricsF(m_painter.font()));
     for (size_t corner = 0; corner < numbers.size(); ++corner)
         paintLabel(m_painter, numbers[corner], QString::number(corner + 1), m_colours);
-    for (const CornerRay& ray : decision.rays)
+    for (const spherical::CornerRay& ray : decision.rays)
         paintMarker(m_painter, m_layout.placeOf(cornerOf(ray)), ray.hit ? MapSymbol::CornerHit : MapSymbol::CornerMiss,
                     m_colours);
     m_painter.restore();
 }
 
-void MapOverlay::paintBands(const ContourBands& bands) const {
+void MapOverlay::paintBands(const spherical::ContourBands& bands) const {
     const QPen pen = linePen(MapSymbol::Contour, m_colours);
     const auto every = uint32_t(std::lround(contourStep(bands) / bands.width));
     m_painter.setBrush(Qt::NoBrush);
@@ -179,7 +180,7 @@ void MapOverlay::paintBands(const ContourBands& bands) const {
     paintMarker(m_painter, m_layout.placeOf({end.theta, end.phi}), MapSymbol::End, m_colours);
 }
 
-void MapOverlay::paintWalk(const MapSnapshot& map) const {
+void MapOverlay::paintWalk(const spherical::MapSnapshot& map) const {
     QPainterPath cells;
     for (const std::vector<Vec2>& outline : cellOutlines(map, kLeastOutlined * kTurn / m_layout.area.width()))
         cells.addPath(wrapped(outline, false));
@@ -201,7 +202,7 @@ void MapOverlay::paintPicked(const SphericalGrid& grid, const std::vector<Spheri
     m_painter.restore();
 }
 
-void MapOverlay::paintSector(const ContourBands& bands, uint32_t sector) const {
+void MapOverlay::paintSector(const spherical::ContourBands& bands, uint32_t sector) const {
     m_painter.save();
     m_painter.setClipRect(m_layout.area, Qt::IntersectClip);
     m_painter.setRenderHint(QPainter::Antialiasing);

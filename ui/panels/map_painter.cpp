@@ -6,10 +6,10 @@
 #include <numbers>
 
 #include "core/spatial/spherical_triangle.h"
+#include "ui/look/verdict_swatch.h"
 #include "ui/panels/map_overlay.h"
 #include "ui/panels/map_words.h"
 #include "ui/text/wording.h"
-#include "ui/look/verdict_swatch.h"
 
 namespace cullscope::ui {
 
@@ -125,7 +125,7 @@ MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palet
     std::vector<MapLegend::Entry> entries;
     if (colouring() == MapColouring::State) entries = statesShown(palette);
     if (m_cells.veiled()) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), veiledColour(palette)});
-    const SphericalDecision& decision = contents().shown.decision();
+    const spherical::SphericalDecision& decision = contents().shown.decision();
     if (decision.bands) append(entries, bandSymbols(contourStep(*decision.bands), contents().sector));
     if (decision.region) append(entries, regionSymbols());
     if (decision.walk) append(entries, walkSymbols(!decision.walk->outline.empty()));

@@ -74,7 +74,7 @@ QString MapWidget::description() const {
 QString MapWidget::wordsAt(const QPointF& place) const {
     if (empty()) return {};
     const MapContents& contents = m_painter.contents();
-    const SphericalDecision& decision = contents.shown.decision();
+    const spherical::SphericalDecision& decision = contents.shown.decision();
     const MapLayout layout = layoutOfMap();
     if (decision.region)
         for (size_t corner = 0; corner < decision.rays.size(); ++corner) {

@@ -38,19 +38,19 @@ QString rangeWords(double from, double to) {
 
 QString countOrUnused(bool used, uint64_t count) { return used ? countText(count) : MapWords::tr("not used", "a test"); }
 
-QString kernelWords(const MapSnapshot& map) {
+QString kernelWords(const spherical::MapSnapshot& map) {
     if (!map.kernel) return MapWords::tr("No kernel: the horizon is switched off, or the mesh is too small for one");
     if (!map.kernel->filled()) return MapWords::tr("No kernel: %1").arg(translated(InnerKernel::stateName(map.kernel->state())));
     if (map.decision.walk->horizon)
         return MapWords::tr("Kernel filled to R %1 at least").arg(lengthText(map.kernel->leastRadius()));
-    if (map.decision.relation == SphereRelation::AroundEye)
+    if (map.decision.relation == spherical::SphereRelation::AroundEye)
         return MapWords::tr("Horizon not used: the eye is inside the bounding sphere");
     return MapWords::tr("Horizon not used: at the near plane, or too far away");
 }
 
 /// What became of the quadtree's cell under a direction.
-QString judgedWords(const MapSnapshot& map, const Vec3& direction) {
-    const JudgedCell* judged = judgedCellAt(map, direction);
+QString judgedWords(const spherical::MapSnapshot& map, const Vec3& direction) {
+    const spherical::JudgedCell* judged = judgedCellAt(map, direction);
     if (!judged) return {};
     const CellTree::Node& node = map.tree->nodes()[judged->node];
     const QString verdict = judged->cause ? translated(causeName(*judged->cause)) : MapWords::tr("drawn");
@@ -97,7 +97,7 @@ QString scaleWords(MapColouring colouring) {
 }
 
 QString objectWords(const ShownMap& shown) {
-    const QString relation = translated(relationName(shown.decision().relation));
+    const QString relation = translated(spherical::relationName(shown.decision().relation));
     const size_t objects = shown.scene->instances().size();
     if (objects < 2) return MapWords::tr("%1: %2", "object, how it lies to the frustum").arg(shown.name(), relation);
     return MapWords::tr("%1 (%2 of %3): %4", "object, its number, how many there are, how it lies to the frustum")
@@ -105,18 +105,19 @@ QString objectWords(const ShownMap& shown) {
 }
 
 QString decisionWords(const ShownMap& shown) {
-    const SphericalDecision& decision = shown.decision();
-    if (decision.relation == SphereRelation::Outside) return MapWords::tr("Nothing of it is drawn.");
+    const spherical::SphericalDecision& decision = shown.decision();
+    if (decision.relation == spherical::SphereRelation::Outside) return MapWords::tr("Nothing of it is drawn.");
     if (decision.region) return caseWords(decision.region->caseNumber);
     const QString drawn = countText(decision.drawnTriangles), all = countText(shown.map().maps.mesh().triangleCount());
     if (decision.bands)
         return MapWords::tr("Bands of %1; drawn: %2 of %3 triangles").arg(degreesText(decision.bands->width), drawn, all);
-    if (decision.relation == SphereRelation::AroundEye && !decision.walk) return MapWords::tr("Everything of it is drawn.");
+    if (decision.relation == spherical::SphereRelation::AroundEye && !decision.walk)
+        return MapWords::tr("Everything of it is drawn.");
     return MapWords::tr("Drawn: %1 of %2 triangles").arg(drawn, all);
 }
 
 QStringList walkWords(const ShownMap& shown) {
-    const std::optional<CellWalk>& walk = shown.decision().walk;
+    const std::optional<spherical::CellWalk>& walk = shown.decision().walk;
     if (!walk) return {};
     const auto culled = [&](Cause cause) { return walk->culled[size_t(cause)]; };
     return {MapWords::tr("Culled: frustum %1 · cones %2 · horizon %3", "by which test, triangles")
@@ -143,8 +144,8 @@ QString cellWords(const ShownMap& shown, const TriangleStates* truth, const Sphe
     return lines.join(QLatin1Char('\n'));
 }
 
-QString cornerWords(const SphericalDecision& decision, size_t corner) {
-    const CornerRay& ray = decision.rays[corner];
+QString cornerWords(const spherical::SphericalDecision& decision, size_t corner) {
+    const spherical::CornerRay& ray = decision.rays[corner];
     const QString name = cornerName(corner);
     if (ray.hit)
         return MapWords::tr("Corner ray %1, %2: confirmed on triangle %3.")

@@ -22,7 +22,7 @@ namespace cullscope::ui {
 /// Row, column, angles, entries, triangles, R and state of a cell, several lines.
 [[nodiscard]] QString cellWords(const ShownMap& shown, const TriangleStates* truth, const SphericalGrid::Cell& cell);
 /// What the corner ray with that index found.
-[[nodiscard]] QString cornerWords(const SphericalDecision& decision, size_t corner);
+[[nodiscard]] QString cornerWords(const spherical::SphericalDecision& decision, size_t corner);
 /// Of a cell's tone in a map coloured by state; without truth, what is drawn is only that.
 [[nodiscard]] QString stateWords(TriangleState state, bool truthKnown);
 /// Instead of a map; empty: the strategy has none.

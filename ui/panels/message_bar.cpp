@@ -43,7 +43,7 @@ MessageBar::MessageBar(QWidget& below)
     m_close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     m_end.setSingleShot(true);
-    m_end.setInterval(kInformationTime);
+    m_end.setInterval(6000);
     connect(&m_end, &QTimer::timeout, this, &QWidget::hide);
     below.installEventFilter(this);
     hide();

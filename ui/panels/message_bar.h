@@ -16,11 +16,11 @@ class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
-    static constexpr int kInformationTime = 6000;  // ms
-
     /// Lies over `below`, as its sibling.
     explicit MessageBar(QWidget& below);
 
+    /// How long information stays; 6000 unless it is set.
+    void setInformationTime(int milliseconds) { m_end.setInterval(milliseconds); }
     void show(Severity severity, const Message& message);
     [[nodiscard]] QString text() const { return m_text->text(); }
 

@@ -10,7 +10,7 @@ ShownMap shownMap(const Session& session, const SnapshotReader& reader) {
     if (!reading || reading->snapshot->maps.empty() || reading->strategy->scene != session.scene()) return {};
     std::optional<uint32_t> picked;
     if (const std::optional<Pick>& pick = session.pick()) picked = session.instanceOf(pick->object);
-    const std::vector<MapSnapshot>& maps = reading->snapshot->maps;
+    const std::vector<spherical::MapSnapshot>& maps = reading->snapshot->maps;
     const size_t place = placeOfMap(*reading->snapshot, picked);
     // Maps that are made on request are made by the reader: until then the one before stays.
     const bool made = !maps[place].tree || maps[place].maps == maps[reading->map].maps;

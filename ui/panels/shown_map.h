@@ -16,8 +16,8 @@ struct ShownMap {
     size_t place = 0;                                   ///< in StructureSnapshot::maps
 
     [[nodiscard]] bool empty() const { return !snapshot; }
-    [[nodiscard]] const MapSnapshot& map() const { return snapshot->maps[place]; }
-    [[nodiscard]] const SphericalDecision& decision() const { return map().decision; }
+    [[nodiscard]] const spherical::MapSnapshot& map() const { return snapshot->maps[place]; }
+    [[nodiscard]] const spherical::SphericalDecision& decision() const { return map().decision; }
     [[nodiscard]] const SphericalMaps& maps() const { return *map().maps; }
     [[nodiscard]] const SphericalGrid& grid() const { return map().maps->grid(); }
     /// Of the object.

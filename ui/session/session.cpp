@@ -12,7 +12,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kRestBeforeMeasuring = 200;  // ms
 constexpr std::array kFirstStrategies{"all", "backface"};
 
 SceneLoader::Opener openerFor(const Session::Options& options) {
@@ -35,7 +34,7 @@ const StrategyInfo& firstStrategy(size_t view, const Session& session) {
 }  // namespace
 
 Session::Session(Options options, QObject* parent)
-    : QObject(parent), m_sceneSource(options.sceneSource), m_loader(openerFor(options)) {
+    : QObject(parent), m_sceneSource(options.sceneSource), m_rounds(options.rounds), m_loader(openerFor(options)) {
     if (options.graphics) {
         m_gpu = std::make_unique<GpuThread>(options.gpu);
         m_upload = std::make_unique<SceneUpload>(*m_gpu, options.uploader);
@@ -43,7 +42,7 @@ Session::Session(Options options, QObject* parent)
     }
     for (int view = 0; view < kMostViews; ++view) makeView(view);
     m_rest.setSingleShot(true);
-    m_rest.setInterval(kRestBeforeMeasuring);
+    m_rest.setInterval(options.restBeforeMeasuring);
     connect(&m_rest, &QTimer::timeout, this, [this] { measure(false); });
     connect(&m_loader, &SceneLoader::loaded, this, &Session::show);
     connect(&m_loader, &SceneLoader::failed, this, [this](const Message& message) { raise(Severity::Error, message); });
@@ -68,7 +67,7 @@ Session::~Session() {
 }
 
 void Session::makeGraphics() {
-    m_meter = std::make_unique<ViewMeter>(*m_gpu);
+    m_meter = std::make_unique<ViewMeter>(*m_gpu, m_rounds);
     m_pictures = std::make_unique<PictureMaker>(*m_gpu, kMostViews, [this](int view) { return viewRequest(view); });
     connect(m_upload.get(), &SceneUpload::changed, this, [this] {
         emit buffersChanged();

@@ -48,7 +48,9 @@ public:
         SceneLoader::Opener opener;      ///< empty: core's openScene
         SceneUpload::Uploader uploader;  ///< empty: GpuThread::upload
         GpuThread::Options gpu;
-        bool graphics = true;  ///< false: no OpenGL, for tests of the rest
+        ViewMeter::Rounds rounds;       ///< of the views' speeds
+        int restBeforeMeasuring = 200;  ///< ms without a change, after which the views are measured
+        bool graphics = true;           ///< false: no OpenGL, for tests of the rest
     };
 
     /// Throws Error(OpenGl) where graphics are wanted and there is no OpenGL 4.5.
@@ -212,6 +214,7 @@ private:
     void measure(bool asked);
 
     SceneSourceOptions m_sceneSource;
+    ViewMeter::Rounds m_rounds;
     SceneLoader m_loader;
     OpenedScenePointer m_opened;
     ScenePointer m_scene;

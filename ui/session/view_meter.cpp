@@ -13,10 +13,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kFewestRounds = 3;
-constexpr int kMostRounds = 15;
-constexpr double kTimingBudget = 1.0;  // seconds of drawing, after which no further round is begun
-
 constexpr const char* kBaseline = "backface";
 
 /// One strategy to be timed; several views may share it.
@@ -167,6 +163,7 @@ struct ViewMeter::Bench {
 
 struct ViewMeter::Job {
     uint64_t number = 0;
+    Rounds rounds;
     std::vector<Subject> subjects;
     std::vector<ViewMetrics> figures;
     std::vector<Runner> runners;
@@ -197,11 +194,12 @@ struct ViewMeter::Job {
         if (++place < runners.size()) return true;
         place = 0;
         ++round;
-        return round < kMostRounds && (round < kFewestRounds || spent < kTimingBudget);
+        return round < rounds.most && (round < rounds.fewest || spent < rounds.budgetSeconds);
     }
 };
 
-ViewMeter::ViewMeter(GpuThread& gpu, QObject* parent) : QObject(parent), m_gpu(gpu), m_bench(std::make_shared<Bench>()) {
+ViewMeter::ViewMeter(GpuThread& gpu, const Rounds& rounds, QObject* parent)
+    : QObject(parent), m_gpu(gpu), m_rounds(rounds), m_bench(std::make_shared<Bench>()) {
     connect(
         &gpu, &GpuThread::contextGoing, this, [bench = m_bench] { bench->letGo(); }, Qt::DirectConnection);
 }
@@ -239,6 +237,7 @@ void ViewMeter::deliver(uint64_t job, int view, const ViewMetrics& figures) {
 void ViewMeter::measure(std::vector<Subject> subjects) {
     auto job = std::make_shared<Job>();
     job->number = m_jobs.begin();
+    job->rounds = m_rounds;
     job->subjects = std::move(subjects);
     m_busy = true;
     m_gpu.post([this, job, bench = m_bench] {

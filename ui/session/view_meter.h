@@ -24,7 +24,13 @@ public:
         MetricsSubject what;
     };
 
-    explicit ViewMeter(GpuThread& gpu, QObject* parent = nullptr);
+    /// How often a frame is drawn for its time, besides once before that does not count.
+    struct Rounds {
+        int fewest = 3, most = 15;
+        double budgetSeconds = 1.0;  ///< of drawing, after which no further round is begun
+    };
+
+    explicit ViewMeter(GpuThread& gpu, const Rounds& rounds, QObject* parent = nullptr);
     ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);
@@ -49,6 +55,7 @@ private:
     void deliver(uint64_t job, int view, const ViewMetrics& figures);
 
     GpuThread& m_gpu;
+    Rounds m_rounds;
     JobNumbers m_jobs;
     bool m_busy = false;
     std::shared_ptr<Bench> m_bench;

@@ -2,7 +2,7 @@
 
 #include "core/base/message.h"
 
-namespace cullscope {
+namespace cullscope::baseline {
 namespace {
 
 /// Submits everything, whatever the view.
@@ -79,4 +79,4 @@ StrategyInfo backfaceInfo() {
 
 StrategyPointer makeBackface(ParameterSet parameters) { return std::make_unique<Backface>(std::move(parameters)); }
 
-}  // namespace cullscope
+}  // namespace cullscope::baseline

@@ -2,7 +2,7 @@
 
 #include "core/visibility/strategy.h"
 
-namespace cullscope {
+namespace cullscope::baseline {
 
 /// `all`: every triangle, two-sided. What the papers compare with.
 [[nodiscard]] StrategyInfo allInfo();
@@ -13,4 +13,4 @@ namespace cullscope {
 [[nodiscard]] StrategyInfo backfaceInfo();
 [[nodiscard]] StrategyPointer makeBackface(ParameterSet parameters);
 
-}  // namespace cullscope
+}  // namespace cullscope::baseline

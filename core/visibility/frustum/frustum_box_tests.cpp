@@ -8,7 +8,7 @@
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 
-namespace cullscope {
+namespace cullscope::frustum {
 namespace {
 
 /// What is decided about an object before OpenGL is asked, or left to it.
@@ -193,4 +193,4 @@ StrategyInfo frustumQueryInfo() {
 
 StrategyPointer makeFrustumQuery(ParameterSet parameters) { return std::make_unique<FrustumQuery>(std::move(parameters)); }
 
-}  // namespace cullscope
+}  // namespace cullscope::frustum

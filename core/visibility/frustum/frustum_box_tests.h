@@ -2,7 +2,7 @@
 
 #include "core/visibility/strategy.h"
 
-namespace cullscope {
+namespace cullscope::frustum {
 
 // View-frustum culling that asks OpenGL which boxes of objects are in view. For both strategies the box of an object grows by a
 // pixel and a depth bound, so that no rounding of OpenGL's loses what the object shows, and a box that reaches the view's near
@@ -21,4 +21,4 @@ namespace cullscope {
 [[nodiscard]] StrategyInfo frustumQueryInfo();
 [[nodiscard]] StrategyPointer makeFrustumQuery(ParameterSet parameters);
 
-}  // namespace cullscope
+}  // namespace cullscope::frustum

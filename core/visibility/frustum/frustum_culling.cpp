@@ -7,7 +7,7 @@
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 
-namespace cullscope {
+namespace cullscope::frustum {
 namespace {
 
 enum class BoxTest { PVertex, Oriented, Length };
@@ -175,4 +175,4 @@ StrategyInfo frustumInfo() {
 
 StrategyPointer makeFrustum(ParameterSet parameters) { return std::make_unique<FrustumCulling>(std::move(parameters)); }
 
-}  // namespace cullscope
+}  // namespace cullscope::frustum

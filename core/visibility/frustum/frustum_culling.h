@@ -2,7 +2,7 @@
 
 #include "core/visibility/strategy.h"
 
-namespace cullscope {
+namespace cullscope::frustum {
 
 /// `frustum`: objects whose bounding sphere or axis-aligned box lies outside one of the six planes are left out, all tested in
 /// batches with as many lanes as the processor has (geometry/frustum_batch.h). Conservative: an object that reaches into the
@@ -13,4 +13,4 @@ namespace cullscope {
 [[nodiscard]] StrategyInfo frustumInfo();
 [[nodiscard]] StrategyPointer makeFrustum(ParameterSet parameters);
 
-}  // namespace cullscope
+}  // namespace cullscope::frustum

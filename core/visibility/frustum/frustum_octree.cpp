@@ -8,7 +8,7 @@
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/octree_walk.h"
 
-namespace cullscope {
+namespace cullscope::frustum {
 namespace {
 
 class FrustumOctree final : public Strategy {
@@ -91,4 +91,4 @@ StrategyInfo frustumOctreeInfo() {
 
 StrategyPointer makeFrustumOctree(ParameterSet parameters) { return std::make_unique<FrustumOctree>(std::move(parameters)); }
 
-}  // namespace cullscope
+}  // namespace cullscope::frustum

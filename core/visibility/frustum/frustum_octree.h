@@ -2,7 +2,7 @@
 
 #include "core/visibility/strategy.h"
 
-namespace cullscope {
+namespace cullscope::frustum {
 
 /// `frustum-octree`: an octree over the objects, from the root down (visibility/group_walk.h). A group outside a plane is left
 /// out with all it holds, planes that have all of a group inside are not tested below it, and the plane that left a group out the
@@ -12,4 +12,4 @@ namespace cullscope {
 [[nodiscard]] StrategyInfo frustumOctreeInfo();
 [[nodiscard]] StrategyPointer makeFrustumOctree(ParameterSet parameters);
 
-}  // namespace cullscope
+}  // namespace cullscope::frustum

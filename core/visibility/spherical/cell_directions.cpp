@@ -1,6 +1,6 @@
 #include "core/visibility/spherical/cell_directions.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 CellDirections::CellDirections(const SphericalGrid& grid) {
     const auto arm = [](double from, double to) {
@@ -12,4 +12,4 @@ CellDirections::CellDirections(const SphericalGrid& grid) {
         m_columns.push_back(arm(grid.phiOf(column), grid.phiOf(column + 1)));
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -6,7 +6,7 @@
 
 #include "core/spatial/spherical_grid.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// The directions of a grid's cell middles against an axis, for loops over all cells: sums of products and no trigonometry.
 class CellDirections {
@@ -46,4 +46,4 @@ private:
 
 inline constexpr double kQuickAngleError = 7e-5;
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 // Fewer triangles than this between two ranges are drawn in vain sooner than OpenGL begins another range.
@@ -128,4 +128,4 @@ CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const Cell
     return walker.take(tests);
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

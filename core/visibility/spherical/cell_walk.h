@@ -6,7 +6,7 @@
 #include "core/visibility/spherical/kernel_horizon.h"
 #include "core/visibility/spherical/object_space_view.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// What may be tested of an object's cells in one view.
 struct CellTests {
@@ -25,4 +25,4 @@ struct CellTests {
 /// the walk ended what became of it.
 [[nodiscard]] CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

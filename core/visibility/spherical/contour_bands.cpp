@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 /// Where a cell's middle lies among the bands.
@@ -87,4 +87,4 @@ std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands) {
     return runs.take();
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -5,7 +5,7 @@
 #include "core/visibility/spherical/cell_directions.h"
 #include "core/visibility/spherical/decision.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// What the band tests of both spherical strategies need of a mesh's maps, worked out once.
 struct BandCells {
@@ -51,4 +51,4 @@ private:
     bool m_open = false;
 };
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -4,7 +4,7 @@
 
 #include "core/base/message.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 const char* relationName(SphereRelation relation) {
     switch (relation) {
@@ -68,4 +68,4 @@ std::vector<CellState> cellStates(const MapSnapshot& map) {
     return states;
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

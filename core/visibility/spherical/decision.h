@@ -11,7 +11,7 @@
 #include "core/spatial/spherical_search.h"
 #include "core/visibility/spherical/lazy_maps.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// How an object's bounding sphere lies to the frustum: the branches of Han & Hong 2008, Appendix 1.
 enum class SphereRelation {
@@ -135,4 +135,4 @@ enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Draw
 /// By cell number.
 [[nodiscard]] std::vector<CellState> cellStates(const MapSnapshot& map);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -8,7 +8,7 @@
 #include "core/geometry/angle.h"
 #include "core/visibility/spherical/cell_directions.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 // α from 18° to 154° in equal steps of its cosine: denser about 90°, where slopes are largest.
@@ -118,4 +118,4 @@ std::vector<Vec3> KernelHorizon::outline(const InnerKernel& kernel) const {
     return points;
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

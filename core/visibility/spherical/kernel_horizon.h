@@ -2,7 +2,7 @@
 
 #include "core/spatial/inner_kernel.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// What an object's inner kernel hides from one eye (methods.md, `spherical-lossless`). Seen from outside, every sight line stays
 /// in one half-plane of the axis from the centre to the eye, the angle α at the centre grows along it, and its slope
@@ -58,4 +58,4 @@ private:
     std::vector<double> m_slopes;  ///< by band, then sector: the largest up to that band
 };
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 const SphericalMaps& LazyMaps::operator*() const {
     if (m_ready) return *m_ready;
@@ -14,4 +14,4 @@ const SphericalMaps& LazyMaps::operator*() const {
     return *m_made->maps;
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

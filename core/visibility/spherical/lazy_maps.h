@@ -6,7 +6,7 @@
 
 #include "core/spatial/spherical_maps.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// A mesh's spherical maps, for looking at. A strategy that works on them has them ready; of one that works on something else
 /// they are made, at the paper's resolution, when somebody first looks at them, which takes about half a microsecond a triangle.
@@ -39,4 +39,4 @@ private:
     std::shared_ptr<Made> m_made;
 };
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -10,7 +10,7 @@
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/spherical/cell_walk.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 // Below that, what the horizon costs to set up is more than it saves.
@@ -315,4 +315,4 @@ StrategyPointer makeSphericalLossless(ParameterSet parameters) {
     return std::make_unique<SphericalLossless>(std::move(parameters));
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

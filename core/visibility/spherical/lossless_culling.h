@@ -2,7 +2,7 @@
 
 #include "core/visibility/strategy.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// `spherical-lossless`: the map of directions without the errors of its walks (methods.md). A hierarchy over the objects and a
 /// quadtree over each one's map against the frustum; normal cones where only front sides are drawn; the horizon of the inner
@@ -10,4 +10,4 @@ namespace cullscope {
 [[nodiscard]] StrategyInfo sphericalLosslessInfo();
 [[nodiscard]] StrategyPointer makeSphericalLossless(ParameterSet parameters);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

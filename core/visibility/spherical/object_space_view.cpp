@@ -5,7 +5,7 @@
 
 #include "core/visibility/eye_bounds.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 /// Map coordinates to world axes with the origin at the eye: linear · p + centre.
@@ -95,4 +95,4 @@ ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sph
     return result;
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -7,7 +7,7 @@
 #include "core/visibility/spherical/decision.h"
 #include "core/visibility/trace.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// An instance as a view sees it, in the coordinates of its mesh's maps: sight lines stay sight lines under any affine transform,
 /// so that instances of one mesh share its maps.
@@ -40,4 +40,4 @@ struct ObjectSpaceView {
 /// `sphere`: the mesh's bounding sphere, relative to its origin.
 [[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -9,7 +9,7 @@
 #include "core/geometry/angle.h"
 #include "core/geometry/triangle.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -283,4 +283,4 @@ bool isStarShaped(const SphericalMaps& maps, Facing facing) {
     return mesh.topology().closed && mesh.topology().consistentlyOriented;
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -4,7 +4,7 @@
 #include "core/visibility/spherical/contour_bands.h"
 #include "core/visibility/spherical/object_space_view.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// What the horizon test needs of a mesh's maps besides BandCells.
 struct HorizonCells {
@@ -45,4 +45,4 @@ void markDrawnSectors(const SphericalMaps& maps, const BandCells& cells, std::sp
 /// drawn they must be the outer ones.
 [[nodiscard]] bool isStarShaped(const SphericalMaps& maps, Facing facing);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

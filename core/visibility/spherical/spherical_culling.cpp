@@ -11,7 +11,7 @@
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 /// What both strategies have of one mesh.
@@ -329,4 +329,4 @@ StrategyPointer makeSphericalHorizon(ParameterSet parameters) {
     return std::make_unique<SphericalHorizon>(std::move(parameters));
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

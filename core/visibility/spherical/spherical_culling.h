@@ -2,7 +2,7 @@
 
 #include "core/visibility/strategy.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// `spherical`: Han & Hong 2008 as published (Appendix 1), for every instance of a scene with one set of maps a mesh.
 /// Approximate. Where the frustum cuts an object's bounding sphere: the box of cells between the four corner rays' hits. Where
@@ -16,4 +16,4 @@ namespace cullscope {
 [[nodiscard]] StrategyInfo sphericalHorizonInfo();
 [[nodiscard]] StrategyPointer makeSphericalHorizon(ParameterSet parameters);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -5,7 +5,7 @@
 
 #include "core/geometry/angle.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 constexpr size_t kStepsOfAnArc = 16;  // of the outline that is shown; boxes take the exact extreme
@@ -147,4 +147,4 @@ std::vector<CellRun> runsOf(const SphericalGrid& grid, const VisibleRegion& regi
     return runs;
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -4,7 +4,7 @@
 
 #include "core/visibility/spherical/decision.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// Follows one corner ray as in Han & Hong 2008, Appendix 1: where it enters the bounding sphere, the walk through the index map,
 /// the confirmed triangle. The region's corner is the hit; where nothing is hit, the sphere's point nearest to the ray (the
@@ -25,4 +25,4 @@ enum class Join {
 /// The cells of a region's boxes in runs: one; one a row; two a row.
 [[nodiscard]] std::vector<CellRun> runsOf(const SphericalGrid& grid, const VisibleRegion& region);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

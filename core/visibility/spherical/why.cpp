@@ -6,7 +6,7 @@
 
 #include "core/visibility/spherical/cell_directions.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 namespace {
 
 std::string number(double value) {
@@ -156,4 +156,4 @@ void addMapSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>
     if (decision.bands) steps.push_back((decision.bands->slopes ? slopeStep : sizeStep)(*decision.bands, middle, drawn));
 }
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

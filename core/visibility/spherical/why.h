@@ -3,10 +3,10 @@
 #include "core/visibility/spherical/decision.h"
 #include "core/visibility/why.h"
 
-namespace cullscope {
+namespace cullscope::spherical {
 
 /// Appends what a spherical strategy decided about a triangle (counted within its mesh): the object's relation to the frustum,
 /// the triangle's cell, and why that cell is drawn or not.
 void addMapSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>& steps);
 
-}  // namespace cullscope
+}  // namespace cullscope::spherical

@@ -98,7 +98,7 @@ TEST(CellOutline, jumpsOnlyAlongAPole) {
 TEST(CellOutlines, onlyLargeOnesAreThere) {
     for (const MapLayout layout : kLayouts) {
         const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0});
-        const std::vector<JudgedCell>& judged = seen.map().decision.walk->judged;
+        const std::vector<spherical::JudgedCell>& judged = seen.map().decision.walk->judged;
         EXPECT_EQ(cellOutlines(seen.map(), 0.0).size(), judged.size());
         const double least = 8.0 * kDegree;
         const std::vector<std::vector<Vec2>> outlines = cellOutlines(seen.map(), least);
@@ -120,7 +120,7 @@ TEST(JudgedCellAt, isThatOfTheDirection) {
         const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0});
         for (int i = 0; i < 500; ++i) {
             const Vec3 direction = randomDirection(random);
-            const JudgedCell* judged = judgedCellAt(seen.map(), direction);
+            const spherical::JudgedCell* judged = judgedCellAt(seen.map(), direction);
             ASSERT_EQ(judged == nullptr, seen.map().tree->leafAt(direction) == nullptr);
             if (judged == nullptr) continue;
             const MapCell cell = seen.map().tree->nodes()[judged->node].cell();
@@ -133,7 +133,7 @@ TEST(HorizonLine, liesWhereTheSlopeIsLargest) {
     const Vec3 eye(0.5, 0.4, 2.5);
     for (const MeshPointer& mesh : {sphereMesh(20000), starMesh(3, 20000)}) {
         const LosslessMap seen(mesh, MapLayout::Octahedral, eye);
-        const MapSnapshot& map = seen.map();
+        const spherical::MapSnapshot& map = seen.map();
         const double distance = glm::length(map.decision.eye);
         const Vec3 axis = map.decision.eye / distance;
         const auto slope = [&](double radius, double alpha) {
@@ -175,17 +175,17 @@ TEST(CellShares, levelIsThatOfTheWalk) {
     for (const MapLayout layout : kLayouts)
         for (const Vec3& target : {Vec3(0.0), Vec3(0.4, 0.3, 6.0)}) {
             const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0}, target);
-            const MapSnapshot& map = seen.map();
+            const spherical::MapSnapshot& map = seen.map();
             const CellShares shares = cellShares(map, MapColouring::Level);
             EXPECT_EQ(shares.least, 0.0);
             EXPECT_LE(shares.most, map.tree->deepestLevel());
             const SphericalGrid& grid = map.maps->grid();
-            const CellDirections directions(grid);
+            const spherical::CellDirections directions(grid);
             std::set<uint32_t> levels;
             for (uint32_t cell = 0; cell < grid.cellCount(); ++cell) {
                 const Vec3 middle = directions.middle(grid.cell(cell));
                 const CellTree::Node* node = map.tree->leafAt(middle);
-                if (const JudgedCell* judged = judgedCellAt(map, middle)) node = &map.tree->nodes()[judged->node];
+                if (const spherical::JudgedCell* judged = judgedCellAt(map, middle)) node = &map.tree->nodes()[judged->node];
                 if (node == nullptr) {
                     ASSERT_LT(shares.shares[cell], 0.0f);
                     continue;
@@ -199,11 +199,11 @@ TEST(CellShares, levelIsThatOfTheWalk) {
 
 TEST(CellShares, kernelIsFilledToThere) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
-    const MapSnapshot& map = seen.map();
+    const spherical::MapSnapshot& map = seen.map();
     ASSERT_TRUE(hasColouring(map, MapColouring::Kernel));
     const CellShares shares = cellShares(map, MapColouring::Kernel);
     EXPECT_DOUBLE_EQ(shares.most, map.maps.sphere().radius);
-    const CellDirections directions(map.maps->grid());
+    const spherical::CellDirections directions(map.maps->grid());
     for (uint32_t cell = 0; cell < shares.shares.size(); cell += 7) {
         const Vec3 middle = directions.middle(map.maps->grid().cell(cell));
         ASSERT_NEAR(shares.shares[cell] * shares.most, map.kernel->radius(octahedralCell(middle, map.kernel->level())), 1e-5);
@@ -225,15 +225,15 @@ TEST(CellColours, judgedCellHasTheColourOfItsState) {
     const DrawStyle style{Vec3f(1.0f)};
     const auto palette = verdictPalette(style.background);
     const LosslessMap seen(starMesh(3, 2400), MapLayout::Octahedral, {0.4, 0.3, 3.0}, {0.5, 0.0, 0.0}, 25.0);
-    const MapSnapshot& map = seen.map();
+    const spherical::MapSnapshot& map = seen.map();
     const std::vector<Vec3f> colours = cellColours(map, MapColouring::State, style.background);
-    const std::vector<CellState> states = cellStates(map);
-    const CellDirections directions(map.maps->grid());
+    const std::vector<spherical::CellState> states = spherical::cellStates(map);
+    const spherical::CellDirections directions(map.maps->grid());
     std::set<size_t> shown;
     for (uint32_t cell = 0; cell < colours.size(); ++cell) {
-        if (states[cell] != CellState::Empty) continue;
+        if (states[cell] != spherical::CellState::Empty) continue;
         const auto [row, column] = map.maps->grid().cell(cell);
-        const JudgedCell* judged =
+        const spherical::JudgedCell* judged =
             judgedCellAt(map, directionOf(0.5 * (map.maps->grid().thetaOf(row) + map.maps->grid().thetaOf(row + 1)) / kDegree,
                                           0.5 * (map.maps->grid().phiOf(column) + map.maps->grid().phiOf(column + 1)) / kDegree));
         if (judged == nullptr) continue;

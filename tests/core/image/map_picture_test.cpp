@@ -29,7 +29,7 @@ struct Shown {
     }
 };
 
-Shown shown(const MapSnapshot& map, MapColouring colouring = MapColouring::Entries) {
+Shown shown(const spherical::MapSnapshot& map, MapColouring colouring = MapColouring::Entries) {
     return {mapPicture(map, colouring, kSize, kLight)};
 }
 
@@ -38,19 +38,19 @@ const Vec3f kRed(0.86f, 0.08f, 0.08f);
 bool reddish(const Vec3f& colour) { return colour.x > 0.7f && colour.y < 0.3f && colour.z < 0.3f; }
 
 TEST(CellColours, everyStateHasItsColour) {
-    MapSnapshot map = sphereMap();
+    spherical::MapSnapshot map = sphereMap();
     map.decision.drawn = {{0, 900}};
     const auto palette = verdictPalette(kLight.background);
-    const std::vector<CellState> states = cellStates(map);
+    const std::vector<spherical::CellState> states = spherical::cellStates(map);
     std::vector<Vec3f> colours = cellColours(map, MapColouring::State, kLight.background);
     ASSERT_EQ(colours.size(), 90u * 45u);
     size_t drawn = 0;
     for (size_t cell = 0; cell < colours.size(); ++cell) {
-        const Vec3f expected = states[cell] == CellState::Empty
+        const Vec3f expected = states[cell] == spherical::CellState::Empty
                                    ? kLight.background
                                    : palette[size_t(cell < 900 ? TriangleState::Visible : TriangleState::OutsideFrustum)].colour;
         ASSERT_EQ(colours[cell], expected) << cell;
-        drawn += states[cell] == CellState::Drawn ? 1 : 0;
+        drawn += states[cell] == spherical::CellState::Drawn ? 1 : 0;
     }
     EXPECT_GT(drawn, 500u);
     map.decision.bands.emplace();
@@ -59,7 +59,7 @@ TEST(CellColours, everyStateHasItsColour) {
 }
 
 TEST(CellColours, moreEntriesStandOutMore) {
-    MapSnapshot map;
+    spherical::MapSnapshot map;
     map.maps = std::make_shared<SphericalMaps>(knotMesh(20000), SphericalGrid(90, 45));
     for (const Vec3f& background : {Vec3f(1.0f), Vec3f(0.078f, 0.09f, 0.11f)}) {
         const std::vector<Vec3f> entries = cellColours(map, MapColouring::Entries, background);
@@ -93,7 +93,7 @@ TEST(MapColouringId, isReadBack) {
 TEST(Contours, pointsLieAtTheirAngle) {
     for (const Vec3& axis :
          {directionOf(90, 0), directionOf(37, 200), directionOf(0, 0), directionOf(14.9, 80), directionOf(165, 3)}) {
-        const ContourBands bands = *bandedMap(axis).decision.bands;
+        const spherical::ContourBands bands = *bandedMap(axis).decision.bands;
         const std::vector<Contour> all = contours(bands);
         ASSERT_EQ(all.size(), 11u);
         for (const Contour& contour : all) {
@@ -117,7 +117,7 @@ TEST(Contours, pointsLieAtTheirAngle) {
 }
 
 TEST(MapPicture, everyCellHasItsColour) {
-    MapSnapshot map = sphereMap();
+    spherical::MapSnapshot map = sphereMap();
     map.decision.drawn = {{0, 90 * 20}};
     const Shown picture = shown(map, MapColouring::State);
     const std::vector<Vec3f> colours = cellColours(map, MapColouring::State, kLight.background);
@@ -149,7 +149,7 @@ TEST(MapPicture, regionOverTheSeamIsDrawnOnBothSides) {
 }
 
 TEST(MapPicture, rayIsMarkedWhereItHits) {
-    const MapSnapshot map = cutMap(100.0, 200.0);
+    const spherical::MapSnapshot map = cutMap(100.0, 200.0);
     const Shown picture = shown(map);
     for (const auto& [theta, phi] : {std::pair(100, 100), std::pair(100, 200), std::pair(60, 200)})
         EXPECT_LT(glm::distance(picture.at(theta, phi), kRed), 0.02f) << theta << " " << phi;
@@ -158,7 +158,7 @@ TEST(MapPicture, rayIsMarkedWhereItHits) {
 }
 
 TEST(MapPicture, walkedCellsStandOut) {
-    MapSnapshot map = cutMap(100.0, 200.0);
+    spherical::MapSnapshot map = cutMap(100.0, 200.0);
     const Shown before = shown(map);
     map.decision.rays[0].walkedCells = {{{30, 60}, {}}, {{31, 60}, {}}};
     const Shown after = shown(map);
@@ -168,8 +168,8 @@ TEST(MapPicture, walkedCellsStandOut) {
 }
 
 TEST(MapPicture, everyContourIsDrawn) {
-    const MapSnapshot map = bandedMap(directionOf(90, 180));
-    MapSnapshot bare = map;
+    const spherical::MapSnapshot map = bandedMap(directionOf(90, 180));
+    spherical::MapSnapshot bare = map;
     bare.decision.bands.reset();
     const Shown picture = shown(map), without = shown(bare);
     const auto drawn = [&](double theta, double phi) {

@@ -14,7 +14,7 @@ namespace {
 
 /// One map over a mesh that stands somewhere, turned and enlarged, as somebody sees it.
 struct Seen {
-    explicit Seen(const MapSnapshot& map) {
+    explicit Seen(const spherical::MapSnapshot& map) {
         snapshot.maps = {map};
         scene = sceneOf({std::make_shared<TriangleMesh>(dataOf(map.maps->mesh()))}, {place});
     }
@@ -60,8 +60,8 @@ double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
 }
 
 TEST(SphereOverlay, circlesAreGreatCircles) {
-    MapSnapshot map = sphereMap();
-    map.decision.relation = SphereRelation::Within;
+    spherical::MapSnapshot map = sphereMap();
+    map.decision.relation = spherical::SphereRelation::Within;
     const Seen seen(map);
     const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.snapshot);
     for (const LineSegment& line : overlays[0].lines) {
@@ -84,7 +84,7 @@ TEST(SphereOverlay, objectOutsideHasNoLines) {
 
 TEST(SphereOverlay, regionAndRaysLieInTheirPlaces) {
     for (const auto& [left, right] : {std::pair(100.0, 200.0), std::pair(320.0, 400.0)}) {
-        const MapSnapshot map = cutMap(left, right);
+        const spherical::MapSnapshot map = cutMap(left, right);
         const Seen seen(map);
         const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.snapshot);
         const auto onSphere = [&](double theta, double phi) { return seen.world(seen.radius() * directionOf(theta, phi)); };
@@ -93,7 +93,7 @@ TEST(SphereOverlay, regionAndRaysLieInTheirPlaces) {
             EXPECT_LT(distanceTo(overlays[1].lines, onSphere(100, phi)), kPixel);
         }
         EXPECT_GT(distanceTo(overlays[1].lines, onSphere(75, left - 20.0)), 0.2);
-        for (const CornerRay& ray : map.decision.rays) {
+        for (const spherical::CornerRay& ray : map.decision.rays) {
             EXPECT_LT(distanceTo(overlays[1].lines, seen.world(0.5 * (map.decision.eye + ray.point))), 1e-6);
             ASSERT_TRUE(ray.span);
             EXPECT_LT(distanceTo(overlays[2].lines, seen.world(ray.ray.at(ray.span->from))), 0.2) << "no mark at the entry";
@@ -194,7 +194,7 @@ TEST(PlaneOverlay, bordersLieOnTheirPlanes) {
 
 TEST(BandOverlay, circlesLieAtTheirAngles) {
     const Seen seen(bandedMap(directionOf(50, 70)));
-    const ContourBands& bands = *seen.snapshot.maps[0].decision.bands;
+    const spherical::ContourBands& bands = *seen.snapshot.maps[0].decision.bands;
     const std::vector<OverlayLines> overlays = bandOverlay(seen.context(), seen.snapshot);
     const auto palette = seen.context().palette;
     for (const LineSegment& line : overlays[0].lines) {
@@ -218,12 +218,12 @@ TEST(BandOverlay, circlesLieAtTheirAngles) {
 
 TEST(BandOverlay, sizesHaveTheirLengths) {
     for (const bool slopes : {false, true}) {
-        MapSnapshot map = bandedMap(directionOf(50, 70));
+        spherical::MapSnapshot map = bandedMap(directionOf(50, 70));
         map.decision.bands->slopes = slopes;
         if (slopes)
-            for (BandSector& sector : map.decision.bands->table) sector.size = 0.1;
+            for (spherical::BandSector& sector : map.decision.bands->table) sector.size = 0.1;
         const Seen seen(map);
-        const ContourBands& bands = *map.decision.bands;
+        const spherical::ContourBands& bands = *map.decision.bands;
         const std::vector<LineSegment> sizes = bandOverlay(seen.context(), seen.snapshot)[2].lines;
         ASSERT_EQ(sizes.size(), 2u * bands.bands) << "to either side of the axis";
         for (size_t i = 0; i < sizes.size(); ++i) {
@@ -242,7 +242,7 @@ TEST(BandOverlay, sizesHaveTheirLengths) {
 }
 
 TEST(BandOverlay, smallObjectHasFewerLines) {
-    const MapSnapshot map = bandedMap(directionOf(50, 70));
+    const spherical::MapSnapshot map = bandedMap(directionOf(50, 70));
     Seen seen(map);
     size_t near = 0, far = 0;
     for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) near += overlay.lines.size();

@@ -97,7 +97,7 @@ public:
         const View view(random.first, random.second);
         Trace trace;
         const Verdict verdict = strategy.cull(view, m_tally.views % 2 == 0 ? &trace : nullptr);
-        for (const SphericalDecision& decision : trace.spherical) {
+        for (const spherical::SphericalDecision& decision : trace.spherical) {
             m_tally.withCones += decision.walk && decision.walk->cones ? 1 : 0;
             m_tally.withHorizon += decision.walk && decision.walk->horizon ? 1 : 0;
         }

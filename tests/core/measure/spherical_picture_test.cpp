@@ -108,10 +108,10 @@ private:
         Trace trace;
         const Verdict verdict = strategy.cull(view, &trace);
         ++m_tally.views;
-        for (const SphericalDecision& decision : trace.spherical) {
-            m_tally.cut += decision.relation == SphereRelation::Cut ? 1 : 0;
-            m_tally.within += decision.relation == SphereRelation::Within ? 1 : 0;
-            m_tally.around += decision.relation == SphereRelation::AroundEye ? 1 : 0;
+        for (const spherical::SphericalDecision& decision : trace.spherical) {
+            m_tally.cut += decision.relation == spherical::SphereRelation::Cut ? 1 : 0;
+            m_tally.within += decision.relation == spherical::SphereRelation::Within ? 1 : 0;
+            m_tally.around += decision.relation == spherical::SphereRelation::AroundEye ? 1 : 0;
         }
         m_tally.culled += verdict.culledTriangles[size_t(Cause::Hidden)];
         m_tally.triangles += buffers.scene().triangleCount();
@@ -211,7 +211,7 @@ TEST(SphericalPicture, pathsShowThePapersCases) {
             EXPECT_NEAR(inFrustum / double(scene->triangleCount()) / considered[size_t(number - 1)], 1.0, 0.1) << where;
             EXPECT_LE(double(verdict.consideredTriangles), 1.5 * inFrustum) << where;
             EXPECT_GT(verdict.consideredTriangles, 0u) << where;
-            for (const CornerRay& ray : trace.spherical.at(0).rays) EXPECT_TRUE(ray.hit.has_value()) << where;
+            for (const spherical::CornerRay& ray : trace.spherical.at(0).rays) EXPECT_TRUE(ray.hit.has_value()) << where;
             const Accuracy accuracy = accuracyOf(*strategy, buffers, view);
             EXPECT_GE(accuracy.coveredPixels, 320u * 240u * 6 / 10) << where;
         }

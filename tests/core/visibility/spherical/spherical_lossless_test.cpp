@@ -95,19 +95,19 @@ TEST(SphericalLossless, horizonHidesOnlyWhatTheKernelCovers) {
     uint64_t hidden = 0, visible = 0;
     for (int v = 0; v < 30; ++v) {
         const Vec3 eye = random.direction() * (radius * random.between(1.05, 8.0));
-        const KernelHorizon horizon(kernel, eye, radius, 1e-5);
+        const spherical::KernelHorizon horizon(kernel, eye, radius, 1e-5);
         ASSERT_TRUE(horizon.usable());
         for (int i = 0; i < 400; ++i) {
             const Vec3 point = random.direction() * (radius * random.unit());
-            const KernelHorizon::Reach reach = horizon.reach(point, 1e-3 * radius * random.unit());
+            const spherical::KernelHorizon::Reach reach = horizon.reach(point, 1e-3 * radius * random.unit());
             bool through = false;
             for (int step = 1; step < 4000 && !through; ++step) {
                 const Vec3 q = glm::mix(eye, point, step / 4000.0);
                 through = glm::length(q) < kernel.radius(octahedralCell(q, kernel.level()));
             }
-            EXPECT_TRUE(through || reach != KernelHorizon::Reach::Hidden) << "view " << v << " point " << i;
-            hidden += reach == KernelHorizon::Reach::Hidden ? 1 : 0;
-            visible += reach == KernelHorizon::Reach::Visible ? 1 : 0;
+            EXPECT_TRUE(through || reach != spherical::KernelHorizon::Reach::Hidden) << "view " << v << " point " << i;
+            hidden += reach == spherical::KernelHorizon::Reach::Hidden ? 1 : 0;
+            visible += reach == spherical::KernelHorizon::Reach::Visible ? 1 : 0;
         }
     }
     EXPECT_GT(hidden, 500u);

@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-SphericalDecision decisionOf(Strategy& strategy, const View& view, size_t instance = 0) {
+spherical::SphericalDecision decisionOf(Strategy& strategy, const View& view, size_t instance = 0) {
     Trace trace;
     static_cast<void>(strategy.cull(view, &trace));
     return trace.spherical.at(instance);
@@ -29,7 +29,7 @@ Vec3 atLatitude(double degrees) {
 }
 
 /// The share of the picture's rays whose hit on the unit sphere lies in no box of the region.
-double shareOutsideBoxes(const VisibleRegion& region, const SphericalGrid& grid, const View& view) {
+double shareOutsideBoxes(const spherical::VisibleRegion& region, const SphericalGrid& grid, const View& view) {
     int outside = 0, all = 0;
     const Viewport size = view.viewport();
     for (int y = 0; y < size.height; ++y)
@@ -38,7 +38,7 @@ double shareOutsideBoxes(const VisibleRegion& region, const SphericalGrid& grid,
             const std::optional<Span> span = throughSphere(ray, 1.0);
             if (!span) continue;
             const SphericalGrid::Cell cell = grid.cellOf(ray.at(span->from));
-            const bool inside = std::any_of(region.boxes.begin(), region.boxes.end(), [&](const CellBox& box) {
+            const bool inside = std::any_of(region.boxes.begin(), region.boxes.end(), [&](const spherical::CellBox& box) {
                 return box.firstRow <= cell.row && cell.row <= box.lastRow && box.firstColumn <= cell.column &&
                        cell.column <= box.lastColumn;
             });
@@ -49,27 +49,28 @@ double shareOutsideBoxes(const VisibleRegion& region, const SphericalGrid& grid,
 }
 
 /// A unit sphere's map without the mesh's polyhedron mattering: hits are put on the sphere itself.
-double shareLost(double latitude, Join join) {
+double shareLost(double latitude, spherical::Join join) {
     static const SphericalMaps maps(sphereMesh(2000), SphericalGrid(7200, 3600));
     const View view = lookingAt(atLatitude(latitude), Vec3(0.0), 20.0, {200, 200});
-    std::array<CornerRay, 4> corners;
+    std::array<spherical::CornerRay, 4> corners;
     const std::array<Vec3, 8> directions = view.frustum().corners();
     for (size_t i = 0; i < 4; ++i) {
         corners[i].ray = {view.eye(), directions[i]};
         corners[i].point = corners[i].ray.at(throughSphere(corners[i].ray, 1.0)->from);
     }
-    return shareOutsideBoxes(visibleRegion(maps, corners, join), maps.grid(), view);
+    return shareOutsideBoxes(spherical::visibleRegion(maps, corners, join), maps.grid(), view);
 }
 
 TEST(Spherical, case12CornerBoxLosesTheSharesThatAreKnown) {
     // Case 12: 0, 10 and 25 % of the rays at 3 R and 20°. At 75° the corners' box alone would lose 64 % and at 80° 81 %; the pole
     // is in view there, so that case 1 draws full rows.
-    EXPECT_NEAR(shareLost(0.0, Join::Chart), 0.0, 0.005);
-    EXPECT_NEAR(shareLost(45.0, Join::Chart), 0.10, 0.01);
-    EXPECT_NEAR(shareLost(60.0, Join::Chart), 0.25, 0.015);
-    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, Join::Chart), 0.0) << latitude;
+    EXPECT_NEAR(shareLost(0.0, spherical::Join::Chart), 0.0, 0.005);
+    EXPECT_NEAR(shareLost(45.0, spherical::Join::Chart), 0.10, 0.01);
+    EXPECT_NEAR(shareLost(60.0, spherical::Join::Chart), 0.25, 0.015);
+    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, spherical::Join::Chart), 0.0) << latitude;
     // Great circles reach to the extremes that lie between the corners.
-    for (const double latitude : {45.0, 60.0}) EXPECT_LT(shareLost(latitude, Join::Arcs), shareLost(latitude, Join::Chart));
+    for (const double latitude : {45.0, 60.0})
+        EXPECT_LT(shareLost(latitude, spherical::Join::Arcs), shareLost(latitude, spherical::Join::Chart));
 }
 
 TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
@@ -85,12 +86,12 @@ TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
                                      Expected{{0, 3, 0.5}, 2, 1}, Expected{{3, 0, 0}, 3, 2}, Expected{{3, 0.2, -0.5}, 3, 2}}) {
         const View view = lookingAt(expected.eye, Vec3(0.0), 20.0);
         const Verdict verdict = strategy->cull(view);
-        const SphericalDecision decision = decisionOf(*strategy, view);
-        ASSERT_EQ(decision.relation, SphereRelation::Cut);
+        const spherical::SphericalDecision decision = decisionOf(*strategy, view);
+        ASSERT_EQ(decision.relation, spherical::SphereRelation::Cut);
         EXPECT_EQ(verdict.caseNumber, expected.number) << expected.eye.x << " " << expected.eye.y << " " << expected.eye.z;
         EXPECT_EQ(decision.region->caseNumber, expected.number);
         EXPECT_EQ(decision.region->boxes.size(), expected.boxes);
-        for (const CornerRay& ray : decision.rays) EXPECT_TRUE(ray.hit && ray.span && !ray.walkedCells.empty());
+        for (const spherical::CornerRay& ray : decision.rays) EXPECT_TRUE(ray.hit && ray.span && !ray.walkedCells.empty());
         // Full rows are one range; a clump is one range a row; a split one two.
         const size_t rows = decision.region->boxes[0].lastRow - decision.region->boxes[0].firstRow + 1;
         EXPECT_EQ(decision.drawn.size(), expected.number == 1 ? 1 : expected.number == 2 ? rows : 2 * rows);
@@ -103,9 +104,9 @@ TEST(Spherical, viewAlongThePolarAxisGivesFullRows) {
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
     for (const double side : {1.0, -1.0}) {
-        const SphericalDecision decision = decisionOf(*strategy, lookingAt({0, 0, 3 * side}, Vec3(0.0), 20.0));
+        const spherical::SphericalDecision decision = decisionOf(*strategy, lookingAt({0, 0, 3 * side}, Vec3(0.0), 20.0));
         ASSERT_EQ(decision.region->boxes.size(), 1u);
-        const CellBox box = decision.region->boxes[0];
+        const spherical::CellBox box = decision.region->boxes[0];
         EXPECT_EQ(box.firstColumn, 0u);
         EXPECT_EQ(box.lastColumn, 359u);
         if (side > 0) {
@@ -132,10 +133,10 @@ TEST(Spherical, partlyVisibleSphereThatAllCornerRaysMissIsDrawn) {
     for (const char* id : {"spherical", "spherical-horizon"}) {
         const StrategyPointer strategy = makeStrategy(id);
         strategy->build(*scene);
-        const SphericalDecision decision = decisionOf(*strategy, view);
-        EXPECT_EQ(decision.relation, SphereRelation::Cut) << id;
+        const spherical::SphericalDecision decision = decisionOf(*strategy, view);
+        EXPECT_EQ(decision.relation, spherical::SphereRelation::Cut) << id;
         EXPECT_GT(strategy->cull(view).consideredTriangles, 0u) << id;
-        for (const CornerRay& ray : decision.rays) {
+        for (const spherical::CornerRay& ray : decision.rays) {
             if (std::string_view(id) != "spherical") continue;
             EXPECT_FALSE(ray.hit);
             EXPECT_FALSE(ray.span);
@@ -153,7 +154,7 @@ TEST(Spherical, eyeInsideTheSphereLosesNothing) {
         for (const Vec3& eye : {Vec3(0.5, 0.2, 0.1), Vec3(0.0), scene->boundingSphere().centre, Vec3(0.9999, 0.0, 0.0)}) {
             const View view = lookingAt(eye, eye + Vec3(0.3, 1.0, 0.2), 70.0);
             EXPECT_EQ(strategy->cull(view).consideredTriangles, scene->triangleCount()) << id;
-            EXPECT_EQ(decisionOf(*strategy, view).relation, SphereRelation::AroundEye) << id;
+            EXPECT_EQ(decisionOf(*strategy, view).relation, spherical::SphereRelation::AroundEye) << id;
         }
     }
 }
@@ -172,14 +173,15 @@ TEST(Spherical, instancesShareTheirMeshsMaps) {
         const View view = lookingAt({6, 0.3, -5}, {6, 0, 6}, 30.0);
         Trace trace;
         const Verdict verdict = strategy->cull(view, &trace);
-        std::set<SphereRelation> relations;
-        for (const SphericalDecision& decision : trace.spherical) relations.insert(decision.relation);
-        EXPECT_THAT(relations, testing::IsSupersetOf({SphereRelation::Outside, SphereRelation::Cut, SphereRelation::Within}))
+        std::set<spherical::SphereRelation> relations;
+        for (const spherical::SphericalDecision& decision : trace.spherical) relations.insert(decision.relation);
+        EXPECT_THAT(relations, testing::IsSupersetOf({spherical::SphereRelation::Outside, spherical::SphereRelation::Cut,
+                                                      spherical::SphereRelation::Within}))
             << id;
         EXPECT_LT(verdict.consideredTriangles, many->triangleCount() / 2) << id;
         const StructureSnapshot snapshot = strategy->snapshot(trace);
         ASSERT_EQ(snapshot.maps.size(), 25u);
-        for (const MapSnapshot& map : snapshot.maps) EXPECT_EQ(map.maps, snapshot.maps[0].maps);
+        for (const spherical::MapSnapshot& map : snapshot.maps) EXPECT_EQ(map.maps, snapshot.maps[0].maps);
     }
 }
 
@@ -229,10 +231,10 @@ TEST(Spherical, cornerRaysPassWhatTheNearPlaneCutsAway) {
     const ScenePointer scene = sceneOf({meshOf(positions, indices)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
-    const SphericalDecision decision =
+    const spherical::SphericalDecision decision =
         decisionOf(*strategy, View({{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(20), 10.0, 100}, {64, 64}));
-    ASSERT_EQ(decision.relation, SphereRelation::Cut);
-    for (const CornerRay& ray : decision.rays) {
+    ASSERT_EQ(decision.relation, spherical::SphereRelation::Cut);
+    for (const spherical::CornerRay& ray : decision.rays) {
         ASSERT_TRUE(ray.hit);
         EXPECT_GE(ray.hit->triangle, 2u);
     }
@@ -253,9 +255,9 @@ TEST(Spherical, bandsAreFromNearToFar) {
     const ScenePointer scene = sceneOf({sphereMesh(80'000)});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);
-    const SphericalDecision decision = decisionOf(*strategy, lookingAt({0, -4, 1}, Vec3(0.0), 60.0));
-    ASSERT_EQ(decision.relation, SphereRelation::Within);
-    const ContourBands& bands = *decision.bands;
+    const spherical::SphericalDecision decision = decisionOf(*strategy, lookingAt({0, -4, 1}, Vec3(0.0), 60.0));
+    ASSERT_EQ(decision.relation, spherical::SphereRelation::Within);
+    const spherical::ContourBands& bands = *decision.bands;
     EXPECT_EQ(bands.bands, 36u);
     EXPECT_EQ(bands.sectors, 36u);
     EXPECT_LT(glm::distance(bands.axis, glm::normalize(Vec3(0, -4, 1))), 1e-3);
@@ -274,12 +276,12 @@ TEST(Spherical, bandsAreFromNearToFar) {
 TEST(Spherical, quickAnglesAreWithinTheirError) {
     for (int i = -100'000; i <= 100'000; ++i) {
         const double x = i / 100'000.0;
-        ASSERT_NEAR(quickAcos(x), std::acos(x), kQuickAngleError) << x;
+        ASSERT_NEAR(spherical::quickAcos(x), std::acos(x), spherical::kQuickAngleError) << x;
         const double angle = (x + 1.0) * kPi;
-        const double error = std::remainder(quickAzimuth(std::sin(angle), std::cos(angle)) - angle, 2.0 * kPi);
-        ASSERT_LT(std::abs(error), kQuickAngleError) << angle;
+        const double error = std::remainder(spherical::quickAzimuth(std::sin(angle), std::cos(angle)) - angle, 2.0 * kPi);
+        ASSERT_LT(std::abs(error), spherical::kQuickAngleError) << angle;
     }
-    EXPECT_EQ(quickAzimuth(0.0, 0.0), 0.0);
+    EXPECT_EQ(spherical::quickAzimuth(0.0, 0.0), 0.0);
 }
 
 TEST(Spherical, whyNamesCaseAndCause) {
