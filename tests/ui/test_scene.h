@@ -12,10 +12,10 @@
 
 namespace cullscope::ui {
 
-/// How long a test waits for something that takes a moment; generous, because a busy machine is no error.
+/// Timeout of a test for asynchronous work; generous, because a busy machine is no error.
 inline constexpr int kPatience = 60'000;  // ms
 
-/// A session on the generators alone.
+/// Options of a session that opens generators only.
 inline Session::Options sessionOptions(bool graphics) {
     Session::Options options;
     options.graphics = graphics;
@@ -24,14 +24,14 @@ inline Session::Options sessionOptions(bool graphics) {
 
 inline bool waitUntil(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); }
 
-/// An image that equals another wherever their pixels do: without the colour space that files state.
+/// The pixels of an image without the colour space that files state, so that images with equal pixels compare equal.
 inline QImage pixelsAlone(const QImage& image, QImage::Format format = QImage::Format_RGBA8888) {
     QImage pixels = image.convertToFormat(format);
     pixels.setColorSpace(QColorSpace());
     return pixels;
 }
 
-/// Opens a scene and waits for it.
+/// Opens a scene and waits until it is loaded.
 inline void openAndWait(Session& session, const QString& specification) {
     session.open(specification);
     ASSERT_TRUE(waitUntil([&] { return !session.loader().loading(); }));
