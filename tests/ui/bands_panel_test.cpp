@@ -95,7 +95,7 @@ TEST_F(BandsPanelTest, drawnAndHiddenBandsDiffer) {
     change([](spherical::SphericalDecision& decision) {
         for (uint32_t sector = 0; sector < 4; ++sector) decision.bands->table[14 * 8 + sector].drawn = true;
     });
-    // One band, both colours: sectors differ in it.
+    // Some sectors of this band are drawn and others hidden, so it shows both colours.
     EXPECT_EQ(colourAt(142, 0.2), verdictColour(TriangleState::Visible, palette));
     EXPECT_EQ(colourAt(148, 0.2), verdictColour(TriangleState::Hidden, palette));
 }

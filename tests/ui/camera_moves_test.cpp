@@ -10,7 +10,7 @@ namespace {
 
 constexpr Viewport kSize{640, 480};
 
-/// Where a world point shows, in pixels with y upward.
+/// The projection of a world point, in pixels with y upward.
 Vec2 pixelOf(const View& view, const Vec3& point) {
     const Vec4 clip = view.clipFromEyeRelative() * Vec4(point - view.eye(), 1.0);
     return {(clip.x / clip.w * 0.5 + 0.5) * kSize.width, (clip.y / clip.w * 0.5 + 0.5) * kSize.height};
@@ -50,7 +50,7 @@ TEST(Navigation, zoomNeverSticksOrGoesThroughNaN) {
             ASSERT_NO_THROW(validate(next, kSize)) << step;
             camera = next;
         }
-        // The way went through the point and on; from there the wheel leads out again.
+        // The camera has passed the point; from there the wheel zooms out again.
         EXPECT_LT(camera.eye.z, offset.z);
         const double before = glm::length(camera.eye - offset);
         for (int step = 0; step < 50; ++step) camera = zoomed(camera, offset, 1.2, 1.0);
@@ -75,7 +75,7 @@ TEST(Navigation, turntableNeverFlips) {
             camera = turned(camera, up, Angle::fromDegrees(degrees(random)), Angle::fromDegrees(degrees(random)));
             ASSERT_TRUE(finite(camera));
             EXPECT_NEAR(glm::length(camera.eye - camera.target), distance, 1e-9);
-            // Up stays up in the picture.
+            // The up axis still points up in the picture.
             EXPECT_GT(glm::dot(View(camera, kSize).frustum().up, axisVector(up)), 0.0);
         }
     }
@@ -116,7 +116,7 @@ TEST(Navigation, pointUnderReadsBackADepthSample) {
     const double distance = glm::dot(point - view.eye(), view.frustum().forward);
     const Vec3 found = pointUnder(view, pixelOf(view, point), view.depthFromDistance(distance));
     EXPECT_NEAR(glm::length(found - point), 0.0, 1e-6);
-    // Nothing drawn there: the target's plane.
+    // Where no surface is drawn, the point lies in the plane of the target.
     EXPECT_NEAR(pointUnder(view, Vec2(320.0, 240.0), 0.0).z, 0.0, 1e-9);
 }
 
@@ -153,10 +153,10 @@ TEST(Axes, aClickOnAnEndLooksFromThere) {
                 const Camera camera = seenFrom(start, up, direction);
                 const double length = glm::length(start.eye - start.target);
                 EXPECT_NEAR(glm::length(camera.eye - camera.target), length, 1e-12);
-                // 89.5° is as near as a turntable goes to its pole.
+                // The turntable stops at 89.5°, half a degree before the pole.
                 EXPECT_GT(glm::dot(camera.eye - camera.target, direction) / length, 0.9999);
                 EXPECT_EQ(camera.target, start.target);
-                // Seen from there, that end lies in the middle of the gizmo and before all others.
+                // From the new camera this end lies in the middle of the gizmo and in front of all others.
                 const OrientationGizmo gizmo(View(camera, {400, 300}), picture);
                 const std::optional<Vec3> hit = gizmo.directionAt(picture.bottomLeft() + QPointF(48.84, -48.84));
                 ASSERT_TRUE(hit);

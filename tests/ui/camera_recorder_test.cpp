@@ -48,7 +48,7 @@ TEST_F(Recording, theLastMoveArrivesWithoutAnotherOne) {
     turn(1.0);
     ASSERT_TRUE(waitUntil([&] { return recorder.path().poses.size() == 2; }));
     EXPECT_EQ(eyes().back(), went.back().eye);
-    // A camera that stands adds nothing.
+    // A camera that does not move adds no pose.
     QTest::qWait(150);
     recorder.stop();
     EXPECT_EQ(recorder.path().poses.size(), 2u);
@@ -66,7 +66,7 @@ TEST_F(Recording, hasAtMostThirtyPosesASecond) {
     const double seconds = double(time.elapsed()) / 1000.0;
     EXPECT_GE(recorder.path().poses.size(), 3u);
     EXPECT_LE(double(recorder.path().poses.size()), 30.0 * seconds + 2.0);
-    // Each is a place where the camera was, in that order.
+    // Every pose is a camera that the session had, in the same order.
     auto place = went.begin();
     for (size_t i = 1; i < recorder.path().poses.size(); ++i) {
         place = std::find_if(place, went.end(), [&](const Camera& camera) { return camera.eye == recorder.path().poses[i].eye; });
@@ -205,7 +205,7 @@ TEST_F(Playing, aHandOnTheCameraPauses) {
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {}));
     EXPECT_FALSE(player.playing());
     EXPECT_TRUE(player.active());
-    // A view's own camera does not.
+    // A view's own camera does not pause the player.
     player.resume();
     session.observe(1, 0);
     session.setViewingCamera(1, turned(session.viewingCamera(1), UpAxis::Y, Angle::fromDegrees(1.0), {}));
@@ -223,7 +223,7 @@ TEST_F(Playing, nothingToPlayIsNotPlayed) {
     EXPECT_TRUE(poses.empty());
 }
 
-/// At a speed that no drawing keeps up with, no view leaves out a pose.
+/// At a speed that drawing cannot keep up with, every view draws every pose.
 TEST(PlayingPictures, noPoseIsSkippedByAnyView) {
     Session session(sessionOptions(true));
     session.setViewCount(4);

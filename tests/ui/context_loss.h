@@ -1,5 +1,5 @@
-// No driver resets on demand: the tests answer for it when the GPU thread asks whether its context is lost, and the old context
-// then is as gone for the thread as a lost one.
+// Simulates a driver reset, because no driver resets on demand: the test answers the GPU thread's query whether its context is
+// lost. The thread then treats the old context exactly like a lost one.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -13,11 +13,11 @@ namespace cullscope::ui {
 inline const Viewport kLossSize{320, 240};
 inline const QString kLossScene = QStringLiteral("field:mesh=star:seed=7,triangles=2000,n=4,spacing=2.5");
 
-/// What a driver does to a context, and whether it then gives another one.
+/// The simulated driver: when it resets, and whether a new context can be made afterwards.
 struct Driver {
-    std::atomic<int> reset = 0;        ///< the question about the context, from 1, that is answered with its loss; 0: none
-    std::atomic<bool> always = false;  ///< all of them
-    std::atomic<bool> broken = false;  ///< no new context
+    std::atomic<int> reset = 0;        ///< number, from 1, of the query that reports the loss; 0: none does
+    std::atomic<bool> always = false;  ///< every query reports a loss
+    std::atomic<bool> broken = false;  ///< no new context can be made
 
     GpuThread::Options options() {
         return {[this] { return (reset > 0 && --reset == 0) || always; },
@@ -30,7 +30,7 @@ struct Driver {
     }
 };
 
-/// What a view shows and what is known of it.
+/// The pictures and metrics of the shown views.
 struct Seen {
     std::vector<QImage> pictures;
     std::vector<std::tuple<uint64_t, uint64_t, uint64_t, uint64_t>> counts;  ///< missed, extra, covered, considered
@@ -57,7 +57,7 @@ inline void settle(Session& session) {
     }));
 }
 
-/// Four views: a linked pair that uploads in both ways, an observer with verdict colours, and a frozen one.
+/// Sets up four views: two linked ones with both ways of uploading, an observer with verdict colours, and a frozen one.
 inline void setUp(Session& session) {
     session.setViewCount(4);
     for (int view = 0; view < 4; ++view) session.setViewport(view, kLossSize);
@@ -79,7 +79,7 @@ inline void setUp(Session& session) {
     session.setHidden(hidden);
 }
 
-/// A session on a driver that resets when it is told to, and what the session says.
+/// A session on a driver that resets on demand, with the messages of the session.
 struct ContextLoss : ::testing::Test {
     ContextLoss() {
         QObject::connect(&session, &Session::messageRaised, [this](Severity severity, const Message& message) {
@@ -94,14 +94,14 @@ struct ContextLoss : ::testing::Test {
         options.gpu = driver.options();
         return options;
     }
-    /// The driver resets while nothing is drawn; ends when the loss is known.
+    /// Resets the driver while no picture is drawn; returns when the session has reported the loss.
     void lose() {
         const size_t before = said.size();
         driver.reset = 1;
         session.gpu()->run([] {});
         ASSERT_TRUE(waitUntil([&] { return said.size() > before; }));
     }
-    /// Until every shown view was drawn anew since.
+    /// Waits until every shown view was drawn again since `drawn` was counted.
     void waitForRedrawing(const std::vector<size_t>& drawn) {
         ASSERT_TRUE(waitUntil([&] {
             for (const int view : session.shownViews())

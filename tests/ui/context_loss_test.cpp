@@ -1,4 +1,4 @@
-// What is left of a session when a driver's reset takes the OpenGL context.
+// The state of a session after a driver reset destroyed the OpenGL context.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -85,7 +85,7 @@ TEST_F(ContextLoss, whileAPictureIsDrawnNothingOfItIsShown) {
     });
     session.setActiveView(0);
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), {}));
-    driver.reset = 2;  // after the question whether drawing may begin
+    driver.reset = 2;  // the query after the one that precedes the drawing
     ASSERT_TRUE(waitUntil([&] { return !said.empty(); }));
     settle(session);
     ASSERT_FALSE(shown.empty());
@@ -99,7 +99,7 @@ TEST_F(ContextLoss, objectsHiddenBeforeItIsKnownAreHiddenAfterIt) {
     session.gpu()->run([] {});
     std::vector<bool> hidden(session.hidden().size(), false);
     hidden[0] = hidden[10] = true;
-    session.setHidden(hidden);  // shares buffers of a context that is gone
+    session.setHidden(hidden);  // shares buffers of the lost context
     ASSERT_TRUE(waitUntil([&] { return !said.empty(); }));
     settle(session);
     Session other(sessionOptions(true));
@@ -120,7 +120,7 @@ TEST_F(ContextLoss, withoutANewContextWhatIsShownStays) {
     EXPECT_EQ(severities.back(), Severity::Error);
     EXPECT_THAT(said.back(), HasSubstr("no new one can be made"));
     EXPECT_EQ(seenIn(session), before);
-    // Moving on neither waits for ever nor draws nonsense.
+    // Moving the camera neither blocks nor replaces the pictures by wrong ones.
     const Camera camera = session.camera();
     session.setCamera(turned(camera, UpAxis::Y, Angle::fromDegrees(10.0), {}));
     ASSERT_TRUE(waitUntil([&] { return session.metricsSettled() && !session.pictures()->busy(); }));
@@ -129,7 +129,7 @@ TEST_F(ContextLoss, withoutANewContextWhatIsShownStays) {
     EXPECT_EQ(said.size(), 1u);
     session.setCamera(camera);
     ASSERT_TRUE(waitUntil([&] { return session.metricsSettled(); }));
-    // Another scene says it again, once.
+    // After the opening of another scene the message appears again, once.
     openAndWait(session, QStringLiteral("torus:triangles=2000"));
     ASSERT_TRUE(waitUntil([&] { return said.size() == 2; }));
     session.gpu()->run([] {});

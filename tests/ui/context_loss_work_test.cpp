@@ -1,5 +1,5 @@
-// What is left of the work under way when a driver's reset takes the OpenGL context: uploads, screenshots, experiments; and of
-// what was made in a context that is gone.
+// Work in progress when a driver reset destroys the OpenGL context: uploads, screenshots, experiments; and objects that were made
+// in a lost context.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST_F(ContextLoss, aScreenshotUnderWaySaysSoAndLeavesNoFile) {
     QObject::connect(&screenshot, &Screenshot::failed, [&](const Message& message) { failures.push_back(message.english()); });
     QObject::connect(&screenshot, &Screenshot::done, [&] { done = true; });
     const std::vector<size_t> drawnBefore = drawn();
-    driver.reset = 2;  // with a tile drawn
+    driver.reset = 2;  // after one tile was drawn
     screenshot.start();
     ASSERT_TRUE(waitUntil([&] { return !failures.empty() || done; }));
     EXPECT_FALSE(done);
@@ -115,7 +115,7 @@ TEST(ContextLossInAnExperiment, endsItWithWhatWasMeasured) {
     EXPECT_EQ(failures.size(), 1u);
 }
 
-/// Numbers of the old context name other things in the new one.
+/// Object names of the old context name other objects in the new one.
 TEST(GpuThread, buffersOfALostContextLeaveThoseOfTheNewOne) {
     Driver driver;
     GpuThread gpu(driver.options());
@@ -147,7 +147,7 @@ TEST(GpuThread, buffersOfALostContextLeaveThoseOfTheNewOne) {
     EXPECT_EQ(picture(now), expected);
 }
 
-/// A window's context dies with the window: nothing of a picture may live there.
+/// A widget's context is destroyed with its window: no part of a picture may belong to it.
 TEST(ViewPane, keepsItsPictureOnTheWayToAnotherWindow) {
     Session session(sessionOptions(true));
     QWidget window;

@@ -1,4 +1,4 @@
-// The copied `cullbench` command repeats a view's picture, whatever camera and look it has.
+// The copied `cullbench` command repeats a view's picture for all cameras and looks.
 #include <gtest/gtest.h>
 
 #include "tests/ui/cullbench_picture.h"
@@ -71,7 +71,7 @@ TEST_F(CopiedCommand, repeatsAnObserverWithVerdictsBoxesAndFrustum) {
     session.slot(0).choose("frustum-query");
     settle();
     expectSame(second);
-    // A strategy without boxes shows none, and the command asks for none.
+    // A strategy without boxes shows none, and the command has no option for them.
     session.slot(0).choose("backface");
     settle();
     expectSame(second);
@@ -106,7 +106,7 @@ TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
         setup.wipe.mode = Wipe::Mode::Truth;
     });
     expectSame(second);
-    // A strategy without bands shows none, and the command asks for none.
+    // A strategy without bands shows none, and the command has no option for them.
     session.slot(0).choose("frustum");
     change(1, [](ViewSetup& setup) { setup.look.sphericalModel = false; });
     EXPECT_FALSE(second.request().look.bands);

@@ -10,7 +10,7 @@
 
 namespace cullscope::ui {
 
-/// What `cullbench render` draws for a view, as pixels alone in RGB888; null, with a failure said, where it draws nothing.
+/// The picture that `cullbench render` draws for a view, as pixels in RGB888. Null if it draws none, which also fails the test.
 inline QImage cullbenchPicture(const PictureRequest& request) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("view.png"));

@@ -10,7 +10,7 @@
 
 namespace cullscope::ui {
 
-/// A window on the least screen.
+/// A window of the size of the least screen.
 struct EightViews : ::testing::Test {
     static inline const QString kScene = QStringLiteral("star:seed=7,triangles=20000");
     static inline const QString kObjects = QStringLiteral("split:mesh=star:seed=7,triangles=20000,by=clusters,triangles=500");

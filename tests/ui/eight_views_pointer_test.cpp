@@ -1,4 +1,4 @@
-// The pointer in many views: picks, flights and the line of a wipe.
+// The mouse in many views: picks, flights and drags of a wipe's line.
 #include <gtest/gtest.h>
 
 #include "tests/ui/eight_views.h"
@@ -16,7 +16,7 @@ TEST_F(EightViews, aPickIsMarkedInEveryLinkedPicture) {
     ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
     EXPECT_EQ(window.structurePanel().tabs().currentWidget(), &window.structurePanel().why());
     for (const int view : {0, 1}) EXPECT_NE(picture(view).grabFramebuffer(), before[view]) << view;
-    // What the tree or a list picks is marked too, and leaves the tab as it is.
+    // A pick in the tree or in a list is marked too, and does not change the tab.
     window.structurePanel().tabs().setCurrentIndex(0);
     const QImage marked = picture(1).grabFramebuffer();
     pickObject(session, session.pick()->object == 0 ? 1 : 0);

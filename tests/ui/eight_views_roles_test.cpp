@@ -1,4 +1,4 @@
-// Many views by their roles: frozen, observing, watched, and lent to a lecture.
+// Many views in their roles: frozen, observer, observed, and lent to a lecture.
 #include <gtest/gtest.h>
 
 #include "tests/ui/eight_views.h"
@@ -28,7 +28,7 @@ TEST_F(EightViews, freezingKeepsFiguresAndNeighboursWhileTheViewFlies) {
     EXPECT_EQ(session.figures(1).frameMilliseconds, figures.frameMilliseconds) << "measured anew although nothing changed";
     EXPECT_TRUE(window.views().pane(1).chipText().contains(QStringLiteral("frozen")));
     EXPECT_TRUE(window.views().pane(1).header().firstLine().contains(QStringLiteral("frozen")));
-    // The linked camera goes on without it.
+    // The linked camera moves without the frozen view.
     const QImage frozen = shown(1);
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(20.0), {}));
     settle();

@@ -1,4 +1,4 @@
-// Many views at once: sizes, figures, turns, and that nothing is shown that nobody wants any more.
+// Many views at once: sizes, metrics, turns, and no pictures of outdated requests.
 #include <gtest/gtest.h>
 
 #include <QElapsedTimer>
@@ -32,7 +32,7 @@ TEST_F(EightViews, picturesAreExactly320By240OnTheLeastScreenInEveryLanguage) {
     }
 }
 
-/// What `cullbench measure` says of a strategy at one camera.
+/// The metrics of a strategy at one camera, measured by `cullbench measure`.
 QJsonObject measured(const PictureRequest& request, const QString& strategies) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("path.json")), json = folder.filePath(QStringLiteral("out.json"));
@@ -113,7 +113,8 @@ TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) 
     for (int view = 0; view < 8; ++view) session.slot(view).choose("frustum");
     session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
     settle();
-    // Five seconds of a slider that is never still; the camera's lens stands for any of them beside the strategy's parameter.
+    // Moves a slider for five seconds without a pause. The camera's field of view stands for all sliders besides those of
+    // parameters.
     QElapsedTimer clock;
     clock.start();
     std::vector<size_t> drawn;
@@ -130,7 +131,7 @@ TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) 
     }
     const int current = int(clock.elapsed());
     EXPECT_GE(current, 5000);
-    // The last parameters are built beside the window; their pictures are the last ones.
+    // The strategy with the last parameters is built in the background; its pictures are the last ones.
     EXPECT_TRUE(waitUntil([&] {
         for (int view = 0; view < 8; ++view)
             if (session.slot(view).building()) return false;

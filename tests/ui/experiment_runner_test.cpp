@@ -28,10 +28,10 @@ ExperimentRunner::Request request(const std::string& path, const std::vector<std
     return request;
 }
 
-/// Enough poses to be stopped in the middle of.
+/// An experiment with enough poses to stop it in the middle.
 ExperimentRunner::Request longRequest() { return request("walk:5000", {"frustum"}); }
 
-/// A runner, and what it says.
+/// A runner with the signals that it emitted.
 class Runner : public ::testing::Test {
 protected:
     Runner() {
@@ -79,7 +79,7 @@ TEST_F(Runner, showsThePosesMeasuredSoFarAtMostTenTimesASecond) {
     QElapsedTimer clock;
     clock.start();
     ASSERT_TRUE(waitUntil([this] { return partials.size() >= 4; }));
-    // Three pauses lie between four of them.
+    // Four partial results are separated by three intervals.
     EXPECT_GE(clock.elapsed(), 3 * kTenthOfASecond - 20);
     for (size_t i = 0; i < partials.size(); ++i) {
         EXPECT_TRUE(partials[i].interrupted);

@@ -1,6 +1,6 @@
-// Files that cannot be written: a full disk and a folder that takes none. Each is one sentence in the window's message bar that
-// names the file; the old file stays, no half one appears, and the session goes on as it was. Permissions say nothing to root,
-// who may run the tests: the folders here refuse him too.
+// Files that cannot be written: on a full disk, and in a folder that allows no new file. Each failure is one sentence in the
+// window's message bar that names the file. The old file stays, no incomplete file appears, and the session is unchanged. Root
+// ignores permissions and may run the tests, so these tests use folders in which root cannot write either.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -30,7 +30,7 @@ using ::testing::HasSubstr;
 
 const QByteArray kOld("what was saved before");
 
-/// While it lives no file grows beyond a few bytes: what a program then meets when it writes is what a full disk gives it.
+/// Simulates a full disk during its lifetime: limits the size of files to a few bytes, so that a write fails as on a full disk.
 class FullDisk {
 public:
     FullDisk() : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -96,7 +96,7 @@ struct FailingPlaces : ::testing::Test {
         EXPECT_EQ(contents(fileNamed("old")), kOld);
     }
 
-    /// `save` gets files in places of every kind that fail.
+    /// Calls `save` with files in all places that fail.
     void expectNothingLost(const Save& save, const char* ending) {
         SCOPED_TRACE(ending);
         const SessionState state = captureState(session);
@@ -108,11 +108,11 @@ struct FailingPlaces : ::testing::Test {
             expectCannotBeWritten(save, file);
         }
         EXPECT_EQ(contents(file), kOld);
-        // A device that is full.
+        // A full device.
         const QString device = fileNamed("full.") + QString::fromLatin1(ending);
         ASSERT_TRUE(QFile::link(QStringLiteral("/dev/full"), device));
         expectCannotBeWritten(save, device);
-        // A folder in which nobody may make a file, and one that is a file.
+        // A folder in which no user, not even root, can make a file, and a path through a file.
         expectCannotBeWritten(save, QStringLiteral("/proc/none.") + QString::fromLatin1(ending));
         expectCannotBeWritten(save, fileNamed("old/none.") + QString::fromLatin1(ending));
         ASSERT_TRUE(QFile::remove(file) && QFile::remove(device));
@@ -141,7 +141,7 @@ TEST_F(FailingPlaces, aCameraPathThatCannotBeWrittenIsOneSentence) {
     auto* recorder = window.findChild<CameraRecorder*>();
     ASSERT_NE(recorder, nullptr);
     recorder->addPose();
-    // As PathCommands does it once the dialog has named a file.
+    // As PathCommands does after the user has chosen a file.
     const auto save = [&](const QString& file) {
         try {
             recorder->save(file.toStdString());
@@ -153,7 +153,7 @@ TEST_F(FailingPlaces, aCameraPathThatCannotBeWrittenIsOneSentence) {
     EXPECT_EQ(recorder->path().poses.size(), 1u) << "the recorded path is there to be saved elsewhere";
 }
 
-// A full disk: ScreenshotTest.aFullDiskAndAFolderThatIsNoneAreSaid.
+// The full disk is tested by ScreenshotTest.aFullDiskAndAFolderThatIsNoneAreSaid.
 TEST_F(FailingPlaces, aScreenshotThatCannotBeWrittenIsOneSentence) {
     auto* taker = window.findChild<ScreenshotTaker*>();
     ASSERT_NE(taker, nullptr);
@@ -189,10 +189,10 @@ TEST_F(FailingPlaces, statisticsThatCannotBeWrittenAreOneSentence) {
     EXPECT_EQ(panel->model().rowCount(), 3);
 }
 
-/// What `cullbench` says where it cannot write.
+/// The message of `cullbench` when it cannot write.
 std::string refusal(const QStringList& arguments) {
     QProcess shell;
-    // 0 blocks of 512 bytes: as a full disk.
+    // A limit of 0 blocks of 512 bytes acts like a full disk.
     shell.start(QStringLiteral("/bin/sh"), QStringList{QStringLiteral("-c"), QStringLiteral("trap '' XFSZ; ulimit -f 0; \"$@\""),
                                                        QStringLiteral("sh"), QStringLiteral(CULLSCOPE_CULLBENCH)} +
                                                arguments);

@@ -1,5 +1,5 @@
-// Strategies that ask OpenGL, in the desktop: culled where the context is, refused with the reason where it cannot do them; and
-// what the window shows of planes.
+// Strategies that require OpenGL, in the desktop: culled on the thread with the context, refused with the reason if the context
+// does not support them; and the colours and tables of frustum planes.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ using ::testing::HasSubstr;
 const Viewport kSize{320, 240};
 const QString kScene = QStringLiteral("field:mesh=sphere:triangles=80,n=6,spacing=2.5");
 
-/// A machine whose driver gives core profiles only, and loses its context when it is told to.
+/// A simulated machine whose driver offers core profiles only, and whose context can be lost on demand.
 struct Machine {
     std::atomic<bool> core = false;
     std::atomic<int> reset = 0;
@@ -47,7 +47,7 @@ struct Machine {
     }
 };
 
-/// Two views, close enough for objects to lie outside.
+/// Two views, so close that some objects lie outside the frustum.
 struct FrustumFamily : ::testing::Test {
     void begin(bool core = false) {
         machine.core = core;
@@ -113,7 +113,7 @@ TEST_F(FrustumFamily, whatAStrategyThatAsksDecidedIsReadAlsoAfterALoss) {
     EXPECT_EQ(counts.kept + counts.withoutPlane, 36u);
     EXPECT_FALSE(reader.reading()->why.empty());
     EXPECT_EQ(reader.reading()->planes.size(), 6u);
-    // What a lost context answered is not shown, and it is asked again.
+    // The result of a cull in a lost context is not shown, and the cull is repeated.
     const size_t begun = reader.begun();
     machine.reset = 1;
     session->setCamera(turned(session->camera(), UpAxis::Y, Angle::fromDegrees(10.0), {}));
@@ -150,7 +150,7 @@ TEST_F(FrustumFamily, selectionWithoutItsProfileIsRefusedWithTheReason) {
     choose("frustum", "frustum-query");
     EXPECT_EQ(session->figures(1).accuracy.missedPixels, 0u);
     EXPECT_TRUE(said.empty());
-    // A session, a picture or the command line may name it all the same.
+    // The strategy can still be named by a session, by a picture or on the command line.
     choose("frustum-select", "frustum-query");
     EXPECT_TRUE(session->slot(0).refused());
     ASSERT_EQ(said.size(), 1u);
@@ -200,7 +200,7 @@ TEST_F(FrustumFamily, whyNamesAllSixPlanesWhereBoxesAreTested) {
             for (const PlaneDistance& plane : reader.reading()->planes)
                 outside = outside || plane.containment == Containment::Outside;
             verdicts.insert(outside);
-            // An object that `frustum` keeps was tested against all six; OpenGL was told of none.
+            // `frustum` tests all six planes of an object that it keeps; strategies on OpenGL test no planes themselves.
             if (std::string(id) == "frustum" && !outside) {
                 EXPECT_FALSE(table->showsUntested()) << object;
             }

@@ -1,4 +1,4 @@
-// The help window leads from its first page to those of docs/ and back.
+// The links of the help window lead from its first page to the pages of docs/ and back.
 #include "ui/dialogs/help_window.h"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace cullscope::ui::help_window_test {
 namespace {
 
-/// The pages of docs/ in the source tree, as in "methods/spherical.md".
+/// Paths of the pages in docs/ of the source tree, such as "methods/spherical.md".
 QStringList pagesOfDocs() {
     const QDir docs(QStringLiteral(CULLSCOPE_SOURCE_DIR "/docs"));
     QStringList pages;
@@ -26,7 +26,7 @@ QString textOf(const QString& path) {
     return QString::fromUtf8(file.readAll());
 }
 
-/// As a click on a link of the page does.
+/// Follows a link of the page, as a click does.
 void follow(QTextBrowser& page, const char* link) { page.setSource(page.source().resolved(QUrl(QString::fromLatin1(link)))); }
 
 TEST(HelpWindow, everyPageOfDocsIsInTheProgramAndOnTheFirstPage) {

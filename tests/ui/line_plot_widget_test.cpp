@@ -23,7 +23,7 @@ LinePlot madeUp() {
     return plot;
 }
 
-/// How many pixels of a picture of the plot have a colour.
+/// The number of pixels of one colour in a picture of the plot.
 int pixelsOf(const LinePlotWidget& widget, const QColor& colour, bool dark) {
     QImage image(600, 300, QImage::Format_RGB32);
     const QPalette palette = Appearance::palette(dark);

@@ -1,4 +1,4 @@
-// The loupe is where the pointer is, and the next loss is seen when one goes to it.
+// The loupe follows the pointer, and the next loss is visible after a jump to it.
 #include <gtest/gtest.h>
 
 #include "tests/ui/test_scene.h"
@@ -74,7 +74,7 @@ TEST_F(Loupe, theNextLossIsShownWhereItIsMarked) {
     session.setActiveView(1);
     session.slot(1).choose("backface");
     settle();
-    // Back-face culling loses pixels by the raster's snapping: turned until there is one.
+    // Back-face culling misses pixels because the rasteriser snaps vertices: turn the scene until a pixel is missed.
     for (int turn = 0; turn < kMostTurns && session.figures(1).holes.empty(); ++turn) {
         session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), Angle::fromDegrees(1.0)));
         settle();

@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// A sphere within the frustum: contour bands of 10° in eight sectors, of which those up to 110° are drawn.
+/// A decision for a sphere within the frustum: contour bands of 10° in eight sectors, of which those up to 110° are drawn.
 inline spherical::SphericalDecision withinDecision(const Vec3& eye) {
     spherical::SphericalDecision decision;
     decision.relation = spherical::SphereRelation::Within;
@@ -28,26 +28,27 @@ inline spherical::SphericalDecision withinDecision(const Vec3& eye) {
     return decision;
 }
 
-/// The maps of a scene's first object with that decision.
+/// The maps of a scene's first object with the decision withinDecision().
 inline spherical::MapSnapshot mapOver(const Scene& scene, const SphericalGrid& grid) {
     return {std::make_shared<SphericalMaps>(scene.meshes()[scene.instances()[0].mesh], grid), withinDecision({0, 0, 5})};
 }
 
-/// The same as what a panel shows.
+/// The same maps as a ShownMap.
 inline ShownMap shownAlone(const ScenePointer& scene, const SphericalGrid& grid) {
     auto snapshot = std::make_shared<StructureSnapshot>();
     snapshot->maps.push_back(mapOver(*scene, grid));
     return {scene, snapshot, 0};
 }
 
-/// The same maps with another decision.
+/// The same maps with a changed decision.
 inline ShownMap changed(const ShownMap& shown, const std::function<void(spherical::SphericalDecision&)>& how) {
     auto snapshot = std::make_shared<StructureSnapshot>(*shown.snapshot);
     how(snapshot->maps[shown.place].decision);
     return {shown.scene, snapshot, shown.place};
 }
 
-/// A frustum that cuts: the region between two corners (θ, φ), all four of them missed.
+/// A decision for a sphere that the frustum cuts: the visible region between two corners (θ, φ), all four of which miss the
+/// object.
 inline spherical::SphericalDecision cutDecision(const Vec2& from, const Vec2& to, int caseNumber) {
     spherical::SphericalDecision decision;
     decision.relation = spherical::SphereRelation::Cut;

@@ -5,7 +5,7 @@
 
 namespace cullscope::ui {
 
-/// One frame of made-up figures.
+/// The measurement of one frame with made-up values.
 inline FrameMeasurement frame(size_t pose, double milliseconds, uint64_t missed) {
     FrameMeasurement measured;
     measured.pose = pose;
@@ -39,7 +39,7 @@ inline RunMeasurement run(const std::string& id, double milliseconds, const std:
     return made;
 }
 
-/// Three strategies over four poses; `frustum` loses pixels at two of them.
+/// Results of three strategies over four poses; `frustum` loses pixels at two of them.
 inline MeasureResult madeUpResult() {
     MeasureResult result;
     result.request = test::smallExperiment({"all", "backface", "frustum"});

@@ -1,4 +1,4 @@
-// Where corners' numbers and sectors' edges stand on the map.
+// The positions of corner numbers and sector edges on the map.
 #include <gtest/gtest.h>
 
 #include "tests/ui/made_up_map.h"

@@ -9,7 +9,7 @@
 namespace cullscope::ui::map_panel_live_test {
 namespace {
 
-/// A panel that reads a real strategy on a field of stars.
+/// A panel that shows the reading of a real strategy on a field of stars.
 struct LiveMapPanelTest : ::testing::Test {
     void SetUp() override {
         session.slot(1).choose("spherical");

@@ -21,7 +21,7 @@ using Cell = SphericalGrid::Cell;
 
 bool isReddish(QRgb pixel) { return qRed(pixel) > 170 && qGreen(pixel) < 90 && qBlue(pixel) < 90; }
 
-/// Translates every text of the program into itself between marks.
+/// Translates every text of the program into itself between two markers.
 class Marking : public QTranslator {
 public:
     [[nodiscard]] bool isEmpty() const override { return false; }
@@ -31,7 +31,7 @@ public:
     }
 };
 
-/// A panel over a session with one object, fed by hand.
+/// A panel for a session with one object; the tests set its map.
 struct MapPanelTest : ::testing::Test {
     void SetUp() override {
         openAndWait(session, QStringLiteral("knot:triangles=4000"));
@@ -81,7 +81,7 @@ TEST_F(MapPanelTest, clicksGoThroughTheCellFromTheFarthest) {
         EXPECT_LE(shown.maps().centroidRadius(triangle), before);
         before = shown.maps().centroidRadius(triangle);
         EXPECT_TRUE(seen.insert(triangle).second) << "picked twice";
-        // The session's changes come back from the reader, which has nothing: the test's map goes on.
+        // A change of the session makes the panel show the reader's map, which is empty: set the map of the test again.
         panel.showMap(shown);
     }
     EXPECT_EQ(seen.size(), owned.size());
@@ -259,7 +259,7 @@ TEST_F(MapPanelTest, nothingJumpsWhenTheCaseChanges) {
     change([](spherical::SphericalDecision& decision) { decision = withinDecision(decision.eye); });
     EXPECT_EQ(panel.map().layoutOfMap().area, cut);
     EXPECT_EQ(panel.map().neededHeight(400), height);
-    // Desktop.md: 400 × 200 in the narrow dock.
+    // The narrow dock has room for 400 × 200 (desktop.md).
     EXPECT_GE(cut.width(), 340.0);
     EXPECT_LE(height, 300);
 }
@@ -297,7 +297,7 @@ TEST_F(MapPanelTest, picturesAreSavedByTheirEndingOrNotAtAll) {
 
 TEST_F(MapPanelTest, wordsFollowTheLanguage) {
     change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 3); });
-    // Of one size: longer words need a higher panel.
+    // A fixed size, because longer texts need a higher panel.
     const auto look = [&] { return plotImage(panel.map(), {480, 320}); };
     const QImage before = look();
     const int width = panel.colouring().width();

@@ -1,4 +1,4 @@
-// What the panels show of `spherical-lossless`: quadtree, kernel, horizon.
+// The panels for the strategy `spherical-lossless`: quadtree, kernel, horizon.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// Sentences over the views: what informs goes by itself, what warns stays, and no button lies under them.
+// Messages over the views: information disappears by itself, warnings stay, and the bar covers no button.
 #include <gtest/gtest.h>
 
 #include <QStyle>

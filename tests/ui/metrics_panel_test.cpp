@@ -1,4 +1,4 @@
-// The figures of many views stand whole beside each other.
+// The metrics of many views fit beside each other.
 #include "ui/panels/metrics_panel.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ struct FiguresOfViews : ::testing::Test {
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&panel, kPatience));
     }
 
-    /// Large numbers in all of the columns.
+    /// Fills all columns with large numbers.
     void fill() {
         ViewMetrics figures;
         figures.state = ViewMetrics::State::Ready;
@@ -80,7 +80,7 @@ TEST_F(FiguresOfViews, theTableHasTheColoursOfTheWindowsAppearance) {
         QApplication::processEvents();
         const QImage shown = panel.table().grab().toImage();
         const QColor expected = Appearance::palette(mode == Appearance::Mode::Dark).color(QPalette::Base);
-        // Body, row titles, column titles and the corner.
+        // Pixels of the body, the row titles, the column titles and the corner.
         const QSize size = shown.size();
         for (const QPoint& place : {QPoint(size.width() - 4, size.height() - 4), QPoint(3, size.height() - 4),
                                     QPoint(size.width() - 4, 3), QPoint(3, 3)})

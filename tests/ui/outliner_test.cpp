@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 
-/// Five objects of two meshes, by names.
+/// A scene of five named objects with two meshes.
 ScenePointer namedScene() {
     const MeshPointer small = openScene("sphere:triangles=80").scene->meshes().front();
     const MeshPointer large = openScene("torus:triangles=400").scene->meshes().front();

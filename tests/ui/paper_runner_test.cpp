@@ -8,7 +8,7 @@
 namespace cullscope::ui::paper_runner_test {
 namespace {
 
-/// Table 2 over a generator: two settings, the second one in four windows.
+/// Table 2 with a generated scene and two settings, the second one in four windows.
 PaperExperiment smallTable(const std::string& path) {
     PaperExperiment experiment = findPaperExperiment("table-2");
     experiment.settings.resize(2);
@@ -23,7 +23,7 @@ PaperExperiment smallTable(const std::string& path) {
     return experiment;
 }
 
-/// A session that the user has made something of, and the runner.
+/// A session in a state that the user has changed, and a runner.
 struct Papers : ::testing::Test {
     void SetUp() override {
         QObject::connect(&runner, &PaperRunner::ended, [this] { ++endings; });
@@ -96,7 +96,7 @@ TEST_F(Papers, windowShowsWhatIsMeasured) {
     runner.start(experiment, 20);
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
     EXPECT_GT(last, 0.5);
-    // Home and the first pose of each setting, and poses on the way.
+    // The initial camera and the first pose of each setting, and poses in between.
     EXPECT_GT(eyes.size(), 6u) << "the camera stands still";
 }
 
@@ -134,7 +134,7 @@ TEST_F(Papers, cancelBetweenSettingsKeepsTheRows) {
 TEST_F(Papers, cancelInTheMiddleOfASettingKeepsItsPoses) {
     const PaperExperiment experiment = smallTable("walk:5000");
     QObject::connect(&runner, &PaperRunner::progressed, [this](double share, const QString&) {
-        // Opened it is at a twentieth of the first half.
+        // Opening the scene takes a twentieth of the first half.
         if (share < 0.5 * 0.06) return;
         runner.cancel();
         runner.cancel();

@@ -1,4 +1,4 @@
-// Sweeps over parameters: what the Pareto plot joins, and how they are started, shown and stopped.
+// Sweeps over parameters: the lines of the Pareto plot, and how sweeps are started, shown and stopped.
 #include <gtest/gtest.h>
 
 #include <QTest>
@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kPatience = 60'000;  // ms
 
-/// A run with one parameter set.
+/// The measurement of a strategy with one parameter changed.
 RunMeasurement swept(const std::string& id, const std::string& key, const std::string& value, double milliseconds,
                      uint64_t missed) {
     RunMeasurement made = run(id, milliseconds, {missed, missed});
@@ -23,7 +23,8 @@ RunMeasurement swept(const std::string& id, const std::string& key, const std::s
     return made;
 }
 
-/// Two fronts of `spherical` that cross at its defaults, one of `spherical-lossless` with its own choice first, and `frustum`.
+/// A result with two sweeps of `spherical` that cross at its default parameters, one sweep of `spherical-lossless` that begins
+/// with level 0 (the strategy's own choice), and `frustum`.
 MeasureResult sweptResult() {
     MeasureResult result = madeUpResult();
     result.runs = {run("all", 10.0, {0, 0}),
@@ -40,7 +41,7 @@ MeasureResult sweptResult() {
     return result;
 }
 
-/// All words of a plot as it is exported.
+/// All texts of a plot's SVG export.
 QStringList wordsOf(const PlotWidget& plot) {
     QXmlStreamReader reader(plotSvg(plot, {960, 420}));
     QStringList words;
@@ -126,7 +127,7 @@ TEST(ExperimentBar, sweepShowsItsPlot) {
     EXPECT_TRUE(plot->accessibleDescription().startsWith(QStringLiteral("Nothing is measured yet")));
 }
 
-/// A sweep on nine small bodies.
+/// An experiment that sweeps parameters on a scene of nine small objects.
 ExperimentRunner::Request sweepRequest(const std::string& path) {
     const MeasureRequest small = test::smallExperiment({});
     ExperimentRunner::Request request;

@@ -1,4 +1,4 @@
-// The same for the tests of the desktop, with the widgets.
+// The precompiled header of the desktop's tests: that of the other tests, and Qt Widgets.
 #pragma once
 
 #include <QtWidgets>

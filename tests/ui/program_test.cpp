@@ -1,4 +1,4 @@
-// The program itself, as a process: exit statuses and the picture it saves.
+// The program as a process: its exit statuses and the picture that it saves.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -53,7 +53,7 @@ TEST(Program, aDisplayWhoseOpenGlIsMissingOrTooOldIsSaidInOneSentence) {
                         Display{"MESA_GL_VERSION_OVERRIDE", "3.3", "this machine has 3.3"},
                         Display{"MESA_GL_VERSION_OVERRIDE", "4.4COMPAT", "this machine has 4.4"}};
     const QTemporaryDir home;
-    // At once: each shows its sentence for a while to who sees no terminal.
+    // Start all at once: without a terminal each one shows its sentence in a message box for some time.
     for (Display& display : displays) {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         environment.insert(QStringLiteral("XDG_CONFIG_HOME"), home.path());
@@ -66,7 +66,7 @@ TEST(Program, aDisplayWhoseOpenGlIsMissingOrTooOldIsSaidInOneSentence) {
         ASSERT_TRUE(display.process->waitForFinished(kPatience));
         EXPECT_EQ(display.process->exitStatus(), QProcess::NormalExit);
         EXPECT_EQ(display.process->exitCode(), 4);
-        // Mesa and Qt have lines of their own.
+        // Mesa and Qt may write lines of their own: count only those of Cullscope.
         const QString errors = QString::fromUtf8(display.process->readAllStandardError());
         EXPECT_EQ(errors.count(QStringLiteral("cullscope: ")), 1) << errors.toStdString();
         EXPECT_TRUE(errors.contains(QString::fromLatin1(display.mentions))) << errors.toStdString();

@@ -15,14 +15,14 @@
 namespace cullscope::ui::reproduce_dialog_test {
 namespace {
 
-/// A window on a small scene.
+/// A window with a small scene.
 struct Reproduce : ::testing::Test {
     void SetUp() override {
         window.resize(1000, 700);
         window.show();
         ASSERT_TRUE(QTest::qWaitForWindowExposed(&window, kPatience));
         const QRect screen = window.screen()->availableGeometry();
-        // Hanging off the screen, as a window may.
+        // Place the window partly off the screen, as a user may do.
         window.move(screen.left() + 10, screen.bottom() - 600);
         openAndWait(session, QStringLiteral("torus:triangles=2000"));
         QObject::connect(&window.papers().runner(), &PaperRunner::ended, [this] { ++endings; });
@@ -116,7 +116,7 @@ TEST_F(Reproduce, cancelGivesTheSessionBackAndKeepsTheWindowOpen) {
     int shown = 0;
     QObject::connect(&window.papers().runner(), &PaperRunner::progressed, [&](double, const QString&) { ++shown; });
     QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
-    // The bunny is there and the first views are measured.
+    // Wait until the bunny is opened and the first views are measured.
     ASSERT_TRUE(waitUntil([&] { return session.viewCount() == 1 && dialog().progressBar().value() > 30; }));
     expectDialogIsOnTheScreen();
     EXPECT_LE(dialog().frameGeometry().height(), window.screen()->availableGeometry().height() / 3) << "it hides the views";
@@ -170,7 +170,7 @@ TEST_F(Reproduce, plotShowsPointsBeforeTheEnd) {
     EXPECT_TRUE(dialog().plot().plot().lines.empty());
     QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
     EXPECT_TRUE(dialog().plot().isVisible()) << "rows come in the end, points before";
-    // The bunnies are there and the first views are measured.
+    // Wait until the bunnies are opened and the first views are measured.
     ASSERT_TRUE(waitUntil([&] { return !dialog().plot().plot().lines.empty(); }));
     expectDialogIsOnTheScreen();
     EXPECT_GE(dialog().plot().height(), dialog().plot().neededHeight(dialog().plot().width()));

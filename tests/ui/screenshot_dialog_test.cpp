@@ -1,4 +1,4 @@
-// The dialog that asks what a screenshot is to be like.
+// The dialog for the options of a screenshot.
 #include <gtest/gtest.h>
 
 #include <QSettings>

@@ -1,4 +1,4 @@
-// Where screenshots go: what each format holds beside the pixels, and what is said where there can be no file.
+// The files of screenshots: the data that each format stores besides the pixels, and the errors if a file cannot be written.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -35,7 +35,7 @@ TEST_F(ScreenshotTest, exrHoldsDepthAndTriangleOfEveryPixel) {
             covered += saved.triangle[at] != 0 ? 1 : 0;
         }
     EXPECT_GT(covered, 1000u);
-    // The triangle is the one that a click there picks.
+    // The stored triangle is the one that a click at that pixel picks.
     const int x = kShown.width / 2;
     int y = 0;
     while (saved.triangle[size_t(y + below) * size_t(saved.size.width) + size_t(x)] == 0) ++y;

@@ -15,7 +15,7 @@ using Behind = ScreenshotOptions::Background;
 
 inline const Viewport kShown{480, 360};
 
-/// Nothing but the pictures.
+/// Options for the pictures without overlays, legend and caption.
 inline ScreenshotOptions bare() {
     ScreenshotOptions options;
     options.overlays = options.legend = options.caption = false;
@@ -24,7 +24,7 @@ inline ScreenshotOptions bare() {
 
 inline PictureExtras noExtras(int) { return {}; }
 
-/// Two views on a field of spheres, their pictures and figures known, and a folder for what is taken.
+/// Two views on a field of spheres, with complete pictures and metrics, and a folder for screenshots.
 struct ScreenshotTest : ::testing::Test {
     void SetUp() override {
         QSettings().remove(QStringLiteral("screenshot"));
@@ -37,7 +37,7 @@ struct ScreenshotTest : ::testing::Test {
         settle();
     }
 
-    /// View 1 watches view 0 from outside, coloured by verdict.
+    /// Makes view 1 an observer of view 0, coloured by verdict.
     void observe() {
         session.observe(1, 0);
         ViewSetup setup = session.setup(1);
@@ -59,7 +59,7 @@ struct ScreenshotTest : ::testing::Test {
         return {options, folder.path(), pattern};
     }
 
-    /// Takes it and gives the file; empty: it failed, with `failure`.
+    /// Takes a screenshot and returns its file; empty: it failed, and `failure` holds the message.
     QString taken(const ScreenshotOptions& options, const QString& pattern = QStringLiteral("{n}.png")) {
         ScreenshotTaker taker(session);
         taker.setSessionText([this] { return sessionText; });

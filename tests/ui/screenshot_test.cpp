@@ -1,4 +1,4 @@
-// What is in a screenshot: pictures, legend, caption and grid, at any size.
+// The contents of a screenshot of any size: pictures, legend, caption and grid.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -10,7 +10,7 @@
 namespace cullscope::ui::screenshot_test {
 namespace {
 
-/// The height of what is not background in a part of an image.
+/// The height of all pixels in a part of an image that differ from its background.
 int inkHeight(const QImage& picture, const QRect& place) {
     const QRgb background = picture.pixel(place.right(), place.bottom());
     int first = -1, last = -1;
@@ -74,7 +74,7 @@ TEST_F(ScreenshotTest, fourThousandPixelsHaveTypeAndLinesThreeTimesAsLarge) {
     const int height = inkHeight(small, plan.captionPlace);
     EXPECT_GT(height, 10);
     EXPECT_NEAR(inkHeight(large, largePlan.captionPlace), 3 * height, 4);
-    // Every state's colour lies in its swatch, and words beside it.
+    // Each swatch has the colour of its state, and text is beside it.
     ASSERT_EQ(largePlan.legend.size(), 1 + kTriangleStateCount);
     EXPECT_FALSE(largePlan.legend.front().state) << "the heading";
     const auto palette = verdictPalette(largePlan.style.background);
@@ -84,7 +84,7 @@ TEST_F(ScreenshotTest, fourThousandPixelsHaveTypeAndLinesThreeTimesAsLarge) {
         EXPECT_GT(pixelsOf(part, QColor::fromRgbF(colour.x, colour.y, colour.z).rgb()), 50) << entry.words.toStdString();
         EXPECT_GT(inkHeight(part, part.rect().adjusted(int(20 * largePlan.unit), 0, 0, 0)), 20) << entry.words.toStdString();
     }
-    // The frustum's lines, white on dark, grow in both directions.
+    // The frustum's lines, white on dark, become wider and longer.
     const QRgb line = qRgb(255, 255, 255);
     const int smallLines = pixelsOf(small.copy(plan.parts.front().picture), line);
     const int largeLines = pixelsOf(large.copy(largePlan.parts.front().picture), line);
@@ -100,11 +100,11 @@ std::string headingOf(const Viewport& size) {
 TEST_F(ScreenshotTest, theLegendNamesTheSizeOfItsCounts) {
     observe();
     ScreenshotOptions options;
-    // As on the screen, where the figures of that size are the counts.
+    // At the size of the window the counts are the metrics of that size.
     ScreenshotPlan plan = planScreenshot(session, options, noExtras, false);
     EXPECT_EQ(plan.legend.front().words.toStdString(), headingOf(session.figures(1).size));
     EXPECT_GT(inkHeight(image(taken(options)), plan.legend.front().place), 5) << "it is written";
-    // Not coloured by verdict: nothing is counted, and there is no heading.
+    // A picture that is not coloured by verdict has no counts and no heading.
     session.setActiveView(0);
     settle();
     for (const LegendEntry& entry : planScreenshot(session, options, noExtras, false).legend)
@@ -129,11 +129,11 @@ TEST_F(ScreenshotTest, theLegendCountsTheTrianglesOfTheSavedSize) {
     EXPECT_TRUE(result.states->againstTruth);
     EXPECT_EQ(std::accumulate(result.states->counts.begin(), result.states->counts.end(), uint64_t{0}),
               session.scene()->triangleCount());
-    // The caption's figures are of another size: the legend's heading states its own.
+    // The metrics in the caption are of another size, so the legend's heading states the size of its counts.
     EXPECT_EQ(plan.legend.front().words.toStdString(), headingOf(plan.parts.front().request.cullingSize));
     EXPECT_NE(plan.parts.front().request.cullingSize, session.figures(1).size);
     EXPECT_TRUE(plan.caption.contains(QStringLiteral("figures at 480 × 360 pixels"))) << plan.caption.toStdString();
-    // More pixels show more triangles than the window's picture does.
+    // At a higher resolution more triangles are visible than in the window's picture.
     EXPECT_GT(result.states->counts[size_t(TriangleState::Visible)],
               session.figures(1).states->counts[size_t(TriangleState::Visible)]);
 }
@@ -172,7 +172,7 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
         for (int y = 0; y < request.size.height; ++y)
             for (int x = 0; x < request.size.width; ++x)
                 different += picture->colour.pixel(x, y) != result.picture->colour.pixel(x, y) ? 1 : 0;
-        // Rounding at a triangle's edge may differ where a tile begins far to the right.
+        // Rounding at triangle edges may differ if a tile begins far to the right.
         EXPECT_LT(different, request.size.width * request.size.height / 10'000);
         EXPECT_EQ(picture->marks.size(), result.picture->marks.size());
         const Renderer::ItemBuffer items =
@@ -198,7 +198,7 @@ TEST_F(ScreenshotTest, transparentMeansNothingOrEverything) {
         }
     EXPECT_GT(covered, 1000);
     EXPECT_EQ(wrong, 0);
-    // The veil under marks must not fill it.
+    // The veil under the marks must leave the transparent background transparent.
     ViewSetup setup = session.setup(0);
     setup.wipe.mode = Wipe::Mode::Loss;
     session.setSetup(0, setup);

@@ -25,7 +25,7 @@ Enum oneOf(Random& random, std::initializer_list<Enum> all) {
     return *(all.begin() + below(random, all.size()));
 }
 
-/// Any finite double that makes no infinite distances.
+/// A random number of widely varying magnitude, small enough that distances stay finite.
 double anyNumber(Random& random) { return random.between(-1.0, 1.0) * std::pow(10.0, random.between(-12.0, 12.0)); }
 
 Camera anyCamera(Random& random) {
@@ -81,7 +81,7 @@ SessionState anyState(Random& random) {
     state.arrangement = oneOf<const char*>(random, {"", "explore", "compare"});
     for (SessionState::View& view : state.views) view = anyView(random);
     for (size_t view = 1; view < 8; ++view) {
-        // Some watch view A, which is none of them.
+        // Some views observe view A, which is never an observer itself.
         if (random.unit() > 0.3) continue;
         state.views[view].setup.role = Role::Observer;
         state.views[view].setup.observed = 0;
@@ -97,7 +97,7 @@ SessionState anyState(Random& random) {
     return state;
 }
 
-/// The sentence that a text is refused with; empty: it is not refused.
+/// The error message for a text; empty: the text is accepted.
 std::string refusal(const std::string& text) {
     try {
         return stateFromText(text, "/s/a.cullscope") ? "" : "no session";
@@ -142,13 +142,13 @@ TEST(SessionText, filesAreFoundWhenTheFolderMoved) {
               "split:mesh=field:mesh=/mnt/b/work/x.ply,n=3,by=components");
     EXPECT_EQ(movedScene("mesh:bunny,triangles=10"), "mesh:bunny,triangles=10");
     EXPECT_EQ(movedScene("bunny"), "bunny");
-    // Called as a generator is, and yet a file.
+    // A file with the name of a generator.
     EXPECT_EQ(movedScene("/home/a/work/sphere"), "/mnt/b/work/sphere");
 }
 
 TEST(SessionText, everyTruncationIsRefusedInASentence) {
     const std::string text = textOf(someState());
-    // But for the line's end after the last brace.
+    // All truncations but the one that only lacks the line end after the last brace.
     for (size_t bytes = 0; bytes + 1 < text.size(); ++bytes) {
         const std::string said = refusal(text.substr(0, bytes));
         ASSERT_THAT(said, StartsWith("/s/a.cullscope ")) << bytes;
@@ -174,7 +174,7 @@ TEST(SessionText, randomlyDamagedTextsNeverCrash) {
     EXPECT_EQ(refusal(nested + std::string(100'000, ']')), "no session");
 }
 
-/// The text of some state with one value, found by its JSON pointer, put in the place of another.
+/// The error message for a random state's text in which one value, given by a JSON pointer, is replaced.
 std::string refusalWith(const std::string& pointer, const nlohmann::json& value) {
     nlohmann::json json = nlohmann::json::parse(textOf(someState()));
     json[nlohmann::json::json_pointer(pointer)] = value;

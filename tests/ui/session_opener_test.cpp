@@ -127,7 +127,7 @@ TEST_F(Opener, aNewerOpenCancelsTheWaitingState) {
     ASSERT_TRUE(waitUntil([&] { return !opened.empty() && opened.back() == "sphere:triangles=80"; }));
     EXPECT_EQ(session.slot(0).id(), "all");
     EXPECT_EQ(restored, 0);
-    // Also while the file itself is still being read.
+    // A newer opening also wins while the session file itself is being read.
     saveSession(in("s.cullscope").toStdString(), state);
     opener.open(in("s.cullscope"));
     openAndWait(session, QStringLiteral("sphere:triangles=320"));

@@ -14,7 +14,7 @@ namespace {
 
 size_t below(Random& random, size_t count) { return size_t(random.unit() * double(count)); }
 
-/// All that is captured, given to another session with the same scene, is what that one captures.
+/// A captured state, applied to another session with the same scene, is captured there unchanged.
 TEST(SessionState, appliesToAllRoles) {
     Session from(sessionOptions(false)), to(sessionOptions(false));
     openAndWait(from, QStringLiteral("field:n=3"));
@@ -82,7 +82,7 @@ TEST(SessionState, hiddenObjectsOfAnotherSceneAreShown) {
     EXPECT_EQ(said, (std::vector<std::string>{"The scene has 9 objects now, no longer 2: all of them are shown."}));
 }
 
-/// Everything changed, then the session opened again: the same pictures.
+/// After a change of the whole state, opening the session file restores the same pictures.
 TEST(SessionState, picturesComeBackPixelForPixel) {
     QTemporaryDir folder;
     Session session(sessionOptions(true));

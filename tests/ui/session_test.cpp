@@ -55,7 +55,7 @@ TEST(Background, cancelledWorkBringsNothing) {
     EXPECT_FALSE(delivered);
 }
 
-/// Opens "slow" only when told to stop, refuses "bad", and leaves the rest to core.
+/// Loads "slow" until it is told to stop, refuses "bad", and leaves the rest to core.
 OpenedScene slowOrBad(const std::string& specification, const Progress& progress) {
     if (specification == "bad") throwInput("%1 is bad.", {"bad"});
     while (specification == "slow") {
@@ -182,7 +182,7 @@ TEST(CullbenchCommand, theFieldOfViewIsNotRoundedOnTheWay) {
     }
 }
 
-/// The figures of `backface` are told apart from those of a strategy that loses pixels.
+/// Pixels that `backface` misses because of snapping are counted apart from losses.
 TEST(ViewMetrics, edgePixelsOfBackfaceAreNoLoss) {
     ViewMetrics figures;
     figures.accuracy.missedPixels = 1;
@@ -253,7 +253,7 @@ TEST(ViewMetrics, medianIsTheMiddleOrTheMeanOfBothMiddles) {
     EXPECT_DOUBLE_EQ(median({4.0, 1.0, 2.0, 3.0}), 2.5);
 }
 
-/// The whole way: scene to graphics card, strategies, truth.
+/// The whole pipeline: upload to OpenGL, strategies, truth.
 TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
     Session session(sessionOptions(true));
     session.slot(0).choose("backface");
@@ -271,7 +271,7 @@ TEST(Session, figuresComeAndALosslessStrategyMissesNothing) {
         EXPECT_EQ(figures.sceneTriangles, session.opened()->scene->triangleCount());
         EXPECT_TRUE(figures.speedup.has_value());
     }
-    // backface against itself is one and the same measurement.
+    // The strategy `backface` and its baseline are one measurement.
     EXPECT_DOUBLE_EQ(*session.figures(0).speedup, 1.0);
 }
 

@@ -10,7 +10,7 @@
 
 namespace cullscope::ui {
 
-/// A shown window on a small scene, its figures known.
+/// A shown window with a small scene and complete metrics.
 struct Window : ::testing::Test {
     void SetUp() override {
         window.resize(1000, 700);

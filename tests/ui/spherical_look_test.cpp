@@ -1,4 +1,5 @@
-// Contour bands and the model in spherical coordinates in a window: their commands, and what a picture of directions is not.
+// Contour bands and the model in spherical coordinates in a window: their actions, and the actions that a picture of directions
+// disables.
 #include <gtest/gtest.h>
 
 #include <QPainter>
@@ -150,7 +151,7 @@ TEST_F(SphericalLook, scalesAndTheHintArePainted) {
         painter.end();
         const QImage bare = shown->colour.convertToFormat(QImage::Format_ARGB32_Premultiplied);
         const MapArea area = sphericalModelArea(shown->request.size, shown->request.style);
-        // Left of the map, below it at the ticks, farther below, and above it.
+        // The areas left of the map, at the ticks below it, farther below, and above it.
         std::array<int, 4> ink{};
         for (int y = 0; y < painted.height(); ++y)
             for (int x = 0; x < painted.width(); ++x) {
@@ -185,7 +186,7 @@ TEST_F(SphericalLook, clickPicksWhatLiesInThatDirection) {
     const Viewport size = session.viewRequest(0)->size;
     const Scene& scene = *session.opened()->scene;
     const Vec3 centre = scene.meshOf(0).localSphere().centre;
-    // Along the equator: the knot covers parts of it.
+    // Clicks along the equator, parts of which the knot covers.
     int picked = 0;
     for (int x = size.width / 10; x < size.width; x += size.width / 10) {
         session.setPick(std::nullopt);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kPatience = 60'000;  // ms
 
-/// A panel with a result of its scene, and what it says.
+/// A panel with a result for its scene, and the signals that it emitted.
 class Panel : public ::testing::Test {
 protected:
     Panel() {
@@ -36,7 +36,7 @@ protected:
         panel.setRunning(false);
         ASSERT_TRUE(QTest::qWaitFor([this] { return panel.model().rowCount() == 3; }, kPatience));
     }
-    /// Exports to a file of the folder, gives its contents.
+    /// Exports to a file in the folder and returns its contents.
     QByteArray exported(StatisticsPanel::File file, const QString& name) {
         const QString path = folder.filePath(name);
         panel.exportTo(file, path.toStdString());
@@ -126,7 +126,7 @@ TEST_F(Panel, csvAndJsonAreCores) {
     EXPECT_EQ(json["runs"][2]["frames"][2]["missed_pixels"], 12);
 }
 
-/// Whether text is XML, and all of its character data.
+/// The character data of an XML document; fails the test if it is not well-formed.
 QString textOf(const QByteArray& xml) {
     QXmlStreamReader reader(xml);
     QString text;
@@ -188,7 +188,7 @@ TEST_F(Panel, plotsOfPosesNameTheirStrategy) {
         for (const char* strategy : {"all", "backface", "frustum box=length"}) {
             const QString title = QStringLiteral("%1 · %2").arg(QLatin1String(plot), QLatin1String(strategy));
             EXPECT_EQ(html.count(QStringLiteral("<h2>%1</h2>").arg(title)), 1) << title.toStdString();
-            // In the picture as well as in its title.
+            // The title occurs in the picture as well as in the heading.
             EXPECT_EQ(html.count(QStringLiteral(">%1</text>").arg(title)), 1) << title.toStdString();
         }
     for (const auto& [tab, title] : {std::pair(StatisticsPanel::Poses, "Time and loss by pose · frustum box=length"),
@@ -204,7 +204,7 @@ TEST_F(Panel, paretoPointsHaveTheirNamesBesideThem) {
     panel.showTab(StatisticsPanel::Pareto);
     const QString svg = textOf(exported(StatisticsPanel::File::Svg, QStringLiteral("p.svg")));
     const QStringList words = svg.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-    // In the legend and at the point.
+    // One label in the legend and one at the point.
     EXPECT_EQ(words.count(QStringLiteral("all")), 2) << svg.toStdString();
     EXPECT_EQ(words.count(QStringLiteral("frustum")), 2) << svg.toStdString();
 }

@@ -109,7 +109,7 @@ TEST(ParetoPlot, lossThatWasNotMeasuredIsLeftOut) {
     EXPECT_TRUE(plot.accessibleDescription().contains(QStringLiteral("not measured")));
 }
 
-/// How many pixels are the top left of a square of one colour, which no line of a plot is wide enough for.
+/// The number of pixels that are the top left corner of a square of one colour; no line of a plot is as wide as such a square.
 int squaresOf(const QImage& picture, const QColor& colour) {
     constexpr int kSide = 5;
     const auto filled = [&](int left, int top) {
@@ -171,9 +171,9 @@ TEST(ResultTable, lossBeyondSnappingIsShown) {
         << "all of its loss is its own: nothing to tell apart";
 }
 
-/// The middle of the pose's column.
+/// The centre of the column of a pose.
 QPoint columnOf(const QWidget& strip, size_t pose, size_t poses) {
-    // Found by asking the strip itself would prove nothing: the column's colour is looked for in its picture.
+    // The test finds the column by its colour in a picture: a position computed by the strip itself would prove nothing.
     const QImage picture = const_cast<QWidget&>(strip).grab().toImage();
     const int y = picture.height() / 2 - 10;
     const QRgb colour = PlotColours(strip.palette()).draw.rgb();
@@ -221,7 +221,7 @@ TEST(PoseStrip, partOfAPathLeavesPlaceForTheRest) {
 TEST(SphereMap, clickOnADotChoosesItsPose) {
     MeasureResult result = madeUpResult();
     const Vec3 centre = result.request.scene->boundingSphere().centre;
-    // In a row over the map's middle.
+    // Eyes in a horizontal row across the middle of the map.
     result.request.path.poses[0].eye = centre + Vec3(0, 0, 5);
     result.request.path.poses[1].eye = centre + Vec3(5, 0, 0);
     result.request.path.poses[2].eye = centre + Vec3(-5, 0, 0);

@@ -24,7 +24,8 @@ SnapshotNode node(int32_t parent, uint32_t instance, bool culled = false) {
     return node;
 }
 
-/// Objects 0 … 15 in four groups of four under one, the last group culled; as a strategy lists them: objects first.
+/// A snapshot of objects 0 … 15 in four groups of four below one root; the last group is culled. Objects come first, as a
+/// strategy lists them.
 std::shared_ptr<StructureSnapshot> groupedSnapshot() {
     auto snapshot = std::make_shared<StructureSnapshot>();
     for (uint32_t i = 0; i < 16; ++i) snapshot->nodes.push_back(node(int32_t(17 + i / 4), i, i >= 12));

@@ -37,7 +37,8 @@ TEST(StructureModel, holdsTreesWhoseParentsComeAfterTheirChildren) {
         std::shuffle(order.begin(), order.end(), random);
         auto snapshot = std::make_shared<StructureSnapshot>();
         snapshot->nodes.assign(count, node(-1, 0));
-        // Each one's parent stands before it in a random order: no cycle, and no order of the indices.
+        // The parent of each node precedes it in a random permutation: the tree has no cycle, and its order is not that of the
+        // indices.
         for (size_t i = 0; i < count; ++i) {
             const size_t parent = random() % (i + 1);
             snapshot->nodes[size_t(order[i])] = node(parent == i ? -1 : order[parent], uint32_t(i % scene->instances().size()));
@@ -87,7 +88,7 @@ TEST(StructureModel, aNewReadingOfTheSameBoxesKeepsTheRows) {
     EXPECT_EQ(model.rowCount(), 0);
 }
 
-/// A panel on a field of spheres, half of it outside of the active view.
+/// A panel for a field of spheres, half of which lies outside the active view's frustum.
 struct StructurePanelTest : ::testing::Test {
     void SetUp() override {
         session.slot(1).choose("frustum");
@@ -140,7 +141,7 @@ TEST_F(StructurePanelTest, treeShowsWhatTheStrategyDecided) {
         const QString verdict = model.index(row, StructureModel::Verdict).data().toString();
         if (node.culled)
             EXPECT_EQ(verdict, QStringLiteral("outside the frustum"));
-        else  // what the truth says to it is known by then
+        else  // the truth is known at this point
             EXPECT_TRUE(verdict == QStringLiteral("drawn and visible") || verdict == QStringLiteral("drawn in vain"))
                 << verdict.toStdString();
         EXPECT_EQ(model.index(row, StructureModel::Plane).data().toString().isEmpty(), !node.culled);
@@ -156,7 +157,7 @@ TEST_F(StructurePanelTest, selectingARowPicksAndAPickSelectsTheRow) {
     EXPECT_EQ(session.pick()->object, *tree.model().instanceAt(tree.model().index(3, 0)));
     const uint32_t picked = session.pick()->object;
     EXPECT_EQ(uint32_t(session.scene()->instanceOf(session.pick()->triangle)), picked);
-    // It stands for the object: visible where any of it is.
+    // The picked triangle stands for its object: it is visible if any triangle of the object is.
     const ViewMetrics& figures = session.figures(session.activeView());
     ASSERT_TRUE(figures.states);
     ObjectVerdicts verdicts;

@@ -12,11 +12,11 @@
 
 namespace cullscope::ui {
 
-/// How long a test waits for something that takes a moment; generous, because a busy machine is no error.
+/// Timeout of a test for asynchronous work; generous, because a busy machine is no error.
 inline constexpr int kPatience = 60'000;  // ms
 
-/// A session on the generators alone.
-/// Views are measured in one round after a short rest: no test of these sessions asks how fast a strategy is.
+/// Options of a session that opens generators only. Views are measured in one round after a short rest: no test of these
+/// sessions measures the speed of a strategy.
 inline Session::Options sessionOptions(bool graphics) {
     Session::Options options;
     options.restBeforeMeasuring = 20;
@@ -27,14 +27,14 @@ inline Session::Options sessionOptions(bool graphics) {
 
 inline bool waitUntil(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); }
 
-/// An image that equals another wherever their pixels do: without the colour space that files state.
+/// The pixels of an image without the colour space that files state, so that images with equal pixels compare equal.
 inline QImage pixelsAlone(const QImage& image, QImage::Format format = QImage::Format_RGBA8888) {
     QImage pixels = image.convertToFormat(format);
     pixels.setColorSpace(QColorSpace());
     return pixels;
 }
 
-/// Opens a scene and waits for it.
+/// Opens a scene and waits until it is loaded.
 inline void openAndWait(Session& session, const QString& specification) {
     session.open(specification);
     ASSERT_TRUE(waitUntil([&] { return !session.loader().loading(); }));

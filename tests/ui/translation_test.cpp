@@ -1,4 +1,4 @@
-// The catalogues are complete: what lupdate finds in the sources now is what they translate, all of it.
+// The catalogues are complete: they translate exactly the texts that lupdate finds in the present sources.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -89,7 +89,7 @@ TEST(Translation, everySentenceInTheSourcesIsInTheCatalogues) {
             ADD_FAILURE() << language << " lacks: " << missing.toStdString() << " (build update_translations, then translate)";
         for (const QString& gone : known - wanted) ADD_FAILURE() << language << " keeps what is gone: " << gone.toStdString();
     }
-    // Core's sentences are all in the context in which the desktop looks for them.
+    // All sentences of core are in the contexts in which the desktop looks them up.
     for (const QString& key : wanted) {
         const QString context = key.section(QLatin1Char('|'), 0, 0);
         EXPECT_TRUE(context == QLatin1String("core") || context == QLatin1String("Wording") ||
@@ -107,7 +107,7 @@ TEST(Translation, cataloguesTravelInTheProgram) {
     }
 }
 
-/// Puts every text of core that it knows into angle brackets.
+/// A translator that puts every text of core that it knows into angle brackets.
 class Bracketing : public QTranslator {
 public:
     Bracketing() { QCoreApplication::installTranslator(this); }

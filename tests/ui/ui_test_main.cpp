@@ -6,8 +6,8 @@
 
 #include "ui/startup/display.h"
 
-// Tests of the desktop run in a real application: on a display with OpenGL, as the program itself needs one. Settings go to a
-// folder that is thrown away.
+// Runs the tests of the desktop in a QApplication on a display with OpenGL, which the program requires too. Settings are written
+// to a temporary folder.
 int main(int argc, char** argv) {
     ::testing::InitGoogleTest(&argc, argv);
     if (::testing::GTEST_FLAG(list_tests)) return RUN_ALL_TESTS();

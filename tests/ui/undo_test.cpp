@@ -15,7 +15,7 @@ namespace {
 struct Undo : ::testing::Test {
     void SetUp() override {
         openAndWait(session, QStringLiteral("field:n=3"));
-        // Its window has a size from now on, and the first camera follows it.
+        // From here on view 0 has a size, and the initial camera follows it.
         session.setViewport(0, {400, 300});
         session.setViewport(1, {400, 300});
         undo.startAnew();
@@ -71,7 +71,7 @@ TEST_F(Undo, aDragThatRestsIsOneStepAndEndsWithTheButton) {
     QTest::qWait(600);
     session.setCamera(turnedBy(10.0));
     sendMouse(QEvent::MouseButtonRelease, Qt::NoButton);
-    // At once, without the rest; the release's own event has to end.
+    // The release ends the step at once, without the 400 ms of rest, as soon as its queued event is processed.
     QApplication::processEvents();
     EXPECT_EQ(undo.undoText(), QStringLiteral("Undo: camera"));
     const Camera dragged = session.camera();
@@ -95,7 +95,7 @@ TEST_F(Undo, ofACameraDisturbsNothingElse) {
     const Camera first = session.camera();
     session.setCamera(turnedBy(10.0));
     undo.settle();
-    // What is no step of its own stays as it is.
+    // Changes that are no steps of undo stay as they are.
     session.setViewCount(4);
     session.setActiveView(3);
     undo.undo();
@@ -183,7 +183,7 @@ TEST_F(Undo, doesNotGoBackOverTheOpeningOfAScene) {
     session.setCamera(turnedBy(10.0));
     undo.settle();
     ASSERT_TRUE(undo.canUndo());
-    // One that cannot be opened is none.
+    // A failed opening does not clear the history.
     openAndWait(session, QStringLiteral("nothing.obj"));
     EXPECT_TRUE(undo.canUndo());
     openAndWait(session, QStringLiteral("sphere:triangles=80"));
@@ -203,7 +203,7 @@ TEST_F(Undo, aWindowThatChangesItsSizeMakesNoStep) {
     ASSERT_NE(session.viewingCamera(1), observer);
     undo.settle();
     EXPECT_FALSE(undo.canUndo());
-    // Going home by hand is one.
+    // Going home by hand is a step.
     session.setCamera(turnedBy(30.0));
     undo.settle();
     const Camera turnedCamera = session.camera();

@@ -1,4 +1,4 @@
-// A header of a view 320 pixels wide says in every language what the view shows and promises.
+// The header of a view of 320 pixels states strategy and promise in every language.
 #include "ui/views/view_header.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST_F(HeaderOfView, promiseAndIdStandWholeInANarrowView) {
 TEST_F(HeaderOfView, doesNotPromiseWhatTheStrategyBeforePromised) {
     watch(Role::Linked, "all");
     session.slot(1).choose("spherical");
-    // Not built yet.
+    // The strategy is not built yet.
     ASSERT_EQ(session.slot(1).built()->id, "all");
     EXPECT_FALSE(header.shownFirstLine().contains(promiseWord(Promise::Conservative))) << header.shownFirstLine().toStdString();
     ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->id == "spherical"; }));

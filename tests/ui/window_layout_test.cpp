@@ -1,4 +1,4 @@
-// The window comes back as it was left, and any panel can stand in a view's place.
+// The layout of the window is restored at the next start, and any panel can replace a view's picture.
 #include <gtest/gtest.h>
 
 #include <QDockWidget>
@@ -11,7 +11,7 @@
 namespace cullscope::ui::window_layout_test {
 namespace {
 
-/// A program's session and window, as at a start.
+/// Session and window as at a start of the program.
 struct Program {
     explicit Program(const QSize& size) {
         window.setKeepsLayout(true);
@@ -219,7 +219,7 @@ TEST_F(WindowLayout, aPathOfAFewPosesIsPlayedSlowly) {
     ASSERT_TRUE(program.window.paths().player().playing());
     EXPECT_LT(program.window.paths().player().speed(), 0.1);
     ASSERT_TRUE(waitUntil([&] { return !program.window.paths().player().playing(); }));
-    // A motion of many poses goes on at its own pace.
+    // A path of many poses plays at the usual speed.
     for (int pose = 0; pose < 40; ++pose) {
         program.session.setCamera(turned(program.session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {}));
         program.window.actions().addPose->trigger();

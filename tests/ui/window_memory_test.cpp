@@ -11,7 +11,7 @@ struct Memory : ::testing::Test {
     void SetUp() override { QSettings().clear(); }
 };
 
-/// A window with one dock, as MainWindow has several.
+/// A window with one dock; MainWindow has several.
 struct SomeWindow {
     SomeWindow() {
         dock.setObjectName(QStringLiteral("dock"));

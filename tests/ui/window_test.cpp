@@ -15,7 +15,7 @@ namespace {
 
 TEST_F(Window, anotherLanguageKeepsTheState) {
     session.slot(0).choose("all");
-    // A camera that the user has moved stays even where longer words change the size of the views.
+    // A camera that the user has moved is kept, even if longer texts change the size of the views.
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(10.0), {}));
     settle();
     const Camera camera = session.camera();
@@ -70,7 +70,7 @@ TEST_F(Window, aMessageKeepsTheSizeOfTheViewsAndTheFigures) {
     EXPECT_EQ(session.camera(), camera);
     EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Ready);
     EXPECT_EQ(session.figures(1).state, ViewMetrics::State::Ready);
-    // It lies inside the middle of the window, wherever that ends.
+    // The bar stays inside the central widget when the window is resized.
     window.resize(900, 650);
     QApplication::processEvents();
     EXPECT_TRUE(window.message().parentWidget()->rect().contains(window.message().geometry()));
@@ -136,7 +136,7 @@ TEST(StartSize, theWindowFitsTheScreenWithItsFrame) {
     const Start small = startOn({0, 0, 1366, 768}, frame, wanted);
     EXPECT_TRUE(small.maximized);
     EXPECT_EQ(small.size, QSize(1358, 724));
-    // What Qt makes of 1366x768 at a scale of 1.5.
+    // The screen that Qt reports for 1366 × 768 at a scale of 1.5.
     EXPECT_EQ(startOn({0, 0, 911, 512}, frame, wanted).size, QSize(903, 468));
     const Start large = startOn({0, 27, 1920, 1053}, frame, wanted);
     EXPECT_FALSE(large.maximized);
@@ -144,7 +144,7 @@ TEST(StartSize, theWindowFitsTheScreenWithItsFrame) {
 }
 
 TEST_F(Window, theLeastSizeFitsASmallScaledScreen) {
-    // The window at 1366x768 and a scale of 1.5 leaves 911x472.
+    // At 1366 × 768 and a scale of 1.5 the window has room for 911 × 472.
     EXPECT_LE(window.minimumSizeHint().width(), 900);
     EXPECT_LE(window.minimumSizeHint().height(), 400);
 }
@@ -153,7 +153,7 @@ TEST_F(Window, thePictureOfALargeSceneIsTakenOnceItIsDrawn) {
     const QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("window.png"));
     int status = -1;
-    // Figures of so many triangles are made on request alone.
+    // A scene of this size is measured only when the user asks for it.
     session.open(QStringLiteral("sphere:triangles=5.1e6"));
     WindowPicture shot(window, session, file);
     QObject::connect(&shot, &WindowPicture::done, [&](int result) { status = result; });

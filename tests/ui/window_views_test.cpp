@@ -1,4 +1,4 @@
-// The views of a window: what they show, and what mouse, wheel and keys do in them.
+// The views of a window: their pictures, and the effects of mouse, wheel and keys.
 #include <gtest/gtest.h>
 
 #include <QMouseEvent>
@@ -32,7 +32,7 @@ TEST_F(Window, viewsHaveTheSameSize) {
 }
 
 TEST_F(Window, picturesAreTheFramebuffersPixels) {
-    window.actions().axes->trigger();  // they are painted over the picture
+    window.actions().axes->trigger();  // off: the axes are painted over the picture
     const QImage shown = picture(0).grabFramebuffer().convertToFormat(QImage::Format_RGB888);
     const QImage drawn = picture(0).picture().convertToFormat(QImage::Format_RGB888);
     ASSERT_EQ(shown.size(), drawn.size());
@@ -124,7 +124,7 @@ TEST_F(Window, reparentedViewsDrawTheSamePictureAgain) {
     auto* stack = qobject_cast<QStackedWidget*>(views.parentWidget());
     ASSERT_TRUE(stack);
     const QSize size = views.size();
-    // A window of its own has another OpenGL context.
+    // A top-level widget gets another OpenGL context.
     views.setParent(nullptr);
     views.resize(size);
     views.show();

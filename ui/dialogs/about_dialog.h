@@ -6,7 +6,7 @@
 
 namespace cullscope::ui {
 
-/// What the program is, its version, the OpenGL it runs on, and the licences of what it is made of.
+/// Shows what the program is, its version, the OpenGL that it runs on, and the licences of the parts that it is made of.
 class AboutDialog : public QDialog {
     Q_OBJECT
 

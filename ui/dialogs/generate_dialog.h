@@ -8,14 +8,14 @@
 
 namespace cullscope::ui {
 
-/// The parameters of one scene generator; what is entered becomes a scene specification.
+/// Asks for the parameters of one scene generator and gives them as a scene specification.
 class GenerateDialog : public QDialog {
     Q_OBJECT
 
 public:
     explicit GenerateDialog(const GeneratorInfo& generator, QWidget* parent = nullptr);
 
-    /// "sphere:triangles=1e6"; parameters left at their defaults are left out.
+    /// The specification, such as "sphere:triangles=1e6"; omits parameters that have their default values.
     [[nodiscard]] QString specification() const;
 
 private:

@@ -9,10 +9,10 @@ namespace cullscope::ui {
 namespace {
 
 constexpr QSize kUsualSize{760, 640};
-constexpr int kImageWidth = 680;  // of pictures in a page
+constexpr int kImageWidth = 680;  // pixels; width of pictures in a page
 
-/// Shows pages with pictures no wider than the window. Pages and pictures lie in the program as they lie in the source tree, so
-/// that links between them are the same.
+/// Shows pages with pictures no wider than the window. Resource paths equal the paths in the source tree, so that links between
+/// pages work in both.
 class PageBrowser : public QTextBrowser {
 public:
     using QTextBrowser::QTextBrowser;
@@ -66,7 +66,7 @@ void HelpWindow::load() {
     m_back->setText(tr("◀ Back"));
     m_first->setText(tr("First page"));
     m_page->setSource(QUrl(QStringLiteral("qrc:/resources/help/help.%1.md").arg(m_language.current())));
-    // Nothing leads back to the first page of another language; this one is the home of the history.
+    // The first page in the former language must not remain in the history: the new page is the history's home.
     m_page->clearHistory();
 }
 

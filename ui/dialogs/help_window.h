@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// The help page in the program's language, beside the window: it stays open while one tries what it says. Its links lead to the
+/// Shows the help page in the program's language. Not modal: the user can try what the page describes. Its links lead to the
 /// pages of docs/, which are in English.
 class HelpWindow : public QDialog {
     Q_OBJECT

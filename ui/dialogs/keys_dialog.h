@@ -4,7 +4,7 @@
 
 namespace cullscope::ui {
 
-/// All mouse moves and keys on one page.
+/// Lists all mouse moves and keys on one page.
 class KeysDialog : public QDialog {
     Q_OBJECT
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kWidth = 960;
 constexpr int kHeight = 460;
-constexpr int kPlotHeight = 600;  // where there is a plot
+constexpr int kPlotHeight = 600;  // with a plot
 constexpr int kProgressSteps = 1000;
 constexpr QSize kPlotFile{960, 480};
 
@@ -73,7 +73,7 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
     showChosen();
 }
 
-/// What was measured is not lost with the dialog that it was measured in.
+/// Chooses the experiment measured last, so that a new dialog shows the results of the one closed before.
 void ReproduceDialog::chooseNewest() {
     const std::vector<PaperExperiment>& all = paperExperiments();
     const auto newest = std::find_if(all.begin(), all.end(), [this](const PaperExperiment& experiment) {
@@ -140,17 +140,17 @@ const PaperExperiment& ReproduceDialog::chosen() const { return paperExperiments
 
 void ReproduceDialog::start() {
     m_runner.start(chosen());
-    // Rows come in the end, points view by view.
+    // Table rows are added at the end of a setting, points of the plot after each view.
     if (hasPlot()) m_pages->setCurrentWidget(m_plot);
     showState();
     makeWay();
 }
 
-/// The views are to be seen while they are measured: meanwhile the dialog is low, in the lower third of its window. Its whole
+/// Lets the user see the views during the measurement: shrinks the dialog to a low strip at the bottom of its window. Its whole
 /// frame stays on the screen.
 void ReproduceDialog::makeWay() {
     m_notes->setVisible(!m_runner.running());
-    // What it takes at least without the notes.
+    // Compute the minimum size without the notes.
     layout()->activate();
     const QRect screenPlace = screen()->availableGeometry();
     const QRect seen = parentWidget() ? parentWidget()->window()->frameGeometry().intersected(screenPlace) : QRect();
@@ -159,7 +159,7 @@ void ReproduceDialog::makeWay() {
     // A plot needs more height than rows.
     const int low = hasPlot() ? place.height() / 2 : place.height() / 3, high = hasPlot() ? kPlotHeight : kHeight;
     const int most = m_runner.running() ? low : std::min(high + frame.height(), screenPlace.height());
-    // Afterwards every column is to be seen: the losses are in the last ones.
+    // After the measurement every column must be visible: the losses are in the last ones.
     const int beside = width() - m_pages->width() + m_table->width() - m_table->viewport()->width();
     const int wanted = m_runner.running() ? kWidth : std::max(kWidth, m_table->horizontalHeader()->length() + beside);
     const int wide = std::min(wanted, screenPlace.width() - frame.width());
@@ -169,7 +169,7 @@ void ReproduceDialog::makeWay() {
     moveOnScreen({place.x() + (place.width() - taken.width()) / 2, place.bottom() + 1 - taken.height()});
 }
 
-/// Moves the frame's corner to a place, or as near as the screen lets all of the frame be seen.
+/// Moves the top left corner of the frame to `corner`, or to the nearest point at which the whole frame is on the screen.
 void ReproduceDialog::moveOnScreen(const QPoint& corner) {
     const QRect place = screen()->availableGeometry();
     const QSize taken = size() + frameGeometry().size() - geometry().size();
@@ -177,14 +177,14 @@ void ReproduceDialog::moveOnScreen(const QPoint& corner) {
          std::clamp(corner.y(), place.top(), std::max(place.top(), place.bottom() + 1 - taken.height())));
 }
 
-/// The height below which something is cut: a dialog's own minimum leaves out that its sentences take more lines when narrow.
+/// The height that shows all contents. A dialog's minimumSize() ignores that wrapped labels take more lines when it is narrow.
 int ReproduceDialog::leastHeight(int width) const {
-    // Else the layout learns in the next event loop only what the plot needs now.
+    // Otherwise the layout takes the plot's new size hint into account only in the next event loop.
     m_pages->updateGeometry();
     return std::max(layout()->totalMinimumSize().height(), layout()->minimumHeightForWidth(width));
 }
 
-/// Makes the dialog that high if it is lower, as far as the screen lets it, and keeps it on the screen.
+/// Makes the dialog at least that high, as far as the screen allows, and keeps it on the screen.
 void ReproduceDialog::growTo(int height) {
     const int frame = frameGeometry().height() - this->height();
     const int wanted = std::min(height, screen()->availableGeometry().height() - frame);
@@ -211,7 +211,7 @@ void ReproduceDialog::showPlot(const PaperTable& table) {
     m_pages->tabBar()->setVisible(hasPlot());
     if (!hasPlot()) m_pages->setCurrentWidget(m_table);
     m_plot->setPlot(hasPlot() ? table.plots.front() : LinePlot());
-    // The legend grows with the first lines.
+    // The first lines make the legend higher.
     if (isVisible()) growTo(leastHeight(width()));
 }
 
@@ -274,7 +274,7 @@ void ReproduceDialog::askWhereTo(File file) {
 
 void ReproduceDialog::exportTo(File file, const std::filesystem::path& path) {
     if (ofPlot(file)) {
-        // Plots are drawn on the window's thread.
+        // Render the plot here: widgets are painted on the window's thread only.
         if (!hasPlot()) return;
         const QByteArray bytes = file == File::Svg ? plotSvg(*m_plot, kPlotFile) : plotPdf(*m_plot, kPlotFile);
         return m_exporter->write(path, [bytes] { return bytes; });

@@ -17,9 +17,9 @@
 
 namespace cullscope::ui {
 
-/// Chooses one of the papers' tables, has it measured while the window shows it, and puts the paper's numbers beside ours. The
-/// runner keeps the newest table: a later dialog shows it again. A table with a plot has it in a second tab, which is in front
-/// while it is measured.
+/// Reproduces a table of a paper: the window shows its settings while they are measured, and the dialog lists the measured
+/// numbers beside the paper's. The runner keeps the newest table, so that a dialog opened later shows it again. A table with a
+/// plot has it in a second tab, which is in front during the measurement.
 class ReproduceDialog : public QDialog {
     Q_OBJECT
 
@@ -35,14 +35,14 @@ public:
     [[nodiscard]] QTableView& table() { return *m_table; }
     [[nodiscard]] QTabWidget& pages() { return *m_pages; }
     [[nodiscard]] LinePlotWidget& plot() { return *m_plot; }
-    /// Whose numbers these are; while it runs, what the views show meanwhile.
+    /// The source of the paper's numbers; during a measurement, what the views show.
     [[nodiscard]] QString heading() const { return m_source->text(); }
     [[nodiscard]] QProgressBar& progressBar() { return *m_progress; }
     [[nodiscard]] const PaperTableModel& model() const { return *m_model; }
-    /// Writes the table (SVG and PDF: its plot) on show beside the window; says through the session what came of it.
+    /// Writes the shown table in the background (SVG and PDF: its plot). Reports success or failure through the session.
     void exportTo(File file, const std::filesystem::path& path);
 
-    /// Closing it stops what is under way.
+    /// Closes the dialog and stops a running measurement.
     void reject() override;
 
 private:

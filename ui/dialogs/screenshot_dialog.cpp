@@ -20,7 +20,7 @@ namespace {
 using Behind = ScreenshotOptions::Background;
 
 constexpr std::array kSizes{Viewport{1280, 720}, Viewport{1920, 1080}, Viewport{3840, 2160}};
-/// Data of the size's entries that are none of kSizes.
+/// Item data of the sizes that are not in kSizes.
 constexpr int kAsShown = -1;
 constexpr int kCustom = -2;
 

@@ -13,7 +13,7 @@
 
 namespace cullscope::ui {
 
-/// GlRequirement what a screenshot is to be like and where it goes. Says what the file will be called, or why there can be none.
+/// Asks for the options of a screenshot and for its file. Shows the file's name, or why it cannot be written.
 class ScreenshotDialog : public QDialog {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     ScreenshotDialog(Session& session, ExtrasOf extras, const ScreenshotSettings& settings, QWidget* parent = nullptr);
 
     [[nodiscard]] ScreenshotSettings settings() const;
-    /// What stands below the choices: the file's name, or the reason why it cannot be.
+    /// The line below the options: the name of the file, or why it cannot be written.
     [[nodiscard]] QString verdict() const { return m_verdict->text(); }
     [[nodiscard]] QPushButton& saveButton() { return *m_save; }
 

@@ -9,10 +9,10 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kPatience = 700;  // ms that a screenshot may take without a window of its own
+constexpr int kPatience = 700;  // ms that a screenshot may take before its progress window opens
 constexpr int kPercent = 100;
 
-/// The wipe alone, where the window says nothing.
+/// The wipe of the view, without the labels that the window adds.
 PictureExtras wipeOf(const Session& session, int view) {
     PictureExtras extras;
     extras.wipe = session.setup(view).wipe;
@@ -63,7 +63,7 @@ void ScreenshotTaker::startNext() {
     m_waiting.pop_front();
     std::filesystem::path path;
     try {
-        // Only now: the one before this has taken a number.
+        // Not before: the screenshot written just now has used up a file number.
         path = screenshotPath(m_session, order.settings);
     } catch (const Error& error) {
         emit failed(error.message());
@@ -101,7 +101,7 @@ void ScreenshotTaker::showProgress() {
 void ScreenshotTaker::finish() {
     if (m_progress) m_progress->deleteLater();
     m_progress.clear();
-    // It is its own signal that ends it.
+    // Deferred: this function runs in a signal of that very object.
     m_running.release()->deleteLater();
 }
 

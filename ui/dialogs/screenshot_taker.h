@@ -9,39 +9,40 @@
 
 namespace cullscope::ui {
 
-/// Takes screenshots of what a session shows, one after the other, without stopping the window; what a screenshot shows is fixed
-/// when it is asked for. A picture that takes a while has a small window with its progress and a button that stops it.
+/// Takes screenshots of what a session shows, one after the other, without blocking the window. A screenshot shows the session as
+/// it was at the call of take(). One that takes long has a small window with its progress and a cancel button.
 class ScreenshotTaker : public QObject {
     Q_OBJECT
 
 public:
-    /// JSON of the session's state, for the file's metadata.
+    /// Returns the session's state as JSON, for the file's metadata.
     using SessionText = std::function<std::string()>;
 
-    /// `window` is the dialogs' parent; null: no dialogs.
+    /// `window` is the parent of the dialogs; null: no dialogs are shown.
     explicit ScreenshotTaker(Session& session, QWidget* window = nullptr);
     ~ScreenshotTaker() override;
 
     void setSessionText(SessionText text) { m_sessionText = std::move(text); }
-    /// What is painted over the pictures in the window.
+    /// Sets the overlays that the window paints over a view's picture.
     void setExtras(ExtrasOf extras) { m_extras = std::move(extras); }
 
-    /// As the last time, without asking. Without overlays: the pictures alone, no legend and no caption either.
+    /// Takes a screenshot with the settings of the last one, without a dialog. Without `overlays` it has no legend and no caption
+    /// either.
     void take(bool overlays = true);
     void askAndTake();
-    /// The same with given settings.
+    /// Takes a screenshot with the given settings.
     void take(const ScreenshotSettings& settings);
     [[nodiscard]] bool busy() const { return m_running || !m_waiting.empty(); }
-    /// Stops the one under way and forgets those that wait.
+    /// Stops the running screenshot and drops the waiting ones.
     void cancel();
 
-    /// The picture that a view shows in the window, with what is painted over it or without; null: it shows none. Throws what
-    /// core throws where it has to be drawn first.
+    /// The picture that a view shows in the window, with or without the overlays; null: the view shows none. Throws what core
+    /// throws if the picture has to be drawn first.
     [[nodiscard]] QImage clipboardImage(int view, bool overlays);
 
 signals:
     void progressed(double share);
-    /// A file was written.
+    /// Emitted after the file was written.
     void done(const QString& path);
     void failed(const cullscope::Message& message);
     void cancelled();

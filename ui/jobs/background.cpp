@@ -24,7 +24,7 @@ void Background::stopAll() {
 }
 
 void Background::finish(uint64_t job, const Delivery& deliver) {
-    // The thread posted this as its last act, so that joining it takes no time.
+    // The worker thread posted this call as its last action, so joining it takes no time.
     m_running.remove_if([job](const Running& running) { return running.job == job; });
     if (!m_jobs.isCurrent(job)) return;
     m_busy = false;

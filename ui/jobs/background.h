@@ -10,14 +10,13 @@
 
 namespace cullscope::ui {
 
-/// Runs work on threads of its own and hands what it brings to the thread that owns this object.
-/// Starting new work tells the old to stop and drops whatever it still brings; nothing here ever waits for it,
-/// except the destructor.
+/// Runs work on worker threads and delivers its result on the thread that owns this object. Starting new work requests the old
+/// work to stop and drops its result. Only the destructor waits for the worker threads.
 class Background : public QObject {
     Q_OBJECT
 
 public:
-    /// What is to happen on the owner's thread when the work is done and still wanted.
+    /// Runs on the owner's thread after the work has finished, unless newer work was started or the work was cancelled.
     using Delivery = std::function<void()>;
     using Work = std::function<Delivery(const std::stop_token&)>;
 
@@ -25,7 +24,7 @@ public:
 
     void start(Work work);
     void cancel();
-    /// Whether wanted work is under way.
+    /// Whether work is running that was neither cancelled nor replaced by newer work.
     [[nodiscard]] bool busy() const { return m_busy; }
 
 private:

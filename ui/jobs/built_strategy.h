@@ -11,27 +11,27 @@
 
 namespace cullscope::ui {
 
-/// A strategy built for a scene, with the scene it needs. Views and measurements share it: `mutex` is held around `cull` and
-/// nothing else, so that neither waits for what the other draws.
+/// A strategy built for a scene, with that scene. Views and measurements share it. Callers hold `mutex` during `cull` only, so
+/// that no thread waits while another one draws.
 struct BuiltStrategy {
     std::string id;
     ScenePointer scene;
     StrategyPointer strategy;
-    GlRequirement glRequirement = GlRequirement::None;  ///< anything else: it can be culled on a thread with a context alone
+    GlRequirement glRequirement = GlRequirement::None;  ///< None: `cull` runs on any thread; else on one with a context
     std::mutex mutex;
 };
 
 using BuiltStrategyPointer = std::shared_ptr<BuiltStrategy>;
 
-/// One cull of a strategy that several threads share. `renderer`: of the thread's current context; null: this thread has none,
-/// and the strategy asks for none. Throws what Strategy::cull throws.
+/// Culls once with a strategy that several threads share. `renderer` belongs to the calling thread's current context; null: the
+/// thread has no context, and the strategy must not require one. Throws what Strategy::cull throws.
 [[nodiscard]] Verdict cullShared(BuiltStrategy& built, const View& view, Trace* trace, Renderer* renderer);
 
-/// A look without the boxes, bands and kernels that the strategy does not have at this view. Needs no context: what asks OpenGL
-/// is not asked, and has boxes.
+/// Returns `look` without the boxes, bands and kernels that the strategy does not provide at this view. Needs no context: a
+/// strategy that requires OpenGL is not culled here; it keeps its boxes, and loses bands and kernel.
 [[nodiscard]] ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look);
 
-/// core's renderFrame for a strategy that several threads share. Waiting for the others is not part of the time.
+/// Does the same as core's renderFrame for a strategy that several threads share. The time excludes the wait for the mutex.
 FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,
                          Framebuffer& target, const DrawStyle& style = {});
 

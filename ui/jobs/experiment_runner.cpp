@@ -40,7 +40,7 @@ Message experimentLoss() {
             {}};
 }
 
-/// Empty: the user stopped it.
+/// Returns an empty message if the user stopped the experiment.
 Message sentenceOf(const std::exception& exception) {
     if (const auto* error = dynamic_cast<const Error*>(&exception))
         return error->kind() == ErrorKind::Interrupted ? Message() : error->message();
@@ -105,10 +105,10 @@ ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, G
     };
     std::optional<MeasureResult> known;
     const PoseObserver afterPose = [&](const std::function<MeasureResult()>& resultSoFar) {
-        // The pose just measured cannot be told from those before: what is known without it is kept.
+        // A loss cannot be dated to a frame, so the pose just measured is dropped; the result without it is kept.
         if (gpu.lost()) throw Error(ErrorKind::OpenGl, experimentLoss());
         {
-            // Nobody has picked up the last one yet.
+            // The timer has not yet taken the last snapshot: do not make another one.
             const std::lock_guard lock(board.mutex);
             if (board.snapshot) return;
         }
@@ -141,18 +141,18 @@ void ExperimentRunner::showBoard() {
         snapshot.swap(board->snapshot);
     }
     emit progressed(share, stage);
-    // Whoever heard of the progress may have cancelled or started another.
+    // A slot connected to `progressed` may have cancelled the experiment or started another one.
     if (snapshot && m_running && board == m_board) emit partial(*snapshot);
 }
 
 void ExperimentRunner::deliver(uint64_t job, const Outcome& outcome) {
-    // The thread has nothing left to do: joining it takes no time, and its memory is free again.
+    // The thread has no work left: joining it takes no time and frees its memory.
     if (--m_underWay == 0) m_gpu.reset();
     if (!m_jobs.isCurrent(job)) return;
     m_running = false;
     m_poll.stop();
     if (outcome.result) emit finished(*outcome.result);
-    // Whoever heard of the result may have started another.
+    // A slot connected to `finished` may have started another experiment.
     if (!outcome.failure.empty() && m_jobs.isCurrent(job)) emit failed(outcome.failure);
 }
 

@@ -14,15 +14,15 @@
 
 namespace cullscope::ui {
 
-/// Measures strategies over a camera path beside the window, on an OpenGL thread of its own that lives as long as it has work:
-/// one experiment at a time, a newer one takes the place of an older one. Used on the window's thread.
+/// Measures strategies over a camera path in the background, on an OpenGL thread of its own that exists while there is work. Runs
+/// one experiment at a time; a newer one replaces an older one. Call it on the window's thread.
 class ExperimentRunner : public QObject {
     Q_OBJECT
 
 public:
     struct Request {
         ScenePointer scene;
-        std::vector<StrategyRequest> strategies;  ///< the baselines `all` and `backface` are added where they are missing
+        std::vector<StrategyRequest> strategies;  ///< the baselines `all` and `backface` are added if missing
         CameraPath path;
         Viewport size;
         int windows = 1;
@@ -33,14 +33,14 @@ public:
     };
 
     explicit ExperimentRunner(QObject* parent = nullptr, GpuThread::Options gpu = GpuThread::Options());
-    /// Waits for the frame under way.
+    /// Waits for the frame that is being drawn.
     ~ExperimentRunner() override;
 
     void start(const Request& request);
-    /// Tells the experiment to stop and emits `cancelled` at once. What was measured comes as `finished` as soon as the frame
-    /// under way is done, unless another experiment was started before.
+    /// Requests the experiment to stop and emits `cancelled` at once. The frames measured so far arrive as `finished` when the
+    /// current frame is done, unless another experiment was started in between.
     void cancel();
-    /// Whether an experiment is under way that was not cancelled.
+    /// Whether an experiment runs that was not cancelled.
     [[nodiscard]] bool running() const { return m_running; }
 
 signals:
@@ -50,19 +50,19 @@ signals:
     /// The poses measured so far. At most 10 times a second.
     void partial(const cullscope::MeasureResult& result);
     void finished(const cullscope::MeasureResult& result);
-    /// After `finished` where something was measured before.
+    /// Emitted after `finished` if some poses were measured before the failure.
     void failed(const cullscope::Message& message);
     void cancelled();
 
 private:
-    /// Where the measuring thread leaves what the timer picks up.
+    /// Filled by the measuring thread, emptied by the timer on the window's thread.
     struct Board {
         std::mutex mutex;
         double share = 0.0;
         std::string stage;
         std::optional<MeasureResult> snapshot;
     };
-    /// What came of an experiment: a result, or a message, or (where the context was lost) the poses before and a message.
+    /// The end of an experiment: a result, or a message, or (after a context loss) the earlier poses and a message.
     struct Outcome {
         std::optional<MeasureResult> result;
         Message failure;
@@ -74,7 +74,7 @@ private:
 
     JobNumbers m_jobs;
     bool m_running = false;
-    int m_underWay = 0;  ///< posted and not yet done, the cancelled ones too
+    int m_underWay = 0;  ///< experiments that are posted and not done, cancelled ones included
     std::stop_source m_stop;
     std::shared_ptr<Board> m_board;
     QTimer m_poll;

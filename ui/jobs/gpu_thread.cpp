@@ -8,9 +8,9 @@ namespace cullscope::ui {
 
 namespace {
 
-// A scene that resets the driver whenever it is drawn must not do so for ever.
+// Stops the replacement of contexts if a scene resets the driver each time it is drawn.
 constexpr int kMostLossesInARow = 4;
-constexpr qint64 kCalm = 30'000;  // ms without a loss, after which the next one is the first again
+constexpr qint64 kCalm = 30'000;  // ms without a loss, after which the count of losses starts again
 
 constexpr int kTries = 5;
 constexpr unsigned long kPauseBetweenTries = 200;  // ms
@@ -110,7 +110,7 @@ void GpuThread::post(std::function<void()> work, Urgency urgency) {
         const std::lock_guard lock(m_queueMutex);
         (urgency == Urgency::Picture ? m_pictures : m_work).push_back(std::move(work));
     }
-    // One call for each piece of work; which piece it takes is decided when it comes to it.
+    // Each post queues one call of runNext(), which takes the most urgent piece of work at the time it runs.
     QMetaObject::invokeMethod(
         &m_worker, [this] { runNext(); }, Qt::QueuedConnection);
 }
@@ -144,7 +144,7 @@ Renderer& GpuThread::renderer() {
 // ---- Loss
 
 bool GpuThread::lost() {
-    // Qt's makeCurrent fails where the driver has notified it of a reset.
+    // QOpenGLContext::makeCurrent fails after the driver has reported a reset.
     m_lost = m_lost || !m_context || !m_context->makeCurrent(&m_surface) || cullscope::contextLost() ||
              (m_options.lost && m_options.lost());
     return m_lost;
@@ -157,7 +157,7 @@ bool GpuThread::losesTooOften() {
 }
 
 void GpuThread::replaceContext() {
-    // Without a context OpenGL's calls do nothing, which is as good for what died with it.
+    // If the lost context cannot be made current, none is: OpenGL calls then do nothing, and its objects are gone anyway.
     if (!m_context->makeCurrent(&m_surface)) m_context->doneCurrent();
     emit contextGoing();
     m_renderer.reset();
@@ -172,12 +172,12 @@ void GpuThread::replaceContext() {
 
 void GpuThread::replaceWithin(int tries) {
     for (int attempt = 0; attempt < tries && !m_context; ++attempt) {
-        // A driver may take a while to come back.
+        // A driver may take some time to restart after a reset.
         if (attempt > 0) QThread::msleep(kPauseBetweenTries);
         try {
             beginIn(newContext());
         } catch (const Error&) {
-            // Said by the signal, if it is the last.
+            // Try again; contextLost reports the failure of the last attempt.
         }
     }
 }
@@ -204,7 +204,7 @@ SceneBuffersPointer GpuThread::share(const ScenePointer& scene, const SceneBuffe
 }
 
 SceneBuffersPointer GpuThread::ownedByThread(std::unique_ptr<SceneBuffers> buffers) {
-    // Timing must not meet a transfer that is still under way.
+    // Finish the transfer here, so that it does not overlap with a timed frame.
     waitForGpu();
     ++m_buffers;
     return {buffers.release(), Freer{m_mailbox, m_number}};
@@ -212,7 +212,8 @@ SceneBuffersPointer GpuThread::ownedByThread(std::unique_ptr<SceneBuffers> buffe
 
 void GpuThread::Freer::operator()(const SceneBuffers* buffers) const {
     const std::lock_guard lock(mailbox->mutex);
-    // Without the thread there is no context in which to free them: OpenGL has freed its part, ours ends with the process.
+    // After the thread has ended there is no context to free the buffers in. OpenGL freed its objects with the context; the CPU
+    // object remains until the process ends.
     if (GpuThread* thread = mailbox->thread)
         QMetaObject::invokeMethod(
             &thread->m_worker, [thread, buffers, context = context] { thread->free(buffers, context); }, Qt::QueuedConnection);

@@ -20,80 +20,86 @@ namespace cullscope::ui {
 
 using SceneBuffersPointer = std::shared_ptr<const SceneBuffers>;
 
-/// What contextLost tells the user.
+/// The text that accompanies contextLost, for the user.
 [[nodiscard]] Message lossMessage(bool replaced);
 
-/// What goes first on the GPU thread.
+/// The queue of the GPU thread that a piece of work goes to.
 enum class Urgency {
-    Picture,  ///< somebody is waiting for it: goes before everything that has not begun
-    Work      ///< uploads and measurements, in the order of posting
+    Picture,  ///< a view waits for the picture: runs before all work that has not begun
+    Work      ///< uploads and measurements, in the order in which they were posted
 };
 
-/// A thread with an OpenGL context of its own: draws, uploads scenes and measures, so that none of them stops the window. The
-/// context shares nothing with the window's, so that neither falls with the other. Where a driver's reset takes it, a new one
-/// takes its place: what was made in the old one is let go, and contextLost says that it is to be made again. Made, asked and
-/// destroyed on the window's thread.
+/// A thread with an OpenGL context of its own. It draws, uploads scenes and measures, so that the window never blocks. The
+/// context shares nothing with the window's context, so that a loss of one does not destroy the other. After a driver reset a new
+/// context replaces the lost one: objects of the old context are released, and contextLost tells their owners to create them
+/// again. Construct and destroy it on the window's thread; call its functions there too, unless their comments say otherwise.
 class GpuThread : public QObject {
     Q_OBJECT
 
 public:
-    /// For tests: no driver resets on demand.
+    /// Stand-ins for tests, because no driver resets on demand.
     struct Options {
-        std::function<bool()> lost;  ///< asked on the thread with the context current; empty: OpenGL's own word alone
-        std::function<std::unique_ptr<QOpenGLContext>()> context;  ///< null: none can be made; empty: one with reset notification
+        /// Additional test for a lost context, called on the thread with the context current; empty: only OpenGL is queried.
+        std::function<bool()> lost;
+        /// Makes a context or returns null; empty: GpuThread makes one, with reset notification if the driver offers it.
+        std::function<std::unique_ptr<QOpenGLContext>()> context;
     };
 
-    /// Throws Error(OpenGl) where there is no OpenGL 4.5.
+    /// Throws Error(OpenGl) if OpenGL 4.5 is not available.
     explicit GpuThread(Options options = Options());
-    /// Finishes what was posted.
+    /// Finishes all posted work.
     ~GpuThread() override;
 
-    /// Runs `work` on the thread with the context current.
+    /// Runs `work` on the thread with the context current. Returns at once; may be called on any thread.
     void post(std::function<void()> work, Urgency urgency = Urgency::Work);
-    /// Runs `work` there and waits for it and for everything that was posted before.
+    /// Runs `work` on the thread after all work posted before, and waits for it.
     void run(const std::function<void()>& work);
 
-    /// Uploads a scene (on the thread: call from posted work only). The buffers are freed on the thread, whoever lets go of them;
-    /// those that outlive this object went with its context. Throws what SceneBuffers throws, and Error(OpenGl) where the context
-    /// was lost and no new one can be made.
+    /// Uploads a scene. Call it from posted work only. The thread frees the buffers, on whichever thread their last owner
+    /// releases them; OpenGL has already freed the buffers that outlive this object, with its context. Throws what SceneBuffers
+    /// throws, and Error(OpenGl) if the context was lost and no new one can be made.
     [[nodiscard]] SceneBuffersPointer upload(const ScenePointer& scene, Upload upload = Upload::Vbo);
-    /// The same for a scene of the very meshes that `uploaded` holds: nothing is uploaded again.
+    /// Does the same for a scene whose meshes `uploaded` holds already: shares its buffers and uploads nothing.
     [[nodiscard]] SceneBuffersPointer share(const ScenePointer& scene, const SceneBuffers& uploaded);
 
-    /// One for whoever asks OpenGL and draws nothing (on the thread, with the context not lost); goes with the context.
+    /// A renderer for culls that query OpenGL and draw no picture. Call it on the thread, with the context not lost; the renderer
+    /// is destroyed with the context.
     [[nodiscard]] Renderer& renderer();
 
-    /// Whether the context is gone (on the thread): what was done in it since the work in hand began is worth nothing.
+    /// Whether the context is lost. Call it on the thread. If it is, all results since the current work began are invalid.
     [[nodiscard]] bool lost();
-    /// Whether it was lost in the work in hand (on the thread), so that contextLost is still to come.
+    /// Whether the context was lost during the current work, so that contextLost is still to be emitted. Call it on the thread.
     [[nodiscard]] bool losing() { return m_context && lost(); }
-    /// Whether the buffers are of the present context, and that is not lost (on the thread): others must not be drawn.
+    /// Whether the buffers belong to the present context, and that one is not lost. Other buffers must not be drawn. Call it on
+    /// the thread.
     [[nodiscard]] bool holds(const SceneBuffersPointer& buffers);
-    /// Throws Error(OpenGl) where it does not hold them (on the thread).
+    /// Throws Error(OpenGl) if holds() is false. Call it on the thread.
     void requireHeld(const SceneBuffersPointer& buffers);
 
     [[nodiscard]] const GlInfo& info() const { return m_info; }
 
 signals:
-    /// On the thread (connect directly), with the lost context current as far as it can be: let go of what was made in it.
+    /// Emitted on the thread; connect directly. Receivers release what they made in the lost context, which is still current if
+    /// the driver allows it.
     void contextGoing();
-    /// On the window's thread. False: no new context can be made; what is shown stays, and nothing new is drawn.
+    /// Emitted on the window's thread. False: no new context can be made; the shown pictures stay, and no new ones are drawn.
     void contextLost(bool replaced);
 
 private:
-    /// Outlives the thread, for what is freed late.
+    /// Outlives the thread, for buffers that are released after it ended.
     struct Mailbox {
         std::mutex mutex;
-        GpuThread* thread = nullptr;  ///< null: the thread is gone
+        GpuThread* thread = nullptr;  ///< null: the thread has ended
     };
-    /// Frees buffers on the thread, in the context that they were made in.
+    /// Deleter that frees buffers on the thread, in the context in which they were made.
     struct Freer {
         std::shared_ptr<Mailbox> mailbox;
         uint64_t context = 0;
 
         void operator()(const SceneBuffers* buffers) const;
     };
-    /// Kept until its last buffers are freed: a number of the old context names something else in the new one.
+    /// A lost context, kept until its last buffers are freed: an object name of the old context may name another object in the
+    /// new one.
     struct LostContext {
         std::unique_ptr<QOpenGLContext> context;
         size_t buffers = 0;
@@ -118,13 +124,13 @@ private:
     QThread m_thread;
     QObject m_worker;
     std::shared_ptr<Mailbox> m_mailbox = std::make_shared<Mailbox>();
-    GlInfo m_info;  ///< on the window's thread
+    GlInfo m_info;  ///< read and written on the window's thread
 
-    // On the thread:
-    std::unique_ptr<QOpenGLContext> m_context;  ///< null: lost, and no new one can be made
-    std::unique_ptr<Renderer> m_renderer;       ///< of the context; null: not asked for yet
-    uint64_t m_number = 0;                      ///< of the context
-    size_t m_buffers = 0;                       ///< living in it
+    // Used on the thread only:
+    std::unique_ptr<QOpenGLContext> m_context;  ///< null: the context was lost and no new one can be made
+    std::unique_ptr<Renderer> m_renderer;       ///< made in m_context; null: renderer() was not called yet
+    uint64_t m_number = 0;                      ///< counts the contexts; identifies m_context
+    size_t m_buffers = 0;                       ///< number of buffers that exist in m_context
     bool m_lost = false;
     std::map<uint64_t, LostContext> m_lostContexts;
     QElapsedTimer m_sinceLoss;

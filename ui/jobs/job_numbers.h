@@ -5,13 +5,13 @@
 
 namespace cullscope::ui {
 
-/// Numbers for background jobs: only the newest counts, whatever an older one brings is stale and dropped.
-/// May be asked from any thread.
+/// Numbers background jobs. Only the newest job is current; the result of an older one is stale and dropped. All functions may be
+/// called on any thread.
 class JobNumbers {
 public:
-    /// A new job begins; all earlier ones are stale from now on.
+    /// Begins a new job and returns its number. All earlier jobs become stale.
     uint64_t begin() { return ++m_current; }
-    /// No job counts any more.
+    /// Makes all jobs stale.
     void invalidate() { ++m_current; }
     [[nodiscard]] bool isCurrent(uint64_t job) const { return m_current.load() == job; }
 

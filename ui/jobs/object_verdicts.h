@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// What became of whole objects: against the truth where that is known, else what the strategy decided about their boxes. Worked
-/// out for an object when it is first asked for, because only the rows on the screen are.
+/// The verdict on each object: against the truth if that is known, else the strategy's decision on the object's box. Computed
+/// when an object's verdict is first read, because a list reads only its visible rows.
 class ObjectVerdicts {
 public:
     struct Verdict {
@@ -20,11 +20,12 @@ public:
         bool operator==(const Verdict&) const = default;
     };
 
-    /// `states` and `reading` may be null; where both are given, the states count. Both are numbered as in `scene`.
+    /// `states` and `reading` may be null; if both are given, `states` is used. Both number instances and triangles as `scene`
+    /// does.
     void set(const ScenePointer& scene, const std::shared_ptr<const TriangleStates>& states,
              const SnapshotReadingPointer& reading);
-    /// Of an instance of the scene. Wrongly culled, where any of its triangles is; else visible, where any is; else in vain,
-    /// where any is; else the state that most of them have. None: not known.
+    /// The verdict on an instance of the scene: wrongly culled if any of its triangles is; else visible if any is; else drawn in
+    /// vain if any is; else the state of most of its triangles. None: not known.
     [[nodiscard]] std::optional<Verdict> of(uint32_t instance) const;
 
 private:
@@ -33,8 +34,8 @@ private:
     ScenePointer m_scene;
     std::shared_ptr<const TriangleStates> m_states;
     std::shared_ptr<const StructureSnapshot> m_snapshot;
-    mutable std::vector<int8_t> m_known;  ///< by instance, of the states; -1: not worked out yet
-    std::vector<int64_t> m_nodes;         ///< by instance, its first node without children; -1: none
+    mutable std::vector<int8_t> m_known;  ///< by instance: its state from m_states; -1: not computed yet
+    std::vector<int64_t> m_nodes;         ///< by instance: its first node without children; -1: none
 };
 
 }  // namespace cullscope::ui

@@ -9,11 +9,10 @@ namespace cullscope::ui {
 
 namespace {
 
-// The view that the hand is in has two turns of three while it moves, so that its picture follows within 100 ms beside seven
-// others.
+// While the user moves a view, it has two turns of three, so that its picture follows within 100 ms beside seven other views.
 constexpr int kTurnsOfFirst = 2;
 
-/// Runs `draw` and puts what it throws into a sentence.
+/// Runs `draw` and stores the message of what it throws in `failure`.
 template <typename Draw>
 ViewPicturePointer guarded(Message& failure, const Draw& draw) {
     try {
@@ -44,7 +43,7 @@ PictureMaker::PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent
 
 PictureMaker::~PictureMaker() {
     m_jobs.invalidate();
-    // What lives on the GPU thread ends there.
+    // Destroy OpenGL objects on the GPU thread.
     m_gpu.run([this] { *m_drawer = ViewPictureDrawer(); });
 }
 
@@ -81,7 +80,7 @@ void PictureMaker::update(int first) {
 
 void PictureMaker::schedule() {
     if (m_drawing || std::exchange(m_scheduled, true)) return;
-    // Many changes of one event are one wish.
+    // Queued, so that several changes during one event lead to one picture.
     QMetaObject::invokeMethod(
         this,
         [this] {
@@ -146,7 +145,7 @@ void PictureMaker::finish(int view, const ViewRequest& request, const ViewPictur
 
 void PictureMaker::passOver(int view, const ViewRequest& request) {
     m_drawing = false;
-    // The picture stays until the scene is in the new context, which makes another wish.
+    // The picture before stays; the new buffers after the upload to the new context make a new request.
     m_views[size_t(view)].given = request;
     schedule();
 }
@@ -157,7 +156,7 @@ void PictureMaker::pick(const ViewRequest& request, int x, int y,
         [this, request, x, y, found = std::move(found), drawer = m_drawer] {
             if (!m_gpu.holds(request.buffers)) return;
             std::optional<ViewPictureDrawer::Picked> picked;
-            Message failure;  // the same that drawing the view meets, and tells
+            Message failure;  // not reported: drawing the view fails in the same way and reports it
             (void)guarded(failure, [&]() -> ViewPicturePointer {
                 picked = drawer->pick(request, x, y);
                 return nullptr;

@@ -10,49 +10,49 @@
 
 namespace cullscope::ui {
 
-/// Draws the views' pictures on the GPU thread, one at a time and in turns, each from what its view wants when its turn
-/// comes: nothing is ever drawn for a wish that has passed, and a view whose wish has not changed is not drawn. What the loss of
-/// the thread's context spoils is not shown: the picture before it stays until the scene is in the new context.
+/// Draws the views' pictures on the GPU thread, one at a time and in turns. Each picture is drawn from the request that its view
+/// has when its turn comes: outdated requests are never drawn, and a view with an unchanged request is skipped. A picture spoilt
+/// by a context loss is not shown; the one before stays until the scene is uploaded to the new context.
 class PictureMaker : public QObject {
     Q_OBJECT
 
 public:
-    /// What a view wants to show now; nothing: it is not shown, or its scene or strategy is not ready.
+    /// Returns the request that a view has now; none: the view is not shown, or its scene or strategy is not ready.
     using Wish = std::function<std::optional<ViewRequest>(int view)>;
 
     PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent = nullptr);
     ~PictureMaker() override;
 
-    /// Wishes may have changed; `first` has two turns of three while it has a wish.
+    /// Call it when requests may have changed. View `first` gets two turns of three while it has a request.
     void update(int first);
-    /// Null: nothing drawn yet.
+    /// The view's newest picture; null: none was drawn yet.
     [[nodiscard]] const ViewPicturePointer& picture(int view) const { return m_views[size_t(view)].picture; }
-    /// Whether the view's picture is of its present wish.
+    /// Whether the view's picture was drawn from its present request.
     [[nodiscard]] bool isCurrent(int view) const;
-    /// Whether a picture is under way or wanted.
+    /// Whether a picture is being drawn or is still to be drawn.
     [[nodiscard]] bool busy() const;
-    /// How many pictures of the view were drawn so far.
+    /// The number of pictures drawn for the view so far.
     [[nodiscard]] size_t drawn(int view) const { return m_views[size_t(view)].drawn; }
-    /// Lets go of all pictures and of what they hold on the graphics card.
+    /// Releases all pictures and the GPU memory that they hold.
     void forget();
 
-    /// Draws a picture out of turn and waits for it. Throws what core throws.
+    /// Draws a picture out of turn and waits for it. Throws what core throws, and Error(OpenGl) if the context was lost.
     [[nodiscard]] ViewPicturePointer drawNow(const ViewRequest& request);
 
-    /// Looks up what a request's picture shows at a pixel (y upward); `found` is called here, not on the GPU thread, and not at
-    /// all where the thread lost its context.
+    /// Looks up what the picture of a request shows at a pixel (y upward). `found` is called on the thread that owns this object,
+    /// and is not called if the GPU thread lost its context.
     void pick(const ViewRequest& request, int x, int y,
               std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found);
 
 signals:
     void pictureMade(int view);
-    /// A view cannot be drawn; it is tried again when its wish changes.
+    /// A view cannot be drawn; PictureMaker tries again when its request changes.
     void failed(int view, const cullscope::Message& message);
 
 private:
     struct ViewState {
         ViewPicturePointer picture;
-        std::optional<ViewRequest> given;  ///< the newest request that was drawn or refused
+        std::optional<ViewRequest> given;  ///< the newest request that was drawn, failed, or was spoilt by a context loss
         size_t drawn = 0;
     };
 
@@ -69,8 +69,8 @@ private:
     std::vector<ViewState> m_views;
     JobNumbers m_jobs;
     int m_first = 0;
-    int m_turnsOfFirst = 0;  ///< since another view had one
-    int m_cursor = 0;        ///< where the turns of the others go on
+    int m_turnsOfFirst = 0;  ///< turns of m_first since another view had one
+    int m_cursor = 0;        ///< the view at which the search for the next turn of the others begins
     bool m_scheduled = false;
     bool m_drawing = false;
 };

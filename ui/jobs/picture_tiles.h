@@ -8,10 +8,10 @@
 
 namespace cullscope::ui {
 
-/// What is drawn at once has at most so many pixels a side: little memory of the graphics card, and a place to stop in between.
+/// The longest side of a tile, in pixels: limits the GPU memory, and a drawing can be stopped between two tiles.
 inline constexpr int kMostTilePixels = 4096;
 
-/// The tiles of a picture, row by row.
+/// Splits a picture into tiles, row by row.
 [[nodiscard]] inline std::vector<PictureTile> tilesOf(const Viewport& size) {
     std::vector<PictureTile> tiles;
     for (int y = 0; y < size.height; y += kMostTilePixels)
@@ -20,7 +20,7 @@ inline constexpr int kMostTilePixels = 4096;
     return tiles;
 }
 
-/// Copies a tile's rows to their place in the whole picture; both count from the bottom.
+/// Copies the rows of a tile to their place in the whole picture of `width` pixels; the rows of both start at the bottom.
 template <typename Value>
 void copyTile(const std::vector<Value>& from, const PictureTile& tile, std::vector<Value>& whole, int width) {
     for (int row = 0; row < tile.size.height; ++row)
@@ -28,7 +28,7 @@ void copyTile(const std::vector<Value>& from, const PictureTile& tile, std::vect
                     whole.begin() + std::ptrdiff_t(tile.y + row) * width + tile.x);
 }
 
-/// The same into an image of four bytes a pixel, whose rows count from the top.
+/// Does the same into an image of four bytes a pixel, whose rows start at the top.
 inline void copyTile(const std::vector<uint8_t>& rgba, const PictureTile& tile, QImage& image) {
     const size_t rowBytes = 4 * size_t(tile.size.width);
     for (int row = 0; row < tile.size.height; ++row)
@@ -36,7 +36,7 @@ inline void copyTile(const std::vector<uint8_t>& rgba, const PictureTile& tile, 
                     image.scanLine(image.height() - 1 - tile.y - row) + 4 * size_t(tile.x));
 }
 
-/// An image whose bytes are not set. Throws Error(Usage) where there is no memory for it.
+/// Returns an uninitialised image. Throws Error(Usage) if there is not enough memory for it.
 [[nodiscard]] QImage newImage(const Viewport& size, QImage::Format format);
 
 }  // namespace cullscope::ui

@@ -14,18 +14,18 @@
 
 namespace cullscope::ui {
 
-/// Opens scenes beside the window: one at a time, a newer one takes the place of an older one.
+/// Opens scenes in the background, one at a time; a newer request replaces an older one.
 class SceneLoader : public QObject {
     Q_OBJECT
 
 public:
-    /// What opens a scene: core's openScene, or something slower in a test.
+    /// Function that opens a scene: core's openScene, or a slower one in a test.
     using Opener = std::function<OpenedScene(const std::string& specification, const Progress& progress)>;
 
     explicit SceneLoader(Opener opener, QObject* parent = nullptr);
 
     void open(const QString& specification);
-    /// Stops the loading at once as far as the window is concerned; the thread follows within 100 ms.
+    /// Stops the loading: `loading` is false at once, and the worker thread ends within 100 ms.
     void cancel();
     [[nodiscard]] bool loading() const { return m_background.busy(); }
     [[nodiscard]] const QString& specification() const { return m_specification; }
@@ -39,7 +39,7 @@ signals:
     void cancelled();
 
 private:
-    /// Where the working thread leaves its progress, for the timer to pick up.
+    /// Filled by the worker thread, read by the timer.
     struct Board {
         std::mutex mutex;
         double share = 0.0;

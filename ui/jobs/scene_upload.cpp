@@ -14,7 +14,7 @@ SceneUpload::SceneUpload(GpuThread& gpu, Uploader uploader, QObject* parent)
 SceneUpload::~SceneUpload() {
     m_jobs.invalidate();
     m_ways = {};
-    // What is still on its way here holds buffers, which must go while the GPU thread lives.
+    // Calls queued for this object hold buffers, which must be freed while the GPU thread exists.
     m_gpu.run([] {});
     QCoreApplication::removePostedEvents(this);
 }
@@ -56,7 +56,7 @@ void SceneUpload::post(Upload upload, const SceneBuffersPointer& before) {
         } catch (const std::exception& error) {
             failure = {QT_TRANSLATE_NOOP("core", "The scene cannot be given to OpenGL: %1"), {error.what()}};
         }
-        // Uploaded into nothing: it begins anew as soon as the loss is known here.
+        // The context was lost during the upload: contextLost starts it again.
         if (m_gpu.losing()) return;
         QMetaObject::invokeMethod(
             this,
@@ -73,7 +73,7 @@ void SceneUpload::take(Upload upload, const SceneBuffersPointer& buffers, const 
     if (!failure.empty()) m_failure = failure;
     if (before && buffers) emit renewed(before, buffers);
     emit changed();
-    // Both ways of uploading may fail for one reason.
+    // Both ways of uploading may fail for the same reason: report it once.
     if (news) emit failed(failure);
 }
 

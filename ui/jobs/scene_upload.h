@@ -10,29 +10,30 @@
 
 namespace cullscope::ui {
 
-/// Brings a scene to OpenGL on the GPU thread, as buffer objects and, where a view asks for it, as client arrays. A scene of
-/// the same meshes as the one before shares its buffers. After the loss of the thread's context it is uploaded again; until that
-/// is there the old buffers stay, which nobody draws any more but by which pictures and figures know what they are of.
+/// Uploads a scene on the GPU thread: as buffer objects, and as client-side vertex arrays if a view uses them. A scene of the
+/// same meshes as the one before shares its buffers. After a context loss the scene is uploaded again. Until that is done,
+/// buffers() returns the old buffers: they are not drawn any more, but pictures and metrics still compare them with the buffers
+/// that they were made from.
 class SceneUpload : public QObject {
     Q_OBJECT
 
 public:
-    /// Runs on the GPU thread; `before` (may be null) holds the meshes of the scene before.
+    /// Uploads a scene; runs on the GPU thread.
     using Uploader = std::function<SceneBuffersPointer(GpuThread&, const ScenePointer&)>;
 
     SceneUpload(GpuThread& gpu, Uploader uploader, QObject* parent = nullptr);
     ~SceneUpload() override;
 
     void setScene(const ScenePointer& scene);
-    /// Uploads in that way too, unless that is done or under way.
+    /// Uploads the scene in this way too, unless that is done or in progress.
     void want(Upload upload);
     [[nodiscard]] const SceneBuffersPointer& buffers(Upload upload) const { return m_ways[size_t(upload)].buffers; }
-    /// Why OpenGL did not take the scene; empty: it did, or it is on its way.
+    /// Why the upload of the scene failed; empty: it succeeded or is in progress.
     [[nodiscard]] const Message& failure() const { return m_failure; }
 
 signals:
     void changed();
-    /// Before `changed`: the same scene in a new context.
+    /// Emitted before `changed`: `now` holds the same scene as `before`, uploaded to a new context.
     void renewed(const cullscope::ui::SceneBuffersPointer& before, const cullscope::ui::SceneBuffersPointer& now);
     void failed(const cullscope::Message& message);
 

@@ -10,22 +10,22 @@
 
 namespace cullscope::ui {
 
-/// What a view's strategy decided, read out of one traced cull. Numbers are of `strategy->scene`.
+/// The decisions of a view's strategy, read out of one traced cull. Instances and triangles are numbered as in `strategy->scene`.
 struct SnapshotReading {
     BuiltStrategyPointer strategy;
     Camera culling;
     Viewport size;
-    std::shared_ptr<const StructureSnapshot>
-        snapshot;                      ///< never null; the same pointer as long as strategy, camera and size are the same
-    size_t map = 0;                    ///< its place in `inside` where there are maps: the one that was made to be looked at
-    std::optional<uint64_t> triangle;  ///< what `why` is about; none: nothing picked, or its object is hidden
+    /// Never null; the pointer stays the same while strategy, camera and size do.
+    std::shared_ptr<const StructureSnapshot> snapshot;
+    size_t map = 0;                    ///< index into `snapshot->maps`, if there are maps: the map to show
+    std::optional<uint64_t> triangle;  ///< the triangle that `why` explains; none: no triangle is picked, or its object is hidden
     std::vector<WhyStep> why;
-    std::vector<PlaneDistance> planes;  ///< of the box of the picked triangle's object, all six; none without a triangle
-    Message failure;                    ///< why the strategy could not be asked, so that nothing is known; empty: it could
+    std::vector<PlaneDistance> planes;  ///< of the picked object's box to all six planes; empty without a triangle
+    Message failure;                    ///< why the cull failed, so that all else is unknown; empty: it succeeded
 };
 
-/// The place of the map that is worth looking at: of that instance; none: of the first that is not outside the frustum, else of
-/// the first. There is at least one.
+/// Index of the map to show: the map of `instance`; without one, the first map that is not outside the frustum, else the first.
+/// Needs at least one map.
 [[nodiscard]] size_t placeOfMap(const StructureSnapshot& snapshot, const std::optional<uint32_t>& instance);
 
 using SnapshotReadingPointer = std::shared_ptr<const SnapshotReading>;

@@ -12,7 +12,7 @@ StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refu
 
 void StrategySlot::choose(const std::string& id) {
     if (id == m_id) return;
-    // Throws where there is none, before anything changes.
+    // findStrategy throws for an unknown id, before any member changes.
     m_parameters = ParameterSet(findStrategy(id).info.parameters);
     m_id = id;
     emit chosen();

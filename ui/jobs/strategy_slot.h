@@ -10,30 +10,30 @@
 
 namespace cullscope::ui {
 
-/// The strategy of one view: which one with which parameters, and the newest one that is built.
-/// Building happens beside the window; while a newer one is under way the older one goes on drawing, and only the
-/// last of many quick changes is built. What is refused is not built, and what was built before it goes.
+/// The strategy of one view: its id, its parameters, and the newest one that was built. Strategies are built in the background.
+/// While a newer one is being built, the older one draws; of several quick changes only the last one is built. A refused strategy
+/// is not built, and the one built before is released.
 class StrategySlot : public QObject {
     Q_OBJECT
 
 public:
-    /// Why a strategy cannot be used here; nothing: it can.
+    /// Returns why a strategy cannot be used here; none: it can be used.
     using Refusal = std::function<std::optional<Message>(const StrategyInfo&)>;
 
     StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, QObject* parent = nullptr);
 
     [[nodiscard]] const std::string& id() const { return m_id; }
     [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
-    /// Null while nothing is built for the present scene.
+    /// The newest built strategy; null while none is built for the present scene.
     [[nodiscard]] const BuiltStrategyPointer& built() const { return m_built; }
     [[nodiscard]] bool building() const { return m_background.busy(); }
-    /// Whether what was chosen is refused, so that there is nothing to show until another one is chosen.
+    /// Whether the chosen strategy is refused, so that there is nothing to show until another one is chosen.
     [[nodiscard]] bool refused() const { return m_refused; }
 
-    /// All parameters at their defaults. Throws what findStrategy throws, and nothing changes.
+    /// Chooses a strategy with default parameters. Throws what findStrategy throws, and then changes nothing.
     void choose(const std::string& id);
     void setParameters(const ParameterSet& parameters);
-    /// Null: no scene.
+    /// Builds the strategy for `scene`; null: no scene is open.
     void setScene(const ScenePointer& scene);
 
 signals:

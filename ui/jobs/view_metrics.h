@@ -15,7 +15,7 @@
 
 namespace cullscope::ui {
 
-/// What figures depend on: equal subjects have equal counts.
+/// All inputs of the metrics: equal subjects have equal counts.
 struct MetricsSubject {
     SceneBuffersPointer buffers;
     BuiltStrategyPointer strategy;
@@ -25,18 +25,18 @@ struct MetricsSubject {
     bool operator==(const MetricsSubject&) const = default;
 };
 
-/// An object of the scene that lost pixels.
+/// An object of the scene with missed pixels.
 struct LostObject {
     uint32_t instance = 0;
     uint64_t pixels = 0;
 };
 
-/// What is known of one view's speed and error at the present camera.
+/// Speed and error of one view's strategy at the present camera, as far as they are known.
 struct ViewMetrics {
     enum class State {
-        Nothing,    ///< there is no scene
-        Stale,      ///< the camera, the size or the strategy changed since; being measured or about to be
-        OnRequest,  ///< the scene is so large that truth is measured only when asked for
+        Nothing,    ///< no scene is open
+        Stale,      ///< camera, size or strategy changed since; a measurement is running or about to start
+        OnRequest,  ///< the scene is too large for automatic measurement: wait for the user's request
         Ready,
         Failed  ///< `failure` says why
     };
@@ -45,33 +45,33 @@ struct ViewMetrics {
 
     double frameMilliseconds = 0.0;  ///< median, cull + draw
     double cullMilliseconds = 0.0;   ///< median
-    std::optional<double> speedup;   ///< median ratio of `backface`'s frame time to this one's
-    bool timed = false;              ///< false: errors are known, the speed is still being measured
+    std::optional<double> speedup;   ///< median ratio of the frame time of `backface` to this strategy's
+    bool timed = false;              ///< false: the errors are known, the speed is still being measured
     uint64_t consideredTriangles = 0;
     uint64_t sceneTriangles = 0;
     Facing facing = Facing::TwoSided;
     Viewport size;
     Accuracy accuracy;
-    /// How many of the missed pixels the raster's snapping does not explain; only where the strategy draws by another facing
-    /// rule than the truth (`backface`).
+    /// The number of missed pixels that the rasteriser's snapping of vertices does not explain. Only set if the strategy draws
+    /// with another facing rule than the truth (`backface`).
     std::optional<uint64_t> missedBeyondSnapping;
 
-    /// What became of every triangle; set once the truth is known.
+    /// The state of every triangle; set once the truth is known.
     std::shared_ptr<const TriangleStates> states;
     std::vector<Hole> holes;              ///< largest first
     std::vector<LostObject> lostObjects;  ///< most pixels first
-    /// The promise at this camera; may be less than the strategy's in general.
+    /// The promise at this camera, which may be weaker than the strategy's general promise.
     Promise promise = Promise::Approximate;
-    MetricsSubject subject;  ///< what was measured
+    MetricsSubject subject;  ///< the inputs of this measurement
 
-    /// Missed pixels that break a promise.
+    /// Missed pixels that count as a loss.
     [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
     [[nodiscard]] double submittedShare() const {
         return sceneTriangles == 0 ? 0.0 : double(consideredTriangles) / double(sceneTriangles);
     }
 };
 
-/// The middle value; of an even count the mean of the two middle ones. Not of nothing.
+/// The middle value; the mean of the two middle values if their number is even. `values` must not be empty.
 [[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace cullscope::ui

@@ -11,7 +11,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kMarkReach = 2;  // 5 × 5 pixels, so that one in 300,000 is seen
+constexpr int kMarkReach = 2;  // marks of 5 × 5 pixels, so that one pixel in 300,000 can be seen
 constexpr QRgb kAddedColour = 0xff3168f5;
 
 constexpr uint8_t kAdded = 1;
@@ -30,7 +30,7 @@ void grow(QImage& marks, int x, int y, int reach, QRgb colour) {
     }
 }
 
-/// Marks what `colour` shows farther away or nearer than `other`; the missed ones lie on top.
+/// Marks the pixels at which `colour` shows a farther or a nearer surface than `other`; missed pixels are painted last, on top.
 void markDifferences(ViewPicture& picture, const std::vector<uint8_t>& differences, int reach) {
     const Viewport& size = picture.request.size;
     picture.marks = newImage(size, QImage::Format_ARGB32_Premultiplied);
@@ -95,7 +95,8 @@ void PictureDrawing::draw(Renderer& renderer, Framebuffer& target) {
 
 void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
     const ViewRequest& request = m_picture->request;
-    // Lines and colours of a verdict have depths of their own: what is compared is drawn plainly.
+    // Overlay lines and the culled triangles of a verdict view have depths of their own: compare a plain drawing of the draw
+    // list.
     if (!(request.look == ViewLook{})) renderer.draw(*request.buffers, m_viewing, m_verdict.drawList, target, request.style);
     const std::vector<float> mine = target.readDepth();
     renderer.draw(*request.buffers, m_viewing, *m_beside, target, request.style);

@@ -16,7 +16,7 @@ namespace cullscope::ui {
 
 using TriangleStatesPointer = std::shared_ptr<const TriangleStates>;
 
-/// Everything that one view's picture depends on; equal requests make equal pictures.
+/// All inputs of one view's picture: equal requests make equal pictures.
 struct ViewRequest {
     SceneBuffersPointer buffers;
     BuiltStrategyPointer strategy;
@@ -26,45 +26,45 @@ struct ViewRequest {
     Viewport size;
     ViewLook look;
     DrawStyle style;
-    TriangleStatesPointer states;  ///< against the truth, where that is known already; else null
+    TriangleStatesPointer states;  ///< against the truth, if that is known already; else null
     Wipe::Mode wipe = Wipe::Mode::None;
-    BuiltStrategyPointer other;  ///< of Wipe::Mode::OtherView and Difference
+    BuiltStrategyPointer other;  ///< the other strategy in Wipe::Mode::OtherView and Difference
 
     [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scene == buffers->scenePointer(); }
     bool operator==(const ViewRequest&) const = default;
 };
 
-/// A picture with what is shown beside it. Images hold rows from the top, arrays from the bottom.
+/// A picture with the picture it is compared with. The rows of images start at the top, those of arrays at the bottom.
 struct ViewPicture {
     ViewRequest request;
     QImage colour;
-    std::vector<float> depth;          ///< reversed, of `colour`
+    std::vector<float> depth;          ///< reversed depth of `colour`
     QImage other;                      ///< the truth, or the other view's picture; null without a wipe
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
-    uint64_t missed = 0, added = 0;    ///< differing pixels: `colour` shows something farther or nearer than `other`
-    uint64_t consideredTriangles = 0;  ///< given to OpenGL
-    PlaneCounts planes;                ///< where boxes are coloured by plane
-    bool partOfModel = false;          ///< in spherical coordinates: not all of the object that is shown was given to OpenGL
+    uint64_t missed = 0, added = 0;    ///< pixels at which `colour` shows a farther or a nearer surface than `other`
+    uint64_t consideredTriangles = 0;  ///< triangles submitted to OpenGL
+    PlaneCounts planes;                ///< counts of boxes by plane, if boxes are coloured by plane
+    bool partOfModel = false;          ///< in spherical coordinates: the strategy submitted only a part of the shown object
 };
 
-/// Of marked pixels that show something nearer than what lies beside them.
+/// The colour of marked pixels that show a nearer surface than the picture beside.
 [[nodiscard]] QColor addedPixelColour();
 
 using ViewPicturePointer = std::shared_ptr<const ViewPicture>;
 
-/// A picture under way: culled once, then drawn tile by tile on the thread whose context is current. Throws what core throws.
+/// A picture being drawn: culled once, then drawn tile by tile on the thread whose context is current. Throws what core throws.
 class PictureDrawing {
 public:
     PictureDrawing(const ViewRequest& request, Renderer& renderer);
 
-    /// Draws the part of the picture that `target` holds.
+    /// Draws the part of the picture that `target` covers.
     void draw(Renderer& renderer, Framebuffer& target);
-    /// Once every tile is drawn. `reach` pixels around a differing one are marked.
+    /// Returns the picture; call it once all tiles are drawn. Marks the pixels within `reach` of a differing pixel.
     [[nodiscard]] std::shared_ptr<ViewPicture> finish(int reach);
 
-    /// What the strategy submitted at the culling camera.
+    /// The strategy's draw list at the culling camera.
     [[nodiscard]] const DrawList& drawList() const { return m_verdict.drawList; }
-    /// Null where nothing is coloured by verdict.
+    /// Null if the picture is not coloured by verdict.
     [[nodiscard]] const TriangleStatesPointer& states() const { return m_states; }
 
 private:
@@ -75,20 +75,20 @@ private:
     Trace m_trace;
     Verdict m_verdict;
     TriangleStatesPointer m_states;
-    std::optional<DrawList> m_beside;    ///< of the truth or the other view
-    std::vector<uint8_t> m_differences;  ///< by pixel: 0 none, else kAdded or kMissed
+    std::optional<DrawList> m_beside;    ///< draw list of the truth or of the other view
+    std::vector<uint8_t> m_differences;  ///< by pixel: 0 equal, else kAdded or kMissed
 };
 
 /// Draws on the thread whose context is current. Throws what core throws.
 class ViewPictureDrawer {
 public:
     struct Picked {
-        uint64_t triangle = 0;  ///< of the request's scene
+        uint64_t triangle = 0;  ///< numbered as in the request's scene
         Vec3 point{0.0};
     };
 
     [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request);
-    /// What the request's picture shows at a pixel (y upward).
+    /// The triangle and point that the request's picture shows at a pixel (y upward); none: background.
     [[nodiscard]] std::optional<Picked> pick(const ViewRequest& request, int x, int y);
 
 private:

@@ -9,46 +9,47 @@
 
 namespace cullscope::ui {
 
-/// Which camera culls and which one looks.
+/// Which camera culls in a view, and through which one the user looks.
 enum class Role {
-    Linked,    ///< both are the camera that the linked views share
-    Observer,  ///< culling camera, strategy and verdicts of another view, looked at by a camera of its own
-    Frozen     ///< the culling camera stands, a camera of its own looks
+    Linked,    ///< culls and looks through the camera that the linked views share
+    Observer,  ///< culling camera, strategy and verdicts of another view, viewing camera of its own
+    Frozen     ///< the culling camera stands still, viewing camera of its own
 };
 
-/// What lies beside the strategy's picture in one view, for comparing.
+/// The comparison that one view shows beside its strategy's picture.
 struct Wipe {
     enum class Mode {
         None,
-        Truth,      ///< truth left of the line, the strategy right of it
-        Loss,       ///< all of it pale, with the lost and the added pixels
+        Truth,      ///< the truth left of the line, the strategy right of it
+        Loss,       ///< the whole picture paled, with missed and added pixels marked
         OtherView,  ///< this view's strategy left of the line, another view's right of it
-        Difference  ///< all of it pale, with the pixels in which the two views' strategies differ
+        Difference  ///< the whole picture paled, with the pixels marked at which the two views' strategies differ
     };
     Mode mode = Mode::None;
-    int other = 0;          ///< of OtherView and Difference
-    double position = 0.5;  ///< of the line, as a share of the width
+    int other = 0;          ///< number of the other view in OtherView and Difference
+    double position = 0.5;  ///< of the line, as a fraction of the picture's width
 
     bool operator==(const Wipe&) const = default;
 };
 
-/// How one view shows what; plain values, as sessions and pictures keep them. Its strategy is in its StrategySlot.
+/// All settings of one view but its strategy, which is in its StrategySlot. Plain values, as session files and picture metadata
+/// store them.
 struct ViewSetup {
     Role role = Role::Linked;
-    int observed = 0;                     ///< Observer: the view that it watches
-    Camera viewing;                       ///< Observer and Frozen: the camera that looks
-    Camera culling;                       ///< Frozen: the camera that culls
-    std::optional<Viewport> cullingSize;  ///< Frozen: the size of the picture that it culls for
-    std::optional<Viewport> size;         ///< of the picture, in pixels; none: fits the window
+    int observed = 0;                     ///< Observer: number of the view whose culling is shown
+    Camera viewing;                       ///< Observer and Frozen: the viewing camera
+    Camera culling;                       ///< Frozen: the culling camera
+    std::optional<Viewport> cullingSize;  ///< Frozen: the picture size that the culling camera culls for
+    std::optional<Viewport> size;         ///< of the picture, in pixels; none: fit to the window
     Upload upload = Upload::Vbo;
     ViewLook look;
     Wipe wipe;
-    std::string panel;  ///< id of the panel that stands in the view's place; empty: its picture
+    std::string panel;  ///< id of the panel shown in place of the picture; empty: the picture
 
     bool operator==(const ViewSetup&) const = default;
 };
 
-/// Boxes in the colours of the planes, which shows boxes; off: by verdict, and they stay.
+/// Turns colouring of boxes by plane on, which also shows the boxes; off: boxes are coloured by verdict and stay shown.
 inline void showBoxesByPlane(ViewLook& look, bool on) {
     look.boxes = look.boxes || on;
     look.boxColouring = on ? BoxColouring::Plane : BoxColouring::Verdict;

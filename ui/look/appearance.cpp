@@ -19,13 +19,13 @@ constexpr const char* kGroup = "org.freedesktop.appearance";
 constexpr const char* kKey = "color-scheme";
 constexpr uint kPrefersDark = 1;
 
-/// Whether a session bus runs: asking for one where there is none would start one.
+/// Whether a session bus runs. Tested first, because a D-Bus call without a running bus would start one.
 bool sessionBusRuns() {
     return !qEnvironmentVariableIsEmpty("DBUS_SESSION_BUS_ADDRESS") ||
            QFileInfo::exists(qEnvironmentVariable("XDG_RUNTIME_DIR", QStringLiteral("/nonexistent")) + QStringLiteral("/bus"));
 }
 
-/// The portal wraps its answer in one or two variants, by its version.
+/// The portal wraps its answer in one or two variants, depending on its version.
 uint unwrapped(QVariant value) {
     while (value.canConvert<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
     return value.toUInt();

@@ -6,7 +6,7 @@
 
 namespace cullscope::ui {
 
-/// Light or dark: as the system says (desktop portal, else its palette), or as the user chose.
+/// The light or dark palette: as the system is set (desktop portal, else the system's palette), or as the user chose.
 class Appearance : public QObject {
     Q_OBJECT
 
@@ -20,7 +20,7 @@ public:
     [[nodiscard]] bool dark() const;
 
     [[nodiscard]] static QPalette palette(bool dark);
-    /// "system", "light", "dark": in the settings.
+    /// The mode's name in the settings: "system", "light" or "dark".
     [[nodiscard]] static QString id(Mode mode);
     [[nodiscard]] static Mode fromId(const QString& id);
 

@@ -6,8 +6,8 @@
 
 namespace cullscope::ui {
 
-/// An icon that is drawn anew whenever it is shown, so that it follows the application's palette. `draw` gets the place of the
-/// icon within its margins.
+/// An icon that is painted anew whenever it is shown, so that it follows the application's palette. `draw` receives the icon's
+/// rectangle without its margins.
 [[nodiscard]] QIcon paintedIcon(std::function<void(QPainter& painter, const QRectF& place)> draw, double margin);
 
 }  // namespace cullscope::ui

@@ -12,7 +12,7 @@ namespace {
 constexpr int kPlaneSwatchSize = 14;
 constexpr double kFrame = 3.5;  // pixels
 
-/// A frame, because a plane's colour is seen on edges alone.
+/// Draws a frame, because pictures show the plane's colour on box edges only.
 void drawSwatch(QPainter& painter, const QRectF& place, FrustumPlane plane, const QPalette& palette) {
     const double half = 0.5 * kFrame;
     painter.setBrush(Qt::NoBrush);

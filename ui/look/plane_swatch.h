@@ -11,10 +11,10 @@ namespace cullscope::ui {
 /// The colour of a frustum's plane on the palette's base, as in pictures of boxes. Never for text.
 [[nodiscard]] QColor planeColour(FrustumPlane plane, const QPalette& palette);
 
-/// A small frame that stands for the boxes which a plane rejected; as an icon that follows the application's palette.
+/// An icon for the boxes that a plane rejected: a small frame in the plane's colour; follows the application's palette.
 [[nodiscard]] QIcon planeIcon(FrustumPlane plane);
 
-/// The same as a widget of 14 × 14.
+/// The same frame as a widget of 14 × 14 pixels.
 class PlaneSwatch : public QWidget {
     Q_OBJECT
 

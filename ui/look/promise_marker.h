@@ -8,10 +8,10 @@
 
 namespace cullscope::ui {
 
-/// Draws the shape that stands for a promise: a disc (exact set), a square (lossless), a triangle (lossy).
+/// Draws the marker of a promise: a disc (exact set), a square (lossless) or a triangle (lossy).
 void drawPromiseMarker(QPainter& painter, const QRectF& place, Promise promise, const QColor& colour);
 
-/// The same shape with an outline.
+/// Draws the same marker with an outline.
 void drawPromiseMarker(QPainter& painter, const QRectF& place, Promise promise, const QPen& outline, const QBrush& fill);
 
 }  // namespace cullscope::ui

@@ -5,7 +5,7 @@
 
 namespace cullscope::ui {
 
-/// One of the program's line icons in the colour of the palette's text, at any size and scale; follows a palette that changes.
+/// The program's line icon of that name in the text colour of the palette, at any size and scale; follows changes of the palette.
 [[nodiscard]] QIcon tintedIcon(const QString& name);
 
 }  // namespace cullscope::ui

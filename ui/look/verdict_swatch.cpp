@@ -18,7 +18,7 @@ PaletteEntry entryOf(TriangleState state, const QPalette& palette) {
 
 QColor colourOf(const PaletteEntry& entry) { return QColor::fromRgbF(entry.colour.x, entry.colour.y, entry.colour.z); }
 
-/// Two triangles' edges.
+/// Draws the edges of two triangles.
 void drawWireframe(QPainter& painter, const QRectF& place, const QColor& colour) {
     painter.setPen(QPen(colour, 1.5));
     painter.setBrush(Qt::NoBrush);

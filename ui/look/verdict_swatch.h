@@ -9,17 +9,17 @@
 
 namespace cullscope::ui {
 
-/// The colour of a state on the palette's base, as in the pictures. Never for text.
+/// The colour of a triangle state on the palette's base colour, as in the pictures. Never for text.
 [[nodiscard]] QColor verdictColour(TriangleState state, const QPalette& palette);
 
-/// A small rectangle that stands for a state as the pictures show it: outside the frustum as a wireframe, wrongly culled hatched,
-/// the others filled.
+/// Draws a small rectangle that shows a state as the pictures do: outside the frustum as a wireframe, wrongly culled hatched, the
+/// others filled.
 void drawVerdictSwatch(QPainter& painter, const QRectF& place, TriangleState state, const QPalette& palette);
 
-/// The same as an icon that follows the application's palette.
+/// The same rectangle as an icon that follows the application's palette.
 [[nodiscard]] QIcon verdictIcon(TriangleState state);
 
-/// The same as a widget of 14 × 14.
+/// The same rectangle as a widget of 14 × 14 pixels.
 class VerdictSwatch : public QWidget {
     Q_OBJECT
 

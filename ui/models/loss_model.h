@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// The objects that lost pixels in a view, most pixels first: name, pixels, share of all missed pixels.
+/// The objects with missed pixels in a view, most pixels first. Columns: name, pixels, share of all missed pixels.
 class LossModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -17,7 +17,7 @@ public:
 
     explicit LossModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    /// `objects` are numbered as in `scene` (may be null where there are none).
+    /// `objects` are numbered as in `scene`, which may be null if `objects` is empty.
     void setObjects(const ScenePointer& scene, const std::vector<LostObject>& objects, uint64_t missedPixels);
     [[nodiscard]] const ScenePointer& scene() const { return m_scene; }
     [[nodiscard]] uint32_t instanceAt(int row) const { return m_objects[size_t(row)].instance; }

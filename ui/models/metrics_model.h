@@ -7,7 +7,7 @@
 
 namespace cullscope::ui {
 
-/// The figures of the shown views: a figure a row, a view a column, "…" while stale.
+/// The metrics of the shown views: one row a metric, one column a view, "…" while a value is stale.
 class MetricsModel : public QAbstractTableModel {
     Q_OBJECT
 

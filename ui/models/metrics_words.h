@@ -7,9 +7,9 @@
 
 namespace cullscope::ui {
 
-/// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`; "…" while stale.
+/// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`; "…" while the metrics are stale.
 [[nodiscard]] QString metricsLine(const ViewMetrics& figures);
-/// Everything that the header has no place for, several lines.
+/// All metrics that the header does not show, in several lines.
 [[nodiscard]] QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl);
 
 }  // namespace cullscope::ui

@@ -7,8 +7,8 @@
 
 namespace cullscope::ui {
 
-/// The objects of the opened scene: whether each is shown, its name, triangles, verdict and size. Only those are rows whose names
-/// hold the search text, in the order of a column. Made for 100,000 objects: nothing is kept for a row but its object's number.
+/// The objects of the opened scene. Columns: shown or hidden, name, triangles, verdict, size. The rows are the objects whose name
+/// contains the search text, sorted by a column. Made for 100,000 objects: stores only an object number per row.
 class ObjectModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -17,26 +17,27 @@ public:
 
     explicit ObjectModel(QObject* parent = nullptr) : QAbstractTableModel(parent) {}
 
-    /// Null: no rows.
+    /// Sets the scene; null: the model has no rows.
     void setScene(const ScenePointer& opened);
-    /// One flag an object.
+    /// Sets one flag per object.
     void setHidden(const std::vector<bool>& hidden);
-    /// `verdicts` are numbered by the instances of the shown scene: the objects that are not hidden, in order.
+    /// Sets the inputs of the verdicts, which are numbered as the instances of `shown`: the objects that are not hidden, in
+    /// order.
     void setVerdicts(const ScenePointer& shown, const std::shared_ptr<const TriangleStates>& states,
                      const SnapshotReadingPointer& reading);
-    /// Only names that hold this are shown, whatever their case; empty: all.
+    /// Keeps only rows whose name contains `text`, ignoring case; empty: all rows.
     void setSearch(const QString& text);
 
     [[nodiscard]] const ScenePointer& scene() const { return m_opened; }
     [[nodiscard]] uint32_t objectAt(int row) const { return m_rows[size_t(row)]; }
-    /// -1: the search leaves it out.
+    /// The row of an object; -1: the search excludes it.
     [[nodiscard]] int rowOf(uint32_t object) const;
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    /// Anything but a column of this model (such as -1): the scene's own order.
+    /// Sorts by a column. A value that is no column of this model (such as -1) restores the scene's order.
     void sort(int column, Qt::SortOrder order) override;
     void retranslate();
 
@@ -52,9 +53,9 @@ private:
 
     ScenePointer m_opened;
     std::vector<bool> m_hidden;
-    std::vector<uint32_t> m_instance;  ///< of the shown scene, by object
+    std::vector<uint32_t> m_instance;  ///< by object: its instance in the shown scene
     ObjectVerdicts m_verdicts;
-    bool m_verdictsFit = false;  ///< they are of the objects that are shown now
+    bool m_verdictsFit = false;  ///< m_verdicts is numbered as the objects shown now
     QString m_search;
     int m_sortedBy = -1;
     Qt::SortOrder m_order = Qt::AscendingOrder;

@@ -24,7 +24,7 @@ QString cellText(const PaperColumn& column, const PaperValue& value) {
     return {};
 }
 
-/// In lines, as numbers are shorter than what they are called.
+/// A column title with line breaks after its punctuation, because the numbers below it are narrower.
 QString headerText(const PaperColumn& column) {
     QString text = translated(column.title);
     for (const QString& mark : {QStringLiteral(": "), QStringLiteral(", "), QStringLiteral("："), QStringLiteral("，")})

@@ -6,7 +6,7 @@
 
 namespace cullscope::ui {
 
-/// A paper's table beside ours, a row a strategy and setting, numbers as the user's language writes them.
+/// A paper's table beside the measured one, one row per strategy and setting, with numbers in the user's locale.
 class PaperTableModel : public QAbstractTableModel {
     Q_OBJECT
 

@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// What was found in a file and what became of it, a sentence a row; one row that says so where nothing was wrong.
+/// The defects found in a file and how they were repaired, one sentence a row; a single row if the file has none.
 class ReportModel : public QAbstractListModel {
     Q_OBJECT
 

@@ -7,14 +7,14 @@
 
 namespace cullscope::ui {
 
-/// Facts of a scene: what in column 0, how much in column 1.
+/// The properties of a scene: names in column 0, values in column 1.
 class SceneModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Null: no rows.
+    /// Sets the scene; null: the model has no rows.
     void setScene(const ScenePointer& scene);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;

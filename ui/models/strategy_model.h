@@ -8,15 +8,15 @@
 
 namespace cullscope::ui {
 
-/// The registered strategies in the registry's order: name, id, description as tooltip. What this machine cannot do is disabled,
-/// with the reason as tooltip.
+/// The registered strategies in the registry's order: name and id, with the description as tooltip. Strategies that this machine
+/// does not support are disabled, with the reason as tooltip.
 class StrategyModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
     enum Role { IdRole = Qt::UserRole + 1 };
 
-    /// Why a strategy cannot be used; nothing: it can.
+    /// Returns why a strategy cannot be used; none: it can be used.
     using Refusal = std::function<std::optional<Message>(const StrategyInfo&)>;
 
     explicit StrategyModel(Refusal refusal, QObject* parent = nullptr)
@@ -25,9 +25,9 @@ public:
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
-    /// −1: none of this id.
+    /// The row of a strategy; −1: the id is unknown.
     [[nodiscard]] int rowOf(const std::string& id) const;
-    /// The names are in another language now.
+    /// Updates the names after a change of language.
     void retranslate();
 
 private:

@@ -12,7 +12,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// Where a node's children begin in the list of lists; -1 is the list of the roots.
+/// Index of a node's child list in m_firstChild; the list of the roots (-1) is the first.
 size_t place(int64_t node) { return size_t(node + 1); }
 
 bool sameBoxes(const StructureSnapshot& a, const StructureSnapshot& b) {
@@ -158,7 +158,8 @@ QVariant StructureModel::headerData(int section, Qt::Orientation orientation, in
 }
 
 void StructureModel::tellOfData() {
-    // Views repaint as a whole at this; told for every inner node's rows, they would look for each of them.
+    // One signal for the top level makes attached views repaint completely. Signals for the children of every node would make
+    // them search for each of these rows.
     if (rowCount() > 0) emit dataChanged(index(0, 0), index(rowCount() - 1, ColumnCount - 1));
 }
 

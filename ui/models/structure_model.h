@@ -10,8 +10,8 @@
 
 namespace cullscope::ui {
 
-/// The boxes that a strategy tests, as the tree that their parents make, with what was decided about each. A new reading of the
-/// same boxes changes the verdicts only, so that what is opened and selected stays.
+/// The boxes that a strategy tests, as the tree of their parents, with the decision on each box. A new snapshot with the same
+/// boxes changes only the verdicts, so that expanded and selected rows stay.
 class StructureModel : public QAbstractItemModel {
     Q_OBJECT
 
@@ -20,21 +20,21 @@ public:
 
     explicit StructureModel(QObject* parent = nullptr) : QAbstractItemModel(parent) {}
 
-    /// `inside` numbers the instances of `scene`. A parent may come after its children; none may be its own ancestor.
-    /// Null: no rows.
+    /// Sets the boxes; null: the model has no rows. `snapshot` numbers instances as `scene` does. A parent may come after its
+    /// children in the list; no node may be its own ancestor.
     void setSnapshot(const ScenePointer& scene, const std::shared_ptr<const StructureSnapshot>& snapshot);
-    /// What became of the objects, against the truth; null: only what the strategy decided is known.
+    /// Sets the states against the truth; null: only the strategy's decisions are shown.
     void setStates(const std::shared_ptr<const TriangleStates>& states);
     [[nodiscard]] bool empty() const { return !m_snapshot || m_snapshot->nodes.empty(); }
 
-    /// Whether any box holds others.
+    /// Whether any box has child boxes.
     [[nodiscard]] bool nested() const { return !empty() && size_t(rowCount()) < m_snapshot->nodes.size(); }
 
-    /// Index into StructureSnapshot::nodes.
+    /// The node of a row, as an index into StructureSnapshot::nodes.
     [[nodiscard]] size_t nodeOf(const QModelIndex& index) const { return size_t(index.internalId()); }
-    /// The instance of the scene; none for a box that holds other boxes.
+    /// The instance of a row; none for a box with child boxes or a group.
     [[nodiscard]] std::optional<uint32_t> instanceAt(const QModelIndex& index) const;
-    /// The first leaf of an instance; invalid: it has none.
+    /// The row of the first leaf of an instance; invalid: it has none.
     [[nodiscard]] QModelIndex indexOfInstance(uint32_t instance) const;
 
     [[nodiscard]] QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -48,10 +48,10 @@ public:
 
 private:
     [[nodiscard]] size_t childCount(size_t place) const { return m_firstChild[place + 1] - m_firstChild[place]; }
-    /// Stands for no single object.
+    /// Whether the node is a group or has children, and so represents no single object.
     [[nodiscard]] bool holdsOthers(size_t node) const;
     [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
-    /// Of a box of one object that was kept; none: not known.
+    /// The state of a box that was kept and holds one object; none: not known.
     [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const SnapshotNode& node, size_t number) const;
     [[nodiscard]] QString text(const SnapshotNode& node, size_t number, int column) const;
     void layOut();
@@ -61,11 +61,11 @@ private:
     std::shared_ptr<const StructureSnapshot> m_snapshot;
     std::shared_ptr<const TriangleStates> m_states;
     ObjectVerdicts m_verdicts;
-    // Children lists, one after the other: those of no parent first, then those of node 0, 1, …
+    // Child lists, one after the other: that of the roots first, then those of nodes 0, 1, …
     std::vector<uint32_t> m_firstChild;
     std::vector<uint32_t> m_children;
     std::vector<uint32_t> m_rowOfNode;
-    std::vector<int64_t> m_nodeOfInstance;  ///< -1: none
+    std::vector<int64_t> m_nodeOfInstance;  ///< by instance: its first leaf; -1: none
 };
 
 }  // namespace cullscope::ui

@@ -55,7 +55,7 @@ void BandsPanel::showMap(const ShownMap& shown) {
     m_plot->setShown(shown);
     const uint32_t sectors = m_plot->empty() ? 0 : shown.decision().bands->sectors;
     m_sectorWidth = sectors > 0 ? 2.0 * std::numbers::pi / sectors : 0.0;
-    // The choice outlives an object without bands.
+    // Keeps the user's choice while an object without bands is shown.
     if (sectors > 0) {
         const QSignalBlocker quiet(m_sector);
         m_chosen = m_chosen && uint32_t(m_sector->value()) <= sectors;

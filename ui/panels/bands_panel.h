@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// The contour bands of the object whose map is shown, by size over α, of one sector or of all.
+/// A plot of the contour bands of the object whose map is shown, by size over α, of one sector or of all.
 class BandsPanel : public QWidget {
     Q_OBJECT
 
@@ -16,13 +16,13 @@ public:
     BandsPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] BandsPlot& plot() { return *m_plot; }
-    /// 0: all sectors. Until one is chosen, the one whose cut is farthest.
+    /// The field for the sector, from 1; 0: all sectors. Before the user chooses one it is the sector whose cut is farthest.
     [[nodiscard]] QSpinBox& sector() { return *m_sector; }
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
     void showMap(const ShownMap& shown);
 
 signals:
-    /// The plot's sector, or what it is a sector of.
+    /// The plot's sector, or the bands that it belongs to, changed.
     void sectorChanged();
 
 protected:
@@ -33,7 +33,7 @@ private:
     void chooseSector();
     void takeSector();
     void retranslate();
-    /// Which angles about the axis the chosen sector has.
+    /// Shows the range of the angle β about the axis that the chosen sector covers.
     void showAngles();
 
     Session& m_session;
@@ -44,8 +44,8 @@ private:
     QLabel* m_angles;
     BandsPlot* m_plot;
     PictureMenu* m_pictures;
-    double m_sectorWidth = 0.0;  ///< radians; 0: there are no bands
-    bool m_chosen = false;       ///< the sector, by the user
+    double m_sectorWidth = 0.0;  ///< radians; 0: the object has no bands
+    bool m_chosen = false;       ///< the user has chosen the sector
 };
 
 }  // namespace cullscope::ui

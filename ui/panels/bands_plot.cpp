@@ -23,7 +23,7 @@ constexpr double kHalf = std::numbers::pi;
 
 double finite(double size) { return std::isfinite(size) ? size : 0.0; }
 
-/// The number of the band from which on a sector is only hidden; 0: it is not cut.
+/// The number of the band from which on all bands of a sector are hidden; 0: the sector is not cut.
 uint32_t cutOf(const spherical::ContourBands& bands, uint32_t sector) {
     uint32_t cut = 0;
     bool hiddenBeyond = false;
@@ -80,7 +80,7 @@ std::vector<BandsPlot::Band> BandsPlot::bands() const {
             if (m_sector && sector != *m_sector) continue;
             const spherical::BandSector& entry = table.at(number, sector);
             band.horizon = std::max(band.horizon, finite(entry.horizon));
-            // Nothing lies in a sector without size: it is neither drawn nor left out.
+            // A sector of size 0 holds no triangles: it is neither drawn nor hidden.
             if (finite(entry.size) <= 0.0) continue;
             (entry.drawn ? band.anyDrawn : band.anyHidden) = true;
             double& size = entry.drawn ? band.drawn : band.hidden;
@@ -224,7 +224,7 @@ void BandsPlot::paintBands(QPainter& painter, const Frame& frame, const QPalette
             painter.fillRect(QRectF(frame.placeOf(from, size), frame.placeOf(to, 0.0)).adjusted(0.5, 0.0, -0.5, 0.0),
                              verdictColour(state, palette));
         };
-        // Where sectors differ, the band is shared by both.
+        // If some sectors of a band are drawn and others hidden, each colour gets half of the band's width.
         if (band.anyDrawn) bar(band.from, both ? middle : band.to, band.drawn, TriangleState::Visible);
         if (band.anyHidden) bar(both ? middle : band.from, band.to, band.hidden, TriangleState::Hidden);
     }

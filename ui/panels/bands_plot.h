@@ -6,38 +6,38 @@
 
 namespace cullscope::ui {
 
-/// What the contour bands of an object decided: size (S, or the slope) over α, drawn and hidden bands, the largest size nearer as
-/// a step line, and beyond which angle nothing is drawn. Of one sector about the axis; or of all of them together, then without
-/// the largest nearer: each sector is compared with its own.
+/// A plot of the decision on an object's contour bands: sizes (S, or the slope) of the drawn and hidden bands over α, the largest
+/// size of the nearer bands as a step line, and the angle beyond which no band is drawn. It shows one sector about the axis, or
+/// all sectors together. The step line is omitted for all sectors, because each sector is compared with its own bands only.
 class BandsPlot : public PlotWidget {
     Q_OBJECT
 
 public:
-    /// One band as it is plotted. Angles in radians.
+    /// A plotted band. Angles are in radians.
     struct Band {
         double from = 0.0, to = 0.0;
-        double drawn = 0.0;   ///< the largest size of its drawn sectors; 0: none, or they are empty
-        double hidden = 0.0;  ///< of its hidden ones
+        double drawn = 0.0;   ///< largest size of its drawn sectors; 0: there are none, or all of them are empty
+        double hidden = 0.0;  ///< largest size of its hidden sectors
         double horizon = 0.0;
         bool anyDrawn = false, anyHidden = false;
     };
 
     explicit BandsPlot(QWidget* parent = nullptr);
 
-    /// One without bands: the plot is empty.
+    /// Sets the shown map; without bands the plot is empty.
     void setShown(const ShownMap& shown);
-    /// Why there is no map, where setShown was given an empty one.
+    /// Sets the reason why setShown() was given an empty map.
     void setAbsence(MapAbsence absence);
-    /// From 0; none: all sectors together, of each the largest size.
+    /// Sets the sector, from 0; none: all sectors together, with their largest sizes.
     void setSector(const std::optional<uint32_t>& sector);
     [[nodiscard]] const std::optional<uint32_t>& sector() const { return m_sector; }
 
     [[nodiscard]] std::vector<Band> bands() const;
-    /// Beyond this α nothing is drawn, in radians; none: something is drawn up to the end.
+    /// The α in radians beyond which no band is drawn; none: no hidden band lies beyond the last drawn one.
     [[nodiscard]] std::optional<double> cut() const;
-    /// What is said about the band at a place; empty: there is none.
+    /// The tooltip for the band at a position in the widget; empty: no band is there.
     [[nodiscard]] QString wordsAt(const QPointF& place) const;
-    /// Where α (radians) and a size stand in the widget.
+    /// The position of α (radians) and a size in the widget.
     [[nodiscard]] QPointF placeOf(double alpha, double size) const;
 
     [[nodiscard]] QString title() const override;
@@ -51,7 +51,7 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// The axes without what stands between them.
+    /// The plot area within the axes, and its scale.
     struct Frame {
         QRectF area;
         double most = 1.0;  ///< upper end of the vertical axis
@@ -76,8 +76,8 @@ private:
     std::optional<uint32_t> m_sector;
 };
 
-/// The sector, from 0, of which something is drawn up to the largest α, of those where it ends before the hidden rest; the first
-/// of several, and 0 where nothing is cut.
+/// The sector, from 0, that is drawn up to the largest α before its hidden rest begins. The first one of several; 0 if no sector
+/// has a hidden rest.
 [[nodiscard]] uint32_t farthestCutSector(const spherical::ContourBands& bands);
 
 }  // namespace cullscope::ui

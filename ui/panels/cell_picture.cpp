@@ -8,16 +8,17 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kMostCellsAPixel = 4;  // in either direction
-constexpr double kFilePixels = 3.0;  // pixels of the picture a unit of a document of vectors
+constexpr double kFilePixels = 3.0;  // image pixels per unit of a vector document
 
-/// Pixels a unit of what is painted on.
+/// Pixels per unit of the painter's device.
 double resolution(const QPainter& painter) {
     const QPaintEngine::Type type = painter.paintEngine()->type();
     const bool vectors = type == QPaintEngine::SVG || type == QPaintEngine::Pdf;
     return vectors ? kFilePixels : std::abs(painter.deviceTransform().m11());
 }
 
-/// Colours of a scale, averaged where several cells share a pixel; with so many that it would take long, the largest of some.
+/// The cells in the colours of a scale, averaged if several cells share a pixel. To limit the time, at most 4 × 4 samples are
+/// averaged per pixel; each sample is the largest tone of its cells.
 QImage scaleImage(const CellTones& tones, const SphericalGrid& grid, const QSize& size, const QList<QRgb>& colours) {
     const QSize cells(int(grid.columns()), int(grid.rows()));
     if (cells.width() <= size.width()) return cellImage(tones.tones, grid, size, colours);
@@ -26,7 +27,7 @@ QImage scaleImage(const CellTones& tones, const SphericalGrid& grid, const QSize
         .scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-/// The hidden cells alone.
+/// An image that is transparent but for the hidden cells.
 QImage veilImage(const ShownMap& shown, const QSize& size, const QColor& veil) {
     QList<QRgb> colours(CellTones::kTones, qRgba(0, 0, 0, 0));
     colours[CellTones::toneOf(TriangleState::Hidden)] = veil.rgba();
@@ -72,7 +73,7 @@ void CellPicture::paint(QPainter& painter, const QRectF& area, const QPalette& p
     const bool otherColours = m_colours != colours;
     if (otherColours || m_cells.size() != size) {
         const SphericalGrid& grid = m_contents.shown.grid();
-        // States have no mean.
+        // States cannot be averaged: the strongest one takes the pixel.
         m_cells = (m_colouring == MapColouring::State ? cellImage(tones().tones, grid, size, colours)
                                                       : scaleImage(tones(), grid, size, colours))
                       .convertToFormat(QImage::Format_RGB32);

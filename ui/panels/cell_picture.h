@@ -7,18 +7,18 @@
 
 namespace cullscope::ui {
 
-/// What a picture of a map shows.
+/// The inputs of a map's picture.
 struct MapContents {
     ShownMap shown;
-    std::shared_ptr<const TriangleStates> truth;  ///< of the shown scene; null: not known
-    std::optional<uint32_t> picked;               ///< triangle of the mesh
-    std::optional<uint32_t> sector;               ///< of the decision's bands, whose edges are marked
+    std::shared_ptr<const TriangleStates> truth;  ///< states of the shown scene's triangles; null: not known
+    std::optional<uint32_t> picked;               ///< the picked triangle, numbered within the mesh
+    std::optional<uint32_t> sector;               ///< sector of the contour bands whose edges are marked
 
     bool operator==(const MapContents&) const = default;
 };
 
-/// The cells of a map as an image, kept until contents, colouring or size change. Unless they are coloured by state, what the
-/// contour bands hide lies under a veil.
+/// The cells of a map as an image, cached until contents, colouring or size change. In all colourings but by state, a
+/// half-transparent veil covers the cells that the contour bands hide.
 class CellPicture {
 public:
     void setContents(const MapContents& contents);
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] MapColouring colouring() const { return m_colouring; }
 
     [[nodiscard]] const CellTones& tones() const;
-    /// Whether any cell is under the veil.
+    /// Whether the image has a veil.
     [[nodiscard]] bool veiled() const { return m_colouring != MapColouring::State && m_contents.shown.decision().bands; }
     void paint(QPainter& painter, const QRectF& area, const QPalette& palette, const QColor& veil) const;
 
@@ -37,8 +37,8 @@ private:
     MapContents m_contents;
     MapColouring m_colouring = MapColouring::Entries;
     mutable std::optional<CellTones> m_tones;
-    mutable QImage m_cells, m_veil;  ///< null: to be made
-    mutable QList<QRgb> m_colours;   ///< of m_cells
+    mutable QImage m_cells, m_veil;  ///< null: outdated, made in the next paint()
+    mutable QList<QRgb> m_colours;   ///< colour table of m_cells
 };
 
 }  // namespace cullscope::ui

@@ -10,7 +10,7 @@ class QMenu;
 
 namespace cullscope::ui {
 
-/// What the middle of the window shows while there is no scene: an invitation to open or to generate one.
+/// Fills the middle of the window while no scene is open: invites the user to open or to generate one.
 class EmptyState : public QWidget {
     Q_OBJECT
 

@@ -19,7 +19,7 @@ constexpr int kMovesUntilLook = 10;
 constexpr int kStateRows = 4;
 constexpr std::array kPromises{Promise::Exact, Promise::Conservative, Promise::Approximate};
 
-/// The shape of a promise, as over the views.
+/// The marker shape of a promise, as in the view headers.
 class Marker : public QWidget {
 public:
     Marker(Promise promise, QWidget* parent) : QWidget(parent), m_promise(promise) { setFixedSize(14, 14); }
@@ -34,7 +34,7 @@ private:
     Promise m_promise;
 };
 
-/// At most four digits, so that a column of them stays narrow.
+/// A count of at most four digits, which keeps the column narrow.
 QString shortCount(uint64_t count) {
     if (count < 10'000) return countText(count);
     const bool millions = count >= 1'000'000;
@@ -120,7 +120,7 @@ void LegendPanel::wire() {
         connect(&m_session, signal, this, &LegendPanel::refresh);
     connect(&m_session, &Session::setupChanged, this, &LegendPanel::refresh);
     connect(&m_session, &Session::cameraChanged, this, [this] {
-        // One object alone is either drawn or not: zooming in on it shows nothing of culling.
+        // A single object is drawn or culled as a whole: zooming in on it does not demonstrate culling.
         const bool oneObject = m_session.opened() && m_session.opened()->scene->instances().size() < 2;
         if (++m_cameraMoves == kMovesUntilLook) advance(oneObject ? Progress::Pick : Progress::Look);
     });
@@ -130,7 +130,7 @@ void LegendPanel::wire() {
         const bool culled = figures.state == ViewMetrics::State::Ready && figures.consideredTriangles < figures.sceneTriangles;
         if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
-    // A strategy that is refused has no picture.
+    // strategyBuilt too: a refused strategy has no picture, so pictureChanged is not emitted.
     for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt})
         connect(&m_session, signal, this, &LegendPanel::showPlanes);
     connect(&m_session, &Session::pickChanged, this, [this] {
@@ -185,7 +185,7 @@ void LegendPanel::refresh() {
         m_promises[i]->setText(promiseWord(promise));
         m_promises[i]->setToolTip(tr("%1: %2", "promise, its meaning").arg(promiseWord(promise), promiseSentence(promise)));
     }
-    // The bars under the pictures have these colours, whatever the pictures have.
+    // Shown for every colouring: the budget bars under the pictures always have these colours.
     m_states->setVisible(m_session.opened() != nullptr);
     m_states->setAccessibleName(tr("What the colours mean"));
     m_next->setText(nextAction());
@@ -199,7 +199,7 @@ void LegendPanel::showPlanes() {
     const ViewLook& look = m_session.setup(view).look;
     const ViewPicturePointer shown = m_session.picture(view);
     const bool known = shown && shown->request.look.byPlane();
-    // Neither has a strategy that tests no boxes.
+    // A strategy that tests no boxes has no boxes to colour.
     const bool boxless = known && shown->planes == PlaneCounts{};
     m_planes->setVisible(m_session.opened() && look.byPlane() && !look.sphericalModel && !boxless);
     m_planes->setCounts(known ? std::optional(shown->planes) : std::nullopt);

@@ -12,16 +12,16 @@ class QGridLayout;
 
 namespace cullscope::ui {
 
-/// What the colours and marks of the views mean, with the active view's numbers, and one thing to do next.
+/// Explains the colours and marks of the views, with the active view's counts, and suggests one next action.
 class LegendPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit LegendPanel(Session& session, QWidget* parent = nullptr);
 
-    /// The legend alone, in one column with room for large letters.
+    /// Shows only the legend, in one column with room for large letters.
     void showToAudience();
-    /// The next thing to do; changes as the user gets on.
+    /// The suggested next action; changes with the user's progress.
     [[nodiscard]] QString nextAction() const;
 
 protected:

@@ -42,7 +42,7 @@ LoadingStrip::LoadingStrip(SceneLoader& loader, QWidget* parent)
 void LoadingStrip::refresh(double share, const QString& stage) {
     m_share = share;
     m_stageName = stage;
-    // No share yet: the bar runs to and fro.
+    // Without a fraction yet, the range 0 to 0 makes the bar indeterminate.
     m_bar->setRange(0, share > 0.0 ? kSteps : 0);
     m_bar->setValue(int(share * kSteps));
     const QString what = QFileInfo(m_loader.specification()).fileName();

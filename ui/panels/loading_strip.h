@@ -9,7 +9,7 @@
 
 namespace cullscope::ui {
 
-/// What is being opened, how far it is, and a button that stops it; hidden while nothing is.
+/// Shows the scene that is being opened, its progress and a cancel button; hidden while no scene is being opened.
 class LoadingStrip : public QWidget {
     Q_OBJECT
 

@@ -14,7 +14,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// Of a view without a loss: what seeing none says, and what it does not.
+/// The text for a view without missed pixels: what this result shows and what it does not.
 QString nothingLost(const Accuracy& accuracy) {
     if (accuracy.coveredPixels == 0) return LossPanel::tr("Nothing of the scene is in this view: there is nothing to lose.");
     const QString covered = countText(accuracy.coveredPixels);
@@ -92,14 +92,14 @@ void LossPanel::refresh() {
     m_summary->setText(summary());
     const bool ready = figures.state == ViewMetrics::State::Ready && figures.subject.buffers;
     const ScenePointer scene = ready ? figures.subject.buffers->scenePointer() : nullptr;
-    // While they are stale the last ones stay, as long as the scene does: they cannot be chosen.
+    // While the metrics are stale the last rows stay, disabled, unless the scene has changed.
     if (ready)
         m_model->setObjects(scene, figures.lostObjects, figures.accuracy.missedPixels);
     else if (figures.state != ViewMetrics::State::Stale || m_model->scene() != m_session.scene())
         m_model->setObjects(nullptr, {}, 0);
     m_view->setEnabled(ready);
     m_view->setVisible(m_model->rowCount() > 0);
-    // The Tab key does not get past a panel whose proxy is hidden or cannot be used.
+    // The Tab key cannot leave a panel whose focus proxy is hidden or disabled.
     setFocusProxy(ready && m_model->rowCount() > 0 ? m_view : nullptr);
     m_view->resizeColumnToContents(LossModel::Pixels);
     m_view->resizeColumnToContents(LossModel::Share);

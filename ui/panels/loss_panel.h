@@ -9,14 +9,15 @@
 
 namespace cullscope::ui {
 
-/// What the active view lost: its objects by pixels, and how many holes. A click on one picks it and brings it into the view.
+/// The losses of the active view: its objects by missed pixels, and the number of holes. A click on an object picks it and fits
+/// it into the view.
 class LossPanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit LossPanel(Session& session, QWidget* parent = nullptr);
 
-    /// What is said above the list.
+    /// The text above the list.
     [[nodiscard]] QString summary() const;
     [[nodiscard]] LossModel& model() { return *m_model; }
     [[nodiscard]] QTreeView& view() { return *m_view; }
@@ -26,7 +27,7 @@ protected:
 
 private:
     void refresh();
-    /// Picks and frames it.
+    /// Picks the object of a row and fits it into the view.
     void goTo(const QModelIndex& index);
     [[nodiscard]] std::optional<uint32_t> objectAt(const QModelIndex& index) const;
     [[nodiscard]] const ViewMetrics& figures() const { return m_session.figures(m_session.activeView()); }

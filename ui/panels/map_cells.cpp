@@ -10,7 +10,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// From the weakest to the one that shows where several share a pixel.
+/// The states by increasing strength: the strongest one is shown if several cells share a pixel.
 constexpr std::array kByStrength{TriangleState::OutsideFrustum, TriangleState::TooSmall, TriangleState::Hidden,
                                  TriangleState::BackFacing,     TriangleState::InVain,   TriangleState::Visible,
                                  TriangleState::WronglyCulled};
@@ -21,7 +21,8 @@ struct Cells {
     uint32_t first = 0, end = 0;
 };
 
-/// The rows or columns under each pixel: that under its middle, or all that begin in it where they are smaller than pixels.
+/// The range of rows or columns that each pixel shows: the cell at its centre; if cells are smaller than pixels, all cells that
+/// begin in the pixel.
 std::vector<Cells> cellsUnder(uint32_t pixels, uint32_t cells) {
     std::vector<Cells> under(pixels);
     for (uint32_t i = 0; i < pixels; ++i) {

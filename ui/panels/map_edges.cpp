@@ -6,7 +6,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// The one of `of` parts under the middle of part `index` of `count`.
+/// If a length is divided into `of` parts: the part under the centre of part `index` of `count`.
 uint32_t under(uint32_t index, uint32_t count, uint32_t of) {
     return uint32_t((2 * uint64_t(index) + 1) * of / (2 * uint64_t(count)));
 }
@@ -47,7 +47,7 @@ QPainterPath MapEdges::path() const {
         addLines(
             path, m_columns, [&](uint32_t step) { return chosen(row, step) != chosen(row - 1, step); },
             [&](uint32_t step) { return at(row, step); });
-    // The map's left and right edges are one border: the last column's neighbour is the first.
+    // The map wraps around: its left and right edges are the same line, and the first column follows the last one.
     for (uint32_t column = 1; column <= m_columns; ++column)
         addLines(
             path, m_rows, [&](uint32_t step) { return chosen(step, column % m_columns) != chosen(step, column - 1); },

@@ -11,9 +11,9 @@ namespace {
 constexpr double kGap = 4.0;
 
 double leftOf(const QFontMetricsF& metrics) { return std::ceil(metrics.horizontalAdvance(QStringLiteral("180°")) + 2 * kGap); }
-/// The last number stands below the map's right edge.
+/// Half of the last number reaches beyond the right edge of the map.
 double rightOf(const QFontMetricsF& metrics) { return std::ceil(metrics.horizontalAdvance(QStringLiteral("360°")) / 2); }
-/// The first one stands beside its upper edge.
+/// Half of the first number reaches beyond the upper edge of the map.
 double topOf(const QFontMetricsF& metrics) { return std::ceil(metrics.height() / 2); }
 double bottomOf(const QFontMetricsF& metrics) { return std::ceil(metrics.height() + kGap); }
 

@@ -8,21 +8,21 @@
 
 namespace cullscope::ui {
 
-/// Where directions stand on a picture of the θ–φ map: φ from 0 to 360° to the right, θ from 0 to 180° downwards.
+/// Positions of directions in a picture of the θ–φ map: φ increases from 0 to 360° to the right, θ from 0 to 180° downwards.
 struct MapLayout {
-    /// The largest map, twice as wide as high, in a place that also takes the axes' numbers.
+    /// Lays out the largest map, twice as wide as high, that fits into `place` together with the numbers of its axes.
     MapLayout(const QRectF& place, const QFontMetricsF& metrics);
-    /// The height that map and axes take in a width.
+    /// The height of map and axes for a given width.
     [[nodiscard]] static double heightFor(double width, const QFontMetricsF& metrics);
 
-    /// Of θ and φ in radians, any φ.
+    /// The position of a direction; θ and φ in radians, φ of any value.
     [[nodiscard]] QPointF placeOf(const Vec2& thetaPhi) const;
-    /// None: outside of the map.
+    /// The cell at a position; none: the position is outside the map.
     [[nodiscard]] std::optional<SphericalGrid::Cell> cellAt(const SphericalGrid& grid, const QPointF& position) const;
     [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
     [[nodiscard]] QRectF rectOf(const SphericalGrid& grid, const spherical::CellBox& box) const;
 
-    QRectF area;  ///< of the map alone, on whole pixels
+    QRectF area;  ///< rectangle of the map without axes, on whole pixels
 };
 
 }  // namespace cullscope::ui

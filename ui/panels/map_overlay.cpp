@@ -19,15 +19,15 @@ constexpr int kLabelStep = 30;              // degrees between labelled contours
 constexpr double kLeastContourStep = 15.0;  // degrees between drawn ones
 constexpr double kNumberDistance = 15.0;
 constexpr double kLeastWalkedSize = 2.0;
-constexpr double kLeastCellSize = 3.0;  // of what must be seen, in pixels
-constexpr double kLeastOutlined = 4.0;  // of a cell whose border does not cover it
+constexpr double kLeastCellSize = 3.0;  // pixels; minimum size of a mark
+constexpr double kLeastOutlined = 4.0;  // pixels; a smaller cell would be covered by its outline
 
 QRectF atLeast(const QRectF& rect, double size) {
     const double across = std::max(0.0, size - rect.width()) / 2, down = std::max(0.0, size - rect.height()) / 2;
     return rect.adjusted(-across, -down, across, down);
 }
 
-/// Words by a place, in the first direction, from the wanted one on, in which they cover nothing else.
+/// The rectangle of a label beside a point: in the wanted direction, or the next one in which `free` accepts it.
 QRectF placeBeside(const QPointF& place, double direction, const QString& words, const QRectF& bounds,
                    const QFontMetricsF& metrics, const std::function<bool(const QRectF&)>& free) {
     constexpr double kEighth = kTurn / 8;
@@ -53,7 +53,7 @@ std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const spherical::Sp
     std::array<QPointF, 4> places;
     for (size_t corner = 0; corner < places.size(); ++corner) places[corner] = layout.placeOf(cornerOf(decision.rays[corner]));
     const QPointF middle = (places[0] + places[1] + places[2] + places[3]) / 4;
-    // The map's frame is drawn over what stands on it.
+    // Keep clear of the map's frame, which is painted over labels.
     const QRectF bounds = layout.area.adjusted(2, 2, -2, -2);
     std::array<QRectF, 4> numbers;
     for (size_t corner = 0; corner < places.size(); ++corner) {
@@ -63,7 +63,7 @@ std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const spherical::Sp
                    std::none_of(numbers.begin(), numbers.begin() + corner,
                                 [&](const QRectF& other) { return other.intersects(number); });
         };
-        // Numbers stand outside, so that they do not cover a small region.
+        // Numbers are placed outside the region, so that they do not cover a small one.
         const QPointF outwards = places[corner] - middle;
         numbers[corner] = placeBeside(places[corner], std::atan2(outwards.y(), outwards.x()), QString::number(corner + 1), bounds,
                                       metrics, free);
@@ -84,7 +84,7 @@ std::vector<std::vector<Vec2>> sectorEdge(const spherical::ContourBands& bands, 
         if (!lines.back().empty()) {
             const double before = lines.back().back().y;
             point.y += std::round((before - point.y) / kTurn) * kTurn;
-            // At a pole φ jumps, and the curve with it.
+            // φ jumps at a pole: begin a new line.
             if (std::abs(point.y - before) > kTurn / 4) lines.emplace_back();
         }
         lines.back().push_back(point);
@@ -105,7 +105,7 @@ void MapOverlay::paint(const spherical::MapSnapshot& map) const {
         paintRegion(map.maps->grid(), *map.decision.region);
     }
     m_painter.restore();
-    // The corners may lie at the map's edge.
+    // Painted without the clipping to the map, because corners may lie at its edge.
     if (map.decision.region) paintCorners(map.decision);
 }
 
@@ -141,7 +141,7 @@ void MapOverlay::paintRegion(const SphericalGrid& grid, const spherical::Visible
         path.addRect(m_layout.rectOf(grid, box).intersected(m_layout.area.adjusted(0.5, 0.5, -0.5, -0.5)));
         strokeOver(m_painter, path, linePen(MapSymbol::Box, m_colours), m_colours.ground);
     }
-    // A region around a pole begins and ends at the same place of the map, a turn apart.
+    // The outline of a region around a pole ends one turn after its start, which is the same point of the map: it is not closed.
     if (!region.outline.empty())
         strokeOver(m_painter, wrapped(region.outline, region.caseNumber != 1), linePen(MapSymbol::Region, m_colours),
                    m_colours.ground);
@@ -170,7 +170,7 @@ void MapOverlay::paintBands(const spherical::ContourBands& bands) const {
                m_colours.ground);
     for (int label = kLabelStep; label < 180; label += kLabelStep) {
         const std::vector<Vec2> line = contour(bands, label * std::numbers::pi / 180.0);
-        // Where the curve is highest nothing else crosses it, and the words stand level.
+        // At its highest point the curve crosses no other line, and is level like the label.
         const Vec2 top = *std::min_element(line.begin(), line.end(), [](const Vec2& a, const Vec2& b) { return a.x < b.x; });
         const QPointF place = m_layout.placeOf({top.x, top.y - std::floor(top.y / kTurn) * kTurn});
         paintLabel(m_painter, place, QStringLiteral("%1°").arg(label), m_layout.area, m_colours);

@@ -9,18 +9,19 @@
 
 namespace cullscope::ui {
 
-/// Paints over a map's cells what was decided on them. Whatever crosses the seam is painted on both sides of it.
+/// Paints the decision on the cells over a map. Shapes that cross the seam at φ = 0 are painted on both sides of it.
 class MapOverlay {
 public:
     MapOverlay(QPainter& painter, const MapLayout& layout, const MapColours& colours)
         : m_painter(painter), m_layout(layout), m_colours(colours) {}
 
-    /// The corner rays' walked cells, the visible region, its boxes and the four corners; or the contour bands and the edge of
-    /// what they leave; or the cells of the quadtree at which the walk ended, as far as they are seen, and the kernel's horizon.
+    /// Paints, depending on the decision: the cells that the corner rays walked, the visible region, its boxes and the four
+    /// corners; or the contour bands and the boundary of the drawn ones; or the quadtree cells at which the walk ended, as far as
+    /// they can be seen, and the kernel's horizon.
     void paint(const spherical::MapSnapshot& map) const;
     void paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,
                      const SphericalGrid::Cell& centroid) const;
-    /// The edges of a sector of the bands: there β stays the same from the start to the end.
+    /// Paints the edges of a sector of the bands: lines of constant β from the start to the end of the axis.
     void paintSector(const spherical::ContourBands& bands, uint32_t sector) const;
     void paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
 
@@ -30,7 +31,8 @@ private:
     void paintCorners(const spherical::SphericalDecision& decision) const;
     void paintBands(const spherical::ContourBands& bands) const;
     void paintWalk(const spherical::MapSnapshot& map) const;
-    /// A line of (θ, φ) with φ continued over the seam, once for every turn that it reaches into; at least one point.
+    /// The path of a line of (θ, φ) whose φ continues over the seam, once for every turn that it reaches. Needs at least one
+    /// point.
     [[nodiscard]] QPainterPath wrapped(const std::vector<Vec2>& line, bool closed) const;
 
     QPainter& m_painter;
@@ -38,15 +40,15 @@ private:
     const MapColours& m_colours;
 };
 
-/// (θ, φ) of a corner of the region.
+/// (θ, φ) of a corner of the visible region, from its corner ray.
 [[nodiscard]] Vec2 cornerOf(const spherical::CornerRay& ray);
-/// Where the four corners' numbers stand: within the map, and on no corner's marker.
+/// Rectangles of the four corners' numbers: within the map, and clear of the corner markers.
 [[nodiscard]] std::array<QRectF, 4> cornerNumbers(const MapLayout& layout, const spherical::SphericalDecision& decision,
                                                   const QFontMetricsF& metrics);
-/// From one drawn contour to the next, radians: a whole number of bands.
+/// The angle between two drawn contours in radians: a whole number of bands.
 [[nodiscard]] double contourStep(const spherical::ContourBands& bands);
-/// The directions at one angle β about the axis, from α = 0 to 180°, as lines of (θ, φ), φ continued over the seam; two, where
-/// they go over a pole of the map.
+/// The directions at one angle β about the axis, from α = 0 to 180°, as lines of (θ, φ) whose φ continues over the seam. There
+/// are two lines if they pass over a pole of the map.
 [[nodiscard]] std::vector<std::vector<Vec2>> sectorEdge(const spherical::ContourBands& bands, double beta);
 
 }  // namespace cullscope::ui

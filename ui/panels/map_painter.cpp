@@ -26,7 +26,7 @@ void append(std::vector<MapLegend::Entry>& entries, const std::vector<MapLegend:
     entries.insert(entries.end(), more.begin(), more.end());
 }
 
-/// That the words are kept room for: wider than most.
+/// Values for which the legend reserves room: their labels are wider than most.
 constexpr double kUsualStep = 22.5 * std::numbers::pi / 180.0;
 constexpr uint32_t kUsualSector = 98;
 
@@ -61,7 +61,7 @@ std::vector<MapLegend::Entry> stateEntries(const std::vector<TriangleState>& sta
     return entries;
 }
 
-/// What a map may have at once, for which room is kept: of states more than most have.
+/// All entries that a map's legend may have at once, for which room is reserved. Most maps show fewer states.
 std::vector<std::vector<MapLegend::Entry>> fullLegends(bool states, bool tree) {
     using enum TriangleState;
     if (tree) {
@@ -101,7 +101,7 @@ double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const
 double MapPainter::wordsHeight(const QFontMetricsF& metrics) const {
     const ShownMap& shown = contents().shown;
     if (shown.empty() || !shown.map().tree) return 0.0;
-    // Why there is no kernel may take two lines.
+    // The reason why there is no kernel may take two lines.
     const bool filled = shown.map().kernel && shown.map().kernel->filled();
     return (filled ? 2 : 3) * lineHeight(metrics);
 }
@@ -200,7 +200,7 @@ void MapPainter::paintWords(QPainter& painter, const QRectF& place, const MapCol
     painter.setPen(colours.text);
     const QStringList words = walkWords(contents().shown);
     for (qsizetype i = 0; i < words.size(); ++i) {
-        // The last one has what room is left.
+        // The last line takes the remaining height.
         if (i + 1 == words.size()) line.setBottom(place.top() + wordsHeight(metrics));
         painter.drawText(line, Qt::AlignLeft | Qt::TextWordWrap, words[i]);
         line.translate(0, lineHeight(metrics));

@@ -6,8 +6,8 @@
 
 namespace cullscope::ui {
 
-/// Paints the θ–φ map of an object, in the window and in files: cells by colour, what was decided on them, axes, and what all of
-/// it means. Keeps the cells' picture until contents, colouring or size change.
+/// Paints the θ–φ map of an object for windows and files: coloured cells, the decision on them, axes, and a legend. Caches the
+/// image of the cells until contents, colouring or size change.
 class MapPainter {
 public:
     void setContents(const MapContents& contents) { m_cells.setContents(contents); }
@@ -15,16 +15,16 @@ public:
     void setColouring(MapColouring colouring) { m_cells.setColouring(colouring); }
     [[nodiscard]] MapColouring colouring() const { return m_cells.colouring(); }
 
-    /// The height that all of it needs in a width; it does not depend on the decision, so that nothing jumps while the camera
-    /// moves.
+    /// The height of the whole picture for a given width. It does not depend on the decision, so that the layout is stable while
+    /// the camera moves.
     [[nodiscard]] double neededHeight(double width, const QFontMetricsF& metrics) const;
-    /// Where the map stands in a place.
+    /// The layout of the map in a rectangle.
     [[nodiscard]] MapLayout layout(const QRectF& place, const QFontMetricsF& metrics) const;
-    /// Needs contents that are not empty. The cursor is for the window alone.
+    /// Paints the map. The contents must not be empty. The cursor is painted in windows only.
     void paint(QPainter& painter, const QRectF& place, const QPalette& palette,
                const std::optional<SphericalGrid::Cell>& cursor = {}) const;
 
-    /// What the veil makes of a cell in the middle of the scale, of which the legend shows it.
+    /// The colour of a cell from the middle of the scale under the veil, as the legend shows it.
     [[nodiscard]] QColor veiledColour(const QPalette& palette) const;
 
     /// The cells that a triangle of the shown mesh touches.
@@ -34,11 +34,11 @@ public:
 private:
     void paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const;
     static void paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours);
-    /// What stands between the scale and the legend of a map with a quadtree.
+    /// The height of the lines between scale and legend, which maps with a quadtree have.
     [[nodiscard]] double wordsHeight(const QFontMetricsF& metrics) const;
     void paintWords(QPainter& painter, const QRectF& place, const MapColours& colours) const;
     void paintScale(QPainter& painter, const QRectF& place, const QPalette& palette) const;
-    /// What stands below map and scale.
+    /// The legend below map and scale.
     [[nodiscard]] MapLegend legend(const QFontMetricsF& metrics, const QPalette& palette) const;
     [[nodiscard]] double heightBelow(double width, const QFontMetricsF& metrics) const;
     [[nodiscard]] std::vector<MapLegend::Entry> statesShown(const QPalette& palette) const;

@@ -16,10 +16,10 @@ namespace {
 constexpr QSize kFileSize{960, 560};
 constexpr std::array kColourings{MapColouring::Entries, MapColouring::Radius, MapColouring::State, MapColouring::Level,
                                  MapColouring::Kernel};
-/// What every map has.
+/// The number of colourings that every map has; they come first in kColourings.
 constexpr size_t kUsualColourings = 3;
 
-/// What a cell's repeated picks go through.
+/// The order in which repeated clicks on a cell pick its triangles.
 std::vector<uint32_t> pickOrder(const SphericalMaps& maps, uint32_t cell) {
     const std::span<const uint32_t> owned = maps.centroids(cell), touching = maps.triangles(cell);
     std::vector<uint32_t> order(owned.rbegin(), owned.rend());
@@ -73,7 +73,7 @@ void MapPanel::layOut() {
 }
 
 void MapPanel::refresh() {
-    // What was read last stays until there is something newer, so that nothing flickers.
+    // The last map stays until a newer one was read, which avoids flicker.
     showMap(shownMap(m_session, m_reader));
 }
 
@@ -83,7 +83,7 @@ void MapPanel::showMap(const ShownMap& shown) {
     m_choices->setVisible(!shown.empty());
     m_map->setVisible(!shown.empty());
     m_sentence->setVisible(shown.empty());
-    // The Tab key does not get past a panel whose proxy is hidden.
+    // The Tab key cannot leave a panel whose focus proxy is hidden.
     setFocusProxy(shown.empty() ? nullptr : m_map);
     showSentence();
 }

@@ -8,8 +8,8 @@
 
 namespace cullscope::ui {
 
-/// The map of directions of the active view's strategy: of the picked object, else of the first one that is not outside the
-/// frustum. A click on a cell picks a triangle of it, and what is picked is marked.
+/// The triangle index map of the active view's strategy: that of the picked object, else of the first object that is not outside
+/// the frustum. A click on a cell picks one of its triangles, and the picked triangle's cells are marked.
 class MapPanel : public QWidget {
     Q_OBJECT
 
@@ -19,14 +19,14 @@ public:
     [[nodiscard]] MapWidget& map() { return *m_map; }
     [[nodiscard]] QComboBox& colouring() { return *m_colouring; }
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
-    /// What stands in the place of the map; empty: the map does.
+    /// The text in place of the map; empty: the map is shown.
     [[nodiscard]] QString sentence() const { return m_sentence->isHidden() ? QString() : m_sentence->text(); }
-    /// Shows a map, which numbers the objects of the session's scene; empty: a sentence.
+    /// Shows a map, whose objects are numbered as in the session's scene. An empty one shows a text instead.
     void showMap(const ShownMap& shown);
-    /// Picks the farthest-out triangle that a cell of the shown map owns; where one of the cell's is picked already, the next one
-    /// nearer, the triangles that only touch the cell after those that it owns.
+    /// Picks a triangle of a cell of the shown map: the farthest-out one that the cell owns. If one of the cell's triangles is
+    /// picked already, picks the next nearer one; triangles that only touch the cell come after those that it owns.
     void pickIn(uint32_t cell);
-    /// Marks a sector of the bands on maps that have it; none: none.
+    /// Marks a sector of the contour bands on maps that have it; none: marks no sector.
     void setSector(const std::optional<uint32_t>& sector);
 
 protected:
@@ -37,10 +37,10 @@ private:
     void refresh();
     void retranslate();
     void showSentence();
-    /// The colourings that the map has; where it does not have the present one, its entries.
+    /// Lists the colourings that the map has. If the present one is not among them, changes to entries per cell.
     void offerColourings(const ShownMap& shown);
     [[nodiscard]] std::shared_ptr<const TriangleStates> truth() const;
-    /// Of the shown map's mesh; none: nothing of it is picked.
+    /// The picked triangle, numbered within the shown map's mesh; none: no triangle of that object is picked.
     [[nodiscard]] std::optional<uint32_t> pickedTriangle(const ShownMap& shown) const;
 
     [[nodiscard]] std::optional<uint32_t> sectorOf(const ShownMap& shown) const;

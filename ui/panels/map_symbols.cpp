@@ -135,7 +135,7 @@ void paintSymbol(QPainter& painter, const QRectF& place, MapSymbol symbol, const
         path.lineTo(place.right(), centre.y());
     }
     painter.setBrush(Qt::NoBrush);
-    // Alone, a line as thin and pale as on the map would hardly be seen.
+    // In the legend, a line as thin and pale as on the map would hardly be visible.
     painter.setPen(symbol == MapSymbol::JudgedCell ? QPen(colours.faintText, 1.2) : linePen(symbol, colours));
     painter.drawPath(path);
 }

@@ -7,25 +7,25 @@
 
 namespace cullscope::ui {
 
-/// The colours of what lies over a map's cells, for a light or a dark ground. Each differs from the others by its shape too.
+/// The colours of the overlays on a map, for a light or a dark background. The overlays differ in shape too.
 struct MapColours {
     explicit MapColours(const QPalette& palette);
 
     QColor ground;
     QColor text;
     QColor faintText;
-    QColor region;  ///< the visible region's red, and the horizon's
+    QColor region;  ///< the visible region's red, also for the horizon
     QColor walked;
     QColor contour;
     QColor picked;
     QColor quadtree;
-    QColor veil;  ///< over cells that are hidden, half transparent
+    QColor veil;  ///< half transparent, over hidden cells
 
-    /// As it looks over a colour.
+    /// The colour `under` with the veil over it.
     [[nodiscard]] QColor veiled(const QColor& under) const;
 };
 
-/// What is drawn over a map, in its legend as on it.
+/// The overlays of a map, drawn in the same way in its legend.
 enum class MapSymbol {
     Region,
     Box,
@@ -43,29 +43,29 @@ enum class MapSymbol {
     Cells
 };
 
-/// A line that is seen on every cell: in its colour on a wider one of the ground's.
+/// Strokes a line that is visible on any cell: over a wider line in the background colour.
 void strokeOver(QPainter& painter, const QPainterPath& path, const QPen& pen, const QColor& ground);
 /// The pen of a symbol that is a line.
 [[nodiscard]] QPen linePen(MapSymbol symbol, const MapColours& colours);
 void paintMarker(QPainter& painter, const QPointF& centre, MapSymbol symbol, const MapColours& colours);
-/// How far a marker reaches from its middle.
+/// Radius of a marker, in the painter's units.
 inline constexpr double kMarkerReach = 7.0;
-/// Where words around a place stand, moved into the bounds.
+/// The rectangle of a label centred at a point, moved into the bounds.
 [[nodiscard]] QRectF labelPlace(const QPointF& centre, const QString& words, const QRectF& bounds, const QFontMetricsF& metrics);
-/// Words that are read on every cell.
+/// Paints text that is legible on any cell.
 void paintLabel(QPainter& painter, const QRectF& place, const QString& words, const MapColours& colours);
-/// The same around a place, moved into the bounds.
+/// Paints such text centred at a point, moved into the bounds.
 void paintLabel(QPainter& painter, const QPointF& centre, const QString& words, const QRectF& bounds, const MapColours& colours);
-/// A symbol as a legend has it, within a place.
+/// Paints the legend's sample of a symbol into a rectangle.
 void paintSymbol(QPainter& painter, const QRectF& place, MapSymbol symbol, const MapColours& colours);
 
-/// What words stand beside which symbol, in rows of a width; no words are cut.
+/// A legend of symbols with their texts, in rows of a given width; texts are never cut.
 class MapLegend {
 public:
     struct Entry {
         MapSymbol symbol;
         QString words;
-        QColor colour;  ///< of Cells
+        QColor colour;  ///< for MapSymbol::Cells
     };
 
     MapLegend(std::vector<Entry> entries, const QFontMetricsF& metrics) : m_entries(std::move(entries)), m_metrics(metrics) {}
@@ -74,7 +74,7 @@ public:
     void paint(QPainter& painter, const QRectF& place, const MapColours& colours) const;
 
 private:
-    /// Where the entries begin, and where one more row would.
+    /// The positions of all entries, and that of a row after the last one.
     [[nodiscard]] std::vector<QPointF> places(double width) const;
 
     std::vector<Entry> m_entries;

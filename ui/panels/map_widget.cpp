@@ -15,9 +15,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kReach = 9.0;  // how far from a corner's place its words are still shown
-constexpr int kWidest = 480;    // that a map is made without being asked to
-constexpr int kFarStep = 10;    // cells, with Shift
+constexpr double kReach = 9.0;  // pixels; radius around a corner within which its tooltip is shown
+constexpr int kWidest = 480;    // pixels; width up to which the map asks for more height
+constexpr int kFarStep = 10;    // cells that the cursor moves with Shift
 
 }  // namespace
 
@@ -29,7 +29,7 @@ MapWidget::MapWidget(QWidget* parent) : PlotWidget(parent) {
 void MapWidget::setContents(const MapContents& contents) {
     if (contents == m_painter.contents()) return;
     m_painter.setContents(contents);
-    // Another map may have fewer cells.
+    // The new map may have fewer cells.
     if (m_cursor && !empty()) {
         const SphericalGrid& grid = contents.shown.grid();
         m_cursor = SphericalGrid::Cell{std::min(m_cursor->row, grid.rows() - 1), std::min(m_cursor->column, grid.columns() - 1)};
@@ -58,7 +58,7 @@ void MapWidget::paintEvent(QPaintEvent*) {
 }
 
 int MapWidget::neededHeight(int width) const {
-    // In a wide and low place it must not push everything else out: there it is as wide as its height allows.
+    // In a wide and low panel the map must not displace all other widgets: there its height limits its width.
     return int(m_painter.neededHeight(std::min(width, kWidest), QFontMetricsF(font())));
 }
 
@@ -116,7 +116,7 @@ void MapWidget::moveCursor(int rows, int columns) {
     const SphericalGrid& grid = m_painter.contents().shown.grid();
     const SphericalGrid::Cell from = m_cursor.value_or(SphericalGrid::Cell{grid.rows() / 2, grid.columns() / 2});
     const auto width = int64_t(grid.columns());
-    // The columns close at the seam, the rows end at the poles.
+    // The cursor wraps around at the seam of the columns and stops at the poles.
     m_cursor = SphericalGrid::Cell{uint32_t(std::clamp<int64_t>(int64_t(from.row) + rows, 0, int64_t(grid.rows()) - 1)),
                                    uint32_t(((int64_t(from.column) + columns) % width + width) % width)};
     contentsChanged();

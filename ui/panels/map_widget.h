@@ -5,8 +5,7 @@
 
 namespace cullscope::ui {
 
-/// The θ–φ map of an object. Hovering tells about cells and corners; a click, or Enter on the cell under the keyboard's cursor,
-/// chooses a cell.
+/// The θ–φ map of an object. Tooltips describe cells and corners. A click, or Enter at the keyboard cursor, chooses a cell.
 class MapWidget : public PlotWidget {
     Q_OBJECT
 
@@ -17,11 +16,11 @@ public:
     [[nodiscard]] const MapContents& contents() const { return m_painter.contents(); }
     void setColouring(MapColouring colouring);
     [[nodiscard]] MapColouring colouring() const { return m_painter.colouring(); }
-    /// Of the keyboard; none: it has not been moved yet.
+    /// The cell of the keyboard cursor; none: it was not moved yet.
     [[nodiscard]] const std::optional<SphericalGrid::Cell>& cursor() const { return m_cursor; }
 
     [[nodiscard]] MapLayout layoutOfMap() const;
-    /// What is said about a place; empty: nothing is there.
+    /// The tooltip for a position; empty: there is none.
     [[nodiscard]] QString wordsAt(const QPointF& place) const;
 
     [[nodiscard]] QString title() const override;

@@ -31,7 +31,7 @@ QString cornerName(size_t corner) {
     return names[corner];
 }
 
-/// From the highest to the lowest, in degrees.
+/// A range of angles, given in radians and written in degrees.
 QString rangeWords(double from, double to) {
     return MapWords::tr("%1 to %2", "a range of numbers").arg(degreesText(from), degreesText(to));
 }
@@ -48,7 +48,7 @@ QString kernelWords(const spherical::MapSnapshot& map) {
     return MapWords::tr("Horizon not used: at the near plane, or too far away");
 }
 
-/// What became of the quadtree's cell under a direction.
+/// The decision on the quadtree cell in a direction; empty: there is none.
 QString judgedWords(const spherical::MapSnapshot& map, const Vec3& direction) {
     const spherical::JudgedCell* judged = judgedCellAt(map, direction);
     if (!judged) return {};
@@ -64,7 +64,7 @@ Vec3 middleOf(const SphericalGrid& grid, const SphericalGrid::Cell& cell) {
     return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
 }
 
-/// Of the triangles that the cell owns; none: it owns none.
+/// The state of the triangles that the cell owns, or a text that it owns none.
 QString stateOfCell(const ShownMap& shown, const TriangleStates* truth, uint32_t cell) {
     const uint8_t tone = stateTone(shown, truth, cell);
     for (size_t state = 0; tone > 0 && state < kTriangleStateCount; ++state)
@@ -210,7 +210,7 @@ QString lengthText(double length) { return QLocale().toString(length, 'g', 3); }
 
 QString degreesText(double radians) {
     const double degrees = radians * 180.0 / std::numbers::pi;
-    // No more digits than are not zero, and no error of rounding.
+    // Rounded to 0.01°, without trailing zeros.
     const double rounded = std::round(degrees * 100.0) / 100.0;
     return QLocale().toString(rounded, 'g', 5) + QStringLiteral("°");
 }

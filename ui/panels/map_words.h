@@ -7,35 +7,35 @@
 
 namespace cullscope::ui {
 
-/// What the map's picture says in words.
+/// The texts of the map's picture.
 
 [[nodiscard]] QString colouringWords(MapColouring colouring);
-/// What the scale's colours mean, with the unit.
+/// The meaning of the scale's colours, with the unit.
 [[nodiscard]] QString scaleWords(MapColouring colouring);
-/// Which object it is and how it lies to the frustum, one line.
+/// The object's name and its position relative to the frustum, in one line.
 [[nodiscard]] QString objectWords(const ShownMap& shown);
-/// What follows from that: the case, the bands, or why nothing is decided by direction.
+/// The resulting decision: the case, the bands, or why directions decide nothing.
 [[nodiscard]] QString decisionWords(const ShownMap& shown);
-/// Of a map with a quadtree: which tests held and what each culled, one line; then what the kernel is good for, or why there is
-/// none. Empty: nothing was walked.
+/// For a map with a quadtree: one line with the tests that were used and the number of triangles that each culled, then the use
+/// of the kernel, or why there is none. Empty: the quadtree was not walked.
 [[nodiscard]] QStringList walkWords(const ShownMap& shown);
-/// Row, column, angles, entries, triangles, R and state of a cell, several lines.
+/// Row, column, angles, entries, triangles, R and state of a cell, in several lines.
 [[nodiscard]] QString cellWords(const ShownMap& shown, const TriangleStates* truth, const SphericalGrid::Cell& cell);
-/// What the corner ray with that index found.
+/// The result of the corner ray with that index.
 [[nodiscard]] QString cornerWords(const spherical::SphericalDecision& decision, size_t corner);
-/// Of a cell's tone in a map coloured by state; without truth, what is drawn is only that.
+/// The meaning of a cell's colour in a map coloured by state. Without truth a drawn cell is called "drawn", not "visible".
 [[nodiscard]] QString stateWords(TriangleState state, bool truthKnown);
-/// Instead of a map; empty: the strategy has none.
+/// The text in place of a map; empty: the strategy has no maps.
 [[nodiscard]] QString absenceWords(MapAbsence absence);
-/// What a symbol over the map stands for.
+/// The meaning of a symbol over the map.
 [[nodiscard]] QString symbolWords(MapSymbol symbol);
-/// The same of the contours, drawn at every so much of α (radians).
+/// The meaning of the contours, which are drawn every `step` of α (radians).
 [[nodiscard]] QString contourWords(double step);
-/// The same of a sector's edges, counted from 0.
+/// The meaning of the edges of a sector, counted from 0.
 [[nodiscard]] QString sectorWords(uint32_t sector);
-/// A length in the mesh's units, three digits.
+/// A length in the mesh's units with three significant digits.
 [[nodiscard]] QString lengthText(double length);
-/// An angle in degrees, as many digits as tell the map's cells apart.
+/// An angle in degrees, with enough digits to tell the map's cells apart.
 [[nodiscard]] QString degreesText(double radians);
 
 }  // namespace cullscope::ui

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kInset = 8;
 
-/// Whether an event shows that the user goes on: a click or a key.
+/// Whether an event shows that the user continues to work: a click or a key press.
 bool goesOn(QEvent::Type type) {
     return type == QEvent::MouseButtonPress || type == QEvent::KeyPress || type == QEvent::ShortcutOverride;
 }
@@ -32,7 +32,7 @@ MessageBar::MessageBar(QWidget& below)
     layout->addWidget(m_text, 1);
     layout->addWidget(m_close);
     setFrameShape(QFrame::StyledPanel);
-    // A click on it is not one on what lies below.
+    // A click on the bar must not reach the widget below.
     setAttribute(Qt::WA_NoMousePropagation);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
@@ -84,14 +84,15 @@ bool MessageBar::eventFilter(QObject* watched, QEvent* event) {
     if (watched == &m_below && (event->type() == QEvent::Resize || event->type() == QEvent::Move)) place();
     if (m_end.isActive() && goesOn(event->type())) {
         const auto* widget = qobject_cast<const QWidget*>(watched);
-        // A click on the sentence itself is to select or to close it.
+        // A click on the bar itself selects its text or closes it.
         if (widget && widget->window() == window() && widget != this && !isAncestorOf(widget)) hide();
     }
     return QFrame::eventFilter(watched, event);
 }
 
 void MessageBar::hideEvent(QHideEvent* event) {
-    // Hidden with its window it comes back with that; closed it has no more to wait for.
+    // A spontaneous hide event comes with the window, and the bar reappears with it. Otherwise the bar was closed: stop its
+    // timer.
     if (!event->spontaneous()) {
         m_end.stop();
         qApp->removeEventFilter(this);

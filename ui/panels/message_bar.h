@@ -10,13 +10,14 @@
 
 namespace cullscope::ui {
 
-/// One sentence over the lower edge of a widget until it is closed or another takes its place; what only informs also goes
-/// after a while, or when the user goes on. Stops nobody and moves nothing: what it lies over keeps its size.
+/// Shows one sentence over the lower edge of a widget until the user closes it or another sentence replaces it. Information also
+/// disappears after kInformationTime, or at the next click or key press in the window. The bar never blocks the user and is in no
+/// layout: the widget below keeps its size.
 class MessageBar : public QFrame {
     Q_OBJECT
 
 public:
-    /// Lies over `below`, as its sibling.
+    /// Lies over `below`, as its sibling widget.
     explicit MessageBar(QWidget& below);
 
     /// How long information stays; 6000 unless it is set.

@@ -62,9 +62,9 @@ void MetricsPanel::setUpTable() {
     setColours();
 }
 
-/// A style sheet keeps the palette that it was made under: its colours are named, and named anew with another palette.
+/// A style sheet does not follow palette changes: the colours are written into it again for each palette.
 void MetricsPanel::setColours() {
-    // Padding around all of the columns' titles would move them from their columns.
+    // Padding is set per section: around the whole header it would shift the titles against their columns.
     m_table->setStyleSheet(
         QStringLiteral("QTableView, QHeaderView, QHeaderView::section, QTableCornerButton::section { border: 0; background: %1; "
                        "color: %2; } QHeaderView::section, QTableCornerButton::section { padding: 1px 4px; }")
@@ -95,7 +95,7 @@ void MetricsPanel::fitColumns() {
     const QHeaderView::ResizeMode mode =
         widest * m_model->columnCount() <= room ? QHeaderView::Stretch : QHeaderView::ResizeToContents;
     if (header.count() > 0 && header.sectionResizeMode(0) != mode) header.setSectionResizeMode(mode);
-    // The dock scrolls as a whole: a table that scrolled its rows inside it would be hard to reach.
+    // The dock scrolls as a whole: rows that scroll inside it again would be hard to reach.
     const int bar = all > room ? m_table->horizontalScrollBar()->sizeHint().height() : 0;
     m_table->setMinimumHeight(header.sizeHint().height() + m_table->verticalHeader()->length() + 4 + bar);
 }

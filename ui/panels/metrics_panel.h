@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// The figures of the shown views beside each other, all rows at once; below them, where the processor draws, that it does.
+/// A table of the metrics of the shown views, with all rows visible; below it a note if OpenGL is rendered by the CPU.
 class MetricsPanel : public QWidget {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ private:
     void setUpTable();
     void setColours();
     void refresh();
-    /// Columns of one width where all contents fit so, else each as wide as its contents, to be scrolled.
+    /// Gives all columns the same width if the contents fit, else each the width of its contents, with a scroll bar.
     void fitColumns();
 
     Session& m_session;

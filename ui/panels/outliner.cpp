@@ -90,7 +90,7 @@ void Outliner::refreshScene() {
 }
 
 void Outliner::refreshVerdicts() {
-    // What is known of a scene that is not shown any more numbers its objects in another way.
+    // Verdicts of a scene that is not shown any more number its objects differently.
     if (!m_session.opened() || m_model->scene() != m_session.opened()->scene) return;
     const ScenePointer& shown = m_session.scene();
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
@@ -166,7 +166,7 @@ void Outliner::setHidden(const std::vector<uint32_t>& objects, bool hidden) {
 void Outliner::toggleSelected() {
     const std::vector<uint32_t> objects = selected();
     const std::vector<bool>& hidden = m_session.hidden();
-    // Of a mixture all are hidden first.
+    // If some selected objects are shown and some hidden, hide all.
     const bool anyShown = std::any_of(objects.begin(), objects.end(), [&](uint32_t object) { return !hidden[object]; });
     setHidden(objects, anyShown);
 }
@@ -226,7 +226,7 @@ bool Outliner::eventFilter(QObject* watched, QEvent* event) {
     const bool key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
     const auto* pressed = key ? static_cast<QKeyEvent*>(event) : nullptr;
     if (pressed && pressed->modifiers() == Qt::NoModifier) {
-        // The window may use the same keys: here they are this list's.
+        // Accepting ShortcutOverride gives these keys to the list, even if the window has shortcuts with them.
         const bool list = watched == m_view && (pressed->key() == Qt::Key_Space || pressed->key() == Qt::Key_Delete);
         const bool escape = watched == m_search && pressed->key() == Qt::Key_Escape && !m_search->text().isEmpty();
         if (event->type() == QEvent::ShortcutOverride) {

@@ -9,15 +9,16 @@
 
 namespace cullscope::ui {
 
-/// The list of the scene's objects with a search field: hides, shows, isolates and frames what is selected. What is picked in a
-/// view is selected here, and a selected object is picked. Space hides or shows the selected objects, Delete hides them.
+/// The list of the scene's objects with a search field. The user can hide, show, isolate and frame the selected objects. The
+/// object picked in a view is selected here, and a selected object is picked. Space hides or shows the selected objects, Delete
+/// hides them.
 class Outliner : public QWidget {
     Q_OBJECT
 
 public:
     explicit Outliner(Session& session, QWidget* parent = nullptr);
 
-    /// Takes the strategy's decisions from here while the truth is not known.
+    /// Sets the reader of the strategy's decisions, which are listed while the truth is not known.
     void setReader(SnapshotReader& reader);
 
     [[nodiscard]] ObjectModel& model() { return *m_model; }
@@ -27,14 +28,14 @@ public:
 
     void hideSelected() { setHidden(selected(), true); }
     void showSelected() { setHidden(selected(), false); }
-    /// Hides all others.
+    /// Hides all objects that are not selected.
     void isolateSelected();
     void showAll();
-    /// Brings the selected objects into the active view.
+    /// Fits the selected objects into the active view.
     void frameSelected();
 
 signals:
-    /// `selected`, or whether anything is hidden, changed.
+    /// selected() changed, or whether any object is hidden.
     void stateChanged();
 
 protected:

@@ -19,7 +19,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr double kLogarithmicFrom = 1000.0;  // a range wider than this is better told apart by its logarithm
+constexpr double kLogarithmicFrom = 1000.0;  // a range with a larger ratio gets a logarithmic slider
 
 bool sameDeclarations(const ParameterSet& a, const ParameterSet& b) {
     const auto key = [](const ParameterDeclaration& x, const ParameterDeclaration& y) {
@@ -48,7 +48,7 @@ int stepOf(const ParameterDeclaration& declaration, double value) {
     return int(std::lround(kSliderSteps * share));
 }
 
-/// Digits after the point that tell a thousandth of the range apart.
+/// The number of decimals that resolve a thousandth of the range.
 int decimalsFor(const ParameterDeclaration& declaration) {
     const double finest = logarithmic(declaration) ? declaration.minimum : (declaration.maximum - declaration.minimum) / 1000.0;
     return finest > 0.0 ? std::clamp(int(std::ceil(-std::log10(finest))), 0, 9) : 3;

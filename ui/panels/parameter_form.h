@@ -8,17 +8,17 @@ class QFormLayout;
 
 namespace cullscope::ui {
 
-/// A form made from declared parameters: a check box, a spin box, a slider with a number, or a list, each with its unit
-/// and its sentence. What is changed is told at once.
+/// A form made from declared parameters: a check box, a spin box, a slider with a number, or a list for each, with its unit and
+/// its description. Emits every change at once.
 class ParameterForm : public QWidget {
     Q_OBJECT
 
 public:
     explicit ParameterForm(QWidget* parent = nullptr);
 
-    /// Shows these values; builds the fields anew where the declarations are others.
+    /// Shows these values. Makes new fields if the declarations differ.
     void setParameters(const ParameterSet& parameters);
-    /// The Tab key goes from this widget (of the same window) through the fields to what came after it.
+    /// Sets the tab order: from `widget` (in the same window) through the fields to the widget that followed it.
     void setTabPredecessor(QWidget* widget);
     [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
 
@@ -41,7 +41,7 @@ private:
     ParameterSet m_parameters;
     QWidget* m_fields = nullptr;
     QWidget* m_tabPredecessor = nullptr;
-    std::vector<QWidget*> m_stops;  ///< of the Tab key, in order
+    std::vector<QWidget*> m_stops;  ///< the fields in tab order
 };
 
 }  // namespace cullscope::ui

@@ -8,16 +8,17 @@
 
 namespace cullscope::ui {
 
-/// A plot's context menu: copy it, or save it as SVG, PDF or PNG.
+/// The context menu of a plot: copies it, or saves it as SVG, PDF or PNG.
 class PictureMenu : public QObject {
     Q_OBJECT
 
 public:
-    /// Belongs to the plot, which is painted in `size`, in units of 1/96 inch.
+    /// A child of the plot, which is painted at `size`, in units of 1/96 inch.
     PictureMenu(Session& session, PlotWidget& plot, const QSize& size);
 
     void copy() const;
-    /// By the name's ending: svg, pdf or png; says in the window what is wrong with another one, or with the place.
+    /// Saves by the file name extension: svg, pdf or png. Reports another extension, or a file that cannot be written, in the
+    /// window.
     void save(const std::filesystem::path& path);
 
 protected:

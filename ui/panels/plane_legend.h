@@ -10,21 +10,21 @@
 
 namespace cullscope::ui {
 
-/// What the colours of boxes mean where they tell the plane that rejected them, with the numbers of objects.
+/// The legend of boxes that are coloured by the plane that rejected them, with the numbers of objects.
 class PlaneLegend : public QWidget {
     Q_OBJECT
 
 public:
     explicit PlaneLegend(QWidget* parent = nullptr);
 
-    /// None: not known yet.
+    /// Sets the counts; none: not known yet.
     void setCounts(const std::optional<PlaneCounts>& counts);
-    /// As many rows as that, in one column or two.
+    /// Sets the number of rows; entries that do not fit go to a second column.
     void setRows(int rows);
     void retranslate();
 
 private:
-    /// The six planes, then what was rejected without one, then what was kept.
+    /// One line per plane, one for boxes rejected without a single plane, one for kept boxes.
     static constexpr size_t kLines = kFrustumPlaneCount + 2;
 
     [[nodiscard]] static QString wordsOf(size_t line);

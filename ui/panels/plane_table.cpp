@@ -16,17 +16,17 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kRowHeight = 20;
-constexpr int kPositionRole = Qt::UserRole;   ///< of the distance, −1 to 1
-constexpr int kBoundRole = Qt::UserRole + 1;  ///< of −bound
+constexpr int kPositionRole = Qt::UserRole;   ///< position of the distance, −1 to 1
+constexpr int kBoundRole = Qt::UserRole + 1;  ///< position of −bound
 
-/// Where a distance lies on a scale of multiples of the bound on which the largest is at 1.
+/// The position of a distance, −1 to 1, on a logarithmic scale of multiples of the bound; the largest distance is at 1.
 double position(double distance, double bound, double largest) {
     if (!(largest > 0.0)) return 0.0;
     const double unit = bound > 0.0 ? bound : largest;
     return std::copysign(std::log1p(std::abs(distance) / unit) / std::log1p(largest / unit), distance);
 }
 
-/// The bar from 0 to the distance, and the line at −bound.
+/// Paints the bar from 0 to the distance, and the line at −bound.
 class BarDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

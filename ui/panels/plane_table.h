@@ -8,18 +8,18 @@
 
 namespace cullscope::ui {
 
-/// The plane tests of a chain of decisions: signed distance and bound of each, and a bar that shows the distance in multiples of
-/// the bound, logarithmically. What lies outside goes to the left, hatched; the line at −bound is where "outside" begins. Planes
-/// that the strategy did not test stand below in grey.
+/// The plane tests of a chain of decisions: signed distance and bound of each, and a bar of the distance in multiples of the
+/// bound on a logarithmic scale. The bar of a distance outside points to the left and is hatched; "outside" begins at the line at
+/// −bound. Planes that the strategy did not test are listed below in grey.
 class PlaneTable : public QTableWidget {
     Q_OBJECT
 
 public:
     explicit PlaneTable(QWidget* parent = nullptr);
 
-    /// `own`: how the object's own bounds lie to every plane; empty: only what was tested is shown.
+    /// `own`: distances of the object's own bounds to all planes; empty: only tested planes are listed.
     void setSteps(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own);
-    /// Whether any plane stands there that the strategy did not test.
+    /// Whether the table lists a plane that the strategy did not test.
     [[nodiscard]] bool showsUntested() const;
     void retranslate();
 

@@ -95,10 +95,10 @@ void ScenePanel::refresh() {
     const bool reported = m_report->rowCount() > 0;
     m_reportTitle->setVisible(reported);
     m_sentences->setVisible(reported);
-    // One sentence for a clean file; the list scrolls where there is much to say.
+    // A clean file needs room for one sentence; a longer report scrolls.
     m_sentences->setFixedHeight(m_report->clean() ? kReportHeight / 3 : kReportHeight);
     m_facts->setFixedHeight(m_scene->rowCount() * kFactHeight + 2);
-    // A scene of one object gives strategies that decide by objects nothing to do.
+    // Offer to split a scene of one object: strategies that cull objects have nothing to cull in it.
     m_split->setVisible(opened && opened->scene->instances().size() == 1);
     enableButtons();
 }

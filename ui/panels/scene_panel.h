@@ -12,14 +12,14 @@
 
 namespace cullscope::ui {
 
-/// The scene: its facts, what was found in its file, and its objects with what can be done to them.
+/// The properties of the scene, the report on its file, and the list of its objects with its commands.
 class ScenePanel : public QWidget {
     Q_OBJECT
 
 public:
     explicit ScenePanel(Session& session, QWidget* parent = nullptr);
 
-    /// Where the outliner's verdicts come from while the truth is not known.
+    /// Sets the reader of the outliner's verdicts, which are listed while the truth is not known.
     void setReader(SnapshotReader& reader) { m_outliner->setReader(reader); }
 
     [[nodiscard]] Outliner& outliner() { return *m_outliner; }

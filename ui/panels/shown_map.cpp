@@ -6,13 +6,13 @@ QString ShownMap::name() const { return QString::fromStdString(scene->instances(
 
 ShownMap shownMap(const Session& session, const SnapshotReader& reader) {
     const SnapshotReadingPointer& reading = reader.reading();
-    // Between a change of the scene and its first reading the numbers are of the old one.
+    // After a change of the scene, until the first new reading, the reading numbers the objects of the former scene.
     if (!reading || reading->snapshot->maps.empty() || reading->strategy->scene != session.scene()) return {};
     std::optional<uint32_t> picked;
     if (const std::optional<Pick>& pick = session.pick()) picked = session.instanceOf(pick->object);
     const std::vector<spherical::MapSnapshot>& maps = reading->snapshot->maps;
     const size_t place = placeOfMap(*reading->snapshot, picked);
-    // Maps that are made on request are made by the reader: until then the one before stays.
+    // Maps with a quadtree are made by the reader on request: until then the map before stays.
     const bool made = !maps[place].tree || maps[place].maps == maps[reading->map].maps;
     return {session.scene(), reading->snapshot, made ? place : reading->map};
 }
@@ -22,7 +22,7 @@ MapAbsence mapAbsence(Session& session, const SnapshotReader& reader) {
     const StrategySlot& slot = session.slot(session.culledBy(session.activeView()));
     if (slot.building()) return MapAbsence::Preparing;
     if (!slot.built() || slot.built()->id != slot.id()) return MapAbsence::NotBuilt;
-    // The reading that is there may be of the strategy before.
+    // The present reading may be of the former strategy.
     const bool read = reader.reading() && reader.reading()->strategy == slot.built();
     return read ? MapAbsence::NoMaps : MapAbsence::Preparing;
 }
@@ -37,7 +37,7 @@ void followShownMap(Session& session, SnapshotReader& reader, QObject* context, 
 void followMapAbsence(Session& session, QObject* context, const std::function<void()>& then) {
     for (const auto signal : {&Session::strategyBuilt, &Session::setupChanged})
         QObject::connect(&session, signal, context, [then](int) { then(); });
-    // Building and opening begin after this is said, and have ended only after it is said that they failed.
+    // Queued: building and opening begin only after these signals, and have ended only after the message of their failure.
     QObject::connect(
         &session, &Session::strategyChosen, context, [then](int) { then(); }, Qt::QueuedConnection);
     QObject::connect(

@@ -9,39 +9,39 @@
 
 namespace cullscope::ui {
 
-/// One object's map of directions, and what was decided on it.
+/// The triangle index map of one object, with the decision on it.
 struct ShownMap {
-    ScenePointer scene;                                 ///< numbers the instances
+    ScenePointer scene;                                 ///< the instances are numbered as in this scene
     std::shared_ptr<const StructureSnapshot> snapshot;  ///< null: there is no map
-    size_t place = 0;                                   ///< in StructureSnapshot::maps
+    size_t place = 0;                                   ///< index into StructureSnapshot::maps
 
     [[nodiscard]] bool empty() const { return !snapshot; }
     [[nodiscard]] const spherical::MapSnapshot& map() const { return snapshot->maps[place]; }
     [[nodiscard]] const spherical::SphericalDecision& decision() const { return map().decision; }
     [[nodiscard]] const SphericalMaps& maps() const { return *map().maps; }
     [[nodiscard]] const SphericalGrid& grid() const { return map().maps->grid(); }
-    /// Of the object.
+    /// The name of the object.
     [[nodiscard]] QString name() const;
 
     bool operator==(const ShownMap&) const = default;
 };
 
-/// The map that the panels show: the picked object's, else that of the first object that is not outside the frustum, else the
-/// first one; empty: the strategy has none, or nothing is read yet.
+/// The map that the panels show: that of the picked object, else that of the first object that is not outside the frustum, else
+/// the first one. Empty: the strategy has no maps, or was not read yet.
 [[nodiscard]] ShownMap shownMap(const Session& session, const SnapshotReader& reader);
 
 /// Why there is no map to show.
 enum class MapAbsence {
     NoScene,
-    Preparing,  ///< the scene is being opened, the strategy built, or its maps read
+    Preparing,  ///< the scene is being opened, the strategy is being built, or its maps are being read
     NotBuilt,   ///< the strategy could not be built
-    NoMaps      ///< it is read, and has none
+    NoMaps      ///< the strategy was read and has no maps
 };
 [[nodiscard]] MapAbsence mapAbsence(Session& session, const SnapshotReader& reader);
 
-/// Calls `then` whenever the map that is shown may be another one, as long as `context` lives.
+/// Calls `then` whenever the shown map may have changed, while `context` exists.
 void followShownMap(Session& session, SnapshotReader& reader, QObject* context, const std::function<void()>& then);
-/// The same of why there is none, where the map itself stays as it is.
+/// Calls `then` whenever the reason for the absence of a map may have changed, while `context` exists.
 void followMapAbsence(Session& session, QObject* context, const std::function<void()>& then);
 
 }  // namespace cullscope::ui

@@ -29,7 +29,7 @@ SplitDialog::SplitDialog(const QString& specification, uint64_t triangles, QWidg
     m_clusters->setText(tr("Clusters: compact pieces with at most this many triangles:"));
     m_clusters->setChecked(true);
     const auto most = int(std::min<uint64_t>(std::max<uint64_t>(triangles, 1), uint64_t(std::numeric_limits<int>::max())));
-    // More pieces than there may be are not offered.
+    // The minimum keeps the number of parts within its limit.
     m_triangles->setRange(std::max(1, int((triangles + kMostParts - 1) / kMostParts)), most);
     m_triangles->setValue(int(SplitRule().triangles));
     m_triangles->setGroupSeparatorShown(true);
@@ -51,7 +51,7 @@ SplitDialog::SplitDialog(const QString& specification, uint64_t triangles, QWidg
 }
 
 QString SplitDialog::specification() const {
-    // The mesh comes last: its own parameters would take what follows it.
+    // The mesh is the last parameter: all text after "mesh=" belongs to its specification.
     const QString by = m_components->isChecked() ? QStringLiteral("components")
                                                  : QStringLiteral("clusters,triangles=%1").arg(m_triangles->value());
     return QStringLiteral("split:by=") + by + QStringLiteral(",mesh=") + m_mesh;

@@ -6,18 +6,18 @@
 
 namespace cullscope::ui {
 
-/// GlRequirement into what a scene's object is to be split; the answer is a scene specification.
+/// Asks how the object of a scene is to be split, and gives the result as a scene specification.
 class SplitDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `specification`: of the scene that is split; `triangles`: how many it has.
+    /// `specification` and `triangles`: those of the scene to split.
     SplitDialog(const QString& specification, uint64_t triangles, QWidget* parent = nullptr);
 
     [[nodiscard]] QRadioButton& components() { return *m_components; }
     [[nodiscard]] QRadioButton& clusters() { return *m_clusters; }
     [[nodiscard]] QSpinBox& triangles() { return *m_triangles; }
-    /// "split:by=clusters,triangles=5000,mesh=bunny".
+    /// The specification of the split scene, such as "split:by=clusters,triangles=5000,mesh=bunny".
     [[nodiscard]] QString specification() const;
 
 private:

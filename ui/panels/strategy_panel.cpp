@@ -15,7 +15,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// A strategy's name with its id in grey behind it.
+/// Paints a strategy's name followed by its id in grey.
 class StrategyDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

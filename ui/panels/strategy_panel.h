@@ -10,8 +10,8 @@
 
 namespace cullscope::ui {
 
-/// The active view's strategy: which one, and the form made from its declared parameters. Of a view that observes another it is
-/// the other's: its own draws nothing.
+/// The choice of the active view's strategy, and the form made from its declared parameters. For an observer it shows the
+/// strategy of the observed view, because the observer's own one draws nothing.
 class StrategyPanel : public QGroupBox {
     Q_OBJECT
 

@@ -30,7 +30,7 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
 }
 
 void StructurePanel::markSector() {
-    // A mark on the map explains the chart below it: without the chart it would itself have to be explained.
+    // The mark on the map belongs to the plot below it: while the plot is not shown, the mark would need an explanation.
     m_map->setSector(m_tabs->currentWidget() == m_bands ? m_bands->plot().sector() : std::nullopt);
 }
 

@@ -11,7 +11,8 @@
 
 namespace cullscope::ui {
 
-/// What happens inside the active view's strategy: on top its map, where it has one, below it bands, tree, decisions and losses.
+/// The structure of the active view's strategy: its map at the top, if it has one, and below it the tabs bands, tree, decisions
+/// and losses.
 class StructurePanel : public QWidget {
     Q_OBJECT
 
@@ -24,7 +25,7 @@ public:
     [[nodiscard]] StructureTree& tree() { return *m_tree; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
-    /// Brings the decisions about what is picked to the front.
+    /// Shows the tab with the decisions on the picked triangle.
     void showWhy() { m_tabs->setCurrentWidget(m_why); }
 
 protected:

@@ -12,9 +12,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr std::array kWidths{0, 64, 146, 92};  // of the columns in order; the name takes what is left of 400 pixels
-constexpr int kIndentation = 12;               // of a level, so that the fourth still has place for names
-constexpr int kFirstRows = 24;                 // of a tree when it is first shown
+constexpr std::array kWidths{0, 64, 146, 92};  // width of the columns; the name takes the rest of 400 pixels
+constexpr int kIndentation = 12;               // pixels per level, so that the fourth level still has room for names
+constexpr int kFirstRows = 24;                 // rows that are expanded when a tree is first shown
 
 }  // namespace
 
@@ -56,15 +56,16 @@ void StructureTree::refresh() {
     const SnapshotReadingPointer& reading = m_reader.reading();
     m_model->setSnapshot(reading ? reading->strategy->scene : nullptr, reading ? reading->snapshot : nullptr);
     m_model->setStates(statesOfTruth());
-    // A flat list needs no place for arrows; in a tree the names need the place of the counts, which their tooltips have.
+    // A flat list needs no expand arrows. In a tree the names need the width of the count column; their tooltips state the
+    // counts.
     m_view->setRootIsDecorated(m_model->nested());
     m_view->setColumnHidden(StructureModel::Triangles, m_model->nested());
     m_view->setVisible(!m_model->empty());
-    // The Tab key does not get past a panel whose proxy is hidden.
+    // The Tab key cannot leave a panel whose focus proxy is hidden.
     setFocusProxy(m_model->empty() ? nullptr : m_view);
     m_empty->setVisible(m_model->empty());
     m_empty->setText(emptySentence());
-    // A selected group is not what is picked, and stays selected until something else is picked.
+    // A selected group is not the picked object: it stays selected until the user picks another object.
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
     if (rows.isEmpty() || m_model->instanceAt(rows.front())) followPick();
 }
@@ -94,7 +95,7 @@ void StructureTree::pickSelected() {
     if (m_following) return;
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
     const std::optional<uint32_t> instance = rows.isEmpty() ? std::nullopt : m_model->instanceAt(rows.front());
-    // Between a change of the scene and its first reading the model is of the old one.
+    // After a change of the scene, until the first new reading, the model shows the former scene.
     if (!instance || !m_reader.reading() || m_reader.reading()->strategy->scene != m_session.scene()) return;
     pickObject(m_session, m_session.objectOf(*instance));
 }

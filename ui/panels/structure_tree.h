@@ -8,7 +8,8 @@
 
 namespace cullscope::ui {
 
-/// The boxes that the active view's strategy tests, by verdict. A selected row is picked, and what is picked is selected.
+/// The boxes that the active view's strategy tests, with their verdicts. A selected row is picked, and the picked object is
+/// selected.
 class StructureTree : public QWidget {
     Q_OBJECT
 

@@ -20,7 +20,7 @@ public:
 }  // namespace
 
 void leaveWheelUnlessFocused(QWidget& field) {
-    // Not by the wheel itself either.
+    // StrongFocus excludes focus by the wheel.
     field.setFocusPolicy(Qt::StrongFocus);
     field.installEventFilter(new WheelGuard(&field));
 }

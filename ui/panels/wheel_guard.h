@@ -4,7 +4,7 @@
 
 namespace cullscope::ui {
 
-/// The wheel changes this field only while it has the keyboard's focus; otherwise it scrolls what the field stands in.
+/// Lets the wheel change a field only while the field has the keyboard focus; otherwise the wheel scrolls the area around it.
 void leaveWheelUnlessFocused(QWidget& field);
 
 }  // namespace cullscope::ui

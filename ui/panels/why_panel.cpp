@@ -109,7 +109,8 @@ QString WhyPanel::missingSentence() const {
 
 void WhyPanel::showPlanes(bool known) {
     const SnapshotReadingPointer& reading = m_reader.reading();
-    // Strategies with maps test spheres, and others without boxes nothing that has planes.
+    // Strategies with maps test spheres, and strategies without boxes test no bounds against planes: neither has distances to
+    // list.
     const bool boxes = known && reading->snapshot->maps.empty() && !reading->snapshot->nodes.empty();
     m_planes->setSteps(known ? reading->why : std::vector<WhyStep>(), boxes ? reading->planes : std::vector<PlaneDistance>());
     m_planes->setVisible(m_planes->rowCount() > 0);

@@ -9,16 +9,16 @@
 
 namespace cullscope::ui {
 
-/// Why the picked triangle was drawn or left out: the chain of decisions of the active view's strategy.
+/// Explains why the picked triangle was drawn or culled: the chain of decisions of the active view's strategy.
 class WhyPanel : public QScrollArea {
     Q_OBJECT
 
 public:
     WhyPanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
-    /// What is read from top to bottom, for tests and screen readers; empty: nothing is picked.
+    /// The sentences from top to bottom, for tests and screen readers; empty: no triangle is picked.
     [[nodiscard]] QStringList sentences() const;
-    /// What the truth says to it; empty: not known, or nothing to say.
+    /// The comparison with the truth; empty: the truth is not known or adds nothing.
     [[nodiscard]] QString outcome() const;
     [[nodiscard]] QString heading() const;
     [[nodiscard]] PlaneTable& planes() { return *m_planes; }

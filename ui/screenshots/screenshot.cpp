@@ -10,9 +10,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kDrawingShare = 0.7;  // of the progress; painting and writing are the rest
+constexpr double kDrawingShare = 0.7;  // fraction of the progress; painting and writing take the rest
 
-/// Runs what may throw, and gives its sentence; empty: it went well.
+/// Runs `work` and returns the sentence of the error that it throws; empty: it succeeded.
 template <typename Work>
 Message sentenceOf(const Work& work) {
     try {
@@ -35,7 +35,7 @@ struct Screenshot::Drawing {
     std::vector<TiledPicture::Result> pictures;
     size_t stepsDone = 0, steps = 0;
 
-    /// Draws one tile; false: everything is drawn.
+    /// Draws one tile; returns false if all are drawn.
     bool drawNext(const ScreenshotPlan& plan) {
         if (!renderer) renderer = std::make_unique<Renderer>();
         if (!current) {
@@ -59,9 +59,9 @@ Screenshot::Screenshot(GpuThread& gpu, ScreenshotPlan plan, std::filesystem::pat
 
 Screenshot::~Screenshot() {
     cancel();
-    // A step in hand may post one more, which finds itself cancelled: wait for both.
+    // A running step may post one more, which then finds the job cancelled: wait for both.
     m_gpu.run([] {});
-    // What lives on the GPU thread ends there.
+    // Destroy OpenGL objects on the GPU thread.
     m_gpu.run([this] { *m_drawing = Drawing(); });
 }
 

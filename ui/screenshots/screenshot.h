@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// Makes one screenshot beside the window: draws the plan's pictures tile by tile on the GPU thread, with the window's pictures
-/// in between, then paints and writes the file on a thread of its own. Lives no longer than the GPU thread.
+/// Makes one screenshot without blocking the window: draws the plan's pictures tile by tile on the GPU thread, with the window's
+/// pictures in between, then paints and writes the file on a worker thread. Must be destroyed before the GPU thread.
 class Screenshot : public QObject {
     Q_OBJECT
 
@@ -20,20 +20,20 @@ public:
 
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
     void start();
-    /// Nothing is written any more, unless the file is finished already; no further signal comes.
+    /// Stops the screenshot: no file is written unless it is finished already, and no further signal is emitted.
     void cancel();
 
 signals:
-    /// The finished share.
+    /// `share` in [0, 1] of the work.
     void progressed(double share);
     void done(const QString& path);
     void failed(const cullscope::Message& message);
 
 private:
-    struct Drawing;  ///< what lives on the GPU thread
+    struct Drawing;  ///< objects that live on the GPU thread
     using Pictures = std::vector<TiledPicture::Result>;
 
-    /// Draws one tile; false: that was the last. Throws what core throws, and Error(OpenGl) where the context was lost.
+    /// Draws one tile; returns false if it was the last one. Throws what core throws, and Error(OpenGl) if the context was lost.
     [[nodiscard]] bool drawNext();
     void step(uint64_t job);
     void deliver(uint64_t job, std::function<void()> news);
@@ -47,14 +47,14 @@ private:
     Background m_background;
 };
 
-/// What a picture's file says of the session that it shows.
+/// The metadata of a picture about the session that it shows.
 struct ScreenshotContent {
-    std::string session;  ///< JSON of the session's state; empty: the file was made by another program
+    std::string session;  ///< JSON of the session's state; empty: another program made the file
     ScreenshotOptions options;
-    std::map<std::string, std::string> metadata;  ///< all pairs, names with "cullscope:"
+    std::map<std::string, std::string> metadata;  ///< all pairs, also those whose names begin with "cullscope:"
 };
 
-/// Throws Error(Input) where the file is no picture that can be read.
+/// Reads the metadata of a picture. Throws Error(Input) if the file is not a readable picture.
 [[nodiscard]] ScreenshotContent readScreenshot(const std::filesystem::path& path);
 
 }  // namespace cullscope::ui

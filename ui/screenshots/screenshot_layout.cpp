@@ -14,11 +14,11 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kFontPixels = 14.0;
-constexpr double kMarkRoom = 18.0;   // a mark and the gap to its words
-constexpr double kLeastUnit = 0.75;  // smaller type is not read
+constexpr double kMarkRoom = 18.0;   // width of a mark and the gap before its text
+constexpr double kLeastUnit = 0.75;  // smaller text cannot be read
 constexpr int kFewestPicturePixels = 16;
 
-/// Lengths in pixels from lengths in units.
+/// Converts lengths in units into pixels.
 struct Units {
     double unit;
 
@@ -34,7 +34,7 @@ QFont fontOf(double pixels) {
 int columnsOf(size_t views) { return int(views > 2 ? views / 2 : views); }
 int rowsOf(size_t views) { return views > 2 ? 2 : 1; }
 
-/// Places the entries from left to right and in as many rows as it takes; gives the height.
+/// Places the legend's entries from left to right in as many rows as needed. Returns the height.
 int layOutLegend(ScreenshotPlan& plan, const Units& units, int width, uint64_t largestCount) {
     if (plan.legend.empty()) return 0;
     const QFontMetrics metrics(plan.font);
@@ -48,7 +48,7 @@ int layOutLegend(ScreenshotPlan& plan, const Units& units, int width, uint64_t l
             y += row;
         }
         entry.place = QRect(x, y, std::min(length, width - 2 * margin), row);
-        // A heading begins where the marks of the others do.
+        // A heading has no mark: its text begins where the marks of the other entries do.
         if (!entry.state && entry.colour.alpha() == 0) entry.place.setLeft(x - units(kMarkRoom));
         x += length + units(14.0);
     }
@@ -65,14 +65,14 @@ int layOutCaption(ScreenshotPlan& plan, const Units& units, int top, int width) 
     return plan.captionPlace.height() + 2 * inset;
 }
 
-/// Legend and caption from y = 0 on; gives their height.
+/// Places legend and caption from y = 0 on. Returns their height.
 int layOutBelow(ScreenshotPlan& plan, const Units& units, int width, uint64_t largestCount) {
     const int legend = layOutLegend(plan, units, width, largestCount);
     const int caption = layOutCaption(plan, units, legend, width);
     return legend + caption + (legend > 0 && caption == 0 ? units(6.0) : 0);
 }
 
-/// Where the pictures of one size for all lie; `cells` is what there is for them.
+/// Places the pictures, all of the same size; `cells` is the size available for them.
 void layOutPictures(ScreenshotPlan& plan, const QSize& cells, int headline, int gap) {
     const int columns = columnsOf(plan.parts.size()), rows = rowsOf(plan.parts.size());
     const QSize cell((cells.width() - gap * (columns - 1)) / columns, (cells.height() - gap * (rows - 1)) / rows);
@@ -84,7 +84,7 @@ void layOutPictures(ScreenshotPlan& plan, const QSize& cells, int headline, int 
     }
 }
 
-/// The largest picture on the screen, so that all have one size.
+/// The size of the largest picture on the screen, which all pictures of the screenshot get.
 QSize shownPicture(const ScreenshotPlan& plan) {
     QSize largest(1, 1);
     for (const ScreenshotPlan::Part& part : plan.parts)
@@ -109,7 +109,7 @@ void layOut(ScreenshotPlan& plan, const ScreenshotOptions& options, uint64_t lar
     plan.font = fontOf(kFontPixels * units.unit);
     const int gap = options.grid ? units(2.0) : 0;
     const int headline = options.grid && options.overlays ? QFontMetrics(plan.font).height() + units(4.0) : 0;
-    // As in the window, the pictures keep their size, and what is below them comes on top of it.
+    // Without a given size the pictures keep the size that they have in the window; legend and caption increase the height.
     QSize cells(columns * shown.width() + (columns - 1) * gap, rows * (shown.height() + headline) + (rows - 1) * gap);
     if (options.size) cells.setWidth(options.size->width);
     const int below = layOutBelow(plan, units, cells.width(), largestCount);

@@ -4,11 +4,12 @@
 
 namespace cullscope::ui {
 
-/// Lettering has its usual size in a picture of this height, and grows with it.
+/// Height in pixels of a picture with text of normal size; text grows with the height.
 inline constexpr double kUnitHeight = 720.0;
 
-/// Gives a plan its size, its fonts and the places of pictures, headlines, legend and caption. The parts' requests are those of
-/// the screen; `largestCount` is the widest number that the legend has to hold. Throws Error(Usage) where something has no place.
+/// Sets a plan's size, its font and the rectangles of pictures, headlines, legend and caption. The requests of the parts are
+/// still those of the screen. `largestCount` is the widest number that the legend has to hold. Throws Error(Usage) if a part does
+/// not fit.
 void layOut(ScreenshotPlan& plan, const ScreenshotOptions& options, uint64_t largestCount);
 
 }  // namespace cullscope::ui

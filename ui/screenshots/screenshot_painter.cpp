@@ -83,7 +83,7 @@ Picture screenshotPicture(const ScreenshotPlan& plan, std::vector<TiledPicture::
     for (size_t i = 0; i < plan.parts.size(); ++i) {
         PictureSubject subject = plan.parts[i].subject;
         subject.submittedTriangles = pictures[i].picture->consideredTriangles;
-        // In a grid every view has its letter before its names.
+        // In a grid the letter of the view precedes the names.
         const std::string prefix =
             plan.parts.size() == 1 ? "cullscope:" : "cullscope:view_" + std::string(1, char('A' + plan.parts[i].view)) + ":";
         std::ranges::move(subjectMetadata(subject, prefix), std::back_inserter(result.metadata));

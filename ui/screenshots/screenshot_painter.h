@@ -5,11 +5,11 @@
 
 namespace cullscope::ui {
 
-/// The whole screenshot from its pictures, one a part: headlines, wipes, marks, legend and caption. Straight alpha, four bytes a
-/// pixel. On any thread. Throws Error(Usage) where there is no memory for it.
+/// Paints the whole screenshot from its pictures, one per part: headlines, wipes, marks, legend and caption. Straight alpha, four
+/// bytes a pixel. May run on any thread. Throws Error(Usage) if there is not enough memory.
 [[nodiscard]] QImage paintScreenshot(const ScreenshotPlan& plan, const std::vector<TiledPicture::Result>& pictures);
 
-/// The same as a file holds it, with metadata, and with depth and triangles where they were wanted.
+/// The painted screenshot as written to a file: with metadata, and with depths and triangle numbers if they were requested.
 [[nodiscard]] Picture screenshotPicture(const ScreenshotPlan& plan, std::vector<TiledPicture::Result> pictures);
 
 }  // namespace cullscope::ui

@@ -28,7 +28,7 @@ DrawStyle styleOf(const Session& session, ScreenshotOptions::Background backgrou
     if (background == ScreenshotOptions::Background::Transparent) style.backgroundAlpha = 0.0f;
     if (background != ScreenshotOptions::Background::White && background != ScreenshotOptions::Background::Black) return style;
     const bool white = background == ScreenshotOptions::Background::White;
-    // Surfaces that stand out against the one background may not against the other.
+    // A surface colour that contrasts with one background may not contrast with the other: take that of the matching palette.
     if (isLight(style.background) != white) style.surface = pictureStyle(Appearance::palette(!white)).surface;
     style.background = Vec3f(white ? 1.0f : 0.0f);
     return style;
@@ -38,12 +38,12 @@ std::vector<int> viewsOf(const Session& session, bool grid) {
     return grid ? session.shownViews() : std::vector<int>{session.activeView()};
 }
 
-/// What is painted over the picture as shown, over a picture of another size: heights show the same, widths more or less.
+/// Scales overlays to a picture of another size. The vertical extent stays the same, the horizontal one may grow or shrink.
 PictureExtras scaled(PictureExtras extras, const Viewport& shown, const Viewport& size, double unit) {
     const double scale = double(size.height) / shown.height;
     const QPointF middle(shown.width / 2.0, shown.height / 2.0), newMiddle(size.width / 2.0, size.height / 2.0);
     const auto place = [&](const QPointF& point) { return (point - middle) * scale + newMiddle; };
-    // A loupe belongs to a marked loss here; the one that follows the pointer does not.
+    // Keep the loupe on a marked loss, not the one that follows the pointer.
     if (!extras.markedLoss) extras.loupe.reset();
     if (extras.loupe) extras.loupe = place(*extras.loupe);
     if (extras.markedLoss) extras.markedLoss = QRectF(place(extras.markedLoss->topLeft()), extras.markedLoss->size() * scale);
@@ -51,8 +51,8 @@ PictureExtras scaled(PictureExtras extras, const Viewport& shown, const Viewport
     return extras;
 }
 
-/// The shape of the culling camera's picture: the view's own where it culls for itself with the shared camera, else as it is on
-/// the screen, at this picture's scale.
+/// The picture size of the culling camera. If it is the shared camera and its view is in the screenshot, the size of that view's
+/// picture; else its size on the screen at the scale of this picture.
 Viewport cullingSize(const Session& session, int view, const ViewRequest& shown, const std::vector<ScreenshotPlan::Part>& parts,
                      const Viewport& size) {
     const int culling = session.culledBy(view);
@@ -86,7 +86,7 @@ PictureSubject subjectOf(const Session& session, int view, const ViewRequest& re
     return subject;
 }
 
-/// A view as it is on the screen, less what is not wanted over it.
+/// A view as on the screen, without unwanted overlays.
 ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) {
     const std::optional<ViewRequest> shown = session.viewRequest(view);
     if (!shown)
@@ -102,12 +102,12 @@ ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) 
     return part;
 }
 
-/// Whether truth is asked for on the screen or, the scene being small, may be here.
+/// Whether the truth may be computed: the screen shows it already, or the scene is small enough.
 bool mayMeasure(const ViewRequest& shown) {
     return shown.states || shown.buffers->scene().triangleCount() <= kOptionalAnalysisLimit;
 }
 
-/// From a part as shown, with its place known, to one of that size.
+/// Changes a part from its size on the screen to the size of its rectangle.
 void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Session& session, const ExtrasOf& extras) {
     const ViewRequest shown = part.request;
     const Viewport size{part.picture.width(), part.picture.height()};
@@ -167,7 +167,8 @@ std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts
     return legend;
 }
 
-/// The part whose counts the legend states: the one that is coloured by verdict, where all such show the same view's.
+/// The index of the part whose counts the legend states: the first one coloured by verdict; -1 if such parts show the verdicts of
+/// different views, or if there are none.
 int legendPartOf(const Session& session, const std::vector<ScreenshotPlan::Part>& parts) {
     int found = -1;
     for (size_t i = 0; i < parts.size(); ++i) {
@@ -195,12 +196,12 @@ ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options
     if (options.legend) plan.legend = legendOf(plan.parts, plan.style);
     plan.legendPart = legendPartOf(session, plan.parts);
     const bool counted = !plan.legend.empty() && plan.legendPart >= 0 && mayMeasure(plan.parts[size_t(plan.legendPart)].request);
-    // As wide as it may become: the size is known only when the legend has its place.
+    // Reserve room for the widest heading: the size in it is known only after the layout.
     if (counted) plan.legend.insert(plan.legend.begin(), {std::nullopt, Qt::transparent, legendHeading(kWidestSize), QRect()});
     layOut(plan, options, session.scene()->triangleCount());
     for (ScreenshotPlan::Part& part : plan.parts) enlarge(part, plan, session, extras);
     if (counted) plan.legend.front().words = legendHeading(plan.parts[size_t(plan.legendPart)].request.cullingSize);
-    // Directions have neither a depth nor a triangle that a camera sees.
+    // A model in spherical coordinates has neither depths nor triangle numbers of a camera.
     if (keepsDepth && !options.grid) plan.parts.front().wanted.items = !plan.parts.front().request.look.sphericalModel;
     plan.metadata = metadataOf(session, options, plan.size);
     return plan;

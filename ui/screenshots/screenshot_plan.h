@@ -13,23 +13,23 @@
 
 namespace cullscope::ui {
 
-/// A colour of the pictures and what it means.
+/// A colour in the pictures and its meaning.
 struct LegendEntry {
-    std::optional<TriangleState> state;  ///< none: a mark of `colour`
-    QColor colour;                       ///< transparent: words without a mark, the heading of the counts
+    std::optional<TriangleState> state;  ///< none: a mark in `colour`
+    QColor colour;                       ///< transparent: text without a mark, the heading of the counts
     QString words;
-    QRect place;  ///< in the screenshot, swatch and words together
+    QRect place;  ///< of mark and text together, in the screenshot
 };
-/// An entry's words, with the count where there is one.
+/// The text of an entry, with its count if there is one.
 [[nodiscard]] QString legendText(const LegendEntry& entry, const std::optional<uint64_t>& count);
 
-/// Everything that a screenshot is made from, fixed at one moment: what the window shows afterwards changes nothing of it.
+/// All inputs of a screenshot, captured at one moment: later changes in the window do not affect it.
 struct ScreenshotPlan {
     struct Part {
         int view = 0;
-        QRect picture;   ///< where its picture lies, in pixels from the top left
-        QRect headline;  ///< above it; empty: none
-        QString words;   ///< of the headline
+        QRect picture;   ///< rectangle of the picture, in pixels from the top left
+        QRect headline;  ///< rectangle above the picture; empty: no headline
+        QString words;   ///< text of the headline
         ViewRequest request;
         TiledPicture::Wanted wanted;
         PictureExtras extras;
@@ -37,22 +37,23 @@ struct ScreenshotPlan {
         PictureSubject subject;
     };
     Viewport size;
-    double unit = 1.0;  ///< pixels of what is one pixel wide on a screen
+    double unit = 1.0;  ///< pixels that correspond to one pixel on a screen
     QFont font;
     DrawStyle style;
-    std::vector<Part> parts;  ///< one, or all shown views
+    std::vector<Part> parts;  ///< one view, or all shown views
     std::vector<LegendEntry> legend;
-    int legendPart = -1;  ///< of which part the counts are; -1: of none
+    int legendPart = -1;  ///< index of the part that the legend's counts belong to; -1: there are no counts
     QRect captionPlace;
     QString caption;
     PictureMetadata metadata;
 };
 
-/// What is painted over a view's picture in the window (SceneView::extras).
+/// Returns the overlays of a view's picture in the window (SceneView::extras).
 using ExtrasOf = std::function<PictureExtras(int view)>;
 
-/// The plan for what `session` shows now, of the active view or of all. Throws Error(Usage) with one sentence where there is
-/// nothing to show yet, or no place for it in the size that is asked for. `keepsDepth`: the file takes depth and triangles.
+/// The plan of a screenshot of the present state of `session`: of the active view or of all shown views. `keepsDepth`: the file
+/// format stores depth and triangle numbers. Throws Error(Usage) with one sentence if there is no picture yet, or if the
+/// requested size has no room for it.
 [[nodiscard]] ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options, const ExtrasOf& extras,
                                             bool keepsDepth);
 

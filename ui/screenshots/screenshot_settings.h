@@ -7,19 +7,19 @@
 
 namespace cullscope::ui {
 
-/// Screenshots as they were taken the last time: what they are like and where they go.
+/// The options and files of screenshots, stored from the last one.
 struct ScreenshotSettings {
     ScreenshotOptions options;
     QString folder;
-    QString pattern;  ///< as core's nextFileName takes it; its ending chooses the format
+    QString pattern;  ///< file name template for core's nextFileName; its extension determines the format
 
-    /// Of the last time; the first time PNG files in the user's folder for pictures.
+    /// The settings of the last screenshot; at first PNG files in the user's picture folder.
     [[nodiscard]] static ScreenshotSettings load();
     void save() const;
 };
 
-/// The file that a screenshot of what `session` shows would be. Throws Error(Usage) with one sentence where it cannot be written:
-/// an unknown field or ending, no such folder, or one that is not the user's to write in.
+/// The file of the next screenshot of `session`. Throws Error(Usage) with one sentence if it cannot be written: unknown
+/// placeholder or extension, missing folder, or a folder without write permission.
 [[nodiscard]] std::filesystem::path screenshotPath(const Session& session, const ScreenshotSettings& settings);
 
 }  // namespace cullscope::ui

@@ -31,7 +31,7 @@ QString madeCaption(Session& session, bool grid) {
         parts << QCoreApplication::translate("Screenshot", "figures at %1 × %2 pixels")
                      .arg(figures.size.width)
                      .arg(figures.size.height);
-    // Wherever a time stands.
+    // A software OpenGL is stated wherever times are shown.
     if (session.gpu() && session.gpu()->info().software) parts << QCoreApplication::translate("Screenshot", "software OpenGL");
     return parts.join(QStringLiteral(" · "));
 }

@@ -6,13 +6,14 @@
 
 namespace cullscope::ui {
 
-/// The strategy that a view shows, with its id and the parameters that are not at their defaults.
+/// The name of the strategy that a view shows, with its id and the parameters that differ from their defaults.
 [[nodiscard]] QString strategyText(const Session& session, int view);
 
-/// The line below a screenshot of the active view, or of all: scene, strategy and figures, and at which size those were measured.
+/// The default caption of the active view or of all shown views: scene, strategy and metrics, with the picture size that these
+/// were measured at.
 [[nodiscard]] QString madeCaption(Session& session, bool grid);
 
-/// What stands before the legend's counts: of which size's picture they are.
+/// The heading of the legend's counts, which states the picture size that they belong to.
 [[nodiscard]] QString legendHeading(const Viewport& size);
 
 }  // namespace cullscope::ui

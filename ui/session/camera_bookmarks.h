@@ -8,7 +8,8 @@
 
 namespace cullscope::ui {
 
-/// Cameras that the user keeps, numbered from 0. They outlive the scene: variants of a model are compared from the same places.
+/// Cameras that the user stores, numbered from 0. They are kept when another scene is opened, so that variants of a model can be
+/// compared from the same cameras.
 class CameraBookmarks : public QObject {
     Q_OBJECT
 
@@ -21,9 +22,9 @@ public:
     [[nodiscard]] const Places& places() const { return m_places; }
     void setPlaces(const Places& places);
 
-    /// Keeps the camera that the active view looks through.
+    /// Stores the viewing camera of the active view.
     void store(int place, const Session& session);
-    /// Gives it to the active view. Returns false where the place is empty or no scene is open.
+    /// Sets the viewing camera of the active view. Returns false if the place is empty or no scene is open.
     bool recall(int place, Session& session) const;
 
 signals:

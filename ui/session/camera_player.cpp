@@ -19,7 +19,7 @@ CameraPlayer::CameraPlayer(Session& session, QObject* parent) : QObject(parent),
     m_pause.setTimerType(Qt::PreciseTimer);
     setSpeed(1.0);
     connect(&m_pause, &QTimer::timeout, this, &CameraPlayer::advance);
-    // What else may end the waiting for pictures comes with one of these.
+    // The wait for the pictures may also end with one of these signals.
     connect(&session, &Session::pictureChanged, this, &CameraPlayer::advance);
     connect(&session, &Session::viewCountChanged, this, &CameraPlayer::advance);
     connect(&session, &Session::buffersChanged, this, &CameraPlayer::advance);
@@ -104,7 +104,7 @@ bool CameraPlayer::shown() const {
         const StrategySlot& slot = m_session.slot(m_session.culledBy(view));
         if (uploading || (!slot.built() && slot.building())) return false;
     }
-    // Busy with what is wanted: a view that cannot be drawn wants nothing any more.
+    // False while requested pictures are drawn. A view that cannot be drawn has no open request, so it does not stop the player.
     return !pictures->busy();
 }
 
@@ -117,7 +117,7 @@ void CameraPlayer::advance() {
 
 bool CameraPlayer::eventFilter(QObject* watched, QEvent* event) {
     const bool press = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
-    // A menu or a dialog that is open closes first.
+    // An open menu or dialog takes the Esc key first.
     if (press && QApplication::activePopupWidget() == nullptr && QApplication::activeModalWidget() == nullptr) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->key() == Qt::Key_Escape && key->modifiers() == Qt::NoModifier) {

@@ -8,32 +8,32 @@
 
 namespace cullscope::ui {
 
-/// Leads the linked views' camera along a path, at most 30 poses a second at speed 1 and none before all shown views have drawn
-/// the one before, so that each pose is seen. Near and far are set around the scene as for any camera of the desktop; the
-/// path's are for cullbench. Esc stops, and so does another scene; a camera moved by hand pauses.
+/// Moves the linked views' camera along a path: at most 30 poses a second at speed 1, and the next pose only after all shown
+/// views have drawn the one before. Near and far planes are set around the scene as for any camera of the desktop; those in the
+/// path are for cullbench. Esc and the opening of another scene stop it; a camera moved by the user pauses it.
 class CameraPlayer : public QObject {
     Q_OBJECT
 
 public:
     explicit CameraPlayer(Session& session, QObject* parent = nullptr);
 
-    /// Plays from the first pose. A path without poses, or no scene: nothing happens.
+    /// Plays from the first pose. Does nothing if the path has no poses or no scene is open.
     void play(CameraPath path);
     void pause();
-    /// Goes on from the present pose; at the end of a path that does not loop, from the first.
+    /// Continues from the present pose; from the first pose at the end of a path that does not loop.
     void resume();
     void stop();
-    /// Pauses, and goes so many poses on or back; at the ends round about where the path loops, else no farther.
+    /// Pauses, and moves that many poses forward (negative: back). A path that loops wraps around; another one stops at its ends.
     void step(int poses);
-    /// Shows a pose; playing goes on from there.
+    /// Shows a pose; playing continues from it.
     void seek(int pose);
     void setLoop(bool loop) { m_loop = loop; }
     [[nodiscard]] bool loop() const { return m_loop; }
-    /// 1: 30 poses a second where drawing is that fast.
+    /// Speed 1 is 30 poses a second if drawing is that fast.
     void setSpeed(double speed);
     [[nodiscard]] double speed() const { return m_speed; }
 
-    /// Whether there is a path, played or paused.
+    /// Whether a path is loaded, playing or paused.
     [[nodiscard]] bool active() const { return !m_path.poses.empty(); }
     [[nodiscard]] bool playing() const { return m_playing; }
     [[nodiscard]] int pose() const { return m_pose; }
@@ -41,9 +41,9 @@ public:
 
 signals:
     void poseChanged(int pose);
-    /// active(), playing()
+    /// active() or playing() changed.
     void stateChanged();
-    /// A path that does not loop has shown its last pose.
+    /// Emitted after the last pose of a path that does not loop.
     void finished();
 
 protected:
@@ -58,13 +58,13 @@ private:
 
     Session& m_session;
     CameraPath m_path;
-    QTimer m_pause;  ///< the least time between two poses
-    Camera m_given;  ///< what the session made of the present pose
+    QTimer m_pause;  ///< runs for the minimum time between two poses
+    Camera m_given;  ///< the session's camera after the present pose was set
     int m_pose = 0;
     double m_speed = 1.0;
     bool m_loop = false;
     bool m_playing = false;
-    bool m_moving = false;  ///< the camera moves by us
+    bool m_moving = false;  ///< the player itself is moving the camera
 };
 
 }  // namespace cullscope::ui

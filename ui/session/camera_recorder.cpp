@@ -25,7 +25,7 @@ CameraRecorder::CameraRecorder(Session& session, QObject* parent) : QObject(pare
         if (!samePlace(m_path.poses.back(), m_last)) cameraMoved();
     });
     connect(&session, &Session::cameraChanged, this, [this] {
-        // Before another scene is announced, the camera stands in it already.
+        // The session moves its camera for a new scene before it emits sceneChanged: that camera is not part of the recording.
         if (m_session.opened() != m_scene) return end();
         if (!m_recording || m_session.camera() == m_last) return;
         m_last = m_session.camera();

@@ -9,33 +9,34 @@
 
 namespace cullscope::ui {
 
-/// Records where the linked views' camera goes, as a camera path: while it runs, at most 30 poses a second and always the last
-/// one; beside that, single poses on demand. A path has one lens for all poses: its field of view is that of the first pose, its
-/// near and far distances take in those of all poses.
+/// Records the linked views' camera as a camera path: at most 30 poses a second, and always the last one; single poses can be
+/// added at any time. A path has one lens for all poses: the field of view of the first pose, and near and far distances that
+/// cover those of all poses.
 class CameraRecorder : public QObject {
     Q_OBJECT
 
 public:
     explicit CameraRecorder(Session& session, QObject* parent = nullptr);
 
-    /// Begins a new path with the camera as it stands.
+    /// Begins a new path with the present camera.
     void start();
-    /// Ends with the camera as it stands; another scene does that too. The path stays until a new one is begun.
+    /// Adds the present camera and ends the recording; the opening of another scene ends it too. The path is kept until a new one
+    /// begins.
     void stop();
     [[nodiscard]] bool recording() const { return m_recording; }
-    /// Adds the camera as it stands to the path; with or without a recording under way.
+    /// Adds the present camera to the path, recording or not.
     void addPose();
-    /// Forgets the path and ends the recording.
+    /// Deletes the path and ends the recording.
     void clear();
 
     [[nodiscard]] const CameraPath& path() const { return m_path; }
-    /// Whether a pose had another field of view than the first one.
+    /// Whether the field of view of a pose differed from that of the first pose.
     [[nodiscard]] bool lensDiffers() const { return m_lensDiffers; }
-    /// Throws Error(Usage) where there is no pose yet or the place cannot be written.
+    /// Writes the path. Throws Error(Usage) if it has no poses or the file cannot be written.
     void save(const std::filesystem::path& file) const;
 
 signals:
-    /// Path or recording().
+    /// path() or recording() changed.
     void changed();
 
 private:
@@ -45,9 +46,9 @@ private:
 
     Session& m_session;
     CameraPath m_path;
-    OpenedScenePointer m_scene;  ///< that is recorded
-    Camera m_last;               ///< the newest camera of the recording, added or not
-    QTimer m_pause;              ///< until the next pose may be added
+    OpenedScenePointer m_scene;  ///< the scene in which the recording began
+    Camera m_last;               ///< newest camera of the recording, added to the path or not
+    QTimer m_pause;              ///< runs until the next pose may be added
     bool m_recording = false;
     bool m_lensDiffers = false;
 };

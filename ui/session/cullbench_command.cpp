@@ -22,13 +22,13 @@ QString number(double value) { return QString::number(value, 'g', QLocale::Float
 
 QString triple(const Vec3& v) { return number(v.x) + QLatin1Char(',') + number(v.y) + QLatin1Char(',') + number(v.z); }
 
-/// "RRGGBB".
+/// The colour as "RRGGBB".
 QString hex(const Vec3f& colour) {
     const auto byte = [](float share) { return uint(std::lround(std::clamp(share, 0.0f, 1.0f) * 255.0f)); };
     return QStringLiteral("%1").arg(byte(colour.x) << 16 | byte(colour.y) << 8 | byte(colour.z), 6, 16, QLatin1Char('0'));
 }
 
-/// Degrees that cullbench reads back as the very same angle.
+/// A number of degrees that cullbench converts back to exactly this angle.
 double exactDegrees(Angle angle) {
     const double degrees = angle.degrees();
     for (const double near : {degrees, std::nextafter(degrees, 0.0), std::nextafter(degrees, 360.0)})
@@ -36,10 +36,10 @@ double exactDegrees(Angle angle) {
     return degrees;
 }
 
-/// Options of a camera: "--eye=…" and so on, or "--view-eye=…".
+/// The options of a camera: "--eye=…" and so on, with a prefix "--view-eye=…".
 QStringList cameraWords(const QString& prefix, const Camera& camera) {
     const QString dashes = QStringLiteral("--") + prefix;
-    // With "=", a coordinate that begins with a minus sign is not taken for an option.
+    // Written with "=", so that a coordinate with a minus sign is not parsed as an option.
     return {dashes + QStringLiteral("eye=") + triple(camera.eye),
             dashes + QStringLiteral("target=") + triple(camera.target),
             dashes + QStringLiteral("up=") + triple(camera.up),
@@ -53,7 +53,7 @@ QStringList lookWords(const ViewLook& look) {
     const auto add = [&](bool shown, const QString& name) {
         if (shown) words << QStringLiteral("--overlay") << name;
     };
-    // In its place nothing else is seen.
+    // The model in spherical coordinates replaces the whole picture: no other overlay is visible.
     if (look.sphericalModel) return {QStringLiteral("--overlay"), QStringLiteral("spherical-model")};
     const bool verdicts = look.colouring == Colouring::Verdicts;
     add(verdicts, QStringLiteral("verdicts"));

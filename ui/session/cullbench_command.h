@@ -12,26 +12,26 @@
 
 namespace cullscope::ui {
 
-/// Everything that a view's picture depends on.
+/// All inputs of a view's picture.
 struct PictureRequest {
     std::string scene;  ///< a specification
     std::vector<std::filesystem::path> modelFolders;
     std::string strategy;
     ParameterSet parameters;
-    std::string hidden;                   ///< objects left out, as in "3,7-9"; empty: none
+    std::string hidden;                   ///< numbers of the hidden objects, such as "3,7-9"; empty: none
     Camera camera;                        ///< the culling camera
-    std::optional<Camera> observer;       ///< the camera that looks; none: the culling camera
-    std::optional<Viewport> cullingSize;  ///< of the culling camera's picture; none: `size`
+    std::optional<Camera> observer;       ///< the viewing camera; none: the culling camera
+    std::optional<Viewport> cullingSize;  ///< picture size of the culling camera; none: `size`
     Viewport size;
-    ViewLook look;    ///< with boxes, bands and kernel only where the strategy has some
-    DrawStyle style;  ///< of 8 bits a channel
+    ViewLook look;    ///< without the boxes, bands and kernel that the strategy does not have
+    DrawStyle style;  ///< colours of 8 bits a channel
 };
 
-/// The words of the `cullbench render` command that repeats a picture exactly from any folder: files by absolute paths.
-/// Parameters at their defaults are left out.
+/// The arguments of `cullbench` (`render` and its options) that repeat a picture exactly from any folder: files have absolute
+/// paths. Parameters with default values are omitted.
 [[nodiscard]] QStringList cullbenchArguments(const PictureRequest& request, const QString& output);
 
-/// The same as one line, quoted for a POSIX shell, with the program's name.
+/// The whole command as one line, quoted for a POSIX shell.
 [[nodiscard]] QString cullbenchCommand(const PictureRequest& request);
 
 }  // namespace cullscope::ui

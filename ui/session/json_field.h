@@ -11,26 +11,26 @@
 
 namespace cullscope::ui {
 
-/// A value of a JSON text that knows its file and place, so that what is wrong with it is said with both.
-/// All that it offers throws Error(Input) where the value is not what is asked for.
+/// A value of a JSON text together with its file and its path in the text, both of which error messages state. All reading
+/// functions throw Error(Input) if the value is not of the requested kind.
 class JsonField {
 public:
-    /// A word of the file and what it stands for.
+    /// Pairs of a word in the file and the enumerator it stands for.
     template <typename Enum>
     using Words = std::span<const std::pair<const char*, Enum>>;
 
-    /// The whole text. `file` is for the sentences alone.
+    /// The root of the text. `file` is used in error messages only.
     JsonField(const nlohmann::json& value, std::string file) : m_value(&value), m_file(std::move(file)) {}
 
     [[nodiscard]] JsonField at(const char* key) const;
-    /// None where it is missing or null.
+    /// The value of a key; none if it is missing or null.
     [[nodiscard]] std::optional<JsonField> find(const char* key) const;
-    /// How many entries a list has, at most `most`.
+    /// The number of entries of a list, which may be at most `most`.
     [[nodiscard]] size_t listSize(size_t most) const;
     [[nodiscard]] JsonField at(size_t index) const;
 
     [[nodiscard]] double number() const;
-    /// Inclusive bounds.
+    /// A number within inclusive bounds.
     [[nodiscard]] double number(double least, double most) const;
     [[nodiscard]] int wholeNumber(int least, int most) const;
     [[nodiscard]] bool boolean() const;
@@ -48,14 +48,14 @@ public:
         refuseWord(known);
     }
 
-    /// Every key of an object with its value.
+    /// Calls `visit` for every key of an object with its value.
     template <typename Visit>
     void forEach(const Visit& visit) const {
         requireObject();
         for (const auto& [key, value] : m_value->items()) visit(key, child(value, "." + key));
     }
 
-    /// Runs what may throw an Error, and says the file and place before its sentence.
+    /// Runs `read` and returns its result. Puts file and path in front of the sentence of an Error that it throws.
     template <typename Read>
     auto checked(const Read& read) const {
         try {

@@ -6,7 +6,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// Counted within the object.
+/// The triangle, numbered within the object, whose state represents the object.
 uint64_t tellingTriangle(const Session& session, uint32_t object, uint64_t count) {
     const ViewMetrics& figures = session.figures(session.activeView());
     const std::optional<uint32_t> instance = session.instanceOf(object);

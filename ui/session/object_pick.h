@@ -6,20 +6,20 @@
 
 namespace cullscope::ui {
 
-/// The pick of an object by the triangle that stands for what became of it in the active view, at its centroid: a wrongly culled
-/// one where there is any, else a visible one, else one drawn in vain; where that is not known, the first one. None: it has no
-/// triangle.
+/// The pick that stands for an object, at the centroid of one of its triangles: a wrongly culled triangle in the active view if
+/// there is one, else a visible one, else one drawn in vain; the first triangle if there is none of these or the states are not
+/// known. None: the object has no triangles.
 [[nodiscard]] std::optional<Pick> pickOfObject(const Session& session, uint32_t object);
 
-/// The pick of a triangle, counted within its object, at its centroid.
+/// The pick of a triangle at its centroid; `triangle` is numbered within the object.
 [[nodiscard]] Pick pickOfTriangle(const Session& session, uint32_t object, uint64_t triangle);
 
-/// Picks an object unless it is what is picked already, whichever of its triangles that is.
+/// Picks an object, unless one of its triangles is picked already.
 void pickObject(Session& session, uint32_t object);
-/// The same by a wrongly culled triangle of it, whatever is picked.
+/// Picks an object by a wrongly culled triangle, if it has one, even if another of its triangles is picked.
 void pickLoss(Session& session, uint32_t object);
 
-/// Brings all of an object into the active view.
+/// Fits an object into the active view.
 void frameObject(Session& session, uint32_t object);
 
 }  // namespace cullscope::ui

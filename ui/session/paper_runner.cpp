@@ -11,7 +11,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kShownInterval = 50;  // ms
-constexpr double kOpened = 0.05;    // of a setting's progress
+constexpr double kOpened = 0.05;    // part of a setting's progress that the opening of its scene takes
 const QString kMeasuring = QStringLiteral("measuring");
 
 Message sentenceOf(const std::exception& exception) {
@@ -28,7 +28,7 @@ PaperRunner::PaperRunner(Session& session, QObject* parent) : QObject(parent), m
     connect(&m_shownCheck, &QTimer::timeout, this, &PaperRunner::measureWhenShown);
     connect(&m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
         if (!running()) return;
-        // Each strategy that is built before has shares of its own: they are not of the path.
+        // The building of a strategy reports fractions too: only those of the measuring stage are positions on the path.
         const double measured = stage == kMeasuring ? share : 0.0;
         showPose(measured);
         tellProgress(kOpened + (1.0 - kOpened) * measured, stage);
@@ -63,7 +63,7 @@ void PaperRunner::start(const PaperExperiment& experiment, int repetitions) {
     m_openedBefore = m_session.opened();
     m_before = captureState(m_session);
     m_pickBefore = m_session.pick();
-    // What the window measures beside it would be in the experiment's times.
+    // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
     emit tableChanged();
     nextSetting();
@@ -73,7 +73,7 @@ void PaperRunner::cancel() {
     if (!running()) return;
     m_table.interrupted = true;
     m_shownCheck.stop();
-    // The poses measured so far come as a result.
+    // The runner delivers the poses measured so far as a result.
     if (m_resultDue) return m_runner.cancel();
     m_background.cancel();
     end();
@@ -154,7 +154,7 @@ void PaperRunner::buildSetting() {
     });
 }
 
-/// Beside the window: hashing and counting what is in view take their time too.
+/// Runs in the background: hashing the scene and counting what is in view take time.
 void PaperRunner::addRows(std::function<void(PaperTable& table, const Progress& progress)> add) {
     m_background.start(
         [this, add = std::move(add), table = m_table](const std::stop_token& stop) mutable -> Background::Delivery {
@@ -182,13 +182,13 @@ void PaperRunner::settingDone() {
     m_resultDue = false;
     ++m_setting;
     emit tableChanged();
-    // Whoever saw the table may have stopped it.
+    // A slot connected to `tableChanged` may have cancelled the run.
     if (running()) nextSetting();
 }
 
 void PaperRunner::fail(const Message& message) {
     m_session.raise(Severity::Error, message);
-    // What was measured before a loss of the context came first, and ended it.
+    // After a context loss the poses measured before arrived as a result, which ended the run.
     if (!running()) return;
     m_table.interrupted = true;
     end();
@@ -206,14 +206,14 @@ void PaperRunner::end() {
 void PaperRunner::restoreSession() {
     const std::optional<SessionState> before = std::exchange(m_before, std::nullopt);
     const OpenedScenePointer opened = std::exchange(m_openedBefore, nullptr);
-    // Without a scene before, the experiment's stays: there is no other.
+    // If no scene was open before, the experiment's scene stays.
     if (!before || !opened) return;
     if (m_session.opened() != opened) m_session.show(opened);
     applyState(m_session, *before);
     m_session.setPick(m_pickBefore);
 }
 
-/// Tells from whatever thread works, a thousand times at most.
+/// Progress for work on another thread: reported on this object's thread, in steps of at least 1 %.
 Progress PaperRunner::progressOn(const std::stop_token& stop) {
     return {
         [this, told = -1.0](double share, std::string_view stage) mutable {

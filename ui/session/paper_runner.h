@@ -12,40 +12,40 @@
 
 namespace cullscope::ui {
 
-/// Reproduces a paper's table before an audience: the session shows each setting's scene in as many views of its size as it has
-/// windows, at the pose being measured, while an ExperimentRunner measures off the window. In the end, or when it is stopped,
-/// the session is again what it was. A scene that somebody opens meanwhile stops it and stays.
+/// Reproduces a table of a paper while an audience watches: the session shows each setting's scene at the pose being measured, in
+/// as many views of its size as the setting has windows, while an ExperimentRunner measures off-screen. At the end, and after a
+/// cancel, the session's former state is restored. If the user opens another scene, the run stops and that scene stays.
 class PaperRunner : public QObject {
     Q_OBJECT
 
 public:
     explicit PaperRunner(Session& session, QObject* parent = nullptr);
 
-    /// `repetitions` of each frame; 0: until the median is steady. The experiment must outlive the run.
+    /// Starts a run. `repetitions` of each frame; 0: until the median is steady. `experiment` must outlive the run.
     void start(const PaperExperiment& experiment, int repetitions = 0);
-    /// Stops as soon as the frame under way is done; what was measured stays in the table.
+    /// Stops the run when the current frame is done; the results so far stay in the table.
     void cancel();
     [[nodiscard]] bool running() const { return m_experiment != nullptr; }
-    /// Of the newest run: what was measured so far.
+    /// The results of the newest run so far.
     [[nodiscard]] const PaperTable& table() const { return m_table; }
-    /// Of the newest run: how much of all settings is done, in [0, 1]; it never falls.
+    /// The finished fraction of all settings of the newest run, in [0, 1]; never decreases.
     [[nodiscard]] double share() const { return m_share; }
 
 signals:
-    /// `share` in [0, 1] of all settings, never less than before; `stage` is one of core's English names.
+    /// `share` in [0, 1] of all settings, never decreasing; `stage` is one of core's English names.
     void progressed(double share, const QString& stage);
-    /// The table has more rows.
+    /// Rows were added to the table.
     void tableChanged();
-    /// The table's plots have more points: one more view is measured.
+    /// The table's plots have more points.
     void plotsChanged();
-    /// Nothing is under way any more, and the session is what it was before.
+    /// The run has ended and the session's former state is restored.
     void ended();
 
 private:
     void nextSetting();
     void openScene();
     void showSetting();
-    /// Measures once the window has drawn the setting: what it builds and uploads would be in the times.
+    /// Starts measuring after the window has built and uploaded the setting, so that this work is not in the times.
     void measureWhenShown();
     void measureSetting();
     void buildSetting();
@@ -61,20 +61,20 @@ private:
 
     Session& m_session;
     ExperimentRunner m_runner;
-    Background m_background;  ///< opens scenes, builds structures
+    Background m_background;  ///< opens scenes, builds structures, makes rows
     QTimer m_shownCheck;
-    const PaperExperiment* m_experiment = nullptr;  ///< null: nothing is under way
+    const PaperExperiment* m_experiment = nullptr;  ///< null: no run is active
     size_t m_setting = 0;
     int m_repetitions = 0;
     double m_share = 0.0;
     PaperTable m_table;
-    CameraPath m_path;            ///< of the setting being measured
-    std::string m_specification;  ///< of the scene that is shown for the experiment
+    CameraPath m_path;            ///< path of the setting being measured
+    std::string m_specification;  ///< of the scene that the run has opened
     bool m_resultDue = false;     ///< a setting is being measured, or its rows are being made
-    bool m_showing = false;       ///< the scene changes by us
+    bool m_showing = false;       ///< this object itself is changing the session's scene
     OpenedScenePointer m_openedBefore;
     std::optional<Pick> m_pickBefore;
-    std::optional<SessionState> m_before;  ///< none: there is nothing to go back to
+    std::optional<SessionState> m_before;  ///< state to restore; none: restore nothing
 };
 
 }  // namespace cullscope::ui

@@ -8,8 +8,7 @@
 
 namespace cullscope::ui {
 
-/// What was opened last: files (meshes, sessions, pictures) by absolute paths, and generators' specifications. Kept from start
-/// to start.
+/// The newest opened files (meshes, sessions, pictures, by absolute paths) and generator specifications. Stored in the settings.
 class RecentFiles : public QObject {
     Q_OBJECT
 
@@ -18,13 +17,13 @@ public:
 
     explicit RecentFiles(QObject* parent = nullptr);
 
-    /// The newest first.
+    /// All entries, the newest first.
     [[nodiscard]] const QStringList& entries() const { return m_entries; }
-    /// Puts it first; the eleventh goes.
+    /// Moves or adds an entry to the front; an eleventh entry is dropped.
     void add(const QString& what);
-    /// Whether all files of an entry are there still. If not, it leaves the list.
+    /// Whether all files of an entry still exist. If not, removes the entry.
     [[nodiscard]] bool keepIfThere(const QString& what);
-    /// What to say then.
+    /// The message for an entry whose files no longer exist.
     [[nodiscard]] static Message goneMessage(const QString& what);
     void clear();
 

@@ -21,8 +21,8 @@ SceneLoader::Opener openerFor(const Session::Options& options) {
     };
 }
 
-/// The first views differ; the further ones go through what this machine can do, so that eight views compare eight strategies
-/// where there are.
+/// The strategy of a view at the start. The first two views have fixed strategies; the others take those that this machine
+/// supports in turn, so that eight views compare eight strategies if there are that many.
 const StrategyInfo& firstStrategy(size_t view, const Session& session) {
     if (view < kFirstStrategies.size()) return findStrategy(kFirstStrategies[view]).info;
     std::vector<const StrategyInfo*> usable;
@@ -58,7 +58,7 @@ Session::~Session() {
     m_picks.invalidate();
     if (m_meter) m_meter->cancel();
     for (ViewState& view : m_views) view.figures = {};
-    // What runs on the GPU thread, or is still on its way from it, must go while it lives.
+    // Finish work and deliveries of the GPU thread while that thread exists.
     m_pictures = nullptr;
     m_meter = nullptr;
     m_upload = nullptr;
@@ -75,7 +75,7 @@ void Session::makeGraphics() {
     });
     connect(m_upload.get(), &SceneUpload::renewed, this,
             [this](const SceneBuffersPointer& before, const SceneBuffersPointer& now) {
-                // What is known does not depend on the context; what is half known is measured anew.
+                // Complete metrics do not depend on the context; incomplete ones are measured again.
                 for (ViewState& view : m_views)
                     if (view.figures.timed && view.figures.subject.buffers == before) view.figures.subject.buffers = now;
             });
@@ -126,7 +126,7 @@ std::optional<Message> Session::unavailable(const StrategyInfo& info) const {
 
 // ---- Scene
 
-/// What was lost of a file is said at once; the scene panel has all sentences.
+/// Reports repairs that lost data at once; the scene panel lists all sentences.
 void Session::tellRepairs() {
     if (!m_opened->report) return;
     const LoadReport& report = *m_opened->report;
@@ -232,7 +232,7 @@ void Session::changeSetup(int view, const ViewSetup& setup) {
     const bool otherCamera = setup.role != state.setup.role || !(setup.viewing == state.setup.viewing);
     state.setup = setup;
     if (setup.role == Role::Observer)
-        // Who watched this one goes on to what it watches now.
+        // Views that observed this view now observe the view that it observes.
         for (int other = 0; other < kMostViews; ++other)
             if (this->setup(other).role == Role::Observer && this->setup(other).observed == view) {
                 m_views[size_t(other)].setup.observed = setup.observed;
@@ -283,7 +283,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference)
         request.other = slot(culledBy(wipe.other)).built();
     if (request.look.sphericalModel) {
-        // It stands in place of everything else, and no other picture lies beside it.
+        // The model in spherical coordinates replaces the whole picture: no comparison and no other overlay.
         request.look = {.sphericalModel = true};
         request.states = nullptr;
         request.wipe = Wipe::Mode::None;
@@ -312,7 +312,7 @@ void Session::pickAt(int view, int x, int y) {
     const uint64_t job = m_picks.begin();
     m_pictures->pick(*request, x, y,
                      [this, job, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
-                         // A scene that changed meanwhile numbers its triangles in another way.
+                         // A scene that was changed in between numbers its triangles differently.
                          if (!m_picks.isCurrent(job) || m_scene != request.buffers->scenePointer()) return;
                          if (!picked) return setPick(std::nullopt);
                          const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));

@@ -25,7 +25,7 @@ using OpenedScenePointer = std::shared_ptr<const OpenedScene>;
 
 enum class Severity { Information, Warning, Error };
 
-/// What was picked, in the numbering of the whole scene.
+/// The picked triangle and point, numbered as in the whole scene, hidden objects included.
 struct Pick {
     uint32_t object = 0;    ///< instance of the opened scene
     uint64_t triangle = 0;  ///< of the opened scene
@@ -34,8 +34,8 @@ struct Pick {
     bool operator==(const Pick&) const = default;
 };
 
-/// The desktop's document: the scene, the camera that the linked views share, what each view shows and how, the pictures and
-/// the figures. Knows no widget. Views are numbered from 0; a view that is not shown keeps its setup.
+/// The document of the desktop: the scene, the camera that the linked views share, the setups of all views, their pictures and
+/// metrics. Does not depend on widgets. Views are numbered from 0; a view that is not shown keeps its setup.
 class Session : public QObject {
     Q_OBJECT
 
@@ -53,42 +53,42 @@ public:
         bool graphics = true;           ///< false: no OpenGL, for tests of the rest
     };
 
-    /// Throws Error(OpenGl) where graphics are wanted and there is no OpenGL 4.5.
+    /// Throws Error(OpenGl) if `options.graphics` is set and OpenGL 4.5 is not available.
     explicit Session(Options options, QObject* parent = nullptr);
     ~Session() override;
 
     // Scene
     void open(const QString& specification) { m_loader.open(specification); }
-    /// Shows a scene that is there already, as `open` does once it has read one.
+    /// Shows a scene that was opened already; the effect is that of open().
     void show(const OpenedScenePointer& opened);
     [[nodiscard]] SceneLoader& loader() { return m_loader; }
-    /// Null: nothing opened yet.
+    /// The opened scene; null: none was opened yet.
     [[nodiscard]] const OpenedScenePointer& opened() const { return m_opened; }
-    /// What is shown and measured: the opened scene less the hidden objects.
+    /// The scene that is shown and measured: the opened scene without its hidden objects.
     [[nodiscard]] const ScenePointer& scene() const { return m_scene; }
-    /// One flag an object of the opened scene.
+    /// One flag per object of the opened scene.
     [[nodiscard]] const std::vector<bool>& hidden() const { return m_hidden; }
     void setHidden(const std::vector<bool>& hidden);
-    /// The object of the opened scene that an instance of scene() is, and the other way round (none: hidden).
+    /// The object of the opened scene for an instance of scene(), and the instance for an object (none: it is hidden).
     [[nodiscard]] uint32_t objectOf(uint32_t instance) const { return m_objects[instance]; }
     [[nodiscard]] std::optional<uint32_t> instanceOf(uint32_t object) const;
     [[nodiscard]] const SceneSourceOptions& sceneSource() const { return m_sceneSource; }
-    /// Null while it is not uploaded (yet).
+    /// The uploaded scene; null: not uploaded (yet).
     [[nodiscard]] const SceneBuffersPointer& buffers(Upload upload = Upload::Vbo) const;
-    /// Why OpenGL did not take the present scene; empty: it did, or it is on its way.
+    /// Why the upload of the present scene failed; empty: it succeeded or is in progress.
     [[nodiscard]] const Message& uploadFailure() const;
 
     // The linked views' camera
     [[nodiscard]] const Camera& camera() const { return m_camera; }
-    /// Near and far are set around the scene.
+    /// Sets the linked camera, with near and far planes set around the scene.
     void setCamera(const Camera& camera);
     [[nodiscard]] UpAxis upAxis() const { return m_up; }
     void setUpAxis(UpAxis up);
-    /// The first camera again, in all linked views; observers look anew.
+    /// Restores the initial camera in all linked views; observers get their initial cameras too.
     void goHome();
-    /// All of the scene in the active view.
+    /// Fits the whole scene into the active view.
     void frameScene();
-    /// A sphere (such as a picked object's) in the active view.
+    /// Fits a sphere (such as that of a picked object) into the active view.
     void frame(const Sphere& sphere);
     [[nodiscard]] const std::optional<double>& chosenNear() const { return m_chosenNear; }
     void setChosenNear(const std::optional<double>& distance);
@@ -96,9 +96,9 @@ public:
 
     // Views
     [[nodiscard]] int viewCount() const { return m_viewCount; }
-    /// One of kViewCounts.
+    /// `count` is one of kViewCounts.
     void setViewCount(int count);
-    /// With one view it is the active one.
+    /// Whether a view is shown. With a view count of 1 the active view is.
     [[nodiscard]] bool shown(int view) const { return m_viewCount == 1 ? view == m_activeView : view < m_viewCount; }
     [[nodiscard]] std::vector<int> shownViews() const;
     [[nodiscard]] int activeView() const { return m_activeView; }
@@ -106,54 +106,55 @@ public:
     [[nodiscard]] StrategySlot& slot(int view) { return *m_views[size_t(view)].slot; }
     [[nodiscard]] const StrategySlot& slot(int view) const { return *m_views[size_t(view)].slot; }
     [[nodiscard]] const ViewSetup& setup(int view) const { return m_views[size_t(view)].setup; }
-    /// Everything of a view but its strategy. An observer of an observer watches what that one watches.
+    /// Sets all settings of a view but its strategy. A view set to observe an observer observes what that one does.
     void setSetup(int view, const ViewSetup& setup);
 
     // Cameras of a view
     void setLinked(int view);
     void observe(int view, int observed);
     void setFrozen(int view, bool frozen);
-    /// The view whose strategy, culling camera and verdicts this one shows: itself, or the one that it observes.
+    /// The view whose strategy, culling camera and verdicts this view shows: the observed view of an observer, else itself.
     [[nodiscard]] int culledBy(int view) const;
     [[nodiscard]] const Camera& cullingCamera(int view) const;
     [[nodiscard]] const Camera& viewingCamera(int view) const;
-    /// The shared camera for a linked view, else its own.
+    /// Sets the shared camera for a linked view, else the view's own camera.
     void setViewingCamera(int view, const Camera& camera);
 
     // Pictures
-    /// The place a view has in the window, in device pixels; of its picture where that fits the window.
+    /// The size of a view in the window in device pixels; also its picture's size if that is fitted to the window.
     [[nodiscard]] Viewport viewport(int view) const { return m_views[size_t(view)].viewport; }
     void setViewport(int view, const Viewport& size);
     [[nodiscard]] Viewport renderSize(int view) const { return setup(view).size.value_or(viewport(view)); }
     [[nodiscard]] const DrawStyle& drawStyle() const { return m_style; }
     void setDrawStyle(const DrawStyle& style);
-    /// What a view wants to show now; none while scene, strategy or size are missing.
+    /// The request for a view's picture; none while scene, strategy or size are missing.
     [[nodiscard]] std::optional<ViewRequest> viewRequest(int view) const;
-    /// The newest picture; null: none yet, or the strategy is refused.
+    /// The newest picture of a view; null: none yet, or the strategy is refused.
     [[nodiscard]] ViewPicturePointer picture(int view) const {
         return m_pictures && !slot(culledBy(view)).refused() ? m_pictures->picture(view) : nullptr;
     }
     [[nodiscard]] PictureMaker* pictures() { return m_pictures.get(); }
 
-    // Figures
+    // Metrics
     [[nodiscard]] const ViewMetrics& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
-    /// The views whose figures the shown pictures have, in order, each once: an observer's are those of the view that it watches.
+    /// The views whose metrics the shown pictures have, in order and without duplicates. An observer has those of the observed
+    /// view.
     [[nodiscard]] std::vector<int> measuredViews() const;
-    /// Measures although the scene is large.
+    /// Measures even if the scene is too large for automatic measurement.
     void requestFigures();
-    /// Whether the figures of every shown view are known (or known to be unobtainable).
+    /// Whether the metrics of every shown view are known, or known to be unavailable.
     [[nodiscard]] bool metricsSettled() const;
-    /// Stops measuring while something else is being timed.
+    /// Stops and resumes the measurement of the views, for instance around a timed experiment.
     void setMeasuring(bool measuring);
 
     // Picking
     [[nodiscard]] const std::optional<Pick>& pick() const { return m_pick; }
     void setPick(const std::optional<Pick>& pick);
-    /// Looks up what a view's picture shows at a pixel (y upward) and picks it; nothing there: nothing is picked.
+    /// Looks up what a view's picture shows at a pixel (y upward) and picks it; a pixel of the background clears the pick.
     void pickAt(int view, int x, int y);
 
     // OpenGL
-    /// Why this machine cannot do a strategy; nothing: it can.
+    /// Why this machine does not support a strategy; none: it does.
     [[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info) const;
     [[nodiscard]] GpuThread* gpu() { return m_gpu.get(); }
     [[nodiscard]] ViewMeter* meter() { return m_meter.get(); }
@@ -164,9 +165,9 @@ signals:
     void sceneChanged();
     void hiddenChanged();
     void buffersChanged();
-    /// Some view's viewing or culling camera, or near plane.
+    /// The viewing or culling camera, or the near plane, of a view changed.
     void cameraChanged();
-    /// After cameraChanged: nobody moved the cameras, the first look at a scene took a new window size.
+    /// Emitted after cameraChanged if the user did not move the cameras: initial cameras were adapted to a new window size.
     void camerasFollowedWindow();
     void viewCountChanged();
     void activeViewChanged();
@@ -174,10 +175,10 @@ signals:
     void strategyChosen(int view);
     void strategyBuilt(int view);
     void pictureChanged(int view);
-    /// A view's own figures; those of its observers are the same.
+    /// The metrics of a view changed. Its observers have the same metrics.
     void metricsChanged(int view);
     void pickChanged();
-    /// After pickChanged, where it was a click into this view's picture that picked.
+    /// Emitted after pickChanged if the pick came from a click into this view's picture.
     void pickedInPicture(int view);
     void messageRaised(cullscope::ui::Severity severity, const cullscope::Message& message);
 
@@ -186,9 +187,9 @@ private:
         std::unique_ptr<StrategySlot> slot;
         ViewSetup setup;
         Viewport viewport{0, 0};
-        Camera firstWatch;  ///< Observer: where observe() put the camera that looks
+        Camera firstWatch;  ///< Observer: the viewing camera that observe() set
         ViewMetrics figures;
-        bool complained = false;  ///< of a picture that cannot be drawn, since the last one that could
+        bool complained = false;  ///< a drawing error was reported and no picture was drawn since
     };
 
     void makeGraphics();
@@ -197,7 +198,7 @@ private:
     void tellRepairs();
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);
-    /// The view whose shape decides where the linked views' home is.
+    /// The view whose aspect ratio determines the linked views' initial camera.
     [[nodiscard]] int homeView() const;
     void placeObservers(const std::vector<int>& views);
     [[nodiscard]] std::vector<int> observers() const;
@@ -206,7 +207,7 @@ private:
     [[nodiscard]] double aspect(int view) const;
     void update();
     void updateFigures();
-    /// Whether a view's figures are of what it is now.
+    /// Whether a view's metrics still hold for its present state.
     [[nodiscard]] bool figuresStand(int view) const;
     [[nodiscard]] ViewMetrics figuresWithoutMeasuring() const;
     [[nodiscard]] std::optional<MetricsSubject> subject(int view) const;
@@ -229,7 +230,7 @@ private:
     Camera m_camera;
     UpAxis m_up = UpAxis::Y;
     std::optional<double> m_chosenNear;
-    Camera m_home;  ///< the camera that the scene was first shown with; while it stands, it follows the window
+    Camera m_home;  ///< initial camera of the scene; while the user has not moved it, it follows the window size
 
     std::array<ViewState, kMostViews> m_views;
     int m_viewCount = 2;
@@ -237,7 +238,7 @@ private:
     std::optional<Pick> m_pick;
     JobNumbers m_picks;
     QTimer m_rest;
-    std::vector<ViewMeter::Subject> m_underWay;  ///< what the meter measures now
+    std::vector<ViewMeter::Subject> m_underWay;  ///< subjects that the meter is measuring
     bool m_measuring = true;
 };
 

@@ -1,4 +1,4 @@
-// The session's cameras: the linked one, and those of observers and frozen views.
+// The session's cameras: that of the linked views, and those of observers and frozen views.
 #include "ui/session/session.h"
 
 #include <algorithm>
@@ -51,7 +51,7 @@ void Session::placeObservers(const std::vector<int>& views) {
     for (const int view : views) observe(view, setup(view).observed);
 }
 
-/// Until somebody moves the cameras, the scene goes on filling a window that changes its size.
+/// While the user has not moved the cameras, adapts them to the window, so that the scene keeps filling it.
 void Session::followWindow(int view) {
     if (!m_opened || setup(view).size || !(m_camera == m_home)) return;
     std::vector<int> following;
@@ -84,7 +84,7 @@ void Session::setChosenNear(const std::optional<double>& distance) {
 Camera Session::withClipPlanesFor(int view, const Camera& camera) const {
     Sphere scene = m_opened->scene->boundingSphere();
     if (setup(view).role == Role::Linked) return withClipPlanes(camera, scene, m_chosenNear);
-    // The culling camera's frustum is to be seen too.
+    // The clip planes must also take in the culling camera's eye, so that its frustum is visible.
     scene.radius = std::max(scene.radius, glm::length(cullingCamera(view).eye - scene.centre));
     return withClipPlanes(camera, scene, std::nullopt);
 }
@@ -114,7 +114,7 @@ void Session::setFrozen(int view, bool frozen) {
     changed.culling = cullingCamera(view);
     changed.viewing = viewingCamera(view);
     changed.cullingSize.reset();
-    // Its frustum has the shape of the picture: another place in the window must not change what is culled.
+    // The frustum depends on the picture's aspect ratio: keep the size, so that a resized window does not change what is culled.
     if (frozen && renderSize(view).width > 0) changed.cullingSize = renderSize(view);
     changed.role = frozen ? Role::Frozen : Role::Linked;
     changeSetup(view, changed);

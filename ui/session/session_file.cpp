@@ -18,7 +18,7 @@ using Json = nlohmann::ordered_json;
 constexpr const char* kFormat = "cullscope session";
 constexpr int kVersion = 1;
 constexpr int kMostObjects = 100'000'000;
-constexpr uintmax_t kMostBytes = 64u << 20;  // a session has some 20 kB; a mesh by that name is not read whole
+constexpr uintmax_t kMostBytes = 64u << 20;  // a session has about 20 kB; a mesh with that file name is not read
 
 constexpr std::array kUpAxes{std::pair<const char*, UpAxis>{"y", UpAxis::Y}, std::pair<const char*, UpAxis>{"z", UpAxis::Z}};
 
@@ -34,7 +34,7 @@ std::filesystem::path folderOf(const std::filesystem::path& file) {
 
 std::string relativeTo(const std::filesystem::path& folder, const std::string& file) {
     const std::string relative = std::filesystem::absolute(file).lexically_normal().lexically_relative(folder).string();
-    // A file that is called as a generator is must not be taken for it.
+    // A file with the name of a generator must not be read as that generator.
     return isGeneratorsName(relative) ? "./" + relative : relative;
 }
 
@@ -72,7 +72,7 @@ void requireVersion(const JsonField& version, const std::string& file) {
         throwInput(QT_TRANSLATE_NOOP("core", "%1 was saved by a newer Cullscope: install that one to open it."), {file});
 }
 
-/// Files in it by absolute paths; what is relative starts at `folder`.
+/// A scene specification with absolute file paths; relative ones are relative to `folder`.
 std::string readScene(const JsonField& field, const std::filesystem::path& folder) {
     const std::string& scene = field.text();
     if (scene.empty())

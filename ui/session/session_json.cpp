@@ -19,7 +19,6 @@ constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wip
                             Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
                             Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
 
-
 template <typename Enum, size_t Count>
 const char* wordOf(const std::array<Word<Enum>, Count>& words, Enum value) {
     for (const auto& [word, meaning] : words)
@@ -87,7 +86,7 @@ Viewport readSize(const JsonField& field) {
 }  // namespace
 
 Json jsonOf(const Camera& camera) {
-    // In radians, because not every angle has a number of degrees that gives it back.
+    // In radians: the conversion to degrees and back does not return every angle exactly.
     return {{"eye", jsonOf(camera.eye)},         {"target", jsonOf(camera.target)}, {"up", jsonOf(camera.up)},
             {"fovy_rad", camera.fovy.radians()}, {"near", camera.nearDistance},     {"far", camera.farDistance}};
 }
@@ -155,7 +154,7 @@ SessionState::View readView(const JsonField& field) {
     SessionState::View view;
     const JsonField strategy = field.at("strategy");
     view.strategy = strategy.text();
-    // Before its parameters, which an unknown strategy would make wrong too.
+    // Check the strategy first: with an unknown one its parameters would be reported as wrong too.
     strategy.checked([&] { (void)parametersOf(view); });
     view.setup = readSetup(field);
     if (const auto parameters = field.find("parameters"))

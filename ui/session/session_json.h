@@ -7,17 +7,17 @@
 
 namespace cullscope::ui {
 
-/// The parts of a session file, each way. Reading throws Error(Input) naming file and field.
+/// Conversions of the parts of a session file to and from JSON. Reading throws Error(Input) naming file and field.
 
 [[nodiscard]] nlohmann::ordered_json jsonOf(const Camera& camera);
 [[nodiscard]] Camera readCamera(const JsonField& field);
 
-/// Background and surface.
+/// Background and surface colours.
 [[nodiscard]] nlohmann::ordered_json jsonOf(const DrawStyle& style);
 [[nodiscard]] DrawStyle readStyle(const JsonField& field);
 
 [[nodiscard]] nlohmann::ordered_json jsonOf(const ViewSetup& setup);
-/// Reads out of the same group of fields as the view's strategy; what is missing stays as in a new view.
+/// Reads the setup from the JSON object that also holds the view's strategy; missing fields keep the values of a new view.
 [[nodiscard]] ViewSetup readSetup(const JsonField& field);
 
 [[nodiscard]] nlohmann::ordered_json jsonOf(const SessionState::View& view);

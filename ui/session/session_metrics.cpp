@@ -1,4 +1,4 @@
-// When the session measures what, and which figures still stand.
+// When the session measures which views, and which metrics are still valid.
 #include "ui/session/session.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ std::optional<MetricsSubject> Session::subject(int view) const {
     const SceneBuffersPointer& uploaded = buffers(setup(view).upload);
     const BuiltStrategyPointer& built = slot(view).built();
     Viewport size = setup(view).role == Role::Frozen ? setup(view).cullingSize.value_or(renderSize(view)) : renderSize(view);
-    // A view that was never shown has the size of the one that watches it.
+    // A view that was never shown takes the size of its observer.
     for (int other = 0; other < kMostViews && size.width < 1; ++other)
         if (shown(other) && culledBy(other) == view) size = renderSize(other);
     if (!uploaded || !built || built->scene != uploaded->scenePointer() || size.width < 1 || size.height < 1) return std::nullopt;
@@ -37,7 +37,7 @@ ViewMetrics Session::figuresWithoutMeasuring() const {
 
 bool Session::figuresStand(int view) const {
     const ViewMetrics& known = m_views[size_t(view)].figures;
-    // What cannot be built has no figures, and that is said until it is chosen anew.
+    // A strategy that cannot be built has no metrics; the failure stays until another strategy is chosen.
     if (known.state == ViewMetrics::State::Failed && !slot(view).built() && m_opened && uploadFailure().empty()) return true;
     if (known.state != ViewMetrics::State::Ready && known.state != ViewMetrics::State::Failed) return false;
     const std::optional<MetricsSubject> now = subject(view);

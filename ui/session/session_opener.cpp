@@ -21,7 +21,7 @@ bool isOneOf(const QString& suffix, const Types& types) {
     return std::any_of(types.begin(), types.end(), [&](const char* type) { return suffix == QLatin1String(type); });
 }
 
-/// Throws Error(Input) where the picture holds no session, or a damaged one.
+/// Throws Error(Input) if the picture holds no session or an invalid one.
 SessionState readPictureState(const std::filesystem::path& file) {
     for (const auto& [name, text] : readPicture(file).metadata)
         if (name == kSessionMetadata)
@@ -44,10 +44,10 @@ SessionOpener::SessionOpener(Session& session, CameraBookmarks& bookmarks, QObje
         m_reading.cancel();
         m_pending.reset();
     });
-    // A file that is being read meanwhile is a newer wish, and stays one.
+    // Does not cancel m_reading: a file being read now was opened after this scene.
     connect(&loader, &SceneLoader::failed, this, [this] { m_pending.reset(); });
     connect(&loader, &SceneLoader::cancelled, this, [this] { m_pending.reset(); });
-    // The session has shown the scene by then: it was connected before.
+    // Slots run in the order of connection: the session was connected earlier and has shown the scene.
     connect(&loader, &SceneLoader::loaded, this, &SessionOpener::finish);
 }
 

@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// Opens whatever the user names: a mesh, a generator, a saved session, or a picture that Cullscope saved. What cannot be
-/// opened leaves everything as it was and is said in one sentence through Session::messageRaised.
+/// Opens what the user names: a mesh, a generator, a saved session, or a picture saved by Cullscope. If that fails, nothing
+/// changes, and one sentence is reported through Session::messageRaised.
 class SessionOpener : public QObject {
     Q_OBJECT
 
@@ -19,24 +19,24 @@ public:
 
     SessionOpener(Session& session, CameraBookmarks& bookmarks, QObject* parent = nullptr);
 
-    /// By the file's type: `.cullscope` and `.json` are sessions, what OpenImageIO writes here is a picture; all else, and all
-    /// generators, are left to core.
+    /// The kind by file name extension: `.cullscope` and `.json` are sessions, the picture formats that Cullscope writes are
+    /// pictures; core opens all others and all generators.
     [[nodiscard]] static Kind kindOf(const QString& what);
 
-    /// Reads beside the window. A newer one, of any kind, takes the place of this one.
+    /// Opens in the background. A newer call, or any newer opening of a scene, replaces this one.
     void open(const QString& what);
-    /// Opens the state's scene and gives it the state when it is there. `origin` is the file that the state is from, if any.
+    /// Opens the state's scene and then applies the state. `origin` is the file that the state was read from, if any.
     void restore(const SessionState& state, const QString& origin = {});
 
-    /// What a session file is to hold now, bookmarks included. `arrangement` is the window's id for it.
+    /// The present state for a session file, bookmarks included. `arrangement` is the id of the window's arrangement.
     [[nodiscard]] SessionState current(const QString& arrangement) const;
-    /// Saves that; what goes wrong is raised, and false returned.
+    /// Saves that state. Reports an error through the session and returns false.
     bool save(const QString& file, const QString& arrangement);
 
 signals:
-    /// A scene is on show: the file or specification that was asked for.
+    /// A scene was opened from `what`, a file or a specification.
     void opened(const QString& what);
-    /// After `opened`, where a state came with it: the window takes its arrangement from it.
+    /// Emitted after `opened` if a state was applied: the window restores its arrangement.
     void restored(const cullscope::ui::SessionState& state);
 
 private:
@@ -52,7 +52,7 @@ private:
     CameraBookmarks& m_bookmarks;
     Background m_reading;
     std::optional<Pending> m_pending;
-    bool m_starting = false;  ///< the loading that begins now is ours
+    bool m_starting = false;  ///< this object itself is starting a loading
 };
 
 }  // namespace cullscope::ui

@@ -27,7 +27,7 @@ void applyHidden(Session& session, const std::vector<bool>& hidden) {
                        {std::to_string(objects), std::to_string(hidden.size())}});
 }
 
-/// Views that watch another one come last: by then the watched one is what it will be.
+/// Sets observers last, because their setup depends on that of the observed view.
 void applySetups(Session& session, const SessionState& state) {
     for (const bool observers : {false, true})
         for (int view = 0; view < Session::kMostViews; ++view) {
@@ -66,7 +66,7 @@ void applyState(Session& session, const SessionState& state) {
         session.slot(view).setParameters(parameters[size_t(view)]);
     }
     applyHidden(session, state.hidden);
-    // Another up axis moves all cameras: it goes before them.
+    // Set first: a change of the up axis moves all cameras.
     session.setUpAxis(state.up);
     applySetups(session, state);
     session.setChosenNear(state.chosenNear);
@@ -74,7 +74,7 @@ void applyState(Session& session, const SessionState& state) {
 }
 
 std::string withAbsoluteFiles(const std::string& specification) {
-    // No file, no folder: what is empty stays so.
+    // An empty specification must not become a folder's path.
     if (specification.empty()) return {};
     return withFiles(specification,
                      [](const std::string& file) { return std::filesystem::absolute(file).lexically_normal().string(); });

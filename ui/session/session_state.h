@@ -11,45 +11,44 @@
 
 namespace cullscope::ui {
 
-/// What the window shows, as plain values: what a session file and a picture's metadata hold, and what undo goes back to.
+/// The state that the window shows, as plain values: stored in session files and picture metadata, and restored by undo.
 struct SessionState {
     struct View {
-        std::string strategy;                           ///< id; empty: the view keeps the one that it has
-        std::map<std::string, std::string> parameters;  ///< text by key; what is not named has its default
+        std::string strategy;                           ///< id; empty: keep the view's present strategy
+        std::map<std::string, std::string> parameters;  ///< text by key; missing parameters have their defaults
         ViewSetup setup;
 
         bool operator==(const View&) const = default;
     };
 
-    std::string scene;         ///< a specification, files in it by absolute paths
-    std::vector<bool> hidden;  ///< one flag an object of the scene
-    Camera camera;             ///< of the linked views
+    std::string scene;         ///< a specification with absolute file paths
+    std::vector<bool> hidden;  ///< one flag per object of the scene
+    Camera camera;             ///< the linked views' camera
     UpAxis up = UpAxis::Y;
     std::optional<double> chosenNear;
     int viewCount = 2;
     int activeView = 0;
-    std::string arrangement;  ///< the window's id for it; empty: as it is
+    std::string arrangement;  ///< id of the window's arrangement; empty: keep the present one
     std::array<View, Session::kMostViews> views;
     CameraBookmarks::Places bookmarks;
-    std::optional<DrawStyle> style;  ///< background and surface of the pictures; none: as the window's appearance has them
+    std::optional<DrawStyle> style;  ///< background and surface of the pictures; none: those of the window's appearance
 
     bool operator==(const SessionState&) const = default;
 };
 
-/// Everything but arrangement and bookmarks, which the session does not know, and the style, which the window's appearance gives.
-/// `scene` is empty where nothing is opened.
+/// Captures all of the state but arrangement and bookmarks, which the session does not hold, and the style, which depends on the
+/// window's appearance. `scene` is empty if none is open.
 [[nodiscard]] SessionState captureState(const Session& session);
 
-/// Gives the opened scene the state's cameras, hidden objects and views; neither opens `scene` nor looks at arrangement,
-/// bookmarks and style. Hidden objects of a scene with another number of objects are shown, which is raised as a warning. What is
-/// the same already is not touched. Throws Error(Usage) for a strategy or parameter that there is none of, before anything
-/// changes.
+/// Applies cameras, hidden objects and views of a state to the opened scene. Does not open `scene` and ignores arrangement,
+/// bookmarks and style. If the scene has another number of objects, all are shown and a warning is raised. Values that are equal
+/// already are not set. Throws Error(Usage) for an unknown strategy or parameter, before any change.
 void applyState(Session& session, const SessionState& state);
 
-/// A specification with its files by absolute paths; words such as `bunny`, and an empty one, stay.
+/// A specification with absolute file paths; generator names such as `bunny`, and an empty specification, are unchanged.
 [[nodiscard]] std::string withAbsoluteFiles(const std::string& specification);
 
-/// The view's parameters as the strategy takes them. Throws Error(Usage) naming what there is none of.
+/// The view's parameters as a ParameterSet of its strategy. Throws Error(Usage) naming an unknown strategy or parameter.
 [[nodiscard]] ParameterSet parametersOf(const SessionState::View& view);
 
 }  // namespace cullscope::ui

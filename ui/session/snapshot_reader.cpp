@@ -10,9 +10,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kPauseBetweenCulls = 100;  // ms between two culls' beginnings
+constexpr int kPauseBetweenCulls = 100;  // ms between the beginnings of two culls
 
-/// Fills what is read from one traced cull; `known` are the boxes where they are known already.
+/// Fills `reading` from one traced cull; `known` holds the snapshot if it was read before.
 void read(SnapshotReading& reading, const std::shared_ptr<const StructureSnapshot>& known, Renderer* renderer) {
     const View view(reading.culling, reading.size);
     const Scene& scene = *reading.strategy->scene;
@@ -56,7 +56,7 @@ SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(pare
     for (const auto signal : {&Session::sceneChanged, &Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged,
                               &Session::viewCountChanged, &Session::activeViewChanged, &Session::pickChanged})
         connect(&session, signal, this, &SnapshotReader::check);
-    // A changed size of a view shows by its next picture, or by its figures.
+    // No signal reports a view's new size; its next picture or metrics do.
     for (const auto signal :
          {&Session::setupChanged, &Session::strategyBuilt, &Session::pictureChanged, &Session::metricsChanged})
         connect(&session, signal, this, &SnapshotReader::check);
@@ -65,7 +65,7 @@ SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(pare
 SnapshotReader::~SnapshotReader() {
     m_background.cancel();
     m_asked.invalidate();
-    // What was posted may be at work, or find itself stale: wait for it.
+    // Posted work uses this object: wait until it has ended.
     if (m_session.gpu()) m_session.gpu()->run([] {});
 }
 
@@ -77,7 +77,7 @@ void SnapshotReader::readFor(QWidget* widget) {
 }
 
 bool SnapshotReader::eventFilter(QObject* watched, QEvent* event) {
-    // The widget is not visible yet when it hears that it will be.
+    // Queued: the widget becomes visible only after its show event.
     if (event->type() == QEvent::Show) QMetaObject::invokeMethod(this, &SnapshotReader::check, Qt::QueuedConnection);
     return QObject::eventFilter(watched, event);
 }
@@ -110,7 +110,7 @@ bool SnapshotReader::fresh() const {
 }
 
 void SnapshotReader::check() {
-    // Another scene numbers its objects in another way, and a strategy that is refused decides nothing.
+    // Another scene numbers its objects differently, and a refused strategy decides nothing.
     const bool refused = m_session.slot(m_session.culledBy(m_session.activeView())).refused();
     const bool outdated = m_reading && (refused || m_reading->strategy->scene != m_session.scene());
     if (outdated) m_reading = nullptr;
@@ -142,7 +142,7 @@ void SnapshotReader::startOnGpuThread(const Request& request, const std::shared_
     GpuThread* gpu = m_session.gpu();
     gpu->post([this, job, gpu, request, known] {
         if (!m_asked.isCurrent(job)) return;
-        // What a lost context answers is worth nothing; it is asked again with the buffers of the new one.
+        // Results of a lost context are invalid; the cull is repeated with the buffers of the new context.
         const bool held = !gpu->lost();
         SnapshotReadingPointer reading = held ? readingOf(request, known, &gpu->renderer()) : nullptr;
         if (gpu->lost()) reading = nullptr;

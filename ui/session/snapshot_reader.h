@@ -12,11 +12,11 @@ class QWidget;
 
 namespace cullscope::ui {
 
-/// Reads what the strategy decided whose verdicts the active view shows: culls with a trace beside the window whenever strategy,
-/// culling camera, render size, scene or pick change, at most ten times a second and one at a time. Only a reading of the present
-/// state is ever delivered. What is read is ready to be shown: the map of the picked object is made here, not where it is
-/// painted. Strategies that ask OpenGL are culled on the session's OpenGL thread, the others on a thread of their own. Nothing is
-/// read while none of the widgets that want it is visible.
+/// Reads the decisions of the strategy whose verdicts the active view shows. It culls with a trace in the background whenever
+/// strategy, culling camera, render size, scene or pick change: at most ten times a second and one cull at a time. Only a reading
+/// of the present state is delivered. The map of the picked object is made here and not in a paint event. Strategies that require
+/// OpenGL are culled on the session's GPU thread, the others on a thread of this reader. Nothing is read while none of the
+/// registered widgets is visible.
 class SnapshotReader : public QObject {
     Q_OBJECT
 
@@ -24,22 +24,22 @@ public:
     explicit SnapshotReader(Session& session, QObject* parent = nullptr);
     ~SnapshotReader() override;
 
-    /// Reads whenever this widget is visible.
+    /// Registers a widget: the reader works while the widget is visible.
     void readFor(QWidget* widget);
 
-    /// The newest; null: none of the present scene yet. While `fresh` is false its camera or strategy may be older than the
-    /// view's.
+    /// The newest reading; null: none of the present scene yet. While fresh() is false it may be of an older camera or strategy
+    /// than the view's.
     [[nodiscard]] const SnapshotReadingPointer& reading() const { return m_reading; }
     [[nodiscard]] bool fresh() const;
-    /// The picked triangle in the numbering of the shown scene; none: nothing picked, or its object is hidden.
+    /// The picked triangle, numbered as in the shown scene; none: no triangle is picked, or its object is hidden.
     [[nodiscard]] std::optional<uint64_t> pickedTriangle() const;
-    /// The picked triangle's state against the truth; none while that is not known.
+    /// The picked triangle's state against the truth; none while it is not known.
     [[nodiscard]] std::optional<TriangleState> pickedState() const;
-    /// How many culls were begun so far. For tests.
+    /// The number of culls begun so far. For tests.
     [[nodiscard]] size_t begun() const { return m_begun; }
 
 signals:
-    /// `reading` or `fresh` changed.
+    /// reading() or fresh() changed.
     void changed();
 
 protected:
@@ -75,7 +75,7 @@ private:
     QTimer m_pause;
     Background m_background;
     JobNumbers m_asked;
-    bool m_culling = false;  ///< of OpenGL
+    bool m_culling = false;  ///< a cull on the GPU thread is in progress
 };
 
 }  // namespace cullscope::ui

@@ -21,7 +21,7 @@ UndoRecorder::UndoRecorder(Session& session, QObject* parent) : QObject(parent),
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRest);
     connect(&m_rest, &QTimer::timeout, this, [this] {
-        // A hand that rests while it holds the mouse has not let go.
+        // While the user holds the mouse button the drag has not ended.
         if (!m_buttonDown) settle();
     });
     connect(&session, &Session::cameraChanged, this, &UndoRecorder::noteChange);
@@ -37,11 +37,11 @@ UndoRecorder::UndoRecorder(Session& session, QObject* parent) : QObject(parent),
 bool UndoRecorder::eventFilter(QObject* watched, QEvent* event) {
     const QEvent::Type type = event->type();
     if (type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick) m_buttonDown = true;
-    // A release that went astray is made up for by the next movement without a button.
+    // The release may go to another program: a later mouse move without a button counts as the release.
     const bool moved = type == QEvent::MouseButtonRelease || type == QEvent::MouseMove;
     if (moved && m_buttonDown && static_cast<QMouseEvent*>(event)->buttons() == Qt::NoButton) {
         m_buttonDown = false;
-        // After what the release itself does.
+        // Queued: the handler of the release may change the session first.
         if (m_changing) QMetaObject::invokeMethod(this, &UndoRecorder::settle, Qt::QueuedConnection);
     }
     return QObject::eventFilter(watched, event);
@@ -53,7 +53,7 @@ void UndoRecorder::noteChange() {
     if (!std::exchange(m_changing, true)) emit changed();
 }
 
-/// As if they had stood there all the time: nobody moved them.
+/// Takes the present cameras as the former ones: a change of the window size is not a step for the user to undo.
 void UndoRecorder::takeCameras() {
     m_before.camera = m_session.camera();
     for (int view = 0; view < Session::kMostViews; ++view) {

@@ -8,9 +8,9 @@
 
 namespace cullscope::ui {
 
-/// Undo of cameras, strategies, parameters, views' setups and hidden objects. A step is what changed until nothing changed for
-/// 400 ms, or until the mouse button went up: a whole drag is one step. Undoing a step sets back what it changed and nothing
-/// else. There is no way back over the opening of a scene.
+/// Undo of cameras, strategies, parameters, views' setups and hidden objects. A step collects all changes until none occurred for
+/// 400 ms, or until the mouse button is released: a whole drag is one step. Undoing a step restores only the values that it
+/// changed. Opening a scene clears the history.
 class UndoRecorder : public QObject {
     Q_OBJECT
 
@@ -21,17 +21,17 @@ public:
     void redo();
     [[nodiscard]] bool canUndo() const { return m_stack.canUndo() || m_changing; }
     [[nodiscard]] bool canRedo() const { return m_stack.canRedo() && !m_changing; }
-    /// For the menu, in the present language: "Undo: parameters of view B"; "Undo" where there is nothing.
+    /// The text for the menu in the present language: "Undo: parameters of view B"; "Undo" if there is no step.
     [[nodiscard]] QString undoText() const;
     [[nodiscard]] QString redoText() const;
 
-    /// What is there now is where undo ends: a session was just opened.
+    /// Clears the history, as after the opening of a session.
     void startAnew();
-    /// Makes a step of what changed so far.
+    /// Makes a step of the changes so far.
     void settle();
 
 signals:
-    /// What the menu shows of it.
+    /// The texts or the state of the menu's actions changed.
     void changed();
 
 protected:
@@ -46,8 +46,8 @@ private:
     Session& m_session;
     QUndoStack m_stack;
     QTimer m_rest;
-    SessionState m_before;    ///< as the newest step left it
-    bool m_changing = false;  ///< something may have changed since
+    SessionState m_before;    ///< state after the newest step
+    bool m_changing = false;  ///< the session may have changed since m_before
     bool m_applying = false;
     bool m_buttonDown = false;
 };

@@ -6,7 +6,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// The setup but for the camera that looks, which moves on its own.
+/// The setup without the viewing camera, which is compared separately.
 ViewSetup withoutViewing(ViewSetup setup) {
     setup.viewing = Camera{};
     return setup;
@@ -17,7 +17,7 @@ void carry(Value& base, const Value& from, const Value& to) {
     if (!(from == to)) base = to;
 }
 
-/// What differs between two states, in parts that are named apart.
+/// The parts that differ between two states, as far as undo names them.
 struct Difference {
     bool linkedCamera = false, hidden = false;
     std::vector<int> viewing, strategies, parameters, setups;
@@ -37,7 +37,7 @@ struct Difference {
     }
 
     [[nodiscard]] bool any() const { return linkedCamera || hidden || !viewing.empty() || views() > 0; }
-    /// But for cameras.
+    /// The number of differences besides cameras and hidden objects.
     [[nodiscard]] size_t views() const { return strategies.size() + parameters.size() + setups.size(); }
 };
 

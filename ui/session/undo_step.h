@@ -8,20 +8,20 @@
 
 namespace cullscope::ui {
 
-/// One change of what the session shows: what it was and what it became.
+/// One change of the session's state, with the states before and after.
 class UndoStep : public QUndoCommand {
     Q_DECLARE_TR_FUNCTIONS(cullscope::ui::UndoStep)
 
 public:
     using Apply = std::function<void(const SessionState&)>;
 
-    /// `current` says what there is when the step is undone or redone, `apply` shows a state.
+    /// `current` returns the state at the time of undo or redo, `apply` shows a state.
     UndoStep(SessionState before, SessionState after, std::function<SessionState()> current, Apply apply);
 
     void undo() override { go(m_after, m_before); }
     void redo() override;
 
-    /// "camera", "parameters of view B": in the present language.
+    /// The changed part in the present language: "camera", "parameters of view B".
     [[nodiscard]] QString name() const;
 
 private:
@@ -30,13 +30,13 @@ private:
     SessionState m_before, m_after;
     std::function<SessionState()> m_current;
     Apply m_apply;
-    bool m_done = true;  ///< a new step has happened already
+    bool m_done = true;  ///< QUndoStack::push calls redo() once for a change that is already made
 };
 
-/// Whether the two differ in something that undo goes back over. View count, active view, arrangement and bookmarks are not.
+/// Whether two states differ in a part that undo restores. View count, active view, arrangement and bookmarks are not restored.
 [[nodiscard]] bool differInUndoable(const SessionState& a, const SessionState& b);
 
-/// `base` with what differs between `from` and `to` as it is in `to`.
+/// `base`, with the values that differ between `from` and `to` taken from `to`.
 [[nodiscard]] SessionState withDifference(const SessionState& base, const SessionState& from, const SessionState& to);
 
 }  // namespace cullscope::ui

@@ -26,7 +26,7 @@ bool sameWork(const MetricsSubject& a, const MetricsSubject& b) {
            a.strategy->strategy->parameters() == b.strategy->strategy->parameters();
 }
 
-/// The runner for this work, made where there is none yet.
+/// The index of the runner for this work, which is added if there is none.
 size_t runnerFor(std::vector<Runner>& runners, const MetricsSubject& what) {
     for (size_t i = 0; i < runners.size(); ++i)
         if (sameWork(runners[i].what, what)) return i;
@@ -83,14 +83,14 @@ struct ViewMeter::Bench {
         return *framebuffer;
     }
 
-    /// Lets go of what is of the context, and of truth that may have been found in a lost one.
+    /// Releases the objects of the context, and references that may have been drawn in a lost context.
     void letGo() {
         renderer.reset();
         framebuffer.reset();
         references.clear();
     }
 
-    /// Keeps only what the newest request can use.
+    /// Drops the references that the newest request does not use.
     void forgetOthers(const std::vector<Subject>& subjects) {
         std::erase_if(references, [&](const KnownReference& known) {
             return std::none_of(subjects.begin(), subjects.end(), [&](const Subject& subject) {
@@ -116,7 +116,7 @@ struct ViewMeter::Bench {
         return renderShared(*renderer, *what.buffers, *what.strategy, View(what.culling, what.size), into);
     }
 
-    /// Everything of `figures` that is not a ratio.
+    /// All metrics of a strategy but its speed-up.
     ViewMetrics accuracy(const MetricsSubject& what) {
         const View view(what.culling, what.size);
         const Scene& scene = what.buffers->scene();
@@ -167,9 +167,9 @@ struct ViewMeter::Job {
     std::vector<Subject> subjects;
     std::vector<ViewMetrics> figures;
     std::vector<Runner> runners;
-    std::vector<std::pair<size_t, size_t>> places;  ///< of a subject's runner and of its baseline's
-    int round = -1;                                 ///< the first one warms up
-    size_t place = 0;                               ///< in the round
+    std::vector<std::pair<size_t, size_t>> places;  ///< indices of a subject's runner and of its baseline's
+    int round = -1;                                 ///< number of the round; round -1 is a warm-up
+    size_t place = 0;                               ///< index of the next runner in the round
     double spent = 0.0;                             ///< seconds of drawing
 
     void prepareTiming(Bench& bench) {
@@ -181,9 +181,9 @@ struct ViewMeter::Job {
         }
     }
 
-    /// One frame; false: enough is measured.
+    /// Times one frame; returns false if the measurement is complete.
     bool timeOne(Bench& bench) {
-        // Every other round runs backwards, so that none profits from always coming after the same one.
+        // Every other round runs in reverse order, so that no strategy always follows the same one.
         Runner& runner = runners[round % 2 == 0 ? place : runners.size() - 1 - place];
         const FrameResult frame = bench.draw(runner.what);
         spent += frame.frameMilliseconds / 1000.0;
@@ -206,9 +206,9 @@ ViewMeter::ViewMeter(GpuThread& gpu, const Rounds& rounds, QObject* parent)
 
 ViewMeter::~ViewMeter() {
     cancel();
-    // A step in hand may post one more, which finds itself cancelled: wait for both.
+    // A running step may post one more, which then finds the job cancelled: wait for both.
     m_gpu.run([] {});
-    // What lives on the GPU thread ends there.
+    // Destroy OpenGL objects on the GPU thread.
     m_gpu.run([this] { *m_bench = Bench(); });
 }
 
@@ -252,7 +252,7 @@ bool ViewMeter::held(const Job& job) const {
 }
 
 void ViewMeter::step(const std::shared_ptr<Job>& job) {
-    // What the loss of the context ends is asked for again with the buffers of the new one.
+    // After a context loss the session requests the metrics again with the buffers of the new context.
     if (!m_jobs.isCurrent(job->number) || !held(*job)) return;
     try {
         if (measureNext(*job)) m_gpu.post([this, job, bench = m_bench] { step(job); });

@@ -11,10 +11,10 @@
 
 namespace cullscope::ui {
 
-/// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per
-/// camera, size and facing rule), then their speed beside `backface`, interleaved. Goes step by step, so that pictures
-/// come in between. A newer request makes an older one stale: it stops after the step in hand and brings nothing any more.
-/// So does the loss of the thread's context.
+/// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per camera, size
+/// and facing rule), then its speed interleaved with that of `backface`. Works in small steps, so that pictures are drawn in
+/// between. A newer request, or the loss of the thread's context, ends an older one after its present step; no further result of
+/// it is delivered.
 class ViewMeter : public QObject {
     Q_OBJECT
 
@@ -36,20 +36,20 @@ public:
     void measure(std::vector<Subject> subjects);
     void cancel();
     [[nodiscard]] bool busy() const { return m_busy; }
-    /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
+    /// The number of references computed so far; waits for the thread. For tests: the truth must not be computed twice.
     [[nodiscard]] size_t referencesComputed();
 
 signals:
     void measured(int view, const cullscope::ui::ViewMetrics& figures);
 
 private:
-    struct Bench;  ///< what lives on the GPU thread
-    struct Job;    ///< one request and how far it is
+    struct Bench;  ///< objects that live on the GPU thread
+    struct Job;    ///< one request and its progress
 
     void step(const std::shared_ptr<Job>& job);
-    /// False: that was the last of it.
+    /// Measures one step; returns false if it was the last one.
     [[nodiscard]] bool measureNext(Job& job);
-    /// Whether OpenGL still has what the job measures.
+    /// Whether the buffers that the job measures belong to the present context.
     [[nodiscard]] bool held(const Job& job) const;
     void fail(const Job& job, const Message& message);
     void deliver(uint64_t job, int view, const ViewMetrics& figures);

@@ -29,12 +29,13 @@ constexpr const char* kUnknownPlatform =
 
 std::string askedPlatform() { return qEnvironmentVariable("QT_QPA_PLATFORM").section(QLatin1Char(':'), 0, 0).toStdString(); }
 
-/// One of those that fail only for want of a display.
+/// Whether the platform plugin fails only if there is no display.
 bool usualPlatform(const std::string& platform) {
     return platform.empty() || platform == "xcb" || platform.starts_with("wayland");
 }
 
-/// Qt ends the process by qFatal when no platform plugin can start; its warnings on the way there say the same at length.
+/// Message handler: prints one sentence when Qt calls qFatal because no platform plugin can start. Qt's warnings before are
+/// dropped.
 void endWithSentence(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type != QtFatalMsg) return;
     std::fputs(usualPlatform(askedPlatform()) ? kUnreachable : kUnknownPlatform, stderr);

@@ -8,22 +8,24 @@
 
 namespace cullscope::ui {
 
-/// What has to be true before a window can be made. All of these throw Error(OpenGl) with one sentence where it is not.
+/// Requirements that are checked before a window is made. The functions throw Error(OpenGl) with one sentence if they are not
+/// met.
 
-/// Refuses platforms that have no screen or no OpenGL, and a missing display, before Qt would abort over them.
+/// Refuses platforms without a screen or without OpenGL, and a missing display: Qt would abort the process for them.
 void requireDisplay();
 
-/// The OpenGL that every window and context of the program asks for: 4.5, compatibility profile. Before the application is made.
+/// Sets the OpenGL format of all windows and contexts: 4.5, compatibility profile. Call it before the application is made.
 void setDefaultSurfaceFormat();
 
-/// Makes the application; where the display cannot be reached, Qt would end the process with a crash:
-/// this ends it with a sentence on standard error and exit status 4 instead.
+/// Makes the application. If the display cannot be reached, Qt would abort the process; this function ends it with a sentence on
+/// standard error and exit status 4 instead.
 [[nodiscard]] std::unique_ptr<QApplication> makeApplication(int& argc, char** argv);
 
-/// Tries an OpenGL context on an off-screen surface.
+/// Creates a context on an off-screen surface and returns its properties. Throws Error(OpenGl) if that fails.
 [[nodiscard]] GlInfo requireOpenGl();
 
-/// Shows a sentence to somebody who started the program from a desktop and sees no terminal; goes away by itself.
+/// Shows a sentence in a message box if standard error is no terminal, as after a start from a desktop menu. The box closes by
+/// itself.
 void showWithoutTerminal(const Error& error);
 
 }  // namespace cullscope::ui

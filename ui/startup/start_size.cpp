@@ -6,7 +6,7 @@ namespace cullscope::ui {
 
 namespace {
 
-// Nobody knows the frame before the window is on the screen: as much as the usual window managers take.
+// The frame is not known before the window is on the screen: assume that of the usual window managers.
 constexpr QMargins kUsualFrame{4, 40, 4, 4};
 
 }  // namespace

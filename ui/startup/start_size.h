@@ -6,16 +6,16 @@
 
 namespace cullscope::ui {
 
-/// How a window begins on a screen.
+/// The initial size of a window on a screen.
 struct Start {
-    QSize size;              ///< without the frame
-    bool maximized = false;  ///< the wanted size has no place; `size` is then what the window has when it is no longer maximised
+    QSize size;              ///< without the window frame
+    bool maximized = false;  ///< the wanted size does not fit; `size` is then that of the window when it is restored
 };
 
-/// `available`: the screen less panels; `frame`: what a window manager puts around a window. All in the same pixels.
+/// `available`: the screen without panels; `frame`: margins of the window manager's frame. All in the same pixels.
 [[nodiscard]] Start startOn(const QRect& available, const QMargins& frame, const QSize& wanted);
 
-/// Shows a window that is not shown yet: in the wanted size where the screen has place for it and a title bar, else maximised.
+/// Shows a window that was not shown yet: in the wanted size if the screen has room for it and a title bar, else maximised.
 void showFitting(QWidget& window, const QSize& wanted);
 
 }  // namespace cullscope::ui

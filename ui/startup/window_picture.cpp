@@ -8,8 +8,8 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kInterval = 50;     // ms between two looks
-constexpr int kSettleTime = 150;  // ms for the window to paint what arrived last
+constexpr int kInterval = 50;     // ms between two checks
+constexpr int kSettleTime = 150;  // ms that the window gets to paint its last changes
 
 }  // namespace
 
@@ -24,7 +24,7 @@ WindowPicture::WindowPicture(MainWindow& window, Session& session, QString file,
 bool WindowPicture::settled() const {
     if (m_session.loader().loading()) return false;
     const bool uploaded = m_session.buffers() || !m_session.uploadFailure().empty();
-    // The figures of a large scene wait until they are asked for; its pictures come all the same.
+    // A large scene has no metrics before the user asks for them; its pictures are drawn all the same.
     const bool drawn = !m_session.pictures() || !m_session.pictures()->busy();
     return m_failed || (m_session.opened() && uploaded && drawn && m_session.metricsSettled());
 }
@@ -36,7 +36,7 @@ void WindowPicture::look() {
 }
 
 void WindowPicture::take() {
-    // Grabbing may lay the window out anew, which makes figures stale: then once more.
+    // QWidget::grab() may trigger a layout, which makes metrics stale: then try again.
     const QPixmap picture = m_window.grab();
     if (!settled()) {
         m_poll.start();

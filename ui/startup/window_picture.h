@@ -8,7 +8,7 @@
 
 namespace cullscope::ui {
 
-/// Takes one picture of the window once the scene is there and its figures are known, and tells how it went.
+/// Saves one picture of the window after the scene is opened and its metrics are known.
 class WindowPicture : public QObject {
     Q_OBJECT
 
@@ -16,8 +16,8 @@ public:
     WindowPicture(MainWindow& window, Session& session, QString file, QObject* parent = nullptr);
 
 signals:
-    /// `status` is the program's exit status: 0, 2 where the file cannot be written, 3 where the scene could not be opened,
-    /// 4 where OpenGL did not take it.
+    /// `status` is the program's exit status: 0 for success, 2 if the file cannot be written, 3 if the scene could not be opened,
+    /// 4 if its upload to OpenGL failed.
     void done(int status);
 
 private:

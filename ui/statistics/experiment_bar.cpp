@@ -18,12 +18,12 @@ namespace {
 constexpr int kSpacing = 6;
 constexpr int kMostPoses = 10'000;
 constexpr int kMostRepetitions = 1000;
-// What a row of the paths stands for: a built-in one by its id, or one of these.
+// Item data of the path list: the id of a built-in path, or one of these.
 const QString kRecorded = QStringLiteral("<recorded>");
 const QString kOpened = QStringLiteral("<opened>");
 const QString kOpen = QStringLiteral("<open>");
 
-/// "orbit" of "orbit:N".
+/// The id without its number: "orbit" of "orbit:N".
 QString pathId(const BuiltInPath& path) { return QString::fromStdString(path.id).section(QLatin1Char(':'), 0, 0); }
 bool takesNumber(const QString& id) {
     for (const BuiltInPath& path : builtInPaths())
@@ -69,7 +69,7 @@ void ExperimentBar::setScene(ScenePointer scene) {
     m_scene = std::move(scene);
     if (m_scene) {
         const QString usual = QString::fromStdString(defaultPathName(*m_scene));
-        // A path that the user chose fits the next scene too, but for one flown in another.
+        // A path that the user chose is kept for another scene, unless it was recorded in the former one.
         if (!m_pathChosen || m_path->itemData(m_chosen) == kRecorded)
             m_chosen = std::max(0, m_path->findData(usual.section(QLatin1Char(':'), 0, 0)));
         m_path->setCurrentIndex(m_chosen);
@@ -214,7 +214,7 @@ void ExperimentBar::retranslate() {
     m_sweep->setText(tr("Sweep"));
     const QList<QAction*> sweeps = m_sweeps->actions();
     sweeps.front()->setText(tr("All of these", "sweeps over parameters"));
-    // The separator is one of them.
+    // + 2: the action for all sweeps and the separator come first.
     for (size_t i = 0; i < fronts().size(); ++i) sweeps[qsizetype(i) + 2]->setText(frontWords(fronts()[i]));
     m_progress->setAccessibleName(tr("Progress of the experiment"));
     setUpSizes();

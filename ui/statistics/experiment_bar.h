@@ -16,36 +16,36 @@
 
 namespace cullscope::ui {
 
-/// What a user asks an experiment to be, besides its strategies.
+/// The user's settings of an experiment, besides its strategies.
 struct ExperimentSettings {
     CameraPath path;
     Viewport size;
     int repetitions = 0;                 ///< of each frame; 0: until the median is steady
-    std::vector<ParameterSweep> fronts;  ///< what is measured; empty: the shown views' strategies
+    std::vector<ParameterSweep> fronts;  ///< sweeps to measure; empty: the shown views' strategies
 };
 
-/// Where an experiment is set up, started and cancelled: the camera path, the size of the picture, the repetitions;
-/// and what: the shown views' strategies, or the ready-made fronts.
+/// Sets up, starts and cancels an experiment: camera path, picture size, repetitions, and what is measured: the shown views'
+/// strategies or predefined parameter sweeps.
 class ExperimentBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit ExperimentBar(QWidget* parent = nullptr);
 
-    /// Without a scene nothing can be started.
+    /// Sets the scene; null: no experiment can be started.
     void setScene(ScenePointer scene);
-    /// What "as the view" means.
+    /// Sets the size that the entry "as the view" stands for.
     void setCurrentSize(const Viewport& size);
-    /// Offers a path that the user flew; none takes it away again.
+    /// Offers a path that the user recorded; none withdraws it.
     void setRecordedPath(std::optional<CameraPath> path);
-    /// Reads a path file and chooses it. A bad file emits `failed` and changes nothing.
+    /// Reads a path file and chooses it. An invalid file emits `failed` and changes nothing.
     void openPath(const QString& file);
     void setRunning(bool running);
     void setProgress(double share, const QString& stage);
 
-    /// Emits `startRequested`, or `failed` where the path cannot be made.
+    /// Emits `startRequested`, or `failed` if the path cannot be made.
     void start(const std::vector<ParameterSweep>& fronts = {});
-    /// All ready-made fronts, then each of them.
+    /// The menu of parameter sweeps: all of them, then each one.
     [[nodiscard]] QMenu& sweeps() { return *m_sweeps; }
 
 signals:
@@ -78,7 +78,7 @@ private:
     QMenu* m_sweeps;
     QProgressBar* m_progress;
     int m_chosen = 0;           ///< row of m_path, never that of "Open a path file…"
-    bool m_pathChosen = false;  ///< by the user
+    bool m_pathChosen = false;  ///< the user has chosen the path
     bool m_running = false;
 };
 

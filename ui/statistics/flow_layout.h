@@ -4,7 +4,7 @@
 
 namespace cullscope::ui {
 
-/// Puts widgets beside each other and begins a new line where there is no more place.
+/// A layout that places widgets side by side and begins a new row if there is no more room.
 class FlowLayout : public QLayout {
     Q_OBJECT
 
@@ -24,7 +24,7 @@ public:
     void setGeometry(const QRect& place) override;
 
 private:
-    /// Gives the height that it takes; moves the widgets where `apply`.
+    /// Returns the height of the layout in `place`; moves the widgets if `apply`.
     int arrange(const QRect& place, bool apply) const;
 
     QList<QLayoutItem*> m_items;

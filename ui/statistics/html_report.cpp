@@ -96,7 +96,7 @@ QString frameTable(const MeasureResult& result) {
     return table + QStringLiteral("</table></div>\n");
 }
 
-/// An SVG document without its XML head, as HTML takes it.
+/// An SVG document without its XML declaration, for embedding in HTML.
 QString inlined(const QByteArray& svg) { return QString::fromUtf8(svg.mid(std::max<qsizetype>(0, svg.indexOf("<svg")))); }
 
 }  // namespace

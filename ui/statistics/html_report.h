@@ -14,9 +14,9 @@ struct ReportPlot {
     QByteArray svg;
 };
 
-/// An experiment as one HTML page that needs no other file, in the user's language: what was measured, where, the command that
-/// repeats it, a table of results and of every frame, and the plots. Hashes the scene: takes about a second for 50 million
-/// triangles, so it may be called from any thread.
+/// An experiment as one self-contained HTML page in the user's language: what was measured, on which machine, the command that
+/// repeats it, a table of results and one of all frames, and the plots. Hashes the scene, which takes about a second for 50
+/// million triangles; may be called on any thread.
 [[nodiscard]] QByteArray htmlReport(const MeasureResult& result, const QString& command, const std::vector<ReportPlot>& plots);
 
 }  // namespace cullscope::ui

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kMillion = 1e6;
 
-/// "Frustum", "Frustum box=length".
+/// The translated name with the parameters: "Frustum", "Frustum box=length".
 QString nameOf(const StrategyRequest& strategy) {
     const QString label = runLabel(strategy);
     return translated(findStrategy(strategy.id).info.name) + label.mid(int(strategy.id.size()));
@@ -100,7 +100,7 @@ std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views) {
 }
 
 void ResultTableModel::setRows(std::vector<ResultRow> rows) {
-    // Partial results come ten times a second: where the rows stay, so do the selection and the place scrolled to.
+    // Partial results arrive ten times a second: an update of existing rows keeps the selection and the scroll position.
     if (rows.size() != m_rows.size()) {
         beginResetModel();
         m_rows = std::move(rows);

@@ -9,15 +9,15 @@
 
 namespace cullscope::ui {
 
-/// What one view's strategy does at the present camera.
+/// The metrics of one view's strategy at the present camera.
 struct LiveFigures {
-    QString view;  ///< "A"
+    QString view;  ///< the view's letter, "A"
     StrategyRequest strategy;
     Promise promise = Promise::Approximate;
     ViewMetrics figures;
 };
 
-/// One row of the table of results; what is not known is empty.
+/// One row of the table of results; unknown values are empty.
 struct ResultRow {
     QString name;  ///< translated, with the parameters that differ from the defaults
     QString id;
@@ -29,19 +29,19 @@ struct ResultRow {
     std::optional<double> cullShare, submittedShare;
     std::optional<uint64_t> missedPixels, missedBeyondSnapping;
     std::optional<double> missedPpm;
-    std::optional<size_t> worstPose;  ///< with the most missed pixels; none where nothing is missed
+    std::optional<size_t> worstPose;  ///< pose with the most missed pixels; none if no pixel is missed
 };
 
 [[nodiscard]] std::vector<ResultRow> resultRows(const MeasureResult& result);
 [[nodiscard]] std::vector<ResultRow> liveRows(const std::vector<LiveFigures>& views);
 
-/// A strategy a row: how fast it is, and what it loses.
+/// One row per strategy: its speed and its losses.
 class ResultTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     enum Column { Name, Speedup, SpeedupAll, Fps, FpsRange, CullShare, Submitted, Missed, Beyond, MissedPpm, Worst, ColumnCount };
-    /// The number of the worst view's pose as an int, where there is one.
+    /// The number of the worst pose as an int, if there is one.
     static constexpr int kPoseRole = Qt::UserRole;
 
     using QAbstractTableModel::QAbstractTableModel;

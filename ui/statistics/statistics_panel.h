@@ -28,8 +28,8 @@ struct ReportPlot;
 class SphereMap;
 class TimeBar;
 
-/// The statistics: an experiment set up, started and shown as table, bars, strip, plots and map; and the present camera's figures
-/// as table and bars. Fed from outside, and shown at most ten times a second.
+/// The statistics: sets up and starts an experiment and shows its result as table, bars, strip, plots and map; also shows the
+/// metrics at the present camera as table and bars. Other objects supply the data; it is shown at most ten times a second.
 class StatisticsPanel : public QWidget {
     Q_OBJECT
 
@@ -40,24 +40,24 @@ public:
     explicit StatisticsPanel(QWidget* parent = nullptr);
     ~StatisticsPanel() override;
 
-    /// Another scene takes the result of the one before away. `origin` is what the report's command opens it by.
+    /// Sets the scene; a new one discards the result of the former one. `origin` names the scene in the command of the report.
     void setScene(ScenePointer scene, SceneOrigin origin = {});
-    /// Whether the processor draws: a badge says so beside the times.
+    /// Shows a badge beside the times if OpenGL is rendered by the CPU.
     void setSoftwareOpenGl(bool software);
     void setCurrentSize(const Viewport& size) { m_bar->setCurrentSize(size); }
-    /// Its name goes into result files, and as a file's name into the report's command.
+    /// Sets the recorded path. Its name is written into result files; if it is a file name, also into the command of the report.
     void setRecordedPath(std::optional<CameraPath> path) { m_bar->setRecordedPath(std::move(path)); }
 
-    /// What the shown views do at the present camera.
+    /// Sets the metrics of the shown views at the present camera.
     void setLive(std::vector<LiveFigures> views);
-    /// A result, partial or whole. One of another scene than the present is dropped.
+    /// Sets a partial or complete result. A result of another scene is ignored.
     void setResult(const MeasureResult& result);
-    /// An experiment begins or ends; beginning one shows its result in place of the present camera's figures.
+    /// Begins or ends an experiment. While it runs its result replaces the metrics at the present camera.
     void setRunning(bool running);
     void setProgress(double share, const QString& stage) { m_bar->setProgress(share, stage); }
 
     void showTab(Tab tab);
-    /// Writes the result, or the plot of the present tab; `exported` or `failed` tells what came of it.
+    /// Writes the result, or the plot of the present tab, to a file. Emits `exported` or `failed`.
     void exportTo(File file, const std::filesystem::path& path);
 
     [[nodiscard]] ExperimentBar& bar() { return *m_bar; }
@@ -82,7 +82,7 @@ private:
     [[nodiscard]] std::array<PlotWidget*, 5> plots() const;
     void retranslate();
 
-    /// Shows what came in now, or as soon as a tenth of a second has passed since the last time.
+    /// Shows new data now, or as soon as a tenth of a second has passed since the last refresh.
     void scheduleRefresh();
     void refresh();
     void refreshControls();
@@ -93,7 +93,7 @@ private:
 
     [[nodiscard]] bool showsExperiment() const;
     [[nodiscard]] PlotWidget* currentPlot() const;
-    /// The plots of the report; one a strategy where a plot shows a single one.
+    /// The plots of the report; a plot that shows a single strategy is repeated for each one.
     [[nodiscard]] std::vector<ReportPlot> reportPlots() const;
     void askWhereTo(File file);
 
@@ -106,7 +106,7 @@ private:
     QToolButton* m_export;
     QMenu* m_menu;
     QStackedWidget* m_pages;
-    QStackedWidget* m_tablePage;  ///< the table, or what to do while it is empty
+    QStackedWidget* m_tablePage;  ///< the table, or a hint while it is empty
     QTableView* m_table;
     QLabel* m_tableEmpty;
     ResultTableModel* m_model;

@@ -1,4 +1,4 @@
-// The statistics' files.
+// The export of the statistics to files.
 #include <QFileDialog>
 
 #include "core/experiments/result_file.h"
@@ -22,7 +22,7 @@ constexpr int kPlotHeight = 420;
 
 QSize sizeOf(const PlotWidget& plot) { return {kPlotWidth, std::max(kPlotHeight, plot.neededHeight(kPlotWidth))}; }
 
-/// A bar a strategy needs no more height than its rows.
+/// The size of a plot in the report; plots of one row per strategy take only the height of their rows.
 QSize reportSizeOf(const PlotWidget& plot, bool rows) {
     return rows ? QSize(kPlotWidth, plot.neededHeight(kPlotWidth)) : sizeOf(plot);
 }
@@ -42,7 +42,7 @@ std::vector<ReportPlot> StatisticsPanel::reportPlots() const {
         if (!plot.empty()) plots.push_back({plot.title(), plotSvg(plot, reportSizeOf(plot, rows))});
     };
     const std::vector<RunFigures> runs = runFigures(*m_result);
-    // The window shows one strategy's poses at a time; the report has everyone's.
+    // The window shows the poses of one strategy at a time, the report those of all strategies.
     const auto addEachRun = [&](PosePlot&& plot) {
         plot.setFont(font());
         for (const RunFigures& run : runs) {
@@ -78,7 +78,7 @@ void StatisticsPanel::exportTo(File file, const std::filesystem::path& path) {
     }
     if (!m_result) return;
     if (file == File::Html) {
-        // Plots are drawn on the window's thread.
+        // Render the plots here: widgets are painted on the window's thread only.
         return m_exporter->write(path, [result = *m_result, command = measureCommand(m_result->request, m_origin),
                                         plots = reportPlots()] { return htmlReport(result, command, plots); });
     }

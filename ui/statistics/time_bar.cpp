@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kMargin = 10.0;
 constexpr double kGap = 8.0;
-constexpr double kWide = 640.0;  // from here on there is place for the label beside the bar and for both parts of the time
+constexpr double kWide = 640.0;  // pixels; from this width on the label is beside the bar, and both parts of the time are stated
 
 }  // namespace
 

@@ -6,7 +6,7 @@
 
 namespace cullscope::ui {
 
-/// The time of a frame, culling and drawing: a bar a strategy, all on one scale.
+/// The frame times of the strategies, culling and drawing: one bar per strategy, all on one scale.
 class TimeBar : public PlotWidget {
     Q_OBJECT
 
@@ -33,9 +33,9 @@ protected:
     [[nodiscard]] QString description() const override;
 
 private:
-    /// Where the parts of a row lie, from the fonts and the width.
+    /// The columns and heights of a row, computed from font and width.
     struct Columns {
-        double labels = 0.0;   ///< width; 0: the label stands above its bar
+        double labels = 0.0;   ///< width; 0: the label is above its bar
         double figures = 0.0;  ///< width
         double row = 0.0;      ///< height
         double legend = 0.0;   ///< height
@@ -47,7 +47,7 @@ private:
                   const PlotColours& colours) const;
 
     std::vector<Entry> m_entries;
-    double m_longest = 0.0;  ///< ms
+    double m_longest = 0.0;  ///< longest frame time, ms
 };
 
 }  // namespace cullscope::ui

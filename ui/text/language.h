@@ -7,25 +7,25 @@
 
 namespace cullscope::ui {
 
-/// The languages of the program and switching between them while it runs: widgets get QEvent::LanguageChange.
+/// The languages of the program, and switching between them at run time: widgets receive QEvent::LanguageChange.
 class Language : public QObject {
     Q_OBJECT
 
 public:
     struct Known {
-        QString id;          ///< "en", "ko", "zh_CN": on the command line and in the settings
+        QString id;          ///< "en", "ko", "zh_CN": name on the command line and in the settings
         QString nativeName;  ///< never translated
     };
     [[nodiscard]] static const QList<Known>& known();
     [[nodiscard]] static bool isKnown(const QString& id);
-    /// What the system is set to, or English.
+    /// The id of the system's language, or "en".
     [[nodiscard]] static QString ofSystem();
 
     explicit Language(QObject* parent = nullptr) : QObject(parent) {}
     ~Language() override;
 
     [[nodiscard]] const QString& current() const { return m_current; }
-    /// Loads the program's own catalogue and Qt's.
+    /// Loads the catalogues of the program and of Qt for a language.
     void use(const QString& id);
 
 signals:

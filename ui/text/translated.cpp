@@ -5,8 +5,8 @@
 namespace cullscope::ui {
 namespace {
 
-/// Arguments may be marked texts, such as the system's reason for a failure. Only a whole argument of several words counts: one
-/// word may be the name of a file or an object that happens to be in the catalogue ("hidden").
+/// Translates an argument that is a marked text, such as the system's reason for a failure. Only arguments of several words are
+/// looked up: a single word may be the name of a file or an object that is in the catalogue by chance ("hidden").
 std::string translatedArgument(const std::string& argument) {
     if (argument.find(' ') == std::string::npos) return argument;
     const QString translation = QCoreApplication::translate(kCoreContext, argument.c_str());

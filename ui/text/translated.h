@@ -7,13 +7,13 @@
 
 namespace cullscope::ui {
 
-/// The translation context of every sentence that core marks with CULLSCOPE_TR (see translation/update_translations.cmake).
+/// The translation context of every sentence that core marks with CULLSCOPE_TR (see ui/translation/mark_core.cmake).
 inline constexpr const char* kCoreContext = "core";
 
-/// A sentence of core in the user's language, its arguments filled in; arguments that are themselves marked texts of several
-/// words (systemReason) are translated too.
+/// A sentence of core in the user's language, with its arguments inserted. Arguments that are marked texts of several words
+/// themselves (systemReason) are translated too.
 [[nodiscard]] QString translated(const Message& message);
-/// A name or sentence of core without arguments.
+/// A name or sentence of core without arguments, in the user's language.
 [[nodiscard]] QString translated(std::string_view text);
 
 }  // namespace cullscope::ui

@@ -6,19 +6,19 @@
 
 namespace cullscope::ui {
 
-/// Words that several panels share.
+/// Words and number formats that several panels share.
 
-/// "exact set", "lossless", "lossy".
+/// The promise in words: "exact set", "lossless" or "lossy".
 [[nodiscard]] QString promiseWord(Promise promise);
-/// What the word means, one sentence.
+/// The meaning of that word, in one sentence.
 [[nodiscard]] QString promiseSentence(Promise promise);
 [[nodiscard]] QString facingWord(Facing facing);
-/// "A", "B".
+/// The letter of a view: "A", "B" and so on.
 [[nodiscard]] QString viewLetter(int view);
 
 /// A ratio with two significant digits: "0.97", "3.1", "15".
 [[nodiscard]] QString ratioText(double ratio);
-/// A share in per cent: "15", below 10 with one digit: "1.5"; never "0" for something, never "100" for less than all.
+/// A fraction in per cent: "15", below 10 with one digit: "1.5". Never "0" for a fraction above 0, never "100" for one below 1.
 [[nodiscard]] QString percentText(double share);
 [[nodiscard]] QString countText(uint64_t count);
 [[nodiscard]] QString millisecondsText(double milliseconds);

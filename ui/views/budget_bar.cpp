@@ -56,7 +56,7 @@ std::array<int, kTriangleStateCount> BudgetBar::widths() const {
         widths[kLoss] = std::min(whole, std::max(kNarrowestLoss, share));
         whole -= widths[kLoss];
     }
-    // Borders are rounded, not widths, so that they add up.
+    // Round the boundaries and not the widths, so that the widths add up.
     const uint64_t others = total - m_counts[kLoss];
     uint64_t before = 0;
     int left = 0;
@@ -97,7 +97,7 @@ void BudgetBar::paintEvent(QPaintEvent*) {
         if (widths[state] == 0) continue;
         const QRect segment(left, 0, widths[state], height());
         const auto which = TriangleState(state);
-        // A hatch or a wireframe in so narrow a bar would be noise: it is said by place, colour and number.
+        // A hatch or a wireframe would not be legible in so narrow a bar: place, colour and tooltip identify the state.
         painter.fillRect(segment, verdictColour(which, palette()));
         left += widths[state];
         if (left < width() && segment.width() > kNarrowestLoss)

@@ -7,21 +7,21 @@
 
 namespace cullscope::ui {
 
-/// Where a view's triangles went, as a bar under its picture: drawn and visible | drawn in vain | culled by cause | wrongly
-/// culled, in proportion. What is wrongly culled is never narrower than 2 pixels. The numbers are in the tooltip.
+/// A bar under a view's picture that divides its triangles: drawn and visible | drawn in vain | culled by cause | wrongly culled,
+/// in proportion. The wrongly culled part is at least 2 pixels wide. The tooltip states the numbers.
 class BudgetBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit BudgetBar(QWidget* parent = nullptr);
 
-    /// While they are stale the last known ones stay, pale.
+    /// Sets the metrics. While they are stale the last known ones stay, paled.
     void setFigures(const ViewMetrics& figures);
-    /// Another scene: what was known is of no use any more.
+    /// Clears the last known metrics, as for another scene.
     void clear();
 
-    /// Where the segments of the states lie, in the states' order, in whole pixels from the left; they add up to the width, or
-    /// are all 0 where nothing is known.
+    /// The widths of the segments in the order of the states, in whole pixels. They add up to the width of the bar, or are all 0
+    /// if no metrics are known.
     [[nodiscard]] std::array<int, kTriangleStateCount> widths() const;
     [[nodiscard]] bool stale() const { return m_stale; }
     [[nodiscard]] QSize sizeHint() const override { return {kTriangleStateCount * 8, kHeight}; }

@@ -11,12 +11,12 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kDegreeStep = 90;
-constexpr double kTick = 6.0;  // units; ticks lie in the picture
+constexpr double kTick = 6.0;  // units; the ticks are part of the picture
 constexpr double kTickGap = 4.0;
 constexpr double kRampWidth = 64.0;
-constexpr double kLeastLetters = 7.0;  // units; smaller ones cannot be read
-constexpr double kLettersWide = 2.2;   // "180°" in heights of its letters
-constexpr double kLinesHigh = 1.4;     // a line in heights of its letters
+constexpr double kLeastLetters = 7.0;  // units; smaller text cannot be read
+constexpr double kLettersWide = 2.2;   // width of "180°" in multiples of the letter height
+constexpr double kLinesHigh = 1.4;     // height of a line in multiples of the letter height
 
 QString words(const char* text) { return QCoreApplication::translate("SphericalModel", text); }
 
@@ -34,7 +34,7 @@ public:
         m_below = m_map.bottom() + kTick * unit;
     }
 
-    /// The numbers at the ticks, as large as their margin allows; none where it allows none that can be read.
+    /// Paints the numbers at the ticks, as large as the margins allow; none if they could not be read.
     void paintDegrees() {
         const double tick = kTick * m_unit, gap = 0.5 * kTickGap * m_unit;
         if (setLetters((m_target.bottom() - m_map.bottom() - tick) / kLinesHigh)) {
@@ -48,7 +48,7 @@ public:
         }
     }
 
-    /// Above the map, at its right; where there is no room, over it.
+    /// Paints the colour scale above the map at its right end, or over the map if there is no room above.
     void paintRamp() {
         const QString nearest = words(QT_TRANSLATE_NOOP("SphericalModel", "R: near"));
         const QString farthest = words(QT_TRANSLATE_NOOP("SphericalModel", "far"));
@@ -68,7 +68,7 @@ public:
         write(place, Qt::AlignRight, farthest);
     }
 
-    /// Below the numbers, in smaller letters where there is little room; where there is none, over the map.
+    /// Paints the note below the numbers, in smaller letters if needed; over the map if it does not fit at all.
     void paintHint() {
         if (!m_picture.partOfModel) return;
         const QString hint = words(QT_TRANSLATE_NOOP(
@@ -89,10 +89,10 @@ private:
     static constexpr int kHintFlags = int(Qt::AlignHCenter) | int(Qt::AlignTop) | int(Qt::TextWordWrap);
 
     [[nodiscard]] QFontMetricsF metrics() const { return QFontMetricsF(m_painter.font(), m_painter.device()); }
-    /// Of the window's or the screenshot's font, in the painter's units.
+    /// The letter height of the window's or the screenshot's font, in the painter's units.
     [[nodiscard]] double letterHeight() const { return QFontInfo(m_font).pixelSize(); }
 
-    /// No larger than the font's; false, and nothing set: they could not be read.
+    /// Sets the letter height, but at most that of the font. Returns false and sets nothing if the text could not be read.
     bool setLetters(double height) {
         if (height < kLeastLetters * m_unit) return false;
         QFont font = m_font;
@@ -124,7 +124,7 @@ private:
     const ViewPicture& m_picture;
     double m_unit;
     QFont m_font = m_painter.font();
-    double m_below = 0.0;  ///< where what lies under the map may begin
+    double m_below = 0.0;  ///< upper end of the free area below the map
 };
 
 }  // namespace

@@ -6,13 +6,13 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kReach = 34.0;       // from the middle to an end, in a picture of more than kRoomy
-constexpr double kSmallReach = 20.0;  // in a smaller one
-constexpr double kBallShare = 0.26;   // of the reach
+constexpr double kReach = 34.0;       // length of an axis in a picture wider than kRoomy
+constexpr double kSmallReach = 20.0;  // length in a narrower picture
+constexpr double kBallShare = 0.26;   // radius of an axis end as a fraction of the length
 constexpr double kGizmoMargin = 6.0;
-constexpr double kRoomy = 360.0;  // of the picture's width
+constexpr double kRoomy = 360.0;  // width of a picture
 
-// As in other programs; dark enough for white letters, and unlike the verdicts' colours, which say something else.
+// The usual colours of the axes, dark enough for white letters, and distinct from the colours of the verdicts.
 constexpr std::array kColours{QColor(178, 62, 62), QColor(62, 128, 62), QColor(66, 92, 170)};
 constexpr std::array kNames{"X", "Y", "Z"};
 
@@ -67,7 +67,7 @@ void OrientationGizmo::paintEnd(QPainter& painter, const End& end) const {
 }
 
 std::optional<Vec3> OrientationGizmo::directionAt(const QPointF& point) const {
-    // What lies in front is hit first.
+    // The ends are sorted from far to near: test the front ones first.
     for (auto end = m_ends.rbegin(); end != m_ends.rend(); ++end) {
         const QPointF offset = point - end->place;
         if (QPointF::dotProduct(offset, offset) <= m_ball * m_ball) return end->direction;

@@ -6,13 +6,13 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kSmall = 8.0;  // of a triangle's extent in the window: below it a ring shows where it is
+constexpr double kSmall = 8.0;  // extent of a triangle in the window below which a ring marks it
 constexpr double kRing = 8.0;
-constexpr double kNearestShare = 1e-6;  // of w: behind the eye nothing has a place
+constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind the eye plane, are clipped
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
 
-/// A line that is seen on every ground: light with a dark edge.
+/// Draws a line that is visible on any background: light with a dark edge.
 template <typename Draw>
 void twice(QPainter& painter, double width, Qt::PenStyle style, const Draw& draw) {
     painter.setPen(QPen(kEdge, width + 2.0));
@@ -25,7 +25,7 @@ class Projection {
 public:
     Projection(const View& view, const PictureLayout& layout) : m_view(view), m_layout(layout) {}
 
-    /// The places of a line's ends, cut off where it goes behind the eye; none: all of it is there.
+    /// The line in the window, clipped at the eye plane; none: it lies completely behind the eye.
     [[nodiscard]] std::optional<QLineF> line(const Vec3& a, const Vec3& b) const {
         Vec4 from = m_view.clipFromEyeRelative() * Vec4(a, 1.0), to = m_view.clipFromEyeRelative() * Vec4(b, 1.0);
         const double least = kNearestShare * std::max(std::abs(from.w), std::abs(to.w));

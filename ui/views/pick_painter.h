@@ -7,8 +7,8 @@
 
 namespace cullscope::ui {
 
-/// Marks what is picked over a picture: the triangle's outline, a ring around one too small to be seen, and the object's box
-/// where the scene has several. Drawn over everything: what is hidden or was left out has its place, too.
+/// Marks the pick over a picture: the outline of the triangle, a ring around a triangle too small to be seen, and the box of the
+/// object if the scene has several. Drawn on top of the picture, so that hidden and culled objects are marked too.
 void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const View& viewing, const PictureLayout& layout);
 
 }  // namespace cullscope::ui

@@ -9,20 +9,20 @@
 
 namespace cullscope::ui {
 
-/// Where a picture of a given size lies in its place in the window, letterboxed: as it is or enlarged by a whole number where it
-/// fits, else made smaller.
+/// The rectangle of a picture in its place in the window, letterboxed: in its own size, enlarged by a whole number if it fits, or
+/// reduced if it does not.
 class PictureLayout {
 public:
-    /// `place` in the window's coordinates; `pixelRatio` device pixels are one of those.
+    /// `place` in window coordinates, each of which is `pixelRatio` device pixels.
     PictureLayout(const QSizeF& place, double pixelRatio, const Viewport& picture);
 
-    /// In the window's coordinates, on whole device pixels.
+    /// The rectangle in window coordinates, aligned to device pixels.
     [[nodiscard]] const QRectF& rect() const { return m_rect; }
-    /// Device pixels a picture pixel.
+    /// Device pixels per picture pixel.
     [[nodiscard]] double scale() const { return m_scale; }
-    /// Pixels of the picture (y upward) from a position in the window.
+    /// The picture pixel (y upward) at a position in the window.
     [[nodiscard]] Vec2 pixelAt(const QPointF& position) const;
-    /// The position of a pixel (y upward).
+    /// The position of a picture pixel (y upward) in the window.
     [[nodiscard]] QPointF positionOf(const Vec2& pixel) const;
 
 private:

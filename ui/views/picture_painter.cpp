@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLoupeZoom = 8.0;
 constexpr double kLoupeRadius = 72.0;
-constexpr double kPale = 0.65;  // how far the picture under marks is taken back towards the background
+constexpr double kPale = 0.65;  // opacity of the background colour over the picture under marks
 constexpr QColor kWipeLine(255, 255, 255);
 constexpr QColor kLineEdge(0, 0, 0);
 
@@ -18,7 +18,7 @@ QColor colour(const Vec3f& rgb) { return QColor::fromRgbF(rgb.x, rgb.y, rgb.z); 
 
 bool isPale(Wipe::Mode mode) { return mode == Wipe::Mode::Loss || mode == Wipe::Mode::Difference; }
 
-/// The picture with what lies beside it; no lettering.
+/// Paints the picture and the one that it is compared with, without text.
 void paintLayers(QPainter& painter, const QRectF& target, const ViewPicture& picture, const Wipe& wipe) {
     painter.drawImage(target, picture.colour);
     if (picture.other.isNull()) return;
@@ -26,7 +26,7 @@ void paintLayers(QPainter& painter, const QRectF& target, const ViewPicture& pic
         QColor veil = colour(picture.request.style.background);
         veil.setAlphaF(kPale);
         painter.save();
-        // Where nothing is drawn on a transparent background, it stays so.
+        // A transparent background stays transparent.
         if (picture.request.style.backgroundAlpha < 1.0f) painter.setCompositionMode(QPainter::CompositionMode_SourceAtop);
         painter.fillRect(target, veil);
         painter.restore();
@@ -41,7 +41,7 @@ void paintLayers(QPainter& painter, const QRectF& target, const ViewPicture& pic
     painter.restore();
 }
 
-/// Light within dark, so that it is seen on any picture.
+/// Strokes a light line over a wider dark one, which is visible on any picture.
 void strokeTwice(QPainter& painter, const QPainterPath& path, double unit) {
     painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kLineEdge, 4.0 * unit));
@@ -79,7 +79,7 @@ void paintLoupe(QPainter& painter, const QRectF& target, const ViewPicture& pict
     const double perPixel = target.width() / picture.request.size.width;
     const QPointF middle = target.topLeft() + *extras.loupe * perPixel;
     const double radius = std::min(kLoupeRadius * extras.unit, 0.3 * std::min(target.width(), target.height()));
-    // Kept inside the picture, beside what it enlarges.
+    // The loupe lies beside the pixels that it enlarges, within the picture.
     QPointF centre = middle + QPointF(radius, -radius) * 1.2;
     if (centre.x() + radius > target.right()) centre.setX(middle.x() - 1.2 * radius);
     if (centre.y() - radius < target.top()) centre.setY(middle.y() + 1.2 * radius);

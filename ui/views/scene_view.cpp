@@ -59,7 +59,7 @@ SceneView::~SceneView() = default;
 PictureLayout SceneView::pictureLayout() const {
     const ViewPicturePointer shown = m_session.picture(m_view);
     Viewport size = shown ? shown->request.size : renderSize();
-    // While a window is being resized, the picture of the size before is shown where it lay.
+    // While the user resizes the window, the last picture is shown at its own size.
     if (size.width < 1 || size.height < 1) size = {std::max(1, width()), std::max(1, height())};
     return {QSizeF(this->size()), devicePixelRatioF(), size};
 }
@@ -120,7 +120,7 @@ PictureRequest SceneView::request() const {
 PictureExtras SceneView::extras() const {
     PictureExtras extras;
     if (m_session.setup(m_view).look.sphericalModel) {
-        // Its pixels are directions: nothing that lies over a camera's picture has a place there.
+        // The pixels of this picture are directions: overlays with camera positions cannot be placed on it.
         extras.modelScales = true;
         if (m_loupe) extras.loupe = m_loupePlace;
         return extras;
@@ -189,7 +189,7 @@ std::optional<OrientationGizmo> SceneView::axes() const {
 }
 
 void SceneView::goToNextLoss() {
-    // Losses are known where the culling camera looks; elsewhere they have no place in the picture.
+    // Losses are known at the culling camera; another camera's picture has no place for them.
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
     const bool placed = m_session.setup(m_view).role == Role::Linked && !holes.empty();
     m_loss = !placed ? std::nullopt : std::optional(m_loss ? (*m_loss + 1) % holes.size() : 0);
@@ -249,7 +249,7 @@ void SceneView::changeEvent(QEvent* event) {
 
 bool SceneView::event(QEvent* event) {
     if (event->type() == QEvent::ScreenChangeInternal) tellSize();
-    // Keys that fly must not be taken for shortcuts of the window.
+    // Accepting ShortcutOverride keeps the flight keys from triggering shortcuts of the window.
     if (event->type() == QEvent::ShortcutOverride && ViewInput::wantsKey(*static_cast<QKeyEvent*>(event))) event->accept();
     return QOpenGLWidget::event(event);
 }

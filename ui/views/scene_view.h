@@ -14,8 +14,8 @@ namespace cullscope::ui {
 
 class ViewInput;
 
-/// Shows the newest picture of one view and takes the mouse and the keys. The picture is drawn on the session's GPU
-/// thread; this widget only paints it, so that neither a slow strategy nor a lost context of the window touches what is shown.
+/// Shows the newest picture of one view and handles its mouse and key events. The session's GPU thread draws the picture; this
+/// widget only paints it, so that neither a slow strategy nor a loss of the window's context affects the shown picture.
 class SceneView : public QOpenGLWidget {
     Q_OBJECT
 
@@ -24,51 +24,52 @@ public:
     ~SceneView() override;
 
     [[nodiscard]] int view() const { return m_view; }
-    /// Of the picture, in pixels.
+    /// The size of the picture in pixels.
     [[nodiscard]] Viewport renderSize() const { return m_session.renderSize(m_view); }
-    /// Where the picture lies in the widget.
+    /// The layout of the picture in the widget.
     [[nodiscard]] PictureLayout pictureLayout() const;
     /// The world point under a position in the widget.
     [[nodiscard]] Vec3 pointAt(const QPointF& position) const;
-    /// The same, but nothing where no surface is drawn there.
+    /// The world point of the surface at a position in the widget; none: no surface is drawn there.
     [[nodiscard]] std::optional<Vec3> surfaceAt(const QPointF& position) const;
     /// Whether the picture shows the present camera and strategy.
     [[nodiscard]] bool pictureIsCurrent() const;
-    /// Pixels of the picture (y upward) from a position in the widget.
+    /// The picture pixel (y upward) at a position in the widget.
     [[nodiscard]] Vec2 pixelAt(const QPointF& position) const { return pictureLayout().pixelAt(position); }
-    /// What is seen at the present viewing camera.
+    /// The view through the present viewing camera.
     [[nodiscard]] View camera() const;
-    /// The picture of the present camera and strategy as it is drawn, without what is painted over it.
+    /// The picture of the present camera and strategy, without overlays.
     [[nodiscard]] QImage picture() const;
-    /// Everything that the picture depends on; only with a scene.
+    /// All inputs of the picture. Needs a scene.
     [[nodiscard]] PictureRequest request() const;
-    /// How many pictures were drawn so far: a view that is not dirty is not drawn.
+    /// The number of pictures drawn so far; an unchanged view is not drawn again.
     [[nodiscard]] size_t drawnPictures() const { return m_session.pictures() ? m_session.pictures()->drawn(m_view) : 0; }
-    /// What is painted over the picture.
+    /// The overlays of the picture.
     [[nodiscard]] PictureExtras extras() const;
 
     /// Whether the loupe follows the pointer.
     [[nodiscard]] bool loupe() const { return m_loupe; }
     void setLoupe(bool on);
-    /// What the loupe enlarges, in pixels of the picture from the top left; none: it is not shown.
+    /// Sets the point that the loupe enlarges, in picture pixels from the top left; none hides the loupe.
     void setLoupePlace(const std::optional<QPointF>& place);
-    /// Marks the next lost pixels, largest hole first, under the loupe, and shows the losses where nothing else is shown beside
-    /// the picture; nothing lost: unmarks.
+    /// Marks the next hole of lost pixels, largest first, under the loupe. Switches the wipe to losses if it is off. Without
+    /// losses it removes the mark.
     void goToNextLoss();
-    /// Unmarks the loss, and shows no losses where going to one had begun that. False: there was nothing to put away.
+    /// Removes the mark, and switches the wipe off if goToNextLoss() had switched it on. Returns false if there was no mark and
+    /// no such wipe.
     bool leaveLosses();
-    /// Shows the scene's axes in a corner, with ends to click on.
+    /// Shows or hides the scene's axes in a corner, whose ends can be clicked.
     void setAxes(bool on);
-    /// The axes' ends; none: they are not shown.
+    /// The scene's axes; none: they are not shown.
     [[nodiscard]] std::optional<OrientationGizmo> axes() const;
-    /// Which loss is marked, from 0.
+    /// The number of the marked loss, from 0; none: no loss is marked.
     [[nodiscard]] std::optional<size_t> markedLoss() const { return m_loss; }
 
 signals:
-    /// The user asks for this view's menu.
+    /// The user asks for this view's context menu.
     void menuRequested(int view, const QPoint& globalPosition);
     void lossMarked();
-    /// The pointer is at this place of the picture now (none: no longer in it), and the loupe is on.
+    /// Emitted while the loupe is on: the pointer is at this place in the picture (none: it has left the picture).
     void loupeMoved(int view, const std::optional<QPointF>& place);
 
 protected:
@@ -100,10 +101,10 @@ private:
     bool m_axes = true;
     std::optional<QPointF> m_loupePlace;
     std::optional<size_t> m_loss;
-    bool m_lossesShown = false;  ///< by going to the next one
+    bool m_lossesShown = false;  ///< goToNextLoss() has switched the wipe on
 };
 
-/// The colours of pictures in a window of this palette, in 8 bits a channel so that `cullbench render` repeats them.
+/// The colours of pictures in a window with this palette, in 8 bits a channel, so that `cullbench render` can repeat them.
 [[nodiscard]] DrawStyle pictureStyle(const QPalette& palette);
 
 }  // namespace cullscope::ui

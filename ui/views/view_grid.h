@@ -7,7 +7,7 @@
 
 namespace cullscope::ui {
 
-/// The views in one row of one or two, or two rows of two or four; all pictures of exactly the same size, so that they share
+/// The views in one row of one or two, or in two rows of two or four. All pictures have exactly the same size, so that they share
 /// one truth.
 class ViewGrid : public QWidget {
     Q_OBJECT
@@ -16,7 +16,7 @@ public:
     explicit ViewGrid(Session& session, QWidget* parent = nullptr);
 
     [[nodiscard]] ViewPane& pane(int view) { return *m_panes[size_t(view)]; }
-    /// Lends a view's pane to another window, such as the lecture's; take() brings it back.
+    /// Lends a view's pane to another window, such as the lecture; take() returns it.
     [[nodiscard]] ViewPane* lend(int view);
     void take(ViewPane* pane);
 
@@ -29,7 +29,7 @@ protected:
 
 private:
     void arrange();
-    /// The same pixel in the linked views of the same picture size; none in the others.
+    /// Shows the loupe at the same pixel in linked views of the same picture size, and hides it in the others.
     void moveLoupes(int view, const std::optional<QPointF>& place);
     [[nodiscard]] QRect cell(int place, int columns, int rows) const;
 

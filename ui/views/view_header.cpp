@@ -18,9 +18,9 @@ constexpr int kShortMargin = 4;
 constexpr int kMarkerSize = 11;
 constexpr int kFontPixels = 14;
 
-constexpr const char* kJoint = " · ";  // between the role and the name
+constexpr const char* kJoint = " · ";  // between the role and the strategy's name
 
-/// Grey that keeps a contrast of at least 4.5 to the background of either palette.
+/// A grey with a contrast of at least 4.5 to the background, in both palettes.
 QColor subdued(const QPalette& palette) {
     const QColor text = palette.color(QPalette::WindowText);
     const QColor back = palette.color(QPalette::Window);
@@ -57,11 +57,11 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
 }
 
 std::optional<Promise> ViewHeader::promise() const {
-    // Where the promise depends on the eye's place, it is that of the place measured.
+    // If the promise depends on the eye point, the metrics hold the promise at the measured one.
     const ViewMetrics& figures = m_session.figures(m_view);
     if (figures.state == ViewMetrics::State::Ready) return figures.promise;
     const BuiltStrategyPointer& built = m_session.slot(m_session.culledBy(m_view)).built();
-    // While the chosen one is being built, the one before it is still there.
+    // While the chosen strategy is being built, built() returns the former one.
     if (!built || built->id != info().id) return std::nullopt;
     return built->strategy->promise();
 }

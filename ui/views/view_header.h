@@ -7,7 +7,7 @@
 
 namespace cullscope::ui {
 
-/// Two lines over a view: what draws it and what it promises; how fast it is, how much it submits and what it misses.
+/// Two lines over a view: strategy and promise; speed, submitted share and missed pixels.
 class ViewHeader : public QWidget {
     Q_OBJECT
 
@@ -19,13 +19,13 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {320, 2 * kLineHeight}; }
     [[nodiscard]] QString firstLine() const;
     [[nodiscard]] QString secondLine() const;
-    /// What the first line shows at this width: where not all has room, the strategy's id alone stands for its name.
+    /// The first line as shown at this width: if there is no room for the strategy's name, only its id.
     [[nodiscard]] QString shownFirstLine() const;
-    /// Whether words had to be cut off when it was last painted.
+    /// Whether text was elided in the last paint event.
     [[nodiscard]] bool elided() const { return m_elided; }
 
 signals:
-    /// The user asks for this view's menu.
+    /// The user asks for this view's context menu.
     void menuRequested(int view, const QPoint& globalPosition);
 
 protected:
@@ -35,17 +35,17 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    /// One word or more of the first line, in one face.
+    /// A piece of the first line in one font and colour.
     struct Part {
         QString text;
         bool bold = false;
         bool subdued = false;
         bool joined = false;              ///< no gap after it
-        std::optional<Promise> marker{};  ///< before the text
+        std::optional<Promise> marker{};  ///< painted before the text
     };
     struct FirstLine {
         std::vector<Part> parts;
-        int margin = 0;  ///< pixels beside the line and between its parts
+        int margin = 0;  ///< pixels at the ends of the line and between its parts
     };
 
     void refresh();
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] int widthOf(const FirstLine& line) const;
     [[nodiscard]] QFont face(bool bold) const;
     void paintFirstLine(QPainter& painter);
-    /// Writes into a place of this line, as much as has room.
+    /// Paints text into a rectangle, elided if it does not fit.
     void write(QPainter& painter, const QRect& place, const QString& text);
     [[nodiscard]] std::optional<Promise> promise() const;
     [[nodiscard]] const StrategyInfo& info() const;

@@ -12,7 +12,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kClickReach = 4.0;  // pixels: less is a click, more a drag
+constexpr double kClickReach = 4.0;  // pixels; a shorter motion is a click, a longer one a drag
 constexpr double kWipeReach = 6.0;   // pixels on either side of the line
 constexpr double kDegreesPerPixel = 0.4;
 constexpr double kDegreesPerKey = 5.0;
@@ -25,7 +25,7 @@ constexpr double kWidestFovy = 150.0;
 constexpr int kFlightInterval = 16;   // ms
 constexpr double kFlightSpeed = 0.6;  // scene radii a second
 constexpr double kHurry = 4.0;
-constexpr double kLongestFlightStep = 0.1;  // seconds: a slow picture does not throw the camera out of the scene
+constexpr double kLongestFlightStep = 0.1;  // seconds; keeps the camera near the scene after a slow picture
 
 bool flies(int key) {
     switch (key) {
@@ -163,7 +163,7 @@ void ViewInput::click(const QPointF& position) {
 void ViewInput::doubleClick(const QMouseEvent& event) {
     m_drag = Drag::None;
     if (event.button() != Qt::LeftButton || !m_session.opened() || axisAt(event.position())) return;
-    // Beside the scene there is nothing to turn about.
+    // There is no centre of rotation where no surface is drawn.
     if (const std::optional<Vec3> point = m_view.surfaceAt(event.position()))
         m_session.setViewingCamera(m_view.view(), centredOn(m_view.camera(), *point));
 }
@@ -171,7 +171,7 @@ void ViewInput::doubleClick(const QMouseEvent& event) {
 void ViewInput::wheel(QWheelEvent& event) {
     event.accept();
     if (!m_session.opened()) return;
-    // Some systems turn a wheel with a modifier key sideways.
+    // Some systems turn the wheel with a modifier key into horizontal scrolling.
     const QPoint angle = event.angleDelta();
     const double notches = (angle.y() != 0 ? angle.y() : angle.x()) / 120.0;
     const Camera& camera = m_session.viewingCamera(m_view.view());
@@ -180,7 +180,7 @@ void ViewInput::wheel(QWheelEvent& event) {
     } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
         m_session.setViewingCamera(m_view.view(), withFovy(camera, std::pow(kFovyPerNotch, -notches)));
     } else {
-        // The point under the pointer stays there while zooming: it need not be looked up again before the next picture.
+        // Zooming keeps the point under the pointer: reuse it until the next picture is drawn.
         if (m_view.pictureIsCurrent() || m_zoomPosition != event.position()) m_zoomPoint = m_view.pointAt(event.position());
         m_zoomPosition = event.position();
         const double radius = m_session.opened()->scene->boundingSphere().radius;

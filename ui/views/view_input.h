@@ -16,10 +16,10 @@ namespace cullscope::ui {
 
 class SceneView;
 
-/// Turns mouse and keys on a view into moves of its viewing camera, in the way people know from other programs:
-/// left drag turns, middle drag or Shift+left pans, right drag looks around while W A S D Q E fly, the wheel zooms to the
-/// pointer, Ctrl+wheel moves the near plane, Shift+wheel the field of view, a double click sets the centre of
-/// rotation, a click picks, the wipe's line is dragged.
+/// Turns mouse and key events on a view into moves of its viewing camera, with the usual assignments: left drag turns, middle
+/// drag or Shift+left pans, right drag looks around while W A S D Q E fly, the wheel zooms to the pointer, Ctrl+wheel moves the
+/// near plane, Shift+wheel the field of view, a double click sets the centre of rotation, a click picks, and a drag moves the
+/// wipe's line.
 class ViewInput : public QObject {
     Q_OBJECT
 
@@ -28,14 +28,14 @@ public:
 
     void press(const QMouseEvent& event);
     void move(const QMouseEvent& event);
-    /// True where this was a right click without a drag: the menu is wanted.
+    /// Handles a release. Returns true if it ended a right click without a drag: the caller opens the menu.
     [[nodiscard]] bool release(const QMouseEvent& event);
     void doubleClick(const QMouseEvent& event);
     void wheel(QWheelEvent& event);
-    /// False: not for the camera.
+    /// Handles a key. Returns false if it is not a camera key.
     bool keyPress(const QKeyEvent& event);
     bool keyRelease(const QKeyEvent& event);
-    /// Forgets pressed keys and buttons.
+    /// Forgets pressed keys and buttons, as after a loss of the focus.
     void stop();
 
     [[nodiscard]] static bool wantsKey(const QKeyEvent& event);
@@ -45,7 +45,7 @@ private:
 
     void beginDrag();
     void fly();
-    /// Picks, or looks from the axis whose end was hit.
+    /// Picks, or looks along the axis whose end was clicked.
     void click(const QPointF& position);
     [[nodiscard]] std::optional<Vec3> axisAt(const QPointF& position) const;
     [[nodiscard]] bool overWipeLine(const QPointF& position) const;
@@ -55,7 +55,7 @@ private:
     SceneView& m_view;
     Drag m_drag = Drag::None;
     bool m_moved = false;
-    bool m_flown = false;  ///< since the button was pressed
+    bool m_flown = false;  ///< flown since the button was pressed
     QPointF m_pressed;
     QPointF m_last;
     double m_grabbedDistance = 1.0;

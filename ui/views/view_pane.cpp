@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kChipInset = 8;
 constexpr double kUsualScale = 1.0;
-constexpr int kSmallestLentLetters = 20;  // pixels, in a lecture at the size it is designed for
-constexpr int kLentLines = 31;            // as many of them a picture is high there
+constexpr int kSmallestLentLetters = 20;  // pixels, in a lecture at its design size
+constexpr int kLentLines = 31;            // height of the pane in lines of text in a lecture
 
 }  // namespace
 
@@ -71,7 +71,7 @@ QString ViewPane::visibleSets() const {
 }
 
 QString ViewPane::chipText() const {
-    // In place of the picture.
+    // A refused strategy has no picture: state only the reason.
     if (m_session.slot(m_session.culledBy(m_view)).refused()) return translated(m_session.figures(m_view).failure);
     QStringList parts;
     const ViewSetup& setup = m_session.setup(m_view);

@@ -10,8 +10,8 @@
 
 namespace cullscope::ui {
 
-/// A view with its header, its budget bar, and a chip in the picture that says what is not as usual. In its place a panel can
-/// stand.
+/// A view's picture with its header, its budget bar, and a chip over the picture that states unusual settings. A panel can
+/// replace the picture.
 class ViewPane : public QWidget {
     Q_OBJECT
 
@@ -22,13 +22,14 @@ public:
     [[nodiscard]] SceneView& picture() { return *m_picture; }
     [[nodiscard]] ViewHeader& header() { return *m_header; }
     [[nodiscard]] BudgetBar& budget() { return *m_budget; }
-    /// What the chip says; empty: no chip.
+    /// The text of the chip; empty: there is no chip.
     [[nodiscard]] QString chipText() const;
-    /// Among many views pictures that fit the window are of 4 by 3: eight of them are 320 × 240 on the least screen.
+    /// In compare mode pictures that are fitted to the window have an aspect ratio of 4 : 3: eight of them are 320 × 240 on the
+    /// least screen.
     void setCompare(bool compare);
-    /// Lent to a lecture, which says around the picture what the header says: without the header, and letters for the back row.
+    /// Lent to a lecture: without the header, whose contents the lecture shows itself, and with letters for the back row.
     void setLent(bool lent);
-    /// Takes the picture's place and belongs to this pane; null: the picture again.
+    /// Replaces the picture by a panel, which this pane then owns; null: shows the picture again.
     void setPanel(QWidget* panel);
     [[nodiscard]] QWidget* panel() const { return m_panel; }
 
@@ -42,7 +43,8 @@ private:
     void refreshChip();
     void retranslate();
     [[nodiscard]] QStringList lensParts() const;
-    /// How the visible set differs from that of the view compared with; empty: nothing is compared, or not known.
+    /// The differences between the visible set and that of the compared view; empty: no view is compared, or the sets are not
+    /// known.
     [[nodiscard]] QString visibleSets() const;
 
     Session& m_session;

@@ -56,7 +56,7 @@ void DocumentCommands::wire() {
     connect(m_actions.undo, &QAction::triggered, m_undo, &UndoRecorder::undo);
     connect(m_actions.redo, &QAction::triggered, m_undo, &UndoRecorder::redo);
     connect(m_undo, &UndoRecorder::changed, this, &DocumentCommands::showUndo);
-    // Queued: the menu must not be filled anew while one of its commands runs.
+    // Queued: the menu must not be refilled while one of its actions runs.
     connect(&m_recent, &RecentFiles::changed, this, &DocumentCommands::fillRecent, Qt::QueuedConnection);
     connect(&m_bookmarks, &CameraBookmarks::changed, this, &DocumentCommands::fillBookmarks, Qt::QueuedConnection);
     connect(&m_session, &Session::sceneChanged, this, &DocumentCommands::fillBookmarks);

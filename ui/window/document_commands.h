@@ -13,7 +13,7 @@
 
 namespace cullscope::ui {
 
-/// The commands that work on the document as a whole: open, recent files, sessions, screenshots, undo, camera bookmarks.
+/// Commands for the document as a whole: open, recent files, sessions, screenshots, undo, camera bookmarks.
 class DocumentCommands : public QObject {
     Q_OBJECT
 
@@ -23,11 +23,11 @@ public:
     [[nodiscard]] SessionOpener& opener() { return *m_opener; }
     [[nodiscard]] UndoRecorder& undo() { return *m_undo; }
     [[nodiscard]] ScreenshotTaker& screenshots() { return *m_screenshots; }
-    /// Who says how the window is arranged, for what is saved.
+    /// Sets the function that returns the id of the window's arrangement, which is saved with sessions.
     void setArrangement(std::function<QString()> arrangement) { m_arrangement = std::move(arrangement); }
     void openByDialog();
     void retranslate();
-    /// The types that the dialog for opening offers, as QFileDialog takes them.
+    /// The file types of the Open dialog, in the syntax of QFileDialog.
     [[nodiscard]] static QString fileTypes();
 
 private:
@@ -46,7 +46,7 @@ private:
     UndoRecorder* m_undo;
     ScreenshotTaker* m_screenshots;
     std::function<QString()> m_arrangement = [] { return QString(); };
-    QString m_file;  ///< of the session; empty: none yet
+    QString m_file;  ///< path of the session file; empty: none yet
     QSettings m_settings;
 };
 

@@ -74,14 +74,14 @@ void Experiments::showScene(StatisticsPanel& panel) const {
 void Experiments::start(const ExperimentSettings& settings) {
     if (!m_session.opened()) return;
     ExperimentRunner::Request request;
-    // Hidden objects are measured too: results are of the scene that their file names.
+    // Hidden objects are measured too: the result names the scene's file, so it must be of the whole scene.
     request.scene = m_session.opened()->scene;
     request.path = settings.path;
     request.size = settings.size;
     request.repetitions = settings.repetitions;
     request.strategies = settings.fronts.empty() ? shownStrategies() : contestants(settings.fronts);
     m_path = settings.path;
-    // What the window measures beside it would be in the experiment's times.
+    // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
     m_running = true;
     m_result.reset();

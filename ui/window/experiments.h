@@ -10,24 +10,24 @@
 
 namespace cullscope::ui {
 
-/// Experiments over the shown views' strategies or over ready-made fronts, one at a time, and the present camera's figures:
-/// whatever statistics panels are in the window show the same.
+/// Runs experiments over the strategies of the shown views or over predefined parameter sweeps, one at a time. All statistics
+/// panels of the window show the same experiment, and the metrics at the present camera.
 class Experiments : public QObject {
     Q_OBJECT
 
 public:
     explicit Experiments(Session& session, QObject* parent = nullptr);
 
-    /// A panel that shows and starts these experiments.
+    /// Makes a panel that starts and shows these experiments.
     [[nodiscard]] StatisticsPanel* makePanel(QWidget* parent = nullptr);
-    /// Offers a path that the user flew; none takes it away again.
+    /// Offers a recorded camera path for experiments; none withdraws it.
     void setRecordedPath(const std::optional<CameraPath>& path);
     [[nodiscard]] ExperimentRunner& runner() { return *m_runner; }
 
 private:
     void wire();
     void start(const ExperimentSettings& settings);
-    /// Of the shown views, each once.
+    /// The strategies of the shown views, each once.
     [[nodiscard]] std::vector<StrategyRequest> shownStrategies() const;
     void end();
     void show(const MeasureResult& result);
@@ -39,7 +39,7 @@ private:
     ExperimentRunner* m_runner;
     std::vector<StatisticsPanel*> m_panels;
     std::optional<CameraPath> m_recorded;
-    std::optional<MeasureResult> m_result;  ///< the newest, partial or whole
+    std::optional<MeasureResult> m_result;  ///< the newest one, partial or complete
     bool m_running = false;
     CameraPath m_path;  ///< of the newest experiment
 };

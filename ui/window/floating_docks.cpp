@@ -37,7 +37,7 @@ void FloatingDocks::adopt(bool floating) {
 }
 
 void FloatingDocks::setUp(const Floating& entry) {
-    // While it floats nothing brings it back beside the views: neither a drag to the window's edge nor a double click.
+    // While it floats the user cannot dock it: neither by a drag to the window's edge nor by a double click.
     entry.dock->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable |
                             (m_floating ? QDockWidget::NoDockWidgetFeatures : QDockWidget::DockWidgetFloatable));
     entry.dock->setAllowedAreas(m_floating ? Qt::NoDockWidgetArea : entry.areas);
@@ -65,7 +65,7 @@ bool FloatingDocks::eventFilter(QObject* watched, QEvent* event) {
         case QEvent::Show:
             if (entry == m_docks.end()) break;
             putInPlace(*entry);
-            // The tabulator does not lead from one window into another.
+            // The Tab key does not move the focus into another window.
             entry->dock->activateWindow();
             break;
         case QEvent::Move:

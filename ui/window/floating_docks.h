@@ -6,24 +6,24 @@
 
 namespace cullscope::ui {
 
-/// Docks that must take no room from the views while many of these are compared: then they open floating over the views, and
-/// the button that opened them or Esc closes them.
+/// Docks that must not reduce the room of the views while many of them are compared: they then open floating over the views, and
+/// are closed by the button that opened them or by Esc.
 class FloatingDocks : public QObject {
     Q_OBJECT
 
 public:
-    /// Where a dock floats over the views, both in pixels of the screen.
+    /// Returns the rectangle of a floating dock from that of the views, both in pixels of the screen.
     using Place = std::function<QRect(const QRect& views)>;
 
-    /// All of them are docks of `window` and float over `views`.
+    /// All docks belong to `window` and float over `views`.
     FloatingDocks(QWidget& window, QWidget& views);
 
     void add(QDockWidget& dock, Place place);
-    /// Whether they float now, open or not.
+    /// Whether the docks are floating, open or closed.
     [[nodiscard]] bool floating() const { return m_floating; }
-    /// Floating begins with all of them closed; its end docks them again, as open as they were before.
+    /// True: floats all docks, closed. False: docks them again, open if they were open before.
     void setFloating(bool floating);
-    /// Takes over docks that came back from an earlier start, as open as they are.
+    /// Takes over the state of docks that QMainWindow::restoreState restored; `floating`: they are floating.
     void adopt(bool floating);
 
 protected:
@@ -33,7 +33,7 @@ private:
     struct Floating {
         QDockWidget* dock;
         Place place;
-        Qt::DockWidgetAreas areas;  ///< while it does not float
+        Qt::DockWidgetAreas areas;  ///< the allowed areas while it is docked
         bool openBefore;
     };
 

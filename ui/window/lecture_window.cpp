@@ -16,7 +16,7 @@ namespace cullscope::ui {
 
 namespace {
 
-// Designed at 1280 × 720 (desktop.md, "Lecture"); larger screens scale everything.
+// Lengths for a screen of 1280 × 720 (desktop.md, "Lecture"); larger screens scale them.
 constexpr QSize kDesign{1280, 720};
 constexpr int kTitle = 48;
 constexpr int kPictureWidth = 800;
@@ -178,7 +178,7 @@ void LectureWindow::refresh() {
 }
 
 bool LectureWindow::eventFilter(QObject* watched, QEvent* event) {
-    // The picture has the focus while it is turned; the clicker works all the same.
+    // While the user turns the picture it has the focus; the keys of the clicker must work nevertheless.
     if (event->type() == QEvent::KeyPress) {
         const int key = static_cast<QKeyEvent*>(event)->key();
         if (key == Qt::Key_PageUp || key == Qt::Key_PageDown || key == Qt::Key_Escape || key == Qt::Key_B) {

@@ -9,17 +9,18 @@
 
 namespace cullscope::ui {
 
-/// The lecture's frame: one view at a time, full screen and light, with its structure and its three numbers large enough for the
-/// back row. Page Up and Down (a presenter's clicker) step through the shown views, B blanks, Esc leaves.
+/// The window of a lecture: one view at a time, full screen and light, with the structure and three numbers in letters that can
+/// be read from the back row. Page Up and Page Down (a presenter's clicker) step through the shown views, B blanks the screen,
+/// Esc closes it.
 class LectureWindow : public QWidget {
     Q_OBJECT
 
 public:
-    /// Borrows the panes of `views` one after the other. `structure` stands beside the picture and belongs to this window.
+    /// Borrows the panes of `views` one after the other. Shows `structure` beside the picture and takes ownership of it.
     LectureWindow(Session& session, ViewGrid& views, QWidget* structure, QWidget* parent = nullptr);
     ~LectureWindow() override;
 
-    /// On the second screen where there is one.
+    /// Shows the window, on the second screen if there is one.
     void begin();
     [[nodiscard]] int shownView() const { return m_pane ? m_pane->view() : -1; }
     [[nodiscard]] bool blank() const { return m_blank; }
@@ -43,7 +44,7 @@ private:
     void setBlank(bool blank);
     void arrange();
     void refresh();
-    /// One of its lengths at the size it is designed for, scaled to the screen.
+    /// A length of the 1280 × 720 design, scaled to the screen.
     [[nodiscard]] int scaled(int length) const;
 
     Session& m_session;
@@ -54,7 +55,7 @@ private:
     QWidget* m_structure;
     QWidget* m_foot;
     std::array<QLabel*, 3> m_numbers{};
-    QLabel* m_software = nullptr;  ///< beside the speed, which is not a graphics card's
+    QLabel* m_software = nullptr;  ///< badge beside the speed: software OpenGL
     QPushButton *m_back, *m_next;
     bool m_blank = false;
 };

@@ -23,7 +23,7 @@ namespace {
 constexpr int kDockWidth = 400;
 constexpr int kWideDockWidth = 480;
 constexpr int kNarrowestDock = 320;
-constexpr int kWideWindow = 1600;  // from which on there is room for the side panel beside the views
+constexpr int kWideWindow = 1600;  // from this width on the side panel fits beside the views
 constexpr int kMenuMargins = 6;
 constexpr int kToolBarMargins = 18;
 constexpr int kStrategyPage = 0;
@@ -34,7 +34,7 @@ constexpr const char* kLectureArrangement = "lecture";
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
 
-/// The one local file that is dragged; empty where it is none or several.
+/// The local file of a drag; empty if there are several or none.
 QString draggedFile(const QMimeData& data) {
     const QList<QUrl> urls = data.urls();
     return urls.size() == 1 && urls.front().isLocalFile() ? urls.front().toLocalFile() : QString();
@@ -78,7 +78,7 @@ MainWindow::MainWindow(Session& session, Language& language, Appearance& appeara
     arrange();
 }
 
-// The lecture gives the view that it shows back to the grid: it goes while that is there.
+// The lecture window returns the borrowed view to the grid, so it is destroyed while the grid exists.
 MainWindow::~MainWindow() { delete m_lecture; }
 
 void MainWindow::makeCentre() {
@@ -122,7 +122,7 @@ void MainWindow::makeDocks() {
     m_dock = new QDockWidget(this);
     m_dock->setObjectName(QStringLiteral("inside"));
     m_dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
-    // What the dock holds must never decide how large the window is: it scrolls.
+    // Scrolls, so that the contents of the dock never determine the size of the window.
     m_dockScroll = new QScrollArea(m_dock);
     m_dockScroll->setWidgetResizable(true);
     m_dockScroll->setFrameShape(QFrame::NoFrame);
@@ -193,7 +193,7 @@ QString MainWindow::arrangement() const {
 bool MainWindow::restoreLayout(bool viewCount) {
     const std::optional<WindowMemory::Layout> kept = m_memory->restore();
     if (!kept) return false;
-    // The panels stand as they were left: what follows from the number of views was decided then.
+    // The panels keep their restored state: do not rearrange them for the number of views.
     m_arrangedCompare = kept->viewCount > 2;
     m_floatingDocks->adopt(*m_arrangedCompare);
     if (viewCount) m_session.setViewCount(kept->viewCount);
@@ -234,7 +234,7 @@ void MainWindow::makeStatusBar() {
     statusBar()->addPermanentWidget(m_gl);
     statusBar()->setSizeGripEnabled(false);
     statusBar()->setContentsMargins(0, 0, 6, 0);
-    // Of the same height with and without the strip, so that loading does not change the size of the views.
+    // Fixed height: the loading strip must not change the size of the views.
     statusBar()->setFixedHeight(m_loading->sizeHint().height() + 4);
 }
 
@@ -299,7 +299,7 @@ void MainWindow::showState() {
     setWindowTitle(scene.isEmpty() ? QStringLiteral("Cullscope") : tr("%1 – Cullscope").arg(scene));
 }
 
-/// The same in every language, so that another one leaves the views their size.
+/// The height is the same in all languages, so that a change of language keeps the size of the views.
 void MainWindow::fixBarHeights() {
     const int letters = QFontMetrics(font()).size(Qt::TextSingleLine, QStringLiteral("한中Åg")).height();
     menuBar()->setFixedHeight(letters + kMenuMargins);

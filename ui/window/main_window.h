@@ -37,7 +37,7 @@ class QToolBar;
 
 namespace cullscope::ui {
 
-/// The window: arranges views and panels around a session and wires the commands. Owns none of what it shows.
+/// The main window: arranges views and panels around a session and connects the commands. Holds no part of the document.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -53,7 +53,7 @@ public:
     [[nodiscard]] StrategyPanel& strategyPanel() { return *m_strategy; }
     [[nodiscard]] LegendPanel& legend() { return *m_legend; }
     [[nodiscard]] MetricsPanel& figures() { return *m_figures; }
-    /// Null: no lecture is being held.
+    /// The lecture's window; null: no lecture is running.
     [[nodiscard]] LectureWindow* lecture() { return m_lecture; }
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
     [[nodiscard]] StructurePanel& structurePanel() { return *m_structure; }
@@ -62,9 +62,9 @@ public:
     [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
     [[nodiscard]] PaperCommands& papers() { return *m_papers; }
 
-    /// Gives the window the place, panels and number of views that it was left with. False: there is nothing kept.
+    /// Restores geometry, panels and, if `viewCount`, the number of views from the last start. Returns false if none are stored.
     bool restoreLayout(bool viewCount);
-    /// Keeps the layout when the window is closed.
+    /// Whether the layout is stored when the window is closed.
     void setKeepsLayout(bool keeps) { m_keepsLayout = keeps; }
 
 protected:
@@ -83,12 +83,12 @@ private:
     void makeStatusBar();
     void wireCommands();
     void wireSession();
-    /// Two views at most are explored beside all panels; more are compared, with the panels folded to rails, from which they
-    /// open over the views.
+    /// Arranges the panels. With at most two views (explore) all panels are docked; with more (compare) they are folded into
+    /// rails, from which they open over the views.
     void arrange();
     void showRightRail();
     void resetLayout();
-    /// The window's id for its arrangement, as sessions and settings keep it.
+    /// The id of the window's arrangement, as stored in sessions and settings.
     [[nodiscard]] QString arrangement() const;
     void showState();
     void retranslate();
@@ -131,7 +131,7 @@ private:
     QSettings m_settings;
     std::unique_ptr<WindowMemory> m_memory;
     bool m_keepsLayout = false;
-    std::optional<bool> m_arrangedCompare, m_arrangedWide;  ///< what the panels stand for now
+    std::optional<bool> m_arrangedCompare, m_arrangedWide;  ///< the state that the panels are arranged for
 };
 
 }  // namespace cullscope::ui

@@ -14,7 +14,7 @@ PaperCommands::PaperCommands(Session& session, WindowActions& actions, Experimen
       m_window(window),
       m_runner(new PaperRunner(session, this)) {
     connect(actions.reproduce, &QAction::triggered, this, &PaperCommands::showDialog);
-    // What the experiment did to the session is nothing that the user would undo.
+    // The changes that the experiment made to the session are not steps for the user to undo.
     connect(m_runner, &PaperRunner::ended, &undo, &UndoRecorder::startAnew);
 }
 
@@ -26,7 +26,7 @@ void PaperCommands::showDialog() {
     }
     auto* dialog = new ReproduceDialog(m_session, *m_runner, m_window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    // The views are to be seen, but nobody else may change them meanwhile.
+    // Modal: the user sees the views but cannot change them during the measurement.
     dialog->setWindowModality(Qt::WindowModal);
     dialog->show();
 }

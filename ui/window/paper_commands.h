@@ -9,7 +9,7 @@
 
 namespace cullscope::ui {
 
-/// The command that reproduces a paper's table in the window.
+/// The command that reproduces a table of a paper in the window.
 class PaperCommands : public QObject {
     Q_OBJECT
 

@@ -9,7 +9,7 @@ namespace cullscope::ui {
 
 namespace {
 
-// Poses that were put down by hand are looked at one by one, half a second each; recorded ones are a motion.
+// Single poses that the user added are shown for half a second each; recorded poses are a motion.
 constexpr size_t kFewPoses = 30;
 constexpr double kSpeedOfFewPoses = 1.0 / 15.0;
 
@@ -56,10 +56,10 @@ void PathCommands::refresh() {
     m_actions.stop->setEnabled(m_recorder->recording() || m_player->active());
 }
 
-/// What was recorded is there for experiments as soon as the recording ends.
+/// Offers the recorded path to experiments as soon as the recording ends.
 void PathCommands::offerRecorded() {
     if (m_recorder->recording()) return;
-    // The newest path is what Play plays from now on.
+    // From now on Play plays the newest path.
     m_opened = {};
     if (!m_player->playing()) m_player->stop();
     CameraPath path = m_recorder->path();
@@ -92,7 +92,7 @@ void PathCommands::save() {
         m_session.raise(Severity::Error, error.message());
         return;
     }
-    // An experiment over it can be repeated from the file.
+    // Name the path by its file, so that an experiment over it can be repeated.
     CameraPath path = m_recorder->path();
     path.name = QFileInfo(file).absoluteFilePath().toStdString();
     m_experiments.setRecordedPath(std::move(path));

@@ -10,7 +10,7 @@
 
 namespace cullscope::ui {
 
-/// The commands that record a camera path and play one.
+/// The commands that record and play a camera path.
 class PathCommands : public QObject {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ private:
     void playFromStart(const CameraPath& path);
     void refresh();
     void offerRecorded();
-    /// Empty: none chosen. Dialogs begin in the folder of the newest file.
+    /// Asks for a path file; returns an empty string if the user chose none. Starts in the folder of the last file.
     [[nodiscard]] QString askFile(bool save);
 
     Session& m_session;

@@ -12,7 +12,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// A view may be smaller than what the panel needs.
+/// Wraps a panel in a scroll area, because the view may be smaller than the panel's minimum.
 QWidget* scrolling(QWidget* panel) {
     auto* scroll = new QScrollArea;
     scroll->setWidget(panel);

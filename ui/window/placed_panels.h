@@ -9,16 +9,16 @@
 
 namespace cullscope::ui {
 
-/// Any panel can stand in a view's place: makes those that the views' setups name, and takes them away again.
+/// Any panel can replace the picture of a view: makes the panels that the views' setups name, and removes them again.
 class PlacedPanels : public QObject {
     Q_OBJECT
 
 public:
     PlacedPanels(Session& session, ViewGrid& views, SnapshotReader& reader, Experiments& experiments, QObject* parent = nullptr);
 
-    /// What a view's menu offers.
+    /// The panels that a view's menu offers.
     [[nodiscard]] static std::vector<PlaceablePanel> known();
-    /// Null for an id that there is none of.
+    /// Makes the panel with that id; null: the id is unknown.
     [[nodiscard]] QWidget* make(const std::string& id) const;
 
 private:

@@ -42,7 +42,7 @@ SidePanel::SidePanel(QWidget* parent)
     m_frame->setFrameShape(QFrame::StyledPanel);
     m_frame->setAutoFillBackground(true);
     m_frame->hide();
-    // The frame floats over the window's middle, whose size it follows.
+    // The frame floats over the parent and follows its size.
     if (parent) parent->installEventFilter(this);
     m_frame->installEventFilter(this);
     arrange();

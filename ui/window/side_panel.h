@@ -9,8 +9,8 @@
 
 namespace cullscope::ui {
 
-/// A rail of buttons at the window's left edge, and beside it the page of the button that is down: docked where there is
-/// room, else flying out over the middle.
+/// A rail of buttons at the window's left edge, and beside it the page of the pressed button: docked if there is room, else
+/// floating over the middle of the window.
 class SidePanel : public QWidget {
     Q_OBJECT
 
@@ -18,18 +18,18 @@ public:
     static constexpr int kRailWidth = 40;
     static constexpr int kPageWidth = 280;
 
-    /// Pages fly out over `middle`, a sibling to the right.
+    /// Pages that are not docked float over `parent`.
     explicit SidePanel(QWidget* parent = nullptr);
 
-    /// The button's icon is of resources/icons.
+    /// `icon` is a name in resources/icons.
     void addPage(QWidget* page, const QString& icon);
-    /// A button that only triggers an action, below the pages'.
+    /// Adds a button that triggers an action, below the buttons of the pages.
     void addAction(QAction* action);
     void setPageTitle(int page, const QString& title);
 
     void setDocked(bool docked);
     [[nodiscard]] bool docked() const { return m_docked; }
-    /// -1: none is open.
+    /// The number of the open page; -1: none is open.
     [[nodiscard]] int openPage() const { return m_open; }
     void setOpenPage(int page);
     [[nodiscard]] QToolButton& button(int page) { return *m_buttons[size_t(page)]; }

@@ -127,7 +127,7 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
 
 void ViewCommands::showMenuOf(int view, const QPoint& position) {
     if (!m_session.opened()) return;
-    // After the menu the keys go to the view that it was of.
+    // When the menu closes, keys go to the view whose menu it was.
     m_views.pane(view).picture().setFocus();
     m_session.setActiveView(view);
     QMenu menu(m_window);

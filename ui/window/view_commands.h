@@ -10,7 +10,7 @@
 
 namespace cullscope::ui {
 
-/// The commands that work on one view: the Picture menu for the active one, and each view's own menu.
+/// Commands for one view: the Picture menu for the active view, and each view's context menu.
 class ViewCommands : public QObject {
     Q_OBJECT
 
@@ -19,7 +19,7 @@ public:
 
     void fillMenu(QMenu& menu, int view);
     void showMenuOf(int view, const QPoint& position);
-    /// Puts the copying commands' pictures on the clipboard; `overlays`: with what is painted over it.
+    /// Copies the picture of a view to the clipboard; `overlays`: with its overlays.
     void copyPicture(int view, bool overlays);
 
 private:

@@ -8,13 +8,13 @@
 
 namespace cullscope::ui {
 
-/// A panel that can stand in a view's place.
+/// A panel that can replace the picture of a view.
 struct PlaceablePanel {
     std::string id;
     QString name;
 };
 
-/// Fills the menu of one view: what it shows, with which cameras, how coloured, compared with what, and how large.
+/// Fills the menu of one view: contents, cameras, colours, comparison and size.
 class ViewMenu {
     Q_DECLARE_TR_FUNCTIONS(ViewMenu)
 
@@ -33,10 +33,10 @@ private:
     [[nodiscard]] int view() const { return m_pane.view(); }
     [[nodiscard]] const ViewSetup& setup() const { return m_session.setup(view()); }
     QAction* option(QMenu& menu, const QString& text, bool checked, std::function<void()> choose);
-    /// An option that changes the view's setup.
+    /// Adds an option that changes the view's setup.
     QAction* change(QMenu& menu, const QString& text, bool checked, const std::function<void(ViewSetup&)>& edit);
 
-    /// Greys an action, and says why, where the view shows a model in spherical coordinates.
+    /// Disables an action with a reason if the view shows a model in spherical coordinates.
     void needsCameraPicture(QAction* action) const;
 
     Session& m_session;

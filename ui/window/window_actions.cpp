@@ -11,13 +11,13 @@ namespace cullscope::ui {
 
 namespace {
 
-/// A menu's words as a toolbar shows them: without the letter to press, which Korean and Chinese put in parentheses.
+/// A menu text as a toolbar shows it: without the mnemonic, which Korean and Chinese put in parentheses.
 QString withoutMnemonic(QString text) {
     static const QRegularExpression inParentheses(QStringLiteral("\\(&.\\)"));
     return text.remove(inParentheses).remove(QLatin1Char('&')).remove(QChar(u'…'));
 }
 
-/// Sets a command's words; its tip names the key.
+/// Sets an action's text; its tooltip names the shortcut.
 void say(QAction* action, const QString& text, const QString& tip) {
     action->setText(text);
     action->setIconText(withoutMnemonic(text));
@@ -177,7 +177,7 @@ void WindowActions::fill(QToolBar& bar) {
     bar.addActions({undo, redo});
     bar.addSeparator();
     bar.addActions({screenshot, lecture, keys});
-    // The words of the rarer ones are in their tips: all of the bar is to be seen on the least screen in every language.
+    // Rarer actions show an icon only, their text is in the tooltip: the whole bar must fit the least screen in every language.
     for (QAction* action : bar.actions())
         if (auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(action));
             button && action != open && action != generate->menuAction())
@@ -203,7 +203,7 @@ void WindowActions::retranslate() {
     m_viewMenu->setTitle(tr("&View"));
     m_pictureMenu->setTitle(tr("&Picture"));
     m_pathMenu->setTitle(tr("P&ath"));
-    // The English word stays beside the translation, so that the menu can be found again from any language.
+    // The English word stays beside the translation, so that the user finds the menu in any language.
     m_languageMenu->setTitle(tr("&Language"));
     m_helpMenu->setTitle(tr("&Help"));
     retranslateFile();
@@ -222,7 +222,7 @@ QString WindowActions::modelStandsInPlace() {
 void WindowActions::setPictureUsable(bool scene, bool model) {
     for (QAction* action : {freeze, sphericalModel, loupe}) action->setEnabled(scene);
     for (QAction* action : ofCameraPictures()) action->setEnabled(scene && !model);
-    // The axes are not of the scene: they may be chosen before one is opened.
+    // The orientation gizmo does not depend on a scene: it can be switched before one is opened.
     axes->setEnabled(!model);
     if (std::exchange(m_modelShown, model) != model) retranslatePicture();
 }

@@ -10,7 +10,7 @@
 
 namespace cullscope::ui {
 
-/// Every command of the window, its place in menus and toolbar, and its words. What a command does is wired by the window.
+/// All actions of the window, with their menus, toolbar and texts. The window connects their signals.
 class WindowActions : public QObject {
     Q_OBJECT
 
@@ -19,18 +19,18 @@ public:
 
     void fill(QMenuBar& bar);
     void fill(QToolBar& bar);
-    /// Words, and the Generate menu from the scene generators.
+    /// Sets the texts in the present language and fills the Generate menu from core's list of generators.
     void retranslate();
-    /// Greys what has no place over a model in spherical coordinates and says so, while the active view shows one; the rest of
-    /// the pictures' commands is to be used where there is a `scene`.
+    /// Enables the actions of pictures. `scene`: a scene is open. `model`: the active view shows a model in spherical
+    /// coordinates, which disables the actions that need a camera's picture and gives the reason.
     void setPictureUsable(bool scene, bool model);
-    /// Why a command is grey while a view shows a model in spherical coordinates.
+    /// Why an action is disabled while a view shows a model in spherical coordinates.
     [[nodiscard]] static QString modelStandsInPlace();
 
     // File
     QAction *open, *saveSession, *saveSessionAs, *screenshot, *screenshotNow, *screenshotBare, *quit;
     QMenu *generate, *recent;
-    // Edit: their words say what they undo, and come from the undo recorder
+    // Edit: the undo recorder sets their texts, which name the step
     QAction *undo, *redo;
     // View
     QAction *oneView, *twoViews, *fourViews, *eightViews;
@@ -40,9 +40,9 @@ public:
     QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;
     QMenu* bookmarks;
-    /// The docks' own actions go here.
+    /// Menu for the docks' toggle actions.
     QMenu* panels;
-    // Picture: of the active view
+    // Picture: actions for the active view
     QAction *freeze, *verdicts, *frustum, *boxes, *boxesByPlane, *bands, *kernel, *sphericalModel, *truth, *loss, *nextLoss,
         *loupe, *axes;
     // Path
@@ -58,7 +58,7 @@ signals:
 
 private:
     QAction* command(const QKeySequence& shortcut, const QString& icon = {});
-    /// A command that is on or off.
+    /// Makes a checkable action.
     QAction* toggle(const QKeySequence& shortcut, const QString& icon = {});
     void makeFile();
     void makeView();
@@ -66,7 +66,7 @@ private:
     void retranslateFile();
     void retranslateView();
     void retranslatePicture();
-    /// What needs a camera's picture.
+    /// The actions that need a camera's picture.
     [[nodiscard]] QList<QAction*> ofCameraPictures() const {
         return {verdicts, frustum, boxes, boxesByPlane, bands, kernel, axes, truth, loss, nextLoss};
     }
@@ -75,7 +75,7 @@ private:
     void fillGenerate();
 
     QWidget* m_window;
-    bool m_modelShown = false;  ///< in the active view, in spherical coordinates
+    bool m_modelShown = false;  ///< the active view shows a model in spherical coordinates
     QMenu *m_editMenu, *m_fileMenu, *m_viewMenu, *m_pictureMenu, *m_pathMenu, *m_upMenu, *m_appearanceMenu, *m_languageMenu,
         *m_helpMenu;
 };

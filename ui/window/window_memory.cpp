@@ -4,7 +4,7 @@ namespace cullscope::ui {
 
 namespace {
 
-/// Counts up when docks or toolbars change their names or their meaning.
+/// Incremented when docks or toolbars change their names or their meaning.
 constexpr int kVersion = 1;
 constexpr const char* kGroup = "window";
 constexpr const char* kVersionSetting = "window/version";

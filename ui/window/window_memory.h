@@ -6,25 +6,25 @@
 
 namespace cullscope::ui {
 
-/// How the window was left: its place, its docks and toolbars, the arrangement and the number of views, and the folder that
-/// dialogs begin in. Kept from start to start; what an older version with other panels left is not used.
+/// Stores the window's state from start to start: geometry, docks and toolbars, arrangement, number of views, and the start
+/// folder of dialogs. The state of an older version with other panels is ignored.
 class WindowMemory {
 public:
     struct Layout {
-        QString arrangement;  ///< the window's id for it
+        QString arrangement;  ///< id of the window's arrangement
         int viewCount = 0;
 
         bool operator==(const Layout&) const = default;
     };
 
-    /// Takes the docks as they are now for the layout that reset() goes back to: make it when all are made. Each dock and
+    /// Takes the present state of the docks as the layout that reset() restores: construct it after all docks. Each dock and
     /// toolbar needs an object name.
     explicit WindowMemory(QMainWindow& window);
 
     void save(const Layout& layout);
-    /// Gives the window its place and docks back. None: nothing was kept, and the window is as it was.
+    /// Restores the window's geometry and docks. None: nothing is stored, and the window is unchanged.
     [[nodiscard]] std::optional<Layout> restore();
-    /// The docks as at the first start, and nothing kept. The window's place and the folder stay.
+    /// Restores the docks of the first start and deletes the stored state. The window's position and the folder stay.
     void reset();
 
     [[nodiscard]] QString folder() const;

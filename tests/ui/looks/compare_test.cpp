@@ -1,4 +1,4 @@
-// Many views beside each other on the least screen, for the back row of a lecture room.
+// Many views beside each other on the least screen must be legible from the back row of a lecture room.
 #include <QFile>
 #include <QPainter>
 #include <QProcess>
@@ -11,17 +11,17 @@
 namespace cullscope::ui::compare_test {
 namespace {
 
-constexpr int kEnlarged = 3;      // letters of 14 pixels are small for tesseract
-constexpr int kLeast = 80;        // of 100 letters of a name that have to be read
-constexpr int kMargin = 30;       // pixels around a line that is read
+constexpr int kEnlarged = 3;      // factor; letters of 14 pixels are too small for tesseract
+constexpr int kLeast = 80;        // per cent of a name's letters that tesseract must read
+constexpr int kMargin = 30;       // pixels around a line
 constexpr int kHeaderMargin = 8;  // pixels between the parts of a header
 
 const std::vector<std::string> kEight{"all", "backface", "frustum", "frustum", "frustum", "all", "backface", "frustum"};
 
-/// Without what a reader may take for one more or less.
+/// The text without characters that tesseract often adds or drops.
 QString bare(QString text) { return text.remove(QRegularExpression(QStringLiteral("[\\s·:.,|_—–-]"))).toLower(); }
 
-/// How many letters one text has to be changed in to be the other.
+/// The edit distance of two texts, in letters.
 int distance(const QString& a, const QString& b) {
     std::vector<int> row(size_t(b.size()) + 1);
     for (size_t j = 0; j < row.size(); ++j) row[j] = int(j);
@@ -36,7 +36,7 @@ int distance(const QString& a, const QString& b) {
     return row.back();
 }
 
-/// Per cent of a text's letters that stand somewhere in a line.
+/// The per cent of the wanted text's letters that occur, in order, somewhere in a line: 100 less the smallest edit distance.
 int readable(const QString& wanted, const QString& line) {
     const QString text = bare(wanted), read = bare(line);
     int least = int(text.size());
@@ -45,7 +45,7 @@ int readable(const QString& wanted, const QString& line) {
     return 100 - 100 * least / std::max(1, int(text.size()));
 }
 
-/// What tesseract reads in each of the pictures of one line.
+/// The text that tesseract reads in each picture of a line.
 QStringList readBack(const std::vector<QImage>& lines) {
     const QTemporaryDir folder;
     QFile list(folder.filePath(QStringLiteral("lines.txt")));
@@ -64,7 +64,7 @@ QStringList readBack(const std::vector<QImage>& lines) {
     return QString::fromUtf8(tesseract.readAllStandardOutput()).split(QLatin1Char('\f'));
 }
 
-/// A part of a window as a reader of letters wants it: large, dark on light, with a margin.
+/// A part of a window prepared for tesseract: enlarged, dark on light, with a margin.
 QImage enlarged(const QImage& window, const QRect& place, bool dark) {
     QImage part = window.copy(place).convertToFormat(QImage::Format_Grayscale8);
     if (dark) part.invertPixels();
@@ -75,13 +75,13 @@ QImage enlarged(const QImage& window, const QRect& place, bool dark) {
     return framed;
 }
 
-/// The words to read, and where they stand.
+/// A text to be read, and its rectangle.
 struct Line {
     QString text;
     QRect place;
 };
 
-/// Of a view's header: the strategy's name, and the missed pixels. The speed between them differs from run to run.
+/// The strategy's name and the missed pixels in a view's header. The speed between them differs from run to run.
 std::vector<Line> headerLines(Desktop& desktop, int view) {
     const ViewHeader& header = desktop.window.views().pane(view).header();
     const QPoint corner = header.mapTo(&desktop.window, QPoint());
@@ -126,7 +126,7 @@ TEST(Compare, eightViewsInKoreanAreLegibleOnTheLeastScreen) {
             parameters.setFromText("box", "length");
             desktop.session.slot(view).setParameters(parameters);
         }
-        // Close to it, so that there is something to miss.
+        // Zoom in, so that the strategy misses pixels.
         desktop.session.setCamera(zoomed(desktop.session.camera(), desktop.session.camera().target, 0.6, 1.0));
         desktop.settle();
         for (int view = 0; view < 8; ++view) EXPECT_EQ(desktop.scene(view).size(), QSize(320, 240)) << "view " << view;

@@ -14,14 +14,14 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kPaintTime = 150;  // ms for the window to paint what arrived last
+constexpr int kPaintTime = 150;  // ms that the window gets to paint its last changes
 constexpr int kDragSteps = 6;
 
 QRect placeIn(const QWidget& window, const QWidget& widget, const QRect& part) {
     return {widget.mapTo(&window, part.topLeft()), part.size()};
 }
 
-/// The cells of a table that hold times, and what is reckoned from them.
+/// The rectangle of a table's times and of values computed from them.
 QRect timesOf(const QTableView& table) {
     const QRect cells = table.viewport()->rect();
     if (qobject_cast<const MetricsModel*>(table.model())) {
@@ -56,7 +56,7 @@ std::vector<QRect> maskedIn(const QWidget& window, const QString& renderer) {
     return masked;
 }
 
-/// What the program does before it makes the window.
+/// The steps of the program before it makes the window.
 Session& begun(Desktop& desktop, const Desktop::Start& start) {
     desktop.language.use(start.language);
     desktop.appearance.setMode(start.appearance);
@@ -91,7 +91,7 @@ bool Desktop::settled() {
 }
 
 void Desktop::settle() {
-    // What is laid out or painted now may ask for more pictures.
+    // Layout and painting may request more pictures: check again.
     do {
         ASSERT_TRUE(waitUntil([this] { return settled(); }));
         QTest::qWait(kPaintTime);
@@ -102,7 +102,7 @@ Look Desktop::look(QWidget& shown) {
     Look look;
     look.renderer = QString::fromStdString(session.gpu()->info().renderer);
     look.picture = shown.grab().toImage().convertToFormat(QImage::Format_RGB32);
-    // The first picture may have laid the window out.
+    // The first grab may have changed the layout.
     if (session.opened()) {
         settle();
         look.picture = shown.grab().toImage().convertToFormat(QImage::Format_RGB32);

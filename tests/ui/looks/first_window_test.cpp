@@ -1,4 +1,4 @@
-// What somebody sees who starts the program for the first time, on the least screen, in each language.
+// The window at the first start of the program, on the least screen, in each language.
 #include "core/mesh/load.h"
 #include "core/visibility/registry.h"
 #include "tests/ui/looks/desktop.h"
@@ -12,7 +12,7 @@ const QStringList kLanguages{QStringLiteral("en"), QStringLiteral("ko"), QString
 
 std::string joined(const QStringList& lines) { return lines.join(QLatin1Char('\n')).toStdString(); }
 
-/// Pixels of a verdict's colour, which is shaded a little.
+/// The number of pixels in a verdict's colour or a slightly shaded tone of it.
 int pixelsOf(const QImage& picture, const QColor& colour) {
     int count = 0;
     for (int y = 0; y < picture.height(); ++y)
@@ -27,7 +27,7 @@ int pixelsOf(const QImage& picture, const QColor& colour) {
     return count;
 }
 
-/// Names that are the same in every language.
+/// Names that are not translated.
 QStringList names(Desktop& desktop) {
     QStringList names{QStringLiteral("Software OpenGL"), QStringLiteral("mesh:FILE,triangles=N")};
     names << QString::fromStdString(desktop.session.gpu()->info().renderer)
@@ -37,7 +37,7 @@ QStringList names(Desktop& desktop) {
     return names;
 }
 
-/// Does something in every state of the first window that a click away shows.
+/// Calls `look` for every page of the first window that one click opens.
 void forEachPage(Desktop& desktop, const std::function<void(const std::string& page)>& look) {
     look("at the start");
     for (int tab = 0; tab < desktop.window.tabs().count(); ++tab) {
@@ -104,14 +104,14 @@ TEST(FirstWindow, hasEveryLetterAndNoEnglishSentenceInKoreanAndChinese) {
 }
 
 TEST(FirstWindow, aMissingLetterAndAnEnglishSentenceAreFound) {
-    // No font has the letters of this private plane.
+    // No font has a glyph for this character of a private use plane.
     const ShownText text{QString::fromUcs4(U"가\U000F1234", 2), QApplication::font(), QStringLiteral("here"), true};
     EXPECT_EQ(textsWithMissingLetters({text}).size(), 1);
     EXPECT_EQ(englishSentences({{QStringLiteral("왼쪽: Drag with this"), {}, {}, true}}, {}).size(), 1);
     EXPECT_TRUE(englishSentences({{QStringLiteral("Software OpenGL 4.5"), {}, {}, true}}, {}).isEmpty());
 }
 
-/// What must not change with the language.
+/// The state that a change of language must not affect.
 struct State {
     Camera camera, observer;
     int views = 0, active = 0;
@@ -149,7 +149,7 @@ void expectTheSameInEveryLanguage(Desktop& desktop, const std::string& when) {
 TEST(FirstWindow, anotherLanguageWhileSteppingKeepsTheState) {
     Desktop desktop;
     Session& session = desktop.session;
-    // Higher letters leave less room to a picture that fits the window.
+    // Fixed sizes: larger letters would reduce a picture that is fitted to the window.
     for (int view = 0; view < 2; ++view) desktop.edit(view, [](ViewSetup& setup) { setup.size = Viewport{400, 500}; });
     WindowActions& actions = desktop.window.actions();
     session.slot(0).choose("frustum");

@@ -10,10 +10,10 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kTolerance = 24;            // of 255, in any channel
+constexpr int kTolerance = 24;            // of 255, in each channel
 constexpr double kToleratedShare = 1e-3;  // of the pixels
 constexpr qint64 kLargestFile = 150'000;  // bytes
-constexpr QRgb kKeptBits = 0xfff8f8f8;    // of a colour, so that the files stay small
+constexpr QRgb kKeptBits = 0xfff8f8f8;    // bits of a colour that are stored, which keeps the files small
 const QString kRendererKey = QStringLiteral("Renderer");
 
 QString keptFile(const QString& name) { return QStringLiteral(CULLSCOPE_SOURCE_DIR "/tests/ui/looks/pictures/%1.png").arg(name); }
@@ -23,7 +23,7 @@ bool differ(QRgb a, QRgb b, int tolerance) {
            std::abs(qBlue(a) - qBlue(b)) > tolerance;
 }
 
-/// As files keep it.
+/// The picture with colours reduced to the stored bits.
 QImage coarse(const QImage& picture) {
     QImage kept = picture.convertToFormat(QImage::Format_RGB32);
     for (int y = 0; y < kept.height(); ++y) {
@@ -33,7 +33,7 @@ QImage coarse(const QImage& picture) {
     return kept;
 }
 
-/// How many pixels of a rectangle differ; they are marked.
+/// The number of pixels that differ in a rectangle; marks them in `marks`.
 int countDifferent(const QImage& a, const QImage& b, const QRect& place, int tolerance, QImage& marks) {
     int count = 0;
     for (int y = place.top(); y <= place.bottom(); ++y)
@@ -53,7 +53,7 @@ bool write(QImage picture, const QString& file, const QString& renderer) {
     return writer.write(picture);
 }
 
-/// Writes the picture and the marks beside each other in the build folder and says where.
+/// A failed assertion: writes the picture and the marks to the build folder and states their paths.
 ::testing::AssertionResult different(const Look& look, const QString& name, const QImage& marks) {
     const QString file = QStringLiteral("%1/%2.png").arg(writtenPicturesFolder(), name);
     const QString markFile = QStringLiteral("%1/%2-difference.png").arg(writtenPicturesFolder(), name);

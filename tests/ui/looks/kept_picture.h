@@ -9,24 +9,24 @@
 
 namespace cullscope::ui {
 
-/// A picture of a window as it looks now.
+/// A picture of a window as it is displayed now.
 struct Look {
     QImage picture;
-    std::vector<QRect> masked;  ///< pixels that differ from run to run (times, and what is reckoned from them)
-    std::vector<QRect> scenes;  ///< pixels that OpenGL drew: the same renderer draws them the same
-    QString renderer;           ///< OpenGL's name for what drew them
+    std::vector<QRect> masked;  ///< pixels that differ from run to run (times, and values computed from them)
+    std::vector<QRect> scenes;  ///< pixels drawn by OpenGL, which are reproducible on the same renderer only
+    QString renderer;           ///< OpenGL's name of the renderer
 };
 
-/// Where pictures that differ from the kept ones are written.
+/// The folder to which differing pictures are written.
 [[nodiscard]] QString writtenPicturesFolder();
 
-/// The picture with what is masked painted over.
+/// The picture with the masked rectangles painted over.
 [[nodiscard]] QImage withoutMasked(const QImage& picture, const std::vector<QRect>& masked);
 
-/// Compares with tests/ui/looks/pictures/NAME.png, which holds the upper five bits of each channel: the scenes exactly where the
-/// renderer is the one that drew the kept picture, all else up to 0.1 % of the pixels that differ by more than 24 in a channel. A
-/// picture that differs is written to writtenPicturesFolder() beside one that marks where. With CULLSCOPE_RENEW_PICTURES=1 in the
-/// environment the picture becomes the kept one.
+/// Compares a picture with tests/ui/looks/pictures/NAME.png, which stores the upper five bits of each channel. Scenes must be
+/// equal if the renderer is that of the stored picture; elsewhere up to 0.1 % of the pixels may differ by more than 24 in a
+/// channel. A differing picture is written to writtenPicturesFolder() together with one that marks the differences. With
+/// CULLSCOPE_RENEW_PICTURES=1 in the environment the new picture replaces the stored one.
 [[nodiscard]] ::testing::AssertionResult looksAsKept(const Look& look, const QString& name);
 
 }  // namespace cullscope::ui

@@ -1,4 +1,4 @@
-// The window without a mouse.
+// Use of the window without a mouse.
 #include <QAccessible>
 #include <QDialog>
 #include <QLineEdit>
@@ -20,7 +20,7 @@ void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
     QApplication::processEvents();
 }
 
-/// Presses Tab until something has the focus.
+/// Presses Tab until a wanted widget has the focus; returns false if none gets it.
 bool tabTo(const std::function<bool(const QWidget&)>& wanted) {
     for (int stop = 0; stop < kMostStops; ++stop) {
         if (const QWidget* widget = QApplication::focusWidget(); widget && wanted(*widget)) return true;
@@ -43,7 +43,7 @@ TEST(Keyboard, everythingOfALessonWorksWithoutAMouse) {
     Desktop desktop;
     Session& session = desktop.session;
     MainWindow& window = desktop.window;
-    // The strategy: the rail's first button opens its page, whose list has the focus.
+    // Choose a strategy: the first button of the rail opens a page whose list has the focus.
     ASSERT_TRUE(tabTo(&window.side().button(0)));
     press(Qt::Key_Space);
     ASSERT_TRUE(tabTo(&window.strategyPanel().choice()));
@@ -52,14 +52,14 @@ TEST(Keyboard, everythingOfALessonWorksWithoutAMouse) {
         press(Qt::Key_Down);
     ASSERT_EQ(session.slot(0).id(), "frustum");
     desktop.settle();
-    // A parameter, right behind it.
+    // Change a parameter; its field is next in the tab order.
     const ParameterSet before = session.slot(0).parameters();
     ASSERT_TRUE(tabTo(window.strategyPanel().form().findChild<QWidget*>(QStringLiteral("box"))));
     press(Qt::Key_Down);
     EXPECT_FALSE(session.slot(0).parameters() == before);
     press(Qt::Key_Escape);
     EXPECT_EQ(window.side().openPage(), -1);
-    // The losses of back-face culling, whose raster snaps.
+    // Look at the losses of back-face culling, which come from the rasteriser's snapping of vertices.
     ASSERT_TRUE(tabTo(&window.side().button(0)));
     press(Qt::Key_Space);
     ASSERT_TRUE(tabTo(&window.strategyPanel().choice()));
@@ -72,7 +72,7 @@ TEST(Keyboard, everythingOfALessonWorksWithoutAMouse) {
         press(Qt::Key_Right);
     EXPECT_EQ(window.tabs().currentWidget(), &window.structurePanel().losses());
     EXPECT_TRUE(window.structurePanel().losses().isVisible());
-    // Turned until there is one.
+    // Turn the scene until a pixel is missed.
     ASSERT_TRUE(tabTo(&desktop.view(0)));
     for (int turn = 0; turn < kMostTurns && session.figures(0).holes.empty(); ++turn) {
         press(Qt::Key_Right);
@@ -83,7 +83,7 @@ TEST(Keyboard, everythingOfALessonWorksWithoutAMouse) {
     EXPECT_EQ(desktop.view(0).markedLoss(), std::optional<size_t>(0));
     desktop.settle();
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("next-loss")));
-    // A screenshot, and not after all.
+    // Open the dialog for a screenshot and cancel it.
     bool asked = false;
     QTimer watch;
     QObject::connect(&watch, &QTimer::timeout, [&] {

@@ -1,5 +1,5 @@
-// Pictures of the window are compared with kept ones, so all that a user's computer would change in them is fixed before the
-// application is made: a fresh home, the packages' fonts, the resolution, the language of the system.
+// Pictures of the window are compared with stored ones. The settings of the user's computer that would change them are fixed
+// before the application is made: home folder, fonts, resolution, and language of the system.
 #include <gtest/gtest.h>
 
 #include <QFile>
@@ -11,7 +11,8 @@
 
 namespace {
 
-// fonts-dejavu-core, which fontconfig brings, and fonts-noto-cjk. The cache outlives the fresh home: filling it takes a second.
+// The fonts of the packages fonts-dejavu-core, which fontconfig depends on, and fonts-noto-cjk. The font cache is kept outside
+// the new home folder, because filling it takes a second.
 constexpr const char* kFonts = R"(<?xml version="1.0"?>
 <!DOCTYPE fontconfig SYSTEM "fonts.dtd">
 <fontconfig>

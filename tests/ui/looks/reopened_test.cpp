@@ -1,4 +1,4 @@
-// A large screenshot that brings everything back, and a file that changes nothing.
+// A large screenshot that restores the whole state when it is opened, and a malformed file that changes nothing.
 #include <QDir>
 #include <QDropEvent>
 #include <QMimeData>
@@ -11,7 +11,7 @@ namespace cullscope::ui::reopened_test {
 namespace {
 
 const Viewport kUltraHd{3840, 2160};
-const QSize kKept{1280, 720};  // of a large screenshot, so that the kept picture stays small
+const QSize kKept{1280, 720};  // size of the stored picture of a large screenshot, which keeps the file small
 
 void drop(MainWindow& window, const QString& file) {
     QMimeData dragged;
@@ -25,7 +25,7 @@ void drop(MainWindow& window, const QString& file) {
     ASSERT_TRUE(dropped.isAccepted());
 }
 
-/// Takes one as F12 does: as the last time.
+/// Takes a screenshot with the last settings, as F12 does.
 QString screenshot(Desktop& desktop, const QString& folder) {
     ScreenshotSettings settings = ScreenshotSettings::load();
     settings.options.size = kUltraHd;
@@ -40,7 +40,7 @@ QString screenshot(Desktop& desktop, const QString& folder) {
     return file;
 }
 
-/// Strategies, parameters, cameras, roles, sizes, number of views and scene.
+/// Changes strategies, parameters, cameras, roles, sizes, number of views and scene.
 void changeEverything(Desktop& desktop) {
     openAndWait(desktop.session, QStringLiteral("torus:triangles=500"));
     desktop.window.actions().eightViews->trigger();
@@ -56,7 +56,7 @@ void changeEverything(Desktop& desktop) {
     desktop.settle();
 }
 
-/// Times, the toolbar (opening a state starts undo anew) and the next action, of which fewer are left.
+/// The masked rectangles of `look` (times), the toolbars (opening a state clears the undo history) and the message bar.
 std::vector<QRect> maskedToo(Desktop& desktop, Look look) {
     const auto mask = [&](const QWidget& widget) {
         look.masked.emplace_back(widget.mapTo(&desktop.window, QPoint()), widget.size());
@@ -80,7 +80,7 @@ TEST(Reopened, aLargeScreenshotBringsTheSameViewBack) {
     const QString file = screenshot(desktop, folder.path());
     const QImage saved(file);
     ASSERT_EQ(saved.size(), QSize(kUltraHd.width, kUltraHd.height));
-    // Its line about each view holds times.
+    // The strips at the top and at the bottom state times: mask them.
     Look small{saved.scaled(kKept, Qt::IgnoreAspectRatio, Qt::SmoothTransformation).convertToFormat(QImage::Format_RGB32),
                {},
                {},
@@ -134,7 +134,7 @@ TEST(Reopened, aMalformedFileIsOneSentenceAndChangesNothing) {
     EXPECT_EQ(said.count(QLatin1Char('\n')), 0) << said.toStdString();
     EXPECT_EQ(session.opened(), scene);
     for (int view = 0; view < 2; ++view) EXPECT_EQ(desktop.scene(view), pictures[size_t(view)]);
-    // The name of the folder that is thrown away is in the sentence.
+    // The sentence names the temporary folder: mask it.
     Look look = desktop.look();
     const MessageBar& bar = desktop.window.message();
     look.masked.emplace_back(bar.mapTo(&desktop.window, QPoint()), bar.size());

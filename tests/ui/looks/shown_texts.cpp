@@ -35,7 +35,7 @@ QString nameOf(const QWidget& widget) {
     return QStringLiteral("%1 %2").arg(QString::fromLatin1(widget.metaObject()->className()), widget.objectName());
 }
 
-/// Gathers the texts of one widget after the other.
+/// Collects the texts of widgets.
 class Gatherer {
 public:
     void add(const QWidget& widget);
@@ -111,7 +111,7 @@ std::vector<const QWidget*> visibleWidgets(const QWidget& window) {
     return visible;
 }
 
-/// Whether something around a widget cuts it off, other than what can be scrolled.
+/// Whether a parent cuts a widget off that the user cannot scroll into view.
 bool cutOff(const QWidget& widget) {
     QRect place = widget.rect();
     for (const QWidget* child = &widget; child->parentWidget() && !child->isWindow(); child = child->parentWidget()) {
@@ -124,7 +124,7 @@ bool cutOff(const QWidget& widget) {
 
 bool fits(const QLabel& label) {
     if (label.wordWrap()) return label.heightForWidth(label.width()) <= label.height();
-    // Above and below it may have less of a margin than it wants.
+    // The vertical margins may be smaller than the size hint asks for.
     return label.sizeHint().width() <= label.width() && label.sizeHint().height() - 2 * label.margin() <= label.height();
 }
 
@@ -143,7 +143,7 @@ bool fits(const QComboBox& box) {
     return QFontMetrics(box.font()).horizontalAdvance(box.currentText()) <= place.width();
 }
 
-/// Tabs that the bar cuts or scrolls away.
+/// Whether the bar shows all tabs, neither cut nor scrolled away.
 bool fits(const QTabBar& tabs) {
     const QFontMetrics metrics(tabs.font());
     for (int tab = 0; tab < tabs.count(); ++tab)
@@ -152,14 +152,14 @@ bool fits(const QTabBar& tabs) {
     return true;
 }
 
-/// Pixels of the longest of its lines.
+/// The width of the longest line in pixels.
 int widthOf(const QString& text, const QFontMetrics& metrics) {
     int width = 0;
     for (const QString& line : text.split(QLatin1Char('\n'))) width = std::max(width, metrics.horizontalAdvance(line));
     return width;
 }
 
-/// Cells and titles of the rows and columns.
+/// Whether the texts of all cells and headers fit.
 bool fits(const QTableView& table) {
     const QFontMetrics metrics(table.font());
     const QAbstractItemModel& model = *table.model();
@@ -186,7 +186,7 @@ bool allFits(const QWidget& widget) {
     return true;
 }
 
-/// A bar that has no room for all of its buttons shows one more that opens the rest.
+/// Whether the widget is the extension button of a toolbar that has no room for all of its buttons.
 bool opensTheRest(const QWidget& widget) { return widget.objectName() == QLatin1String("qt_toolbar_ext_button"); }
 
 }  // namespace
@@ -224,7 +224,7 @@ QStringList textsWithMissingLetters(const std::vector<ShownText>& texts) {
         layout.beginLayout();
         layout.createLine();
         layout.endLayout();
-        // Glyph 0 is the box that stands for a letter that the font has not.
+        // Glyph 0 is the replacement box for a character that the font does not have.
         for (const QGlyphRun& run : layout.glyphRuns())
             if (run.glyphIndexes().contains(0)) {
                 missing << QStringLiteral("%1: %2").arg(text.where, text.text);

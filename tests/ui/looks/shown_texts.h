@@ -7,24 +7,24 @@
 
 namespace cullscope::ui {
 
-/// A text that a window shows, or says when the pointer rests or a screen reader asks.
+/// A text that a window shows, or states in a tooltip or to a screen reader.
 struct ShownText {
-    QString text;  ///< plain
+    QString text;  ///< without markup
     QFont font;
-    QString where;  ///< for a test's report
-    bool painted;   ///< false: a tip or an accessible name
+    QString where;  ///< location, for a test's report
+    bool painted;   ///< false: a tooltip or an accessible name
 };
 
-/// All of a window's visible widgets, its menus included.
+/// The texts of all visible widgets of a window and of its menus.
 [[nodiscard]] std::vector<ShownText> shownTexts(const QWidget& window);
 
-/// What of the texts that are painted does not fit its place, a sentence each.
+/// The painted texts that do not fit, one sentence each.
 [[nodiscard]] QStringList cutTexts(const QWidget& window);
 
-/// The texts with a letter that no font has.
+/// The texts with a character that no font has.
 [[nodiscard]] QStringList textsWithMissingLetters(const std::vector<ShownText>& texts);
 
-/// The texts in which three or more Latin words follow each other, less the given words that are names in any language.
+/// The texts with three or more consecutive Latin words, after the given untranslated names are removed.
 [[nodiscard]] QStringList englishSentences(const std::vector<ShownText>& texts, const QStringList& names);
 
 }  // namespace cullscope::ui

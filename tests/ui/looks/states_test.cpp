@@ -1,4 +1,5 @@
-// States that must look right: dark, other sizes and scales, statistics, a lecture, and a window before a scene is opened.
+// States that must look right: dark palette, other sizes and scales, statistics, a lecture, and a window before a scene is
+// opened.
 #include <QHeaderView>
 #include <QProcess>
 #include <QSpinBox>
@@ -12,7 +13,7 @@ namespace cullscope::ui::states_test {
 namespace {
 
 constexpr int kSmallestLectureLetters = 20;  // pixels
-constexpr int kColumnWidth = 90;             // of the statistics' table, in its kept picture
+constexpr int kColumnWidth = 90;             // of the statistics' table in its stored picture
 
 QStringList cut(Desktop& desktop) { return cutTexts(desktop.window); }
 
@@ -63,7 +64,7 @@ TEST(States, aFinishedExperimentLooksAsKept) {
     ASSERT_TRUE(waitUntil([&] { return start->text() == begin; }));
     desktop.settle();
     EXPECT_GE(panel.model().rowCount(), 2);
-    // Columns are as wide as their numbers, and those of times have more or fewer digits from run to run.
+    // Columns fit their numbers, and times have more or fewer digits from run to run: fix the widths.
     for (QTableView* table : panel.findChildren<QTableView*>()) {
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
         for (int column = 1; column < table->model()->columnCount(); ++column) table->setColumnWidth(column, kColumnWidth);
@@ -115,7 +116,7 @@ TEST(States, aScaledScreenHasThePictureScaledAndNoTextCut) {
         EXPECT_EQ(program.exitCode(), 0) << said.toStdString();
         const QImage picture(file);
         EXPECT_EQ(picture.size(), QSize(1366, 768) * scale) << scale;
-        // The first window's own test, at this scale: whether a text fits can only be asked inside the program.
+        // Runs the test of the first window at this scale: only a process with that scale can measure whether texts fit.
         QProcess inside;
         const QByteArray told = ended(inside, QCoreApplication::applicationFilePath(),
                                       {QStringLiteral("--gtest_filter=FirstWindow.cutsNoTextInAnyLanguage")}, scale);
