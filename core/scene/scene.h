@@ -41,8 +41,8 @@ public:
     /// origin.
     [[nodiscard]] double pictureRounding(const Instance& instance) const;
 
-    /// World bounds of one instance, and of all. They contain every vertex, also as displaced by a picture's float rounding
-    /// (pictureRounding).
+    /// World bounds. Those of one instance contain every vertex, also as displaced by a picture's float rounding
+    /// (pictureRounding); those of the scene contain the vertices without that displacement.
     [[nodiscard]] const Box3& instanceBox(size_t instance) const { return m_instanceBoxes[instance]; }
     [[nodiscard]] const Sphere& instanceSphere(size_t instance) const { return m_instanceSpheres[instance]; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; }
