@@ -1,4 +1,4 @@
-// The desktop: reads the command line, makes sure that there is a display with OpenGL, and puts the window together.
+// The desktop: reads the command line, checks that there is a display with OpenGL, and creates the window.
 #include <CLI/CLI.hpp>
 #include <QIcon>
 #include <cstdio>
@@ -24,7 +24,7 @@ struct CommandLine {
     std::vector<std::string> strategies;
     std::vector<std::filesystem::path> modelFolders;
     std::string language;
-    std::optional<Viewport> size;  ///< none: as large as the screen has place for
+    std::optional<Viewport> size;  ///< none: the largest that fits on the screen
     std::string screenshot;
 };
 
@@ -96,7 +96,7 @@ int show(QApplication& application, const CommandLine& line) {
     ui::showFirstViews(session, line.strategies);
 
     ui::MainWindow window(session, language, appearance);
-    // A picture of the window is to be the same on every machine: it neither takes nor leaves a layout.
+    // A picture of the window must be the same on every machine, so it neither reads nor stores a layout.
     const bool remembers = line.screenshot.empty();
     window.setKeepsLayout(remembers);
     const bool restored = remembers && window.restoreLayout(line.strategies.empty());

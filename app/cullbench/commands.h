@@ -13,11 +13,11 @@
 
 namespace cullscope::cullbench {
 
-/// What every command shares.
+/// The state that all commands share.
 struct Context {
     std::stop_token stop;             ///< Ctrl-C
     SceneSourceOptions sceneOptions;  ///< --models
-    int exitStatus = 0;               ///< what the command decides besides errors
+    int exitStatus = 0;               ///< of the command, where it throws no error
 };
 
 void addListCommand(CLI::App& app, Context& context);
@@ -28,9 +28,9 @@ void addInspectCommand(CLI::App& app, Context& context);
 void addPathCommand(CLI::App& app, Context& context);
 void addReproduceCommand(CLI::App& app, Context& context);
 
-/// A progress bar on standard error where that is a terminal, nothing in a pipe.
+/// A progress bar on standard error where that is a terminal; none in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);
-/// Takes the bar off the terminal before something is printed.
+/// Removes the bar from the terminal; to be called before a print.
 void clearProgress();
 
 /// The scene that a command works on.
@@ -40,7 +40,7 @@ struct SceneChoice {
 };
 void addSceneOptions(CLI::App& command, SceneChoice& choice);
 
-/// Opens a scene with a progress bar, without what is hidden; says on standard error what the file's loader repaired.
+/// Opens a scene with a progress bar, without its hidden objects; prints the loader's repairs of the file on standard error.
 [[nodiscard]] OpenedScene openSceneForCommand(const SceneChoice& choice, const Context& context);
 
 /// "640x480". Throws Error(Usage).
@@ -52,13 +52,13 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 [[nodiscard]] std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
                                                               const std::vector<std::string>& parameters);
 
-/// Throws Error(OpenGl) with one sentence where an OpenGL cannot do what a strategy asks of it.
+/// Throws Error(OpenGl) with one sentence where this OpenGL does not meet a strategy's requirement.
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);
 
-/// Refuses a place that cannot be written before the work, not after it; empty paths and "-" pass. Throws Error(Usage).
+/// Checks that files can be written, before the work instead of after it; empty paths and "-" pass. Throws Error(Usage).
 void checkOutputPlaces(const std::vector<std::string>& paths);
 
-/// Writes text to a file, whole or not at all; "-" is standard output.
+/// Writes text to a file, completely or not at all; "-" is standard output.
 void writeText(const std::string& path, const std::string& text);
 
 }  // namespace cullscope::cullbench

@@ -35,7 +35,7 @@ bool declares(const StrategyRequest& request, const std::string& key) {
                        [&](const ParameterDeclaration& declaration) { return declaration.key == key; });
 }
 
-/// `A.key=value` goes to every strategy A, `key=value` to every one that has the key.
+/// Applies `A.key=value` to every strategy A, and `key=value` to every strategy that has the key.
 void apply(const std::string& text, std::vector<StrategyRequest>& requests) {
     const auto [name, value] = keyAndValue(text);
     const size_t dot = name.find('.');
@@ -49,7 +49,7 @@ void apply(const std::string& text, std::vector<StrategyRequest>& requests) {
     }
     if (used) return;
     if (!id.empty()) throwUsage(CULLSCOPE_TR("-p %1: the strategy \"%2\" is not among those of -s."), {text, id});
-    // With one strategy its own error names what it has.
+    // With one strategy, its own error lists its parameters.
     if (requests.size() == 1) requests.front().parameters.setFromText(key, value);
     throwUsage(CULLSCOPE_TR("-p %1: none of the strategies has a parameter \"%2\"."), {text, key});
 }
@@ -107,7 +107,7 @@ Vec3 vectorFromText(const std::string& option, const std::string& text) {
 
 std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
                                                 const std::vector<std::string>& parameters) {
-    // A comma stands between strategies and, as in scenes, between one's parameters: A:key=value,key=value,B.
+    // A comma separates strategies and, as in scenes, the parameters of one: A:key=value,key=value,B.
     std::vector<std::string> texts;
     for (std::string name : names) {
         std::ranges::replace(name, ',', ':');

@@ -1,4 +1,4 @@
-// cullbench: everything that Cullscope measures, without a window.
+// cullbench: all measurements of Cullscope, without a window.
 
 #include <fmt/format.h>
 #include <pthread.h>
@@ -17,8 +17,8 @@ namespace {
 using namespace cullscope;
 using namespace cullscope::cullbench;
 
-/// Turns the first Ctrl-C into a stop request, which keeps what was measured; the second ends the program at once.
-/// The signals are blocked in every thread and taken by one that waits for them.
+/// The first Ctrl-C is a stop request, which keeps the measurements made so far; the second ends the program at once. The signals
+/// are blocked in every thread; one thread waits for them.
 std::stop_source stopOnInterrupt() {
     sigset_t signals;
     sigemptyset(&signals);
@@ -62,7 +62,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::ParseError& failure) {
         return app.exit(failure) == 0 ? 0 : static_cast<int>(ErrorKind::Usage);
     } catch (const std::system_error& failure) {
-        // fmt's way of saying that a print failed.
+        // fmt throws this where a print failed.
         if (std::ferror(stdout) == 0) throw;
         refuseOutput(failure.code().value());
     }

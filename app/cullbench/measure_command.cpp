@@ -19,7 +19,7 @@ struct MeasureOptions {
     bool noAccuracy = false;
 };
 
-/// With the parameters that are not as by default.
+/// The strategy's id with the parameters that are not at their defaults.
 std::string nameOf(const StrategyRequest& strategy) {
     std::string name = strategy.id;
     for (const ParameterDeclaration& parameter : strategy.parameters.declarations())
@@ -28,8 +28,8 @@ std::string nameOf(const StrategyRequest& strategy) {
     return name;
 }
 
-/// Of the scene's triangles, mean over the poses; empty for a strategy that leaves nothing out for a cause but the frustum, of
-/// which the table says all.
+/// The culled share of the scene's triangles by cause, mean over the poses; empty for a strategy that culls by the frustum only,
+/// because the table contains that.
 std::string culledByCause(const RunMeasurement& run, const Scene& scene) {
     std::array<double, kCauseCount> sums{};
     for (const FrameMeasurement& frame : run.frames)
@@ -45,8 +45,8 @@ std::string culledByCause(const RunMeasurement& run, const Scene& scene) {
     return others ? text : std::string();
 }
 
-/// In how many poses which of a strategy's tests held for some object: "a in 16 of 16 poses, b in 3, c in none"; empty: it has
-/// only one.
+/// The number of poses in which each of a strategy's tests was used for some object: "a in 16 of 16 poses, b in 3, c in none";
+/// empty for a strategy with a single test.
 std::string usedParts(const RunMeasurement& run) {
     std::string text;
     if (run.frames.empty()) return text;
@@ -103,9 +103,10 @@ MeasureRequest requestOf(const MeasureOptions& options, const OpenedScene& opene
     return request;
 }
 
-/// The table first: a result file that cannot be written any more must not take it along, nor the other file.
+/// The table is printed first, and every file is tried, so that a file that cannot be written costs neither the table nor the
+/// other file.
 void report(const MeasureOptions& options, const MeasureResult& result) {
-    // Where standard output carries data, the table goes beside it.
+    // Where standard output carries data, the table goes to standard error.
     printTable(result, options.json == "-" || options.csv == "-" ? stderr : stdout);
     std::optional<Error> failure;
     for (const auto& [path, text] : {std::pair(options.json, &resultJson), std::pair(options.csv, &resultCsv)}) try {
@@ -133,7 +134,7 @@ int statusOf(const MeasureResult& result) {
 }
 
 void run(const MeasureOptions& options, Context& context) {
-    // What can be wrong with the words is said before a long load.
+    // Errors in the arguments are reported before a long load.
     (void)strategiesFromText(options.strategies, options.parameters);
     (void)sizeFromText(options.size);
     checkOutputs(options);

@@ -13,13 +13,13 @@ namespace cullscope::cullbench {
 namespace {
 
 constexpr const char* kOverlays = "verdicts, boxes, frustum, bands, kernel, index-map, spherical-model";
-/// Of strategies that have such a structure; none of today's has.
+/// Overlays of structures that no strategy has yet.
 constexpr std::array kOfOtherStrategies{"tree"};
 constexpr const char* kStrategiesWithMaps = "spherical, spherical-horizon, spherical-lossless";
 constexpr const char* kStrategiesWithBands = "spherical, spherical-horizon";
 constexpr const char* kStrategiesWithCells = "spherical-lossless";
 
-/// Adds one overlay; false: there is none of that name.
+/// Adds one overlay; returns false for an unknown name.
 bool add(const std::string& name, OverlayChoice& choice) {
     if (name == "verdicts")
         choice.look.colouring = Colouring::Verdicts;
@@ -40,7 +40,7 @@ bool add(const std::string& name, OverlayChoice& choice) {
     return true;
 }
 
-/// What stands in place of the scene stands alone.
+/// Throws Error(Usage) where an overlay that replaces the scene is combined with another.
 void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& names) {
     if (!choice.replacesScene()) return;
     const std::string alone = choice.map ? "index-map" : "spherical-model";
@@ -64,7 +64,7 @@ void requireBands(const std::string& strategy, const StructureSnapshot& snapshot
         {scene.instances()[decision.instance].name, spherical::relationName(decision.relation)});
 }
 
-/// Says why an object has no kernel; nothing where it has one.
+/// Throws Error(Usage) with the reason where an object has no kernel.
 void requireKernelOf(const spherical::MapSnapshot& map, const std::string& option, const Scene& scene) {
     const std::string& name = scene.instances()[map.decision.instance].name;
     if (!map.kernel)

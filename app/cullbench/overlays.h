@@ -9,10 +9,10 @@
 
 namespace cullscope::cullbench {
 
-/// What `render` shows besides what was drawn, and from where, as given on the command line.
+/// What `render` shows besides the drawn triangles, and from which camera, as given on the command line.
 struct OverlayOptions {
     std::vector<std::string> names;
-    std::string below;         ///< what stands below the picture; empty: nothing
+    std::string below;         ///< content of the second picture below the first; empty: no second picture
     std::string mapColouring;  ///< empty: by entries
     std::string boxColouring;  ///< empty: by verdict
     std::string eye, target, up;
@@ -21,7 +21,7 @@ struct OverlayOptions {
     double nearDistance = 0.0, farDistance = 0.0;  ///< 0: around the scene
     bool drawnOnly = false;
 
-    /// Whether the viewing camera is another than the culling camera.
+    /// Whether the viewing camera differs from the culling camera.
     [[nodiscard]] bool observer() const {
         return !eye.empty() || !target.empty() || !up.empty() || fovy > 0.0 || nearDistance > 0.0 || farDistance > 0.0;
     }
@@ -29,7 +29,7 @@ struct OverlayOptions {
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options);
 
-/// What a picture shows: the scene with a look, or an index map in its place.
+/// The content of a picture: the scene with a look, or an index map in its place.
 struct OverlayChoice {
     ViewLook look;
     std::optional<MapColouring> map;
@@ -38,33 +38,33 @@ struct OverlayChoice {
     [[nodiscard]] bool needsTrace() const { return map || cullscope::needsTrace(look); }
 };
 
-/// Throws Error(Usage) for a name that is no overlay, naming those that are, that the strategy of this id does not have, or that
-/// cannot be shown together with the others.
+/// Throws Error(Usage) for an unknown overlay (naming the known ones), for one that the strategy of this id does not have, and
+/// for one that cannot be combined with the others.
 [[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy);
 
-/// What stands below the picture: another choice, or the same seen from behind.
+/// The content of the second picture below: other overlays, or the same from the opposite side.
 struct BelowChoice {
     OverlayChoice overlays;
     bool behind = false;
 };
-/// None where nothing was asked for; throws Error(Usage) for an unknown name.
+/// None where no second picture was requested; throws Error(Usage) for an unknown name.
 [[nodiscard]] std::optional<BelowChoice> belowOf(const OverlayOptions& options, const OverlayChoice& above);
 
-/// The camera from the other side of the scene's middle.
+/// The camera reflected to the other side of the scene's middle.
 [[nodiscard]] Camera cameraBehind(const Camera& camera, const Scene& scene);
 
-/// Throws Error(Usage) where the strategy has nothing at this view of what was chosen, saying why and what to do.
+/// Throws Error(Usage), with the reason and what to do, where the strategy has no data at this view for a chosen overlay.
 void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const StructureSnapshot& snapshot,
                      const Scene& scene);
 
-/// The index map that is shown: of the first object that is not outside the frustum, of the first one where all are. Null: the
-/// strategy has none.
+/// The index map to show: of the first object that is not outside the frustum; where all are outside, of the first object. Null
+/// where the strategy has no maps.
 [[nodiscard]] const spherical::MapSnapshot* shownMap(const StructureSnapshot& snapshot);
 
-/// The camera that looks: the culling camera with what was given in its place, its depth range fitted to the scene.
+/// The viewing camera: the culling camera with the values given on the command line, its depth range fitted to the scene.
 [[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);
 
-/// The size of the culling camera's picture, which shapes its frustum: `size`, or what was given.
+/// The size of the culling camera's picture, which determines its frustum: the one given, else `size`.
 [[nodiscard]] Viewport cullingSize(const OverlayOptions& options, const Viewport& size);
 
 }  // namespace cullscope::cullbench

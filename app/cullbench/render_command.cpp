@@ -46,7 +46,7 @@ Camera cameraOf(const RenderOptions& options, const Scene& scene, const Viewport
     return camera;
 }
 
-/// "RRGGBB", as in web pages; nothing given keeps the fallback.
+/// A colour "RRGGBB", as in web pages; the fallback for an empty text.
 Vec3f colourFromText(const std::string& option, const std::string& text, const Vec3f& fallback) {
     if (text.empty()) return fallback;
     unsigned value = 0;
@@ -56,7 +56,7 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
     return colourFromHexadecimal(value);
 }
 
-/// What the picture shows, for its metadata.
+/// The content of the picture, for its metadata.
 PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& strategy, const OverlayChoice& choice,
                          const View& culling, const View& viewing, const Verdict& verdict) {
     PictureSubject subject;
@@ -74,7 +74,7 @@ PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& st
     return subject;
 }
 
-/// One line of how many triangles are in each state that occurs.
+/// One line with the number of triangles in each state that occurs.
 std::string described(const TriangleStates& states) {
     std::string text;
     for (size_t i = 0; i < kTriangleStateCount; ++i)
@@ -84,15 +84,15 @@ std::string described(const TriangleStates& states) {
     return text;
 }
 
-/// What there is to say of a picture, and the picture.
+/// A picture and the figures printed about it.
 struct Drawn {
     Verdict verdict;
     TriangleStates states;  ///< empty without `verdicts`
     std::vector<uint8_t> rgba;
-    std::string sphere;  ///< what a spherical strategy decided about the object whose map is shown
+    std::string sphere;  ///< the decision of a spherical strategy about the object whose map is shown
 };
 
-/// What the walk over an object's cells tested, and how many triangles each test left out.
+/// The tests of a walk over an object's cells, and how many triangles each of them culled.
 std::string describedWalk(const spherical::CellWalk& walk) {
     const auto culled = [&](Cause cause) { return fmt::format("{} {}", walk.culled[size_t(cause)], causeName(cause)); };
     return fmt::format("{} nodes visited; planes: {}; cones: {}; horizon: {}", walk.nodesVisited, culled(Cause::OutsideFrustum),
@@ -134,7 +134,7 @@ Drawn drawPicture(Renderer& renderer, Strategy& strategy, const std::string& id,
     return drawn;
 }
 
-/// Depth and triangles of what the strategy drew, whatever lies over it.
+/// Adds depth and triangle numbers of the draw list, without overlays.
 void addDepth(Renderer& renderer, Picture& picture, const ScenePointer& scene, const View& viewing, const DrawList& drawn) {
     Renderer::ItemBuffer items = renderer.drawItemBuffer(SceneBuffers(scene, Upload::Vbo), viewing, drawn);
     picture.depth = forwardDistances(items.depth, viewing);
@@ -164,7 +164,7 @@ void run(const RenderOptions& options, const Context& context) {
     Drawn drawn = drawPicture(renderer, *strategy, request.id, opened.scene, view, viewingView, choice, style);
     if (below) {
         const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
-        // Rows count from the bottom: what stands below comes first.
+        // Rows count from the bottom, so the second picture's rows come first.
         Drawn second = drawPicture(renderer, *strategy, request.id, opened.scene, view, side, below->overlays, style);
         drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
         if (drawn.sphere.empty()) drawn.sphere = std::move(second.sphere);
@@ -177,7 +177,7 @@ void run(const RenderOptions& options, const Context& context) {
     if (keepsDepth(options.output) && !choice.replacesScene() && !below)
         addDepth(renderer, picture, opened.scene, viewingView, verdict.drawList);
     writePicture(options.output, picture);
-    // Where the picture went to standard output, the words go beside it.
+    // Where the picture goes to standard output, the text goes to standard error.
     std::FILE* words = options.output == "-" ? stderr : stdout;
     fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, verdict.consideredTriangles,
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());

@@ -25,7 +25,7 @@ std::vector<const PaperExperiment*> chosen(const std::string& id) {
     return experiments;
 }
 
-/// Adds a table for each experiment; those that are there stay where a later one fails.
+/// Adds a table for each experiment; finished tables stay where a later experiment fails.
 void reproduceAll(const std::vector<const PaperExperiment*>& experiments, const ReproduceOptions& options,
                   const Progress& progress, FILE* out, std::vector<PaperTable>& tables) {
     std::optional<HeadlessContext> gl;
@@ -34,7 +34,7 @@ void reproduceAll(const std::vector<const PaperExperiment*>& experiments, const 
         if (experiments[i]->timed() && !gl) gl.emplace();
         tables.push_back(reproduce(*experiments[i], options, progress.part(double(i) / count, double(i + 1) / count)));
         clearProgress();
-        // Each as soon as it is there: all of them take minutes.
+        // Each table is printed as soon as it is finished, because all of them take minutes.
         fmt::print(out, "{}{}", i > 0 ? "\n" : "", paperTableText(tables.back()));
         std::fflush(out);
     }
@@ -50,7 +50,7 @@ int statusOf(const std::vector<PaperTable>& tables) {
     return tables.back().interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
 }
 
-/// Refuses a plot where none of the experiments has one.
+/// Throws Error(Usage) for a plot file where none of the experiments has a plot.
 void checkPlots(const std::vector<const PaperExperiment*>& experiments) {
     const auto has = [](const PaperExperiment& experiment) { return !experiment.plots.empty(); };
     if (std::any_of(experiments.begin(), experiments.end(), [&](const PaperExperiment* each) { return has(*each); })) return;
@@ -73,7 +73,7 @@ std::vector<LinePlot> plotsOf(const std::vector<PaperTable>& tables) {
     return plots;
 }
 
-/// A file that cannot be written any more must not take the other one along.
+/// Every file is tried, so that one that cannot be written does not cost the other.
 void write(const CommandOptions& options, const std::vector<PaperTable>& tables) {
     std::optional<Error> failure;
     const auto writeTo = [&](const std::string& path, const auto& textOf) {
@@ -93,7 +93,7 @@ void write(const CommandOptions& options, const std::vector<PaperTable>& tables)
 void run(const CommandOptions& options, Context& context) {
     const std::vector<const PaperExperiment*> experiments = chosen(options.experiment);
     checkOutputs(options, experiments);
-    // Where standard output carries data, the tables go beside it.
+    // Where standard output carries data, the tables go to standard error.
     FILE* out = options.json == "-" || options.svg == "-" ? stderr : stdout;
     std::vector<PaperTable> tables;
     std::optional<Error> failure;

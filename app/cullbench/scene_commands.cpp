@@ -38,9 +38,9 @@ struct InspectOptions {
     std::vector<std::string> parameters;
 };
 
-/// How the meshes' quadtrees are laid out, and how many meshes have an inner kernel, or why not.
+/// The layout of the meshes' quadtrees, and the number of meshes by the state of their inner kernels.
 struct CellFigures {
-    std::string layout;  ///< empty: this strategy has no quadtrees
+    std::string layout;  ///< empty: the strategy has no quadtrees
     std::map<std::string, size_t> meshesByKernel;
 };
 
@@ -57,7 +57,7 @@ CellFigures cellFigures(Strategy& strategy, const Scene& scene) {
     return figures;
 }
 
-/// How far the overview camera's planes, taken from its matrix, lie from those that culling uses.
+/// The difference between the planes taken from the overview camera's matrix and those that culling uses.
 struct PlaneFigures {
     PlaneDifference byRows, byCorners;
 };
@@ -81,7 +81,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
     clearProgress();
     const StructureReport& structure = strategy->structure();
     const Scene& scene = *opened.scene;
-    // What needs OpenGL has no cells, and there is no context here to cull with.
+    // A strategy that needs OpenGL has no cells, and there is no context here to cull with.
     const bool needsOpenGl = findStrategy(request.id).info.glRequirement != GlRequirement::None;
     const CellFigures cells = needsOpenGl ? CellFigures{} : cellFigures(*strategy, scene);
     const std::optional<PlaneFigures> planes = needsOpenGl ? std::nullopt : planeFigures(request.id, scene);

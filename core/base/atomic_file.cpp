@@ -23,17 +23,17 @@ std::filesystem::path temporaryBeside(const std::filesystem::path& path) {
     throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."), {path.string(), reason});
 }
 
-/// A device or pipe has no place that a finished file could take; it gets the bytes as they come.
+/// A character device or pipe cannot be replaced by renaming a finished file onto it; it is written directly.
 bool isStream(const std::filesystem::path& path) {
     std::error_code ignored;
     const std::filesystem::file_status status = std::filesystem::status(path, ignored);
     return std::filesystem::is_character_file(status) || std::filesystem::is_fifo(status);
 }
 
-/// Some disks notice only here that there was no room.
+/// Flushes the file to the disk: a full disk may be reported only by fsync.
 void storeOnDisk(const std::filesystem::path& path) {
     const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool stored = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: nothing to wait for there
+    const bool stored = descriptor >= 0 && (fsync(descriptor) == 0 || errno == EINVAL);  // EINVAL: this file system cannot sync
     const int reason = errno;
     if (descriptor >= 0) close(descriptor);
     if (!stored) throw std::filesystem::filesystem_error("write", path, std::error_code(reason, std::generic_category()));
@@ -52,7 +52,7 @@ void writeStream(const std::filesystem::path& path, const std::function<void(std
 void writeFileAtomicallyByName(const std::filesystem::path& link,
                                const std::function<void(const std::filesystem::path&)>& write) {
     std::error_code noSuchFile;
-    // A symbolic link stays one: the file that it names is replaced.
+    // A symbolic link is kept: the file that it points to is replaced.
     const std::filesystem::path target = std::filesystem::canonical(link, noSuchFile);
     const std::filesystem::path path = noSuchFile ? link : target;
     if (!noSuchFile && !std::filesystem::is_regular_file(path))

@@ -7,12 +7,12 @@
 
 namespace cullscope {
 
-/// Writes a file whole or not at all: `write` fills a temporary file beside `path`, which then takes its place.
-/// "-" is standard output; devices and pipes are written as they are. Throws Error(Usage) naming the path and the system's
-/// reason; the old file, if any, stays.
+/// Writes a file completely or not at all: `write` fills a temporary file beside `path`, which is then renamed to `path`. "-" is
+/// standard output; devices and pipes are written directly. On failure the old file, if any, stays, and Error(Usage) names the
+/// path and the system's reason.
 void writeFileAtomically(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
-/// The same for libraries that want a file name: `write` gets the temporary name (with the same extension) to write to.
+/// The same for libraries that need a file name: `write` gets the name of the temporary file (with the same extension).
 void writeFileAtomicallyByName(const std::filesystem::path& path, const std::function<void(const std::filesystem::path&)>& write);
 
 }  // namespace cullscope

@@ -6,11 +6,11 @@
 
 namespace cullscope {
 
-/// What a user did or has that stops a task; decides the exit status of both programs.
+/// The kind of an error that a user can cause; its value is the exit status of both programs.
 enum class ErrorKind {
     Usage = 2,         ///< wrong command line, parameter or combination
     Input = 3,         ///< a file that cannot be read or is refused
-    OpenGl = 4,        ///< no OpenGL, or one that is too old
+    OpenGl = 4,        ///< no OpenGL, or its version is too old
     Interrupted = 130  ///< stopped by the user
 };
 
@@ -27,8 +27,8 @@ private:
     Message m_message;
 };
 
-/// What the system says of a failed call (an `errno`): marked for translation where users meet it, else the system's English.
-/// Goes into a message's arguments; a user interface translates arguments that are marked texts.
+/// The system's text for an `errno`: a text marked for translation for the errors that users meet, else the system's English.
+/// Meant as an argument of a Message; a user interface translates arguments that are marked texts.
 [[nodiscard]] std::string systemReason(int errorNumber);
 
 [[noreturn]] void throwUsage(std::string_view text, std::vector<std::string> arguments = {});

@@ -9,14 +9,14 @@
 namespace cullscope {
 namespace {
 
-/// Of a scene's or strategy's name; file systems take 255 for the whole.
+/// Limit for the name of a scene or strategy, in bytes; file systems allow 255 for the whole file name.
 constexpr size_t kMostNameBytes = 100;
 
 bool isUnsafe(char c) {
     return static_cast<unsigned char>(c) < 0x20 || c == 0x7f || std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
 }
 
-/// At most so many bytes, cut between two characters of UTF-8.
+/// The longest prefix of at most `bytes` bytes that ends between two UTF-8 characters.
 std::string_view shortened(std::string_view text, size_t bytes) {
     if (text.size() <= bytes) return text;
     while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xC0) == 0x80) --bytes;
@@ -31,7 +31,7 @@ std::string safe(std::string_view text) {
     return name;
 }
 
-/// The digits that {n} or {n:04} asks for; nothing for another field.
+/// The minimum number of digits of the field {n} or {n:04}; none for another field.
 std::optional<size_t> digitsOfCounter(std::string_view field) {
     if (field == "n") return 1;
     if (!field.starts_with("n:")) return std::nullopt;

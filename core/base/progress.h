@@ -6,11 +6,11 @@
 
 namespace cullscope {
 
-/// How long work reports back and is told to stop. Both members may be left empty.
-/// Work that takes one polls `check` at least every 100 ms.
+/// How a long task reports its progress and learns that it is to stop. Both members may be left empty. A function that takes a
+/// Progress calls `check` at least every 100 ms.
 struct Progress {
-    /// Called with the finished share in [0, 1] and an English name of the stage (marked with CULLSCOPE_TR).
-    /// Called from the working thread; must be quick.
+    /// Called with the finished share in [0, 1] and an English name of the stage (marked with CULLSCOPE_TR). Called on the thread
+    /// that does the work; must return quickly.
     std::function<void(double share, std::string_view stage)> report;
     std::stop_token stop;
 
@@ -20,7 +20,7 @@ struct Progress {
     /// Throws Error(Interrupted) when a stop was requested.
     void check() const;
     [[nodiscard]] bool stopRequested() const { return stop.stop_requested(); }
-    /// This progress narrowed to [from, to] of the whole, for a sub-task.
+    /// The progress of a sub-task that covers the share [from, to] of this one.
     [[nodiscard]] Progress part(double from, double to) const;
 };
 

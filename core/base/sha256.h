@@ -6,7 +6,7 @@
 
 namespace cullscope {
 
-/// SHA-256 of bytes that come in pieces (OpenSSL underneath).
+/// SHA-256 of bytes that are added in pieces (computed by OpenSSL).
 class Sha256 {
 public:
     Sha256();
@@ -19,7 +19,7 @@ public:
     void addValues(std::span<const T> values) {
         add(std::as_bytes(values));
     }
-    /// Ends the hash: 64 lower-case hexadecimal digits.
+    /// Finishes the hash and returns it as 64 lower-case hexadecimal digits.
     [[nodiscard]] std::string hexadecimal();
 
 private:

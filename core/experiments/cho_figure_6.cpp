@@ -11,7 +11,7 @@ namespace {
 
 using Origin = PaperColumn::Origin;
 
-// ---- What the paper says
+// ---- What the paper states
 
 constexpr double kFpsOfAll = 0.83;  // at every viewpoint
 constexpr double kMostFps = 33, kMeanFps = 10;
@@ -95,7 +95,7 @@ PaperSetting walkThroughTheField() {
 
 // ---- What is measured here
 
-/// The run of direct rendering; null where it was not asked for.
+/// The run of direct rendering; null where it was not requested.
 const RunMeasurement* directRendering(const MeasureResult& result) {
     const auto found =
         std::find_if(result.runs.begin(), result.runs.end(), [](const RunMeasurement& run) { return run.strategy.id == "all"; });
@@ -109,7 +109,7 @@ double largestSpeedup(const RunMeasurement& run, const RunMeasurement& all) {
     return largest;
 }
 
-/// Of the scene's triangles, at the view where most are left out.
+/// The largest share of the scene's triangles that a run culled in one view.
 double largestCulledFraction(const RunMeasurement& run, const Scene& scene) {
     uint64_t least = scene.triangleCount();
     for (const FrameMeasurement& frame : run.frames) least = std::min(least, frame.consideredTriangles);
@@ -131,7 +131,7 @@ void addCullingRuns(PaperTable& table, const PaperSetting& setting, const Measur
     }
 }
 
-/// Runs of one strategy have one colour, dashed where front sides alone are drawn; the baselines are grey.
+/// Runs of one strategy have one colour; those that draw front faces only are dashed; the baselines are grey.
 void plotRuns(PaperTable& table, const PaperSetting& /*setting*/, const MeasureResult& result) {
     LinePlot& plot = table.plots.front();
     plot.lines.clear();

@@ -5,7 +5,7 @@
 namespace cullscope {
 
 /// Figure 6 of Cho et al., "A View-Frustum Culling Technique Using OpenGL for Large Polygon Models": 400 bunnies from 40
-/// viewpoints, direct rendering beside view-frustum culling, with the paper's numbers as its text has them.
+/// viewpoints, direct rendering beside view-frustum culling, with the numbers that the paper's text states.
 [[nodiscard]] PaperExperiment choFigure6();
 
 }  // namespace cullscope

@@ -128,7 +128,7 @@ PaperExperiment table1() {
 
 // ---- Tables 2 to 5: rows
 
-/// How often each of the cases 1 to 3 was found, as in "1 ×11, 2 ×1"; nothing where there was none.
+/// How often each of the cases 1 to 3 occurred, as in "1 ×11, 2 ×1"; empty where none did.
 PaperValue casesFound(const RunMeasurement& run) {
     std::map<int, int> counts;
     for (const FrameMeasurement& frame : run.frames)
@@ -139,7 +139,7 @@ PaperValue casesFound(const RunMeasurement& run) {
     return words.empty() ? PaperValue() : PaperValue(words);
 }
 
-/// Faces that are truly in the frustum, back faces too: the mean over the poses measured.
+/// Faces that intersect the frustum by an exact test, back faces included: the mean over the poses measured.
 double facesInFrustum(const MeasureResult& result) {
     const MeasureRequest& request = result.request;
     double faces = 0.0;
@@ -162,7 +162,7 @@ void addSphericalRuns(PaperTable& table, const PaperSetting& setting, const Meas
     }
 }
 
-/// What every timed table has: `setting` and `paper` first.
+/// The columns that every timed table has: `setting` and `paper` first.
 std::vector<PaperColumn> timedColumns(std::vector<PaperColumn> setting, const std::vector<PaperColumn>& paper) {
     setting.push_back({"strategy", CULLSCOPE_TR("strategy"), Origin::Setting});
     setting.insert(setting.end(), paper.begin(), paper.end());

@@ -13,8 +13,8 @@ using PaperCells = std::map<std::string, PaperValue>;
 /// A note without arguments; `text` is English, marked for translation.
 [[nodiscard]] inline Message note(const char* text) { return {text, {}}; }
 
-/// What a row has of a run in every table: the setting's labels, what the paper states of the strategy, and as measured here the
-/// views, frames per second, speed-ups, and losses where they were counted. The run has frames.
+/// The cells that every table has for a run: the setting's labels, the paper's values for the strategy, and the measured views,
+/// frames per second, speed-ups, and losses where they were counted. The run must have frames.
 [[nodiscard]] PaperCells rowCells(const PaperSetting& setting, const RunMeasurement& run);
 
 }  // namespace cullscope

@@ -77,7 +77,7 @@ Json tableJson(const PaperTable& table) {
     return json;
 }
 
-/// Whether any row has an interval there.
+/// Whether any row of the column has a confidence interval.
 bool hasIntervals(const PaperTable& table, size_t column) {
     return std::any_of(table.rows.begin(), table.rows.end(),
                        [&](const std::vector<PaperValue>& row) { return std::holds_alternative<RatioEstimate>(row[column]); });
@@ -91,7 +91,7 @@ std::string csvText(const PaperValue& value) {
     return words->find_first_of(",\"\n") == std::string::npos ? *words : '"' + *words + '"';
 }
 
-/// A row an x, a column a line.
+/// CSV with one row for each x and one column for each line.
 std::string plotCsv(const LinePlot& plot) {
     std::string csv = csvText(plot.x.title);
     std::set<double> places;
@@ -111,7 +111,7 @@ std::string plotCsv(const LinePlot& plot) {
     return csv;
 }
 
-/// How many letters wide UTF-8 text is, all of one width.
+/// The width of UTF-8 text in characters of a monospaced font.
 size_t width(const std::string& text) {
     return static_cast<size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }

@@ -10,7 +10,7 @@
 namespace cullscope {
 namespace {
 
-/// Scenes of consecutive settings are the same: the newest one is kept.
+/// Keeps the newest scene: consecutive settings often use the same one.
 class SceneKeeper {
 public:
     explicit SceneKeeper(const SceneSourceOptions& options) : m_options(options) {}
@@ -34,7 +34,7 @@ void noteScene(PaperTable& table, const Scene& scene) {
     table.triangles = scene.triangleCount();
 }
 
-/// Why a strategy has no row, once a table.
+/// Notes why strategies have no row; each reason once in a table.
 void noteLeftOut(PaperTable& table, const MeasureResult& result) {
     for (const Message& why : result.leftOut) {
         const auto same = [&](const Message& note) { return note.english() == why.english(); };

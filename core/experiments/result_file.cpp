@@ -22,7 +22,7 @@ Json parametersJson(const ParameterSet& parameters) {
 constexpr std::array<const char*, kCauseCount> kCulledFields{"culled_outside_frustum", "culled_back_facing", "culled_hidden",
                                                              "culled_too_small"};
 
-/// The fields of one frame, the same in JSON and CSV. Not measured is null.
+/// The fields of one frame, the same in JSON and CSV. A value that was not measured is null.
 Json frameJson(const FrameMeasurement& frame) {
     Json json{{"pose", frame.pose},
               {"frame_ms", frame.frameMilliseconds},
@@ -67,7 +67,7 @@ Json summaryJson(const Summary& summary) {
             {"speedup_vs_backface_ci95", summary.speedupVsBackfaceCi95}};
 }
 
-/// What stands before the frames of a run; also the first columns of its CSV rows.
+/// The fields of a run besides its frames; also the first columns of its CSV rows.
 Json runHead(const RunMeasurement& run, const MeasureRequest& request) {
     return {{"strategy", run.strategy.id},
             {"promise", promiseId(run.promise)},

@@ -7,20 +7,20 @@
 
 namespace cullscope {
 
-/// A measurement as JSON text and as CSV (one row a frame, same names): measurement.md, "Result".
+/// A measurement as JSON text and as CSV (one row for each frame, same names): measurement.md, "Result".
 [[nodiscard]] std::string resultJson(const MeasureResult& result);
 [[nodiscard]] std::string resultCsv(const MeasureResult& result);
 
 /// "front" and "two-sided", as in files; English marked for translation.
 [[nodiscard]] const char* facingId(Facing facing);
 
-/// Program, version and commit it was built from.
+/// Name and version of the program and the commit that it was built from.
 struct ToolVersion {
     std::string name, version, commit;
 };
 [[nodiscard]] ToolVersion toolVersion();
 
-/// The processor's name as the system tells it.
+/// The name of the processor as the operating system reports it.
 [[nodiscard]] std::string cpuName();
 
 }  // namespace cullscope

@@ -7,18 +7,19 @@
 
 namespace cullscope {
 
-/// One parameter of a strategy over several values, all others at their defaults: a line of the plot of speed against loss.
+/// One parameter of a strategy over several values, all others at their defaults: one line of the plot of speed against lost
+/// pixels.
 struct ParameterSweep {
     std::string strategy;
     std::string key;
     std::vector<std::string> values;  ///< as on the command line
-    std::string automatic{};          ///< the one of them that leaves the choice to the strategy; empty: none does
+    std::string automatic{};          ///< the value with which the strategy chooses itself; empty: there is none
 };
 
-/// The fronts that are offered ready-made. Another one is one line there.
+/// The built-in sweeps.
 [[nodiscard]] const std::vector<ParameterSweep>& fronts();
 
-/// What is to be measured for fronts: each strategy with each value, once where fronts cross.
+/// The strategies with parameters that the sweeps need measured; each once, also where several sweeps contain it.
 [[nodiscard]] std::vector<StrategyRequest> contestants(const std::vector<ParameterSweep>& chosen);
 
 }  // namespace cullscope

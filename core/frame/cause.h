@@ -6,7 +6,7 @@
 
 namespace cullscope {
 
-/// Why something is not drawn.
+/// Why a triangle, object or group is not drawn.
 enum class Cause { OutsideFrustum, BackFacing, Hidden, TooSmall };
 inline constexpr size_t kCauseCount = 4;
 /// English, marked for translation.

@@ -10,12 +10,12 @@ namespace cullscope {
 /// Which faces OpenGL draws.
 enum class Facing { TwoSided, Front };
 
-/// The triangles of a scene's meshes in an order of a strategy's own, in which what it picks lies in few ranges. Plain views of
-/// arrays that `owner` keeps alive; they never change.
+/// The triangles of a scene's meshes in an order chosen by a strategy, so that what it draws lies in few ranges. Views of arrays
+/// that `owner` keeps alive; they never change.
 struct TriangleOrder {
     struct OfMesh {
-        std::span<const uint32_t> indices;    ///< three a triangle; empty: this mesh stays in its own order
-        std::span<const uint32_t> triangles;  ///< the mesh's number of the triangle at each place
+        std::span<const uint32_t> indices;    ///< three for each triangle; empty: this mesh keeps its own order
+        std::span<const uint32_t> triangles;  ///< the triangle's number in the mesh, by place in this order
     };
     std::vector<OfMesh> meshes;  ///< by Scene::meshes()
     std::shared_ptr<const void> owner;
@@ -23,7 +23,7 @@ struct TriangleOrder {
 
 using TriangleOrderPointer = std::shared_ptr<const TriangleOrder>;
 
-/// A run of indices of one instance's mesh, in the draw list's order.
+/// A range of indices of one instance's mesh, in the draw list's order.
 struct DrawRange {
     uint32_t instance = 0;
     uint32_t firstIndex = 0;  ///< a multiple of 3
@@ -32,11 +32,11 @@ struct DrawRange {
     bool operator==(const DrawRange&) const = default;
 };
 
-/// What a strategy decided to draw, in order. Ranges of the same instance that follow each other go to OpenGL as one multi-draw.
+/// The ranges that a strategy draws, in order. Consecutive ranges of the same instance become one multi-draw call.
 struct DrawList {
     Facing facing = Facing::TwoSided;
     std::vector<DrawRange> ranges;
-    TriangleOrderPointer order{};  ///< of the ranges' triangles; null: every mesh's own
+    TriangleOrderPointer order{};  ///< the order that the ranges refer to; null: every mesh's own
 
     [[nodiscard]] uint64_t triangleCount() const {
         uint64_t count = 0;
@@ -47,7 +47,7 @@ struct DrawList {
     [[nodiscard]] TriangleOrder::OfMesh orderOf(uint32_t mesh) const {
         return order ? order->meshes[mesh] : TriangleOrder::OfMesh{};
     }
-    /// The mesh's number of the triangle at a place of this list's order.
+    /// The number in the mesh of the triangle at a place of this list's order.
     [[nodiscard]] uint64_t triangleAt(uint32_t mesh, uint64_t place) const {
         const std::span<const uint32_t> triangles = orderOf(mesh).triangles;
         return triangles.empty() ? place : triangles[place];

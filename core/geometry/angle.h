@@ -10,7 +10,7 @@ inline constexpr double kPi = std::numbers::pi;
 inline constexpr double kTurn = 2.0 * std::numbers::pi;
 inline constexpr double kRightAngle = 0.5 * std::numbers::pi;
 
-/// An angle that cannot be mistaken for a number of degrees or of radians.
+/// An angle as a type of its own, so that degrees and radians cannot be confused.
 class Angle {
 public:
     constexpr Angle() = default;

@@ -5,7 +5,7 @@
 namespace cullscope {
 namespace {
 
-/// Room for the rounding of a three-term dot product plus a sum in double: fewer than 8 roundings of half an ulp each.
+/// Relative bound on the rounding of a three-term dot product plus a sum in double: fewer than 8 roundings of half an ulp each.
 constexpr double kRoundingRoom = 8.0 * std::numeric_limits<double>::epsilon();
 
 Vec3f farthestFrom(std::span<const Vec3f> points, const Vec3& from) {

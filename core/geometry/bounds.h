@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// An axis-aligned box; empty (min > max) until something is added.
+/// An axis-aligned box; empty (min > max) until a point or box is added.
 struct Box3 {
     Vec3 min{std::numeric_limits<double>::infinity()};
     Vec3 max{-std::numeric_limits<double>::infinity()};
@@ -32,15 +32,16 @@ struct Sphere {
     double radius = 0.0;
 };
 
-/// The smallest axis-aligned box around a transformed box; rounded outward, so that it holds every transformed point
-/// of `box` computed in double. `transform` is affine.
+/// The smallest axis-aligned box around a transformed box, rounded outward: it contains every point of `box` transformed in
+/// double. `transform` is affine.
 [[nodiscard]] Box3 transformed(const Box3& box, const Mat4& transform);
 
-/// A sphere around points, at most a few per cent larger than the smallest (Ritter 1990, then the better of it and
-/// the box-centred sphere); its radius is rounded outward to hold every point. Empty input: radius 0 at the origin.
+/// A sphere around points, at most a few per cent larger than the smallest (Ritter 1990, then the better of it and the
+/// box-centred sphere); its radius is rounded outward, so that it contains every point. Empty input: radius 0 at the origin.
 [[nodiscard]] Sphere boundingSphere(std::span<const Vec3f> points);
 
-/// A sphere around a transformed sphere: the radius grows by the largest stretch of `transform` (affine), rounded outward.
+/// A sphere around a transformed sphere: the radius is multiplied by the largest stretch of `transform` (affine), rounded
+/// outward.
 [[nodiscard]] Sphere transformed(const Sphere& sphere, const Mat4& transform);
 
 }  // namespace cullscope

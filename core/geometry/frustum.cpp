@@ -44,7 +44,7 @@ EyeBox relativeToEye(const Box3& box, const Vec3& eye) {
 
 namespace {
 
-/// Combines the six answers: outside one plane is outside, inside all is inside.
+/// Combines the results of the six planes: outside one plane is outside, inside all planes is inside.
 template <typename ClassifyPlane>
 Containment combined(const Frustum& frustum, const ClassifyPlane& classifyPlane) {
     Containment result = Containment::Inside;

@@ -10,11 +10,11 @@ namespace cullscope {
 
 enum class Containment { Outside, Straddles, Inside };
 
-/// The order of a frustum's planes; also the number under which a trace names the plane that culled.
+/// The order of a frustum's planes; a trace names the plane that culled by this number.
 enum class FrustumPlane { Left, Right, Bottom, Top, Near, Far };
 
-/// A view frustum in coordinates relative to the eye (world axes, origin at the eye), so that nothing is lost far from
-/// the world's origin: the four side planes pass through 0.
+/// A view frustum in coordinates relative to the eye (world axes, origin at the eye): no precision is lost far from the world's
+/// origin, and the four side planes pass through 0.
 struct Frustum {
     std::array<Plane, 6> planes;  ///< unit normals pointing inward, in the order of FrustumPlane
     Vec3 forward{0.0, 0.0, -1.0};
@@ -25,12 +25,12 @@ struct Frustum {
     double nearDistance = 0.1;
     double farDistance = 10.0;
 
-    /// The corners relative to the eye: near bottom-left, bottom-right, top-right, top-left, then the same far.
+    /// The corners relative to the eye: near bottom-left, bottom-right, top-right, top-left, then the far ones in the same order.
     [[nodiscard]] std::array<Vec3, 8> corners() const;
 };
 
-/// Builds the planes from an orthonormal basis; exact to a few ulp for any near : far ratio, because no row of a
-/// projection matrix is subtracted from another.
+/// Builds the planes from an orthonormal basis. Exact to a few ulp for any near : far ratio, because no rows of a projection
+/// matrix are subtracted from each other.
 [[nodiscard]] Frustum makeFrustum(const Vec3& forward, const Vec3& right, const Vec3& up, double tanHalfWidth,
                                   double tanHalfHeight, double nearDistance, double farDistance);
 
@@ -40,7 +40,8 @@ struct EyeBox {
     Vec3 halfExtent{0.0};
 };
 
-/// Moves a world box to the eye; the half extents grow by the rounding of the subtraction, so that the result holds the box.
+/// A world box relative to the eye. The half extents grow by the rounding of the subtraction, so that the result contains the
+/// box.
 [[nodiscard]] EyeBox relativeToEye(const Box3& box, const Vec3& eye);
 
 /// Signed distance of a box's p-vertex, the corner farthest inside: below 0 the whole box is outside. n·c + d + |n|·e.
@@ -48,16 +49,17 @@ struct EyeBox {
     return plane.distance(box.centre) + glm::dot(glm::abs(plane.normal), box.halfExtent);
 }
 
-/// How far a plane test leans outward so that it never culls what a picture shows, for a bound whose farthest point lies
-/// `magnitude` from the eye. Two errors stand behind it: the test's own rounding in double (below 2^-49 of the magnitude), and
-/// the picture's: OpenGL gets float matrices and positions, so a vertex is misplaced by up to 8 roundings of 2^-24 = 2^-21 of its
-/// distance. (Of a mesh that lies away from the zero of its coordinates by more: Scene::pictureRounding, in its bounds.) A side
-/// plane has half a pixel of room besides (samples lie at pixel centres); near and far planes have none. What it costs: objects
-/// within a millionth of their distance outside a plane are kept.
+/// The margin of a plane test, in world units, for a bound whose farthest point lies `magnitude` from the eye: a bound is culled
+/// only when it lies outside by more than this, so that nothing visible in the picture is culled. It covers two errors: the
+/// test's own rounding in double (below 2^-49 of the magnitude), and that of the picture: OpenGL gets float matrices and
+/// positions, so a vertex is displaced by up to 8 roundings of 2^-24 = 2^-21 of its distance. (A mesh far from the origin of its
+/// own coordinates has larger errors: Scene::pictureRounding adds them to its bounds.) Side planes have half a pixel of tolerance
+/// besides (samples lie at pixel centres); near and far planes have none. The cost: objects that lie outside a plane by less than
+/// a millionth of their distance are drawn.
 [[nodiscard]] constexpr double conservativeMargin(double magnitude) { return magnitude * 0x1p-20; }
 
-/// How a box lies to one plane. Conservative both ways: `Outside` and `Inside` are said only where they hold with `margin` to
-/// spare.
+/// Classifies a box against one plane. Conservative in both directions: `Outside` and `Inside` are returned only where the box
+/// lies outside or inside by more than `margin`.
 [[nodiscard]] inline Containment classify(const Plane& plane, const EyeBox& box, double margin) {
     const double centre = plane.distance(box.centre);
     const double reach = glm::dot(glm::abs(plane.normal), box.halfExtent);
@@ -65,8 +67,8 @@ struct EyeBox {
     return centre - reach > margin ? Containment::Inside : Containment::Straddles;
 }
 
-/// How a box lies to the frustum by its six planes. A box that reaches into the frustum is never `Outside`; one that lies outside
-/// near an edge or corner may be called `Straddles` (a known false positive of plane tests; stability cases 1 and 2).
+/// Classifies a box against the frustum by its six planes. A box that intersects the frustum is never `Outside`; one outside near
+/// an edge or corner may be `Straddles` (a known false positive of plane tests; stability cases 1 and 2).
 [[nodiscard]] Containment classify(const Frustum& frustum, const EyeBox& box);
 
 /// The same for a sphere with its centre relative to the eye.

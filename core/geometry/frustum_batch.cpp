@@ -8,9 +8,9 @@ namespace cullscope {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-/// Above the few roundings of a margin's own sums, so that it is never below the bound that it stands for.
+/// Factor that exceeds the rounding of the margin's own sums, so that the computed margin is never below its bound.
 constexpr double kRoundedUp = 1.0 + 0x1p-40;
-/// Sums of a few coordinates up to this one are finite, so that no test meets infinity − infinity.
+/// Coordinates up to this size have finite sums, so that no test computes infinity − infinity.
 constexpr double kLargest = 0x1p1000;
 
 bool within(const Vec3& point) {
@@ -29,7 +29,7 @@ std::array<double, kSphereRows> rowsOf(const Sphere& sphere) {
     return {sphere.centre.x, sphere.centre.y, sphere.centre.z, sphere.radius};
 }
 
-/// A block whose first object is this one.
+/// A block with this object as its first.
 template <typename Object>
 auto blockOf(const Object& object) {
     const auto rows = rowsOf(object);

@@ -9,17 +9,17 @@
 
 namespace cullscope {
 
-/// How many objects a batch test takes at a time. The verdicts are the same bits on every level.
+/// The instruction set of a batch test: how many objects it tests at a time. The results are bit-identical on every level.
 enum class SimdLevel { Scalar, Avx2, Avx512 };
 
 /// "scalar", "AVX2", "AVX-512".
 [[nodiscard]] const char* simdLevelName(SimdLevel level);
-/// What this build has and this processor runs, the fastest last; Scalar always.
+/// The levels that this build contains and this processor supports, the fastest last; Scalar always.
 [[nodiscard]] std::span<const SimdLevel> availableSimdLevels();
 /// The fastest of them.
 [[nodiscard]] SimdLevel bestSimdLevel();
 
-/// Objects of kRows doubles each as a structure of arrays, in blocks of kBatchBlock objects; what fills the last block is NaN.
+/// Objects of kRows doubles each as a structure of arrays, in blocks of kBatchBlock objects; the last block is padded with NaN.
 template <size_t kRows>
 class ObjectBatch {
 public:
@@ -27,7 +27,7 @@ public:
     [[nodiscard]] size_t blockCount() const { return m_blocks.size(); }
     /// 64-byte aligned; blockCount() · kRows · kBatchBlock doubles.
     [[nodiscard]] const double* blocks() const { return m_blocks.empty() ? nullptr : m_blocks.front().rows[0]; }
-    /// Words of a bit set over the objects.
+    /// Number of 64-bit words in a bit set over the objects.
     [[nodiscard]] size_t wordCount() const { return (m_size + 63) / 64; }
     [[nodiscard]] size_t bytes() const { return m_blocks.size() * sizeof(Block); }
 
@@ -46,34 +46,36 @@ private:
     std::vector<Block> m_blocks;
 };
 
-/// Boxes in world coordinates, as they are: nothing is rounded. One that is empty (min > max, NaN), not finite or beyond 2^1000
-/// gets no verdict: it is never outside and never inside, as nothing can be said of where it lies.
+/// Boxes in world coordinates, without rounding. A box that is empty (min > max, NaN), not finite or beyond 2^1000 is neither
+/// outside nor inside, because its place is not known.
 class BoxBatch : public ObjectBatch<kBoxRows> {
 public:
     explicit BoxBatch(std::span<const Box3> boxes);
 };
 
-/// Spheres in world coordinates. One with a radius below 0 or a number that is not finite or beyond 2^1000 gets no verdict, as
-/// with boxes.
+/// Spheres in world coordinates. One with a negative radius, or with a number that is not finite or beyond 2^1000, is neither
+/// outside nor inside, as with boxes.
 class SphereBatch : public ObjectBatch<kSphereRows> {
 public:
     explicit SphereBatch(std::span<const Sphere> spheres);
 };
 
-/// A view frustum made ready for batch tests in world coordinates.
+/// A view frustum prepared for batch tests in world coordinates.
 ///
-/// A plane's distances are n·p + (d − n·eye) at the box's p- and n-vertex, which the normal's signs choose for all boxes at once
-/// (Assarsson & Möller 2000): half the operations of centre and extents. `margin` is no less than marginFromEye of
-/// visibility/eye_bounds.h, with norm 1 in place of the length, hardly more than √3 times it: with |world| <= |c − eye| + |eye|,
-/// conservativeMargin(m) + (m + 2 |eye|)·2^-49 where m = |c − eye| + reach. The second term is what working in world coordinates
-/// may be wrong by, four times over: a distance takes four roundings of 2^-53 of |p|, its plane four of |eye|.
+/// The distances to a plane are n·p + (d − n·eye) at the box's p- and n-vertex, which the signs of the normal choose for all
+/// boxes at once (Assarsson & Möller 2000): half the operations of the test by centre and extents. The margin is at least
+/// marginFromEye of visibility/eye_bounds.h. It uses the 1-norm in place of the length, so it is at most about √3 times as large:
+/// with |world| <= |c − eye| + |eye| it is conservativeMargin(m) + (m + 2 |eye|)·2^-49, where m = |c − eye| + reach. The second
+/// term is four times the error bound of working in world coordinates: a distance takes four roundings of 2^-53 of |p|, its plane
+/// four of |eye|.
 class BatchFrustum {
 public:
-    /// `frustum` is relative to the eye, which is given in world coordinates; beyond 2^1000, nothing gets a verdict.
+    /// `frustum` is relative to the eye, `eye` is in world coordinates; with an eye beyond 2^1000 no object is outside or inside.
     BatchFrustum(const Frustum& frustum, const Vec3& eye);
 
-    /// What the batch tests compute of one object, to the bit, whatever their level: it is outside where farthestInside < −margin
-    /// for a plane, inside where farthestOutside > margin for all six. NaN where it gets no verdict.
+    /// The distances that the batch tests compute for one object, bit-identical on every level: it is outside where
+    /// farthestInside < −margin for a plane, inside where farthestOutside > margin for all six. NaN where an object is neither by
+    /// the rule above.
     [[nodiscard]] BatchDistances distances(FrustumPlane plane, const Box3& box) const;
     [[nodiscard]] BatchDistances distances(FrustumPlane plane, const Sphere& sphere) const;
 
@@ -83,12 +85,12 @@ private:
     BatchPlanes m_planes{};
 };
 
-/// Says which objects lie outside a plane of the frustum: bit i % 64 of word i / 64 for object i, 0 beyond the last one.
-/// Conservative: an object that reaches into the frustum is never outside. `level` is one of availableSimdLevels().
+/// Finds the objects that lie outside a plane of the frustum: bit i % 64 of word i / 64 for object i; bits beyond the last object
+/// are 0. Conservative: an object that intersects the frustum is never outside. `level` is one of availableSimdLevels().
 void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
 void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
 
-/// The same, and which objects lie inside all planes; what is neither straddles.
+/// The same, and also finds the objects inside all planes; an object that is neither straddles.
 void classify(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
               std::vector<uint64_t>& inside);
 void classify(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,

@@ -15,7 +15,7 @@ struct Avx512Lanes {
     static Vector load(const double* from) { return _mm512_loadu_pd(from); }
     static Vector spread(double value) { return _mm512_set1_pd(value); }
     static Vector abs(Vector a) { return _mm512_abs_pd(a); }
-    // With a mask of all lanes: GCC 12 takes the undefined vector inside the intrinsics without one for a mistake.
+    // With a mask of all lanes: GCC 12 warns of the undefined vector inside the intrinsics without a mask.
     static Vector min(Vector a, Vector b) { return _mm512_mask_min_pd(a, 0xFF, a, b); }
     static Vector max(Vector a, Vector b) { return _mm512_mask_max_pd(a, 0xFF, a, b); }
     static Mask less(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }

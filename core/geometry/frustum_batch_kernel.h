@@ -2,20 +2,21 @@
 
 #include "core/geometry/frustum_batch_planes.h"
 
-// The arithmetic of all batch tests, once for every instruction set: `Lanes` says how it computes with Lanes::kWidth doubles at a
-// time. It has the same operations in the same order on every one, so that their verdicts are the same bits. Included by one
-// source an instruction set, hence the anonymous namespace; see frustum_batch_planes.h for what must not stand here.
+// The arithmetic of all batch tests, compiled once for every instruction set. `Lanes` computes with Lanes::kWidth doubles at a
+// time. Every instruction set does the same operations in the same order, so that the results are bit-identical. Each instruction
+// set has one source file that includes this, hence the anonymous namespace; frustum_batch_planes.h says what must not be
+// included here.
 
 namespace cullscope {
 namespace {
 
-/// A block's rows of boxes. `at` points to the lanes' place in the first row.
+/// The rows of a block of boxes. `at` points to the place of the lanes in the first row.
 template <typename Lanes>
 struct Boxes {
     using Vector = typename Lanes::Vector;
     static constexpr size_t kRows = kBoxRows;
 
-    /// |centre − eye| + half extent of every axis is the larger distance of its two sides from the eye.
+    /// |centre − eye| + half extent along an axis is the larger distance of the box's two sides from the eye.
     static Vector magnitude(const double* at, const BatchPlanes& frustum) {
         return axis(at, frustum, 0) + axis(at, frustum, 1) + axis(at, frustum, 2);
     }
@@ -67,7 +68,7 @@ struct Bits {
     uint64_t inside = 0;
 };
 
-/// Calls body(0) … body(kCount − 1), written out at every level of optimisation, so that arrays indexed by it stay in registers.
+/// Calls body(0) … body(kCount − 1), unrolled at every optimisation level, so that arrays indexed by it stay in registers.
 template <size_t kCount, typename Body>
 [[gnu::always_inline]] inline void repeat(const Body& body) {
     if constexpr (kCount > 0) {
@@ -76,7 +77,7 @@ template <size_t kCount, typename Body>
     }
 }
 
-/// Tests kVectors · kWidth objects that follow each other from the first of a block on.
+/// Tests kVectors · kWidth consecutive objects, beginning with the first of a block.
 template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
 [[gnu::always_inline]] inline Bits testGroup(const double* block, const BatchPlanes& frustum) {
     using Vector = typename Lanes::Vector;
@@ -97,14 +98,14 @@ template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
         repeat<Lanes::kPlanesBetweenLooks>([&](size_t next) __attribute__((always_inline)) {
             const BatchPlane& plane = frustum.planes[p + next];
             repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
-                // The second where the first is NaN, which thus decides nothing.
+                // Lanes::min returns its second operand where the first is NaN, so that a NaN distance does not count.
                 least[v] = Lanes::min(Shape::distance(at(v), plane), least[v]);
                 if constexpr (kInside) inside[v] = Lanes::both(inside[v], Lanes::less(margin[v], Shape::outer(at(v), plane)));
             });
         });
         bits.outside = 0;
         repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
-            // The least of the sums is the sum of the least, as rounding keeps the order.
+            // For spheres the radius is added to the smallest distance: rounding is monotonic, so that equals the smallest sum.
             const auto outside = Lanes::less(Shape::withReach(least[v], at(v)), -margin[v]);
             bits.outside |= Lanes::bits(outside) << (v * Lanes::kWidth);
         });

@@ -3,19 +3,21 @@
 #include <cstddef>
 #include <cstdint>
 
-// Between frustum_batch.cpp and the kernels, which are compiled for other processors than the rest of the library. No inline
-// function may stand here or be included: the linker keeps one copy of it, perhaps the one that not every processor runs.
+// The interface between frustum_batch.cpp and the kernels, which are compiled for other instruction sets than the rest of the
+// library. No inline function may be defined or included here: the linker keeps one copy, possibly one that not every processor
+// can run.
 
 namespace cullscope {
 
-/// Objects lie in blocks of this many: of a block, first the first coordinates of all its objects, then the second ones, ….
+/// Objects are stored in blocks of this many. A block holds the first coordinate of all its objects, then the second of all, and
+/// so on.
 inline constexpr size_t kBatchBlock = 8;
 /// Rows of a block of boxes: min x, y, z, max x, y, z; of spheres: centre x, y, z, radius.
 inline constexpr size_t kBoxRows = 6;
 inline constexpr size_t kSphereRows = 4;
 
-/// A plane { p : normal·p + offset = 0 } in world coordinates with its normal inward, and where in a block of boxes the
-/// coordinates of the corner farthest inside (the p-vertex) and farthest outside (the n-vertex) lie.
+/// A plane { p : normal·p + offset = 0 } in world coordinates with its normal inward, and the places in a block of boxes of the
+/// coordinates of the corner farthest inside (p-vertex) and farthest outside (n-vertex).
 struct BatchPlane {
     double normal[3];
     double offset;
@@ -23,8 +25,8 @@ struct BatchPlane {
     size_t outer[3];
 };
 
-/// What the kernels are told of a frustum. An object's margin is marginOfMagnitude · m + marginOfEye; m is the sum of the norm-1
-/// distance of its centre from the eye and of its reach.
+/// A frustum as the kernels need it. An object's margin is marginOfMagnitude · m + marginOfEye; m is the 1-norm distance of its
+/// centre from the eye plus its reach.
 struct BatchPlanes {
     BatchPlane planes[6];
     double eye[3];
@@ -32,14 +34,14 @@ struct BatchPlanes {
     double marginOfEye;
 };
 
-/// Writes one bit an object, 64 a word, for whole blocks; bits beyond them are 0. `inside` may be null.
+/// Tests whole blocks and writes one bit for each object, 64 in a word; bits beyond the blocks are 0. `inside` may be null.
 using BatchKernel = void(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
                          uint64_t* inside);
 
 BatchKernel testBoxesScalar, testBoxesAvx2, testBoxesAvx512;
 BatchKernel testSpheresScalar, testSpheresAvx2, testSpheresAvx512;
 
-/// One object, the first of its block, as the scalar kernels test it.
+/// The result of the scalar kernels for one object, the first of its block.
 struct BatchDistances {
     double farthestInside;
     double farthestOutside;

@@ -13,7 +13,7 @@ struct ScalarLanes {
     static Vector load(const double* from) { return *from; }
     static Vector spread(double value) { return value; }
     static Vector abs(Vector a) { return __builtin_fabs(a); }
-    // As the vector instructions do it: the second where one is NaN.
+    // As the vector instructions do: the second operand where one is NaN.
     static Vector min(Vector a, Vector b) { return a < b ? a : b; }
     static Vector max(Vector a, Vector b) { return a > b ? a : b; }
     static Mask less(Vector a, Vector b) { return a < b; }

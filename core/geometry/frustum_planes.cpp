@@ -17,7 +17,7 @@ bool invertible(const Mat4& matrix) {
     return finite(matrix) && std::isfinite(determinant) && determinant != 0.0;
 }
 
-/// a·x + b·y + c·z + d >= 0, made a unit normal and a distance.
+/// The plane a·x + b·y + c·z + d >= 0 with a unit normal; none where the normal has no length.
 std::optional<Plane> normalised(const Vec4& coefficients) {
     const double length = glm::length(Vec3(coefficients));
     if (!(length > 0.0) || !std::isfinite(length)) return std::nullopt;
@@ -26,7 +26,7 @@ std::optional<Plane> normalised(const Vec4& coefficients) {
 
 /// The plane through three points that has `inside` on its positive side.
 std::optional<Plane> through(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& inside) {
-    // Unit edges first: those of the near plane may be 1e-15 of those of the far plane.
+    // Normalised edges: those of the near plane may be 1e-15 of those of the far plane.
     const Vec3 cross = glm::cross(glm::normalize(b - a), glm::normalize(c - a));
     std::optional<Plane> plane = normalised(Vec4(cross, 0.0));
     if (!plane) return std::nullopt;
@@ -37,8 +37,8 @@ std::optional<Plane> through(const Vec3& a, const Vec3& b, const Vec3& c, const 
     return plane;
 }
 
-/// Near bottom-left, bottom-right, top-right, top-left, then the same far, as Frustum::corners. None where they do not lie before
-/// one eye: the signs of w differ.
+/// Near bottom-left, bottom-right, top-right, top-left, then the far ones in the same order, as Frustum::corners. None where the
+/// signs of w differ: the corners do not all lie in front of the eye.
 std::optional<std::array<Vec3, 8>> cornersOf(const Mat4& clip, ClipDepth depth) {
     const Mat4 inverse = glm::inverse(clip);
     const double nearDepth = depth == ClipDepth::MinusOneToOne ? -1.0 : depth == ClipDepth::ZeroToOne ? 0.0 : 1.0;
@@ -94,7 +94,7 @@ std::optional<FrustumPlanes> planesFromCorners(const Mat4& clip, ClipDepth depth
     if (!corners) return std::nullopt;
     Vec3 inside(0.0);
     for (const Vec3& corner : *corners) inside += corner / 8.0;
-    // Of the side planes two corners are far ones and the first is a near one: long edges, and little to lose in the offset.
+    // Each side plane takes two far corners and one near corner: with long edges the offset loses little precision.
     constexpr std::array<std::array<size_t, 3>, 6> kOwnCorners{
         {{0, 4, 7}, {1, 6, 5}, {0, 5, 4}, {3, 7, 6}, {0, 1, 2}, {4, 6, 5}}};
     FrustumPlanes planes;

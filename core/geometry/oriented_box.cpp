@@ -10,7 +10,7 @@ OrientedBox orientedBox(const Box3& meshBox, const Mat4& worldFromMesh, const Ve
     const Vec3 centre = meshBox.centre();
     const Vec3 half = meshBox.halfExtent();
     OrientedBox box;
-    // Origin before offsets: the large terms cancel against the eye first.
+    // The origin before the offsets: the large terms cancel against the eye first.
     box.centre = Vec3(worldFromMesh[3]) - eye + Mat3(worldFromMesh) * meshOrigin;
     Vec3 magnitude = glm::abs(Vec3(worldFromMesh[3])) + glm::abs(eye);
     for (int axis = 0; axis < 3; ++axis) {
@@ -19,7 +19,7 @@ OrientedBox orientedBox(const Box3& meshBox, const Mat4& worldFromMesh, const Ve
         box.axes[size_t(axis)] = column * half[axis];
         magnitude += glm::abs(column) * (glm::abs(meshOrigin[axis]) + glm::abs(centre[axis]) + half[axis]);
     }
-    // Fewer than twelve roundings of half an ulp of the magnitude on the centre's way, three on an axis's.
+    // Fewer than twelve roundings of half an ulp of the magnitude in the centre, three in an axis.
     box.room = glm::length(magnitude) * 0x1p-49;
     return box;
 }

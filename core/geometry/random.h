@@ -6,8 +6,8 @@
 
 namespace cullscope {
 
-/// SplitMix64 (Steele, Lea & Flood 2014): the same numbers on every machine for a seed, which the standard library's
-/// distributions do not promise.
+/// SplitMix64 (Steele, Lea & Flood 2014): a seed gives the same numbers on every machine, which the standard library's
+/// distributions do not guarantee.
 class Random {
 public:
     explicit Random(uint64_t seed) : m_state(seed) {}
@@ -21,7 +21,7 @@ public:
     /// Uniform in [0, 1).
     double unit() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
     double between(double low, double high) { return low + (high - low) * unit(); }
-    /// Uniform on the unit sphere (Archimedes: z is uniform).
+    /// Uniform on the unit sphere (Archimedes: the z of such points is uniform in [−1, 1]).
     Vec3 direction();
 
 private:

@@ -5,17 +5,17 @@
 namespace cullscope {
 namespace {
 
-/// Below this squared length an axis is left out: its products might underflow, and no bound on their rounding would hold.
+/// An axis with a smaller squared length is skipped: its products might underflow, and no bound on their rounding would hold.
 constexpr double kLeastSquare = 1e-200;
 
 double sumOfSizes(const Vec3& v) { return std::abs(v.x) + std::abs(v.y) + std::abs(v.z); }
 
-/// A frustum in camera coordinates (along right, up, forward), where all of it is four numbers. What a point's coordinates are
-/// is said by dot products with the basis, as the planes and the clip matrix say it: nothing here asks that the basis be
-/// orthonormal to the last digit.
+/// A frustum in camera coordinates (along right, up, forward), where four numbers describe it. A point's coordinates are its dot
+/// products with the basis vectors, as for the planes and the clip matrix; the basis need not be exactly orthonormal.
 class CameraFrustum {
 public:
-    /// Cut where it can meet nothing that lies within `farthest` of the eye: a far plane at 1e9 makes 1e-7 of a rounding.
+    /// The far distance is cut at `farthest`, beyond which no point of the object lies: a far plane at 1e9 would give a rounding
+    /// of 1e-7.
     CameraFrustum(const Frustum& frustum, double farthest)
         : m_right(frustum.right),
           m_up(frustum.up),
@@ -30,7 +30,8 @@ public:
     }
     [[nodiscard]] Vec3 world(const Vec3& camera) const { return m_right * camera.x + m_up * camera.y + m_forward * camera.z; }
 
-    /// Whether the interval centre ± reach lies beyond the frustum's along `axis` (camera coordinates) by more than `room`.
+    /// Whether the interval centre ± reach lies outside the frustum's interval along `axis` (camera coordinates) by more than
+    /// `room`.
     [[nodiscard]] bool apart(const Vec3& axis, double centre, double reach, double room) const {
         const double aside = m_tanHalfWidth * std::abs(axis.x) + m_tanHalfHeight * std::abs(axis.y);
         const double most = axis.z + aside;
@@ -39,7 +40,7 @@ public:
                least * (least < 0.0 ? m_far : m_near) - (centre + reach) > room;
     }
 
-    /// The point nearest to `from`, both in camera coordinates.
+    /// The frustum's point nearest to `from`, both in camera coordinates.
     [[nodiscard]] Vec3 nearestPoint(const Vec3& from) const {
         const double x = std::abs(from.x);
         const double y = std::abs(from.y);
@@ -56,8 +57,9 @@ public:
     }
 
 private:
-    /// Where max(0, x − w·d)² + max(0, y − h·d)² + (z − d)² is least. It is convex in d and quadratic piece by piece; each of the
-    /// four pieces has its minimum tried. This one number tells faces, edges and corners apart.
+    /// The depth d at which max(0, x − w·d)² + max(0, y − h·d)² + (z − d)² is smallest. The function is convex in d and quadratic
+    /// in four pieces; the minimum of each is tried. This depth alone decides whether the nearest point lies on a face, an edge
+    /// or a corner.
     [[nodiscard]] double nearestDepth(double x, double y, double z) const {
         const double w = m_tanHalfWidth;
         const double h = m_tanHalfHeight;
@@ -78,7 +80,7 @@ struct CameraBox {
     Vec3 centre;
     std::array<Vec3, 3> halves;  ///< half edges
     std::array<Vec3, 3> edges;   ///< directions of the edges, about unit length; 0 where unknown
-    double room;                 ///< how far beyond the frustum it must lie, per unit of an axis
+    double room;                 ///< how far beyond the frustum the box must lie, for an axis of unit length
 };
 
 bool apartAlong(const Vec3& axis, const CameraFrustum& frustum, const CameraBox& box) {
@@ -98,7 +100,7 @@ bool separatedBox(const CameraFrustum& frustum, const CameraBox& box) {
     return false;
 }
 
-/// What stands for rounding in the header's first comment.
+/// The bound r on all rounding, derived in the header's first comment.
 double rounding(double farthest) { return farthest * 0x1p-47; }
 
 double farthestOf(const EyeBox& box) { return sumOfSizes(box.centre) + sumOfSizes(box.halfExtent); }
@@ -145,14 +147,15 @@ bool separated(const Frustum& frustum, const Sphere& eyeSphere, double margin) {
     const Vec3 direct = centre - camera.nearestPoint(centre);
     const double x = std::copysign(frustum.tanHalfWidth, centre.x);
     const double y = std::copysign(frustum.tanHalfHeight, centre.y);
-    // The difference of two points leans by their rounding, the more so the wider the view. Where the nearest point lies on a
-    // side or on the edge of two, the axis stands at a right angle to it.
+    // The direction from the nearest point to the centre is inaccurate by the rounding of both, more so with a wide view. Where
+    // the nearest point lies on a side, or on the edge between two, the axis is perpendicular to it, so these axes are tried too.
     const Vec3 ray(x, y, 1.0);
     for (const Vec3& axis : {direct, Vec3(std::copysign(1.0, x), 0.0, -frustum.tanHalfWidth),
                              Vec3(0.0, std::copysign(1.0, y), -frustum.tanHalfHeight),
                              direct - ray * (glm::dot(direct, ray) / glm::dot(ray, ray))}) {
         if (!(glm::dot(axis, axis) > kLeastSquare)) continue;
-        // In world coordinates a sphere is one whatever the basis is like.
+        // The sphere is tested with the axis in world coordinates, where it is a sphere even if the basis is not exactly
+        // orthonormal.
         const double length = glm::length(camera.world(axis));
         if (camera.apart(axis, glm::dot(axis, centre), eyeSphere.radius * length, (margin + rounding(farthest)) * length))
             return true;

@@ -5,7 +5,7 @@
 
 namespace cullscope {
 
-/// Scene and culling arithmetic is in double; only what the GPU gets is float.
+/// Scene and culling arithmetic is in double; only data for the GPU is float.
 using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Vec4 = glm::dvec4;

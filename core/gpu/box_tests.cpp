@@ -1,4 +1,4 @@
-// Boxes that OpenGL is asked about: in selection mode, and by occlusion queries. Nothing of them is seen.
+// Visibility tests of boxes by OpenGL: in selection mode and by occlusion queries. Neither writes a pixel.
 
 #include <glm/gtc/type_ptr.hpp>
 
@@ -9,7 +9,7 @@ namespace cullscope {
 namespace {
 
 constexpr GLsizei kCorners = 8;
-constexpr GLuint kWordsOfAHit = 4;  // how many names, least and largest depth, the name
+constexpr GLuint kWordsOfAHit = 4;  // number of names, least and largest depth, the name
 
 /// Faces of a box as quadrilaterals of its corners: bit 0, 1, 2 of a corner's number are its x, y, z.
 constexpr std::array<uint16_t, 24> kQuads{0, 2, 3, 1, 4, 5, 7, 6, 0, 1, 5, 4, 2, 6, 7, 3, 0, 4, 6, 2, 1, 3, 7, 5};
@@ -27,7 +27,8 @@ std::vector<Vec3f> cornersOf(std::span<const EyeBox> boxes) {
     return corners;
 }
 
-/// A framebuffer of a picture's size that holds nothing, for what is drawn to be asked about. Both sides are drawn, filled.
+/// A framebuffer of the picture's size without attachments, for draws that only produce hits or query results. Sets both sides
+/// drawn, filled.
 class EmptyFramebuffer {
 public:
     explicit EmptyFramebuffer(const Viewport& size) {
@@ -59,8 +60,8 @@ private:
     GLuint m_framebuffer = 0;
 };
 
-/// The fixed-function matrices of a view for what is relative to the eye. Depth is reversed, as everywhere: with OpenGL's own
-/// range of −1 … 1 a float matrix misplaces the far plane by far / near · 2^-24 of its distance.
+/// The fixed-function matrices of a view, for positions relative to the eye. Depth is reversed, as everywhere: with OpenGL's own
+/// range of −1 … 1 a float matrix displaces the far plane by far / near · 2^-24 of its distance.
 class FixedFunction {
 public:
     FixedFunction(const View& view, const std::vector<Vec3f>& corners) {
@@ -88,7 +89,7 @@ public:
     FixedFunction& operator=(const FixedFunction&) = delete;
 };
 
-/// Draws every box under its name; −1 where the hit buffer was too small.
+/// Draws every box under its name and returns the number of hits; −1 where the hit buffer was too small.
 GLint hitRecords(size_t boxes, std::vector<GLuint>& buffer) {
     glSelectBuffer(static_cast<GLsizei>(buffer.size()), buffer.data());
     glRenderMode(GL_SELECT);
@@ -111,7 +112,7 @@ void requireSelectionMode() {
                          "profile: ask by occlusion queries."));
 }
 
-/// A vertex array of positions alone, with the triangles of one box.
+/// A vertex array with positions only, and an index buffer with the triangles of one box.
 class BoxArray {
 public:
     explicit BoxArray(const std::vector<Vec3f>& corners) {

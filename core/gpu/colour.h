@@ -6,17 +6,17 @@
 
 namespace cullscope {
 
-/// 0xRRGGBB.
+/// The colour 0xRRGGBB with components in [0, 1].
 [[nodiscard]] Vec3f colourFromHexadecimal(uint32_t rgb);
 
 /// The relative luminance Y in [0, 1] of an sRGB colour (IEC 61966-2-1).
 [[nodiscard]] float relativeLuminance(const Vec3f& colour);
 
-/// Whether black stands out against a colour at least as well as white does, by WCAG's contrast ratio: (Y + 0.05) / 0.05 against
-/// 1.05 / (Y + 0.05).
+/// Whether black has at least as much contrast to a colour as white, by WCAG's contrast ratio: (Y + 0.05) / 0.05 against 1.05 /
+/// (Y + 0.05).
 [[nodiscard]] bool isLight(const Vec3f& background);
 
-/// Black on light, white on dark.
+/// Black on a light background, white on a dark one.
 [[nodiscard]] Vec3f contrastTo(const Vec3f& background);
 
 }  // namespace cullscope

@@ -58,7 +58,7 @@ EGLContext createContext(EGLDisplay display, EGLConfig config) {
             context != EGL_NO_CONTEXT)
             return context;
     }
-    // Whatever there is: requireOpenGl45 then says which version was found.
+    // Any version at all: requireOpenGl45 then reports the version that was found.
     return eglCreateContext(display, config, EGL_NO_CONTEXT, nullptr);
 }
 
@@ -91,7 +91,7 @@ std::vector<EGLDeviceEXT> devices() {
     return found;
 }
 
-/// A GPU's context where one of the platforms has it, else a software one.
+/// A context on a GPU if one of the platforms has it, else a software one.
 std::optional<EglContext> bestContext() {
     if (!epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_platform_base")) return std::nullopt;
     std::optional<EglContext> software;

@@ -5,7 +5,7 @@
 
 namespace cullscope {
 
-/// What the current OpenGL context says about itself.
+/// What the current OpenGL context reports about itself.
 struct GlInfo {
     std::string vendor;
     std::string renderer;
@@ -13,19 +13,19 @@ struct GlInfo {
     int major = 0;
     int minor = 0;
     bool compatibilityProfile = false;  ///< client vertex arrays and GL_SELECT exist only there
-    bool software = false;              ///< llvmpipe, softpipe, SWR, …: times are not a GPU's
+    bool software = false;              ///< llvmpipe, softpipe, SWR, …: its times do not represent a GPU
 };
 
-/// Asks the current context. Throws Error(OpenGl) where none is current or it is older than 4.5.
+/// Reads and checks the current context. Throws Error(OpenGl) where none is current or its version is below 4.5.
 [[nodiscard]] GlInfo requireOpenGl45();
 
-/// Whether OpenGL says that the current context was lost, as by a driver's reset. Says so only where the context was made with
-/// reset notification. Needs a current context of OpenGL 4.5.
+/// Whether the current context was lost, as by a driver's reset. OpenGL reports that only for contexts made with reset
+/// notification. Needs a current context of OpenGL 4.5.
 [[nodiscard]] bool contextLost();
 
 /// An OpenGL 4.5 context on EGL without a display: the surfaceless platform (Mesa), else the first device that gives one
-/// (NVIDIA). Compatibility profile where there is one. Current on the creating thread from construction on.
-/// Throws Error(OpenGl) saying what was tried.
+/// (NVIDIA). Compatibility profile where the driver has one. Current on the creating thread from construction on. Throws
+/// Error(OpenGl) saying what was tried.
 class HeadlessContext {
 public:
     HeadlessContext();

@@ -12,7 +12,7 @@ DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing f
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &m_previousDraw);
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &m_previousRead);
     glBindFramebuffer(GL_FRAMEBUFFER, target.id());
-    // The whole picture's place, of which a tile shows a part.
+    // The viewport of the whole picture, of which a tile shows a part.
     glViewport(-tile.x, -tile.y, view.viewport().width, view.viewport().height);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_BLEND);
@@ -102,7 +102,7 @@ namespace {
 void setInstanceUniforms(const View& view, const Instance& instance, const TriangleMesh& mesh) {
     const Mat4f clip = view.clipFromPositions(instance.worldFromMesh, mesh.origin());
     const Mat4f eyeRelative = view.eyeRelativeFromPositions(instance.worldFromMesh, mesh.origin());
-    // Scaled to its largest entry so that tiny and huge instances keep their normals in float.
+    // Scaled by its largest entry, so that normals of tiny and huge instances stay within the range of float.
     glm::dmat3 normals = glm::transpose(glm::inverse(Mat3(instance.worldFromMesh)));
     double largest = 0.0;
     for (int c = 0; c < 3; ++c)
@@ -112,7 +112,7 @@ void setInstanceUniforms(const View& view, const Instance& instance, const Trian
     glUniformMatrix4fv(kClipFromPositions, 1, GL_FALSE, glm::value_ptr(clip));
     glUniformMatrix4fv(kEyeRelativeFromPositions, 1, GL_FALSE, glm::value_ptr(eyeRelative));
     glUniformMatrix3fv(kNormalMatrix, 1, GL_FALSE, glm::value_ptr(normalMatrix));
-    // A mirrored instance turns its triangles around.
+    // A mirroring transform reverses the winding of its triangles.
     glFrontFace(glm::determinant(Mat3(instance.worldFromMesh)) < 0.0 ? GL_CW : GL_CCW);
 }
 

@@ -7,7 +7,7 @@
 #include "core/gpu/program.h"
 #include "core/gpu/renderer.h"
 
-// What the renderer's source files share; nothing of it is for other folders.
+// Shared by the renderer's source files; not for use outside of this folder.
 
 namespace cullscope {
 
@@ -35,13 +35,13 @@ struct Renderer::Programs {
 
     Program lambert, depth, item, state, line, sphericalModel;
     unsigned vertexArray = 0;  ///< of scene triangles
-    unsigned lineArray = 0;    ///< of LineOnGpu, one an instance
+    unsigned lineArray = 0;    ///< of LineOnGpu, one element per drawn line
 };
 
-/// OpenGL's state while the renderer works: reversed-Z into a framebuffer; back to the defaults that Qt expects afterwards.
+/// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. The destructor restores the defaults that Qt expects.
 class DrawingState {
 public:
-    /// For what `view` sees, or for the part of it that `target` holds.
+    /// For the picture of `view`, or for the part of it that `target` holds.
     DrawingState(const View& view, const Framebuffer& target, Facing facing);
     ~DrawingState();
     DrawingState(const DrawingState&) = delete;
@@ -55,29 +55,29 @@ private:
 /// Clears the bound framebuffer's colour to the style's background, and its depth.
 void clearTo(const DrawStyle& style);
 
-/// Binds one mesh after the other as vertex input and hands out index addresses.
+/// Binds meshes as vertex input, one at a time, and returns addresses into their index buffers.
 class VertexInput {
 public:
-    /// Which of a mesh's index buffers is drawn from.
+    /// Which of a mesh's index buffers is used.
     enum class Indices {
-        Whole,   ///< all triangles, in whichever order is fastest
-        InOrder  ///< ranges of them, in the list's order
+        Whole,   ///< all triangles, in the order that is fastest to draw
+        InOrder  ///< ranges of triangles, in the draw list's order
     };
 
-    /// For ranges in `order`; null: in the meshes' own.
+    /// For ranges in `order`; null: in every mesh's own order.
     VertexInput(const SceneBuffers& buffers, unsigned vertexArray, TriangleOrderPointer order);
     ~VertexInput();
     VertexInput(const VertexInput&) = delete;
     VertexInput& operator=(const VertexInput&) = delete;
 
-    /// Makes an instance's mesh the vertex input and sets its uniforms and its winding.
+    /// Binds an instance's mesh as vertex input and sets the instance's uniforms and winding.
     void bind(const View& view, uint32_t instance, Indices indices);
     [[nodiscard]] const void* indexAddress(uint32_t firstIndex) const {
         return m_indices.client + size_t{firstIndex} * m_indices.bytes;
     }
     [[nodiscard]] GLenum indexType() const { return m_indices.bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT; }
 
-    /// Makes a mesh the vertex input and sets nothing else.
+    /// Binds a mesh as vertex input and sets nothing else.
     void bindMesh(uint32_t mesh, Indices indices);
 
 private:
@@ -93,12 +93,12 @@ private:
     GpuIndices m_indices;
 };
 
-/// A line as OpenGL takes it, relative to the eye.
+/// A line in OpenGL's format, relative to the eye.
 struct LineOnGpu {
     Vec3f from, to, colour;
 };
 
-/// Draws lines with square ends within the current drawing state; leaves no depth. Restores nothing but what it binds.
+/// Draws lines with square ends within the current drawing state; writes no depth. Restores only the bindings that it changes.
 void drawLinesOnGpu(const Program& program, unsigned lineArray, const View& view, std::span<const LineOnGpu> lines, float width);
 
 }  // namespace cullscope

@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// A part of a picture that is too large to be drawn at once; rows count from the bottom.
+/// A rectangle of a picture that is too large to be drawn at once; rows count from the bottom.
 struct PictureTile {
     int x = 0, y = 0;  ///< its lower left pixel in the whole picture
     Viewport size;
@@ -17,9 +17,9 @@ struct PictureTile {
 /// The textures belong to the share group; the framebuffer object itself to the context it was made in.
 class Framebuffer {
 public:
-    /// Throws Error(OpenGl) where this OpenGL cannot make one of that size.
+    /// Throws Error(OpenGl) where this OpenGL cannot create a framebuffer of that size.
     explicit Framebuffer(const Viewport& size) : Framebuffer(PictureTile{0, 0, size}) {}
-    /// One that holds a part of what a View of the whole picture draws into it.
+    /// A framebuffer for a tile of the picture of a View.
     explicit Framebuffer(const PictureTile& tile);
     ~Framebuffer();
     Framebuffer(const Framebuffer&) = delete;
@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::vector<uint8_t> readColour() const;  ///< RGBA, width · height · 4 bytes
     [[nodiscard]] std::vector<float> readDepth() const;     ///< width · height samples
 
-    /// Copies the colours into another framebuffer, such as a window's, lower left corner on lower left corner; leaves that one
+    /// Copies the colours into another framebuffer, such as a window's, with the lower left corners aligned; leaves that one
     /// bound.
     void showIn(unsigned framebuffer) const;
 
@@ -45,7 +45,7 @@ private:
     unsigned m_depth = 0;
 };
 
-/// Fills a framebuffer that is not ours, such as a window's, with one opaque colour; leaves it bound.
+/// Fills a framebuffer that this library does not own, such as a window's, with one opaque colour; leaves it bound.
 void fillFramebuffer(unsigned framebuffer, const Vec3f& colour);
 
 }  // namespace cullscope

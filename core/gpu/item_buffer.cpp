@@ -33,7 +33,7 @@ void requireNumbers(const Scene& scene) {
                    {std::to_string(scene.triangleCount())});
 }
 
-/// One draw a range with the triangles' numbers, as the item shader takes them.
+/// Submits one draw call for each range, with the triangles' numbers as the item shader needs them.
 void submitItems(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
     const Scene& scene = buffers.scene();
     submit(buffers, view, list, vertexArray, true, [&](const SubmittedRun& run) {
@@ -84,8 +84,8 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
                       std::vector<uint32_t>(static_cast<size_t>(tile.size.width) * static_cast<size_t>(tile.size.height))};
     glGetTextureImage(target.items(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
                       static_cast<GLsizei>(result.triangle.size() * sizeof(uint32_t)), result.triangle.data());
-    // The image holds triangle numbers with "nothing" as the largest; the result counts from 1 with 0 as nothing: one addition
-    // wraps.
+    // The image holds triangle numbers, with the largest number for an empty pixel; the result holds numbers + 1, with 0 for an
+    // empty pixel. The addition wraps the largest number to 0.
     for (uint32_t& triangle : result.triangle) ++triangle;
     return result;
 }

@@ -24,11 +24,11 @@ void drawLinesOnGpu(const Program& program, unsigned lineArray, const View& view
     glUniformMatrix4fv(kClipFromEyeRelative, 1, GL_FALSE, glm::value_ptr(clip));
     glUniform2f(kHalfViewport, 0.5f * float(view.viewport().width), 0.5f * float(view.viewport().height));
     glUniform1f(kHalfWidth, 0.5f * width);
-    // Lines are drawn up to the eye, nearly: a frustum's edges often start before the near plane.
+    // Lines are clipped close to the eye, not at the near plane: a frustum's edges often start in front of the near plane.
     glUniform1f(kLeastDistance, float(view.camera().nearDistance * 0x1p-6));
-    // Beyond far and before near, depths stay at the ends of their range.
+    // Behind the far plane and in front of the near plane, depths are clamped to the ends of their range.
     glEnable(GL_DEPTH_CLAMP);
-    glFrontFace(GL_CCW);  // the rectangles are, whichever way a line runs
+    glFrontFace(GL_CCW);  // the winding of the rectangles, for either direction of a line
     glDepthMask(GL_FALSE);
     glDrawArraysInstanced(GL_TRIANGLES, 0, kVerticesALine, static_cast<GLsizei>(lines.size()));
     glDisable(GL_DEPTH_CLAMP);

@@ -4,12 +4,12 @@
 
 namespace cullscope {
 
-/// A linked OpenGL program; owns it.
+/// An owned, linked OpenGL program.
 class Program {
 public:
-    /// Compiles and links. Throws Error(OpenGl) with the driver's log where it refuses.
+    /// Compiles and links. Throws Error(OpenGl) with the driver's log where that fails.
     Program(std::string_view vertexSource, std::string_view fragmentSource) : Program(vertexSource, {}, fragmentSource) {}
-    /// The same with a geometry shader; an empty source: without.
+    /// The same with a geometry shader; none where its source is empty.
     Program(std::string_view vertexSource, std::string_view geometrySource, std::string_view fragmentSource);
     ~Program();
     Program(const Program&) = delete;

@@ -25,7 +25,7 @@ unsigned newBuffer(const void* data, size_t bytes) {
     return buffer;
 }
 
-/// Of an order of triangles. Throws Error(OpenGl) where memory runs out.
+/// A buffer for a strategy's order of triangles. Throws Error(OpenGl) where memory runs out.
 unsigned newOrderBuffer(const void* data, size_t bytes) {
     forgetErrors();
     const unsigned buffer = newBuffer(data, bytes);
@@ -44,7 +44,7 @@ GpuIndices newIndices(std::span<const uint32_t> indices, size_t vertices, unsign
 
 GpuIndices inMemory(std::span<const uint32_t> indices) { return {0, reinterpret_cast<const char*>(indices.data()), 4}; }
 
-/// The fastest order for all of a mesh's triangles.
+/// A mesh's triangles in the order that is fastest to draw as a whole.
 std::vector<uint32_t> fastOrder(const TriangleMesh& mesh) {
     if (mesh.triangleCount() <= kOptionalAnalysisLimit) return inVertexCacheOrder(mesh.indices(), mesh.vertexCount());
     return {mesh.indices().begin(), mesh.indices().end()};

@@ -25,7 +25,7 @@ void Renderer::drawSpherical(const SceneBuffers& buffers, const View& view, cons
     const MapArea& area = model.area;
     const DrawingState state(view, target, Facing::TwoSided);
     clearTo(style);
-    // The map's own place, of which a tile shows a part.
+    // The viewport of the map, of which a tile shows a part.
     glViewport(int(area.left) - target.tile().x, int(area.bottom) - target.tile().y, int(area.width), int(area.height));
     glUseProgram(m_programs->sphericalModel.id());
     glUniform3fv(kCentre, 1, glm::value_ptr(Vec3f(model.sphere.centre)));
@@ -39,7 +39,7 @@ void Renderer::drawSpherical(const SceneBuffers& buffers, const View& view, cons
         if (range.instance == model.instance)
             glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(range.indexCount), input.indexType(),
                            input.indexAddress(range.firstIndex));
-    // What is at a pixel lies elsewhere than a camera would see it there.
+    // The depths are of the map, not of the camera's picture, so they are cleared.
     glClear(GL_DEPTH_BUFFER_BIT);
 }
 

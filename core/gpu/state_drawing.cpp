@@ -11,15 +11,16 @@ namespace {
 
 using Look = PaletteEntry::Look;
 
-/// Widths of the lines around marked triangles, in units: contrast around the mark's colour.
+/// Widths of the lines around marked triangles, in units: the outer line contrasts with the background, the inner one has the
+/// mark's colour.
 constexpr float kHaloWidth = 7.0f;
 constexpr float kLossMarkWidth = 3.0f;
-/// Of 16 units along a row of a marked triangle, how many are black and how many white: with the mark's colour in the others the
-/// mean can be told from every other verdict colour, in grey too (tests/core/measure/verdict_colour_test.cpp).
+/// How many of 16 units along a row of a marked triangle are black and how many white; the others have the mark's colour. Chosen
+/// so that the mean differs from every other verdict colour, in grey too (tests/core/measure/verdict_colour_test.cpp).
 constexpr glm::vec2 kHatchOnLight(7.0f, 1.0f);
 constexpr glm::vec2 kHatchOnDark(5.0f, 1.0f);
 
-/// States and palette as the shader reads them.
+/// The states and the palette as shader storage buffers.
 class StateBuffers {
 public:
     StateBuffers(std::span<const uint8_t> states, std::span<const PaletteEntry> palette) {
@@ -50,7 +51,7 @@ private:
     std::array<unsigned, 2> m_buffers{};
 };
 
-/// The instances that have a triangle of each look, so that a look costs only what shows it.
+/// Draw lists of the instances that have a triangle of each look, so that a look is drawn only for the instances that need it.
 std::array<DrawList, 3> listsByLook(const Scene& scene, Facing facing, std::span<const uint8_t> states,
                                     std::span<const PaletteEntry> palette) {
     std::array<DrawList, 3> lists;
@@ -65,7 +66,7 @@ std::array<DrawList, 3> listsByLook(const Scene& scene, Facing facing, std::span
     return lists;
 }
 
-/// The edges of the marked triangles in their colour.
+/// The edges of the marked triangles, in their colour.
 std::vector<LineOnGpu> markedEdges(const Scene& scene, const Vec3& eye, const DrawList& marked, std::span<const uint8_t> states,
                                    std::span<const PaletteEntry> palette) {
     std::vector<LineOnGpu> edges;
@@ -82,7 +83,7 @@ std::vector<LineOnGpu> markedEdges(const Scene& scene, const Vec3& eye, const Dr
     return edges;
 }
 
-/// A width of edges that this OpenGL draws.
+/// The width nearest to the wanted one that this OpenGL can draw wireframe edges with.
 float wireWidth(float wanted) {
     GLint flags = 0;
     glGetIntegerv(GL_CONTEXT_FLAGS, &flags);
@@ -122,7 +123,7 @@ void Renderer::drawByState(const SceneBuffers& buffers, const View& view, Facing
     drawLook(Look::Wireframe);
     glLineWidth(1.0f);
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
-    // Before the marked triangles themselves: within them only the hatch is seen, around them the halo.
+    // Edges are drawn before the marked triangles: inside a triangle only the hatch remains visible, around it the halo.
     const std::vector<LineOnGpu> edges = markedEdges(scene, view.eye(), lists[size_t(Look::Marked)], stateOfTriangle, palette);
     drawLinesOnGpu(m_programs->line, m_programs->lineArray, view, recoloured(edges, contrast), kHaloWidth * style.unit);
     drawLinesOnGpu(m_programs->line, m_programs->lineArray, view, edges, kLossMarkWidth * style.unit);

@@ -6,7 +6,7 @@
 
 namespace cullscope {
 
-/// A run of ranges of one instance, which is bound by then.
+/// Consecutive ranges of one instance, which is bound when they are passed on.
 struct SubmittedRun {
     std::span<const DrawRange> ranges;
     const std::vector<GLsizei>& counts;
@@ -14,15 +14,16 @@ struct SubmittedRun {
     GLenum indexType = GL_UNSIGNED_INT;
 };
 
-/// Whether a run is the whole mesh in no order of the list's own, so that its triangles may be drawn in whichever is fastest.
+/// Whether the ranges are a whole mesh for which the draw list has no order of its own, so that its triangles may be drawn in the
+/// fastest order.
 inline bool isWhole(std::span<const DrawRange> run, const DrawList& list, const Scene& scene) {
     const uint32_t mesh = scene.instances()[run.front().instance].mesh;
     return run.size() == 1 && list.orderOf(mesh).indices.empty() &&
            run.front().indexCount == scene.meshes()[mesh]->indices().size();
 }
 
-/// Walks a list: `perInstance(run)` once for each run of ranges of one instance. `numbered`: its triangles are told apart by
-/// where they stand, so that none may change places.
+/// Goes through a list: binds each instance and calls `perInstance(run)` for each run of ranges of one instance. `numbered`:
+/// triangles are identified by their place, so their order must be kept.
 template <typename PerInstance>
 void submit(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray, bool numbered,
             const PerInstance& perInstance) {
@@ -45,7 +46,7 @@ void submit(const SceneBuffers& buffers, const View& view, const DrawList& list,
     }
 }
 
-/// The same with one multi-draw for each run.
+/// Draws a list with one multi-draw call for each run.
 inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
     submit(buffers, view, list, vertexArray, false, [](const SubmittedRun& run) {
         if (run.counts.size() == 1)
@@ -56,8 +57,8 @@ inline void submitAll(const SceneBuffers& buffers, const View& view, const DrawL
     });
 }
 
-/// The same with one draw a range, after the uniform kFirstTriangle says where it starts: gl_PrimitiveID counts from 0 in each.
-/// Of a list in the meshes' own order.
+/// Draws a list in the meshes' own order with one call for each range; the uniform kFirstTriangle holds the number of its first
+/// triangle, because gl_PrimitiveID starts at 0 in each call.
 inline void submitNumbered(const SceneBuffers& buffers, const View& view, const DrawList& list, unsigned vertexArray) {
     assert(list.order == nullptr);
     submit(buffers, view, list, vertexArray, true, [&](const SubmittedRun& run) {

@@ -69,7 +69,7 @@ void Canvas::line(std::span<const Vec2> points, const Pen& pen) {
             stroke(from, points[i], pen);
             continue;
         }
-        // Strokes go on over the corners.
+        // Dashes continue over the corners of a line.
         for (double at = 0.0; at < length;) {
             const double phase = std::fmod(passed + at, 2.0 * pen.dash);
             const double next = std::min(length, at + std::max((phase < pen.dash ? pen.dash : 2.0 * pen.dash) - phase, 1e-3));

@@ -1,4 +1,4 @@
-// The cells that `spherical-lossless` judged, and the outline of what hides some of them, as lines on the map.
+// The cells that `spherical-lossless` tested, and the outline of the kernel that hides some of them, as lines on the map.
 
 #include "core/image/judged_cells.h"
 
@@ -13,14 +13,15 @@
 namespace cullscope {
 namespace {
 
-/// On the square, counter-clockwise; the first again at the end.
+/// The corners on the map's unit square, counter-clockwise; the first one again at the end.
 std::array<Vec2, 5> cornersOf(const MapCell& cell) {
     const double size = 1.0 / double(1U << cell.level);
     const Vec2 low(cell.x * size, cell.y * size);
     return {low, low + Vec2(size, 0.0), low + Vec2(size), low + Vec2(0.0, size), low};
 }
 
-/// Rows and columns: straight on the map, but with points between the corners for who draws them on a sphere.
+/// The outline of a cell of rows and columns: straight on the map, with points between the corners for callers that draw it on a
+/// sphere.
 std::vector<Vec2> rectangleOutline(const MapCell& cell) {
     const std::array<Vec2, 5> corners = cornersOf(cell);
     const auto angles = [](const Vec2& point) { return Vec2(std::min(kTurn * point.y, std::numbers::pi), kTurn * point.x); };
@@ -32,13 +33,13 @@ std::vector<Vec2> rectangleOutline(const MapCell& cell) {
     return outline;
 }
 
-/// How far a cell of level 1 or more reaches in θ and φ, by its corners.
+/// The extent of a cell of level 1 or more in θ and φ, from its corners.
 Vec2 sizeOf(MapLayout layout, const MapCell& cell) {
     if (layout == MapLayout::LatitudeLongitude) {
         const double size = kTurn / double(1U << cell.level);
         return {std::min(size, std::numbers::pi), size};
     }
-    // It lies within a quarter of the azimuths, so that they are known without the seam.
+    // Such a cell lies within one quarter of the azimuths, so that its extent in φ needs no handling of the seam.
     const Vec3 inside = directionAt(layout, 0.5 * (cornersOf(cell)[0] + cornersOf(cell)[2]));
     const double quarter = std::floor(std::atan2(inside.y, inside.x) / kRightAngle) * kRightAngle;
     Vec2 low(kTurn), high(0.0);
@@ -73,13 +74,13 @@ const spherical::JudgedCell* judgedCellAt(const spherical::MapSnapshot& map, con
 std::vector<Vec2> cellOutline(MapLayout layout, const MapCell& cell) {
     if (cell.level == 0) return {};
     if (layout == MapLayout::LatitudeLongitude) return rectangleOutline(cell);
-    // Within a face of the octahedron a straight line on the square is a great circle, and the edges of cells of level 1 and more
-    // run within faces.
+    // On a face of the octahedron a straight line on the square is a great circle, and the edges of cells of level 1 and more do
+    // not cross the borders of faces.
     const std::array<Vec2, 5> corners = cornersOf(cell);
     MapLine line(directionAt(layout, corners[0]));
     for (size_t i = 1; i < corners.size(); ++i) line.arc(directionAt(layout, corners[i - 1]), directionAt(layout, corners[i]));
     std::vector<Vec2> outline = std::move(line).take();
-    // At a pole it ends at another azimuth than it began.
+    // At a pole the line may end at another azimuth than its start.
     if (outline.back() != outline.front()) outline.push_back(outline.front());
     return outline;
 }

@@ -6,19 +6,19 @@
 
 namespace cullscope {
 
-/// The cell of the quadtree at which the walk ended that holds a direction. Null: no triangle's centroid lies there, the object
-/// was not walked, or the cull was not traced.
+/// The tested cell of the quadtree that holds a direction. Null where no triangle's centroid lies in that direction's cell, where
+/// the object's quadtree was not walked, or where the cull was not traced.
 [[nodiscard]] const spherical::JudgedCell* judgedCellAt(const spherical::MapSnapshot& map, const Vec3& direction);
 
-/// The border of a quadtree's cell as a closed line through points (θ, φ), radians, φ continued over the seam: the last one is
-/// the first. The cell at level 0, which is the whole map, has none.
+/// The border of a quadtree's cell as a closed line through points (θ, φ) in radians, φ continued over the seam: the last point
+/// equals the first. Empty for the cell at level 0, which is the whole map.
 [[nodiscard]] std::vector<Vec2> cellOutline(MapLayout layout, const MapCell& cell);
 
-/// The same of the cells at which the walk ended, of those that reach at least `leastSize` (radians) in both θ and φ.
+/// The borders of the tested cells that extend at least `leastSize` (radians) in both θ and φ.
 [[nodiscard]] std::vector<std::vector<Vec2>> cellOutlines(const spherical::MapSnapshot& map, double leastSize);
 
-/// The kernel's outline as the eye sees it, as a closed line like a contour: φ continued over the seam, the last point is the
-/// first, a whole turn on where the line goes around a pole. Empty: the horizon was not used.
+/// The kernel's outline as seen from the eye, as a closed line like a contour: φ continued over the seam; the last point is the
+/// first, or differs from it by a whole turn where the line goes around a pole. Empty where the horizon was not used.
 [[nodiscard]] std::vector<Vec2> horizonLine(const spherical::MapSnapshot& map);
 
 }  // namespace cullscope

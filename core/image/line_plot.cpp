@@ -8,13 +8,14 @@
 namespace cullscope {
 namespace {
 
-constexpr double kSlack = 1e-9;            // of a step: rounding errors of its multiples
+constexpr double kSlack = 1e-9;            // share of a step: tolerance for the rounding of its multiples
 constexpr double kLinearSteps = 5.0;       // at least, along a linear axis
-constexpr double kManyDecades = 3.0;       // above it an axis shows whole decades
-constexpr double kLeastPlainPower = 1e-3;  // powers of ten below and above are written 1eN
+constexpr double kManyDecades = 3.0;       // above this an axis shows whole decades
+constexpr double kLeastPlainPower = 1e-3;  // powers of ten below and above these are written 1eN
 constexpr double kMostPlainPower = 1e4;
 
-/// 1, 2 or 5 times a power of ten: the least that is at least `value`, or the largest that is at most `value`.
+/// The smallest number of the form 1, 2 or 5 times a power of ten that is at least `value`, or the largest that is at most
+/// `value`.
 double roundUp(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {1.0, 2.0, 5.0})
@@ -123,7 +124,7 @@ std::string plotNumber(double value) {
     const bool powerOfTen = value > 0.0 && std::abs(value / std::pow(10.0, power) - 1.0) < kSlack;
     if (powerOfTen && (value < kLeastPlainPower * (1.0 - kSlack) || value > kMostPlainPower * (1.0 + kSlack)))
         return fmt::format("1e{:.0f}", power);
-    // Multiples of a step are off by rounding errors.
+    // Six digits hide the rounding of a step's multiples.
     return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);
 }
 

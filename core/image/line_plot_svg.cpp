@@ -10,7 +10,7 @@ namespace {
 constexpr double kWidth = 960, kHeight = 480;
 constexpr double kLeft = 80, kRight = 280, kTop = 60, kBottom = 56;
 constexpr double kLegendRow = 20;
-constexpr double kLegend = 44;  // behind the plot: between them stand the references' numbers
+constexpr double kLegend = 44;  // distance from the plot: the references' numbers stand between
 constexpr std::array kColours{"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#56b4e9", "#e69f00", "#6a3d9a", "#a0761e"};
 constexpr const char* kBaseline = "#555555";
 constexpr const char* kGrid = "#dddddd";
@@ -32,7 +32,7 @@ std::string escaped(const std::string& text) {
     return result;
 }
 
-/// Where one plot's values stand in the document.
+/// Maps values of one plot to positions in the document.
 struct Place {
     PlotRange x, y;
     double top = 0.0;
@@ -72,14 +72,14 @@ void drawGrid(std::ostream& out, const Place& place, const LinePlot& plot) {
     drawText(out, kLeft - 50, place.top + 22, plot.title, "text-anchor=\"start\" font-size=\"16\" font-weight=\"bold\"");
 }
 
-/// A legend's row: a piece of the line, and what it is.
+/// A row of the legend: a piece of the line, and its name.
 void drawLegendRow(std::ostream& out, const Place& place, size_t row, const std::string& stroke, const std::string& words) {
     const double x = Place::kRightEnd + kLegend, y = place.top + kTop + 6 + kLegendRow * double(row);
     drawLine(out, x, y, x + 26, y, stroke);
     drawText(out, x + 32, y + 4, words, "text-anchor=\"start\"");
 }
 
-/// Thin lines across, their numbers behind them and their names below the curves' in the legend.
+/// Thin horizontal lines, with their values behind them and their names in the legend below those of the curves.
 void drawReferences(std::ostream& out, const Place& place, const LinePlot& plot) {
     const std::string stroke = strokeOf(kReference, 1.4, false) + " stroke-dasharray=\"2 3\"";
     size_t row = plot.lines.size();

@@ -1,4 +1,4 @@
-// What colours the cells of the index map.
+// The colours of the index map's cells.
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,9 @@
 namespace cullscope {
 namespace {
 
-/// Brewer's Blues without its palest (Harrower & Brewer 2003): even steps of lightness, and none of the colours of what lies over
-/// the map.
+/// Brewer's Blues without the lightest one (Harrower & Brewer 2003): even steps of lightness, and no colour that overlays use.
 constexpr std::array<uint32_t, 8> kRamp{0xDEEBF7, 0xC6DBEF, 0x9ECAE1, 0x6BAED6, 0x4292C6, 0x2171B5, 0x08519C, 0x08306B};
-/// Cividis, which is told apart in every sight (Nuñez, Anderton & Renslow 2018), begun a little brighter.
+/// Cividis, which can be read with every colour vision (Nuñez, Anderton & Renslow 2018), starting at a slightly lighter colour.
 constexpr std::array<uint32_t, 5> kRelief{0x2C4478, 0x434E6C, 0x7D7C78, 0xBCAF6F, 0xFEE838};
 
 Vec3f stateColour(spherical::CellState state, const Vec3f& background) {
@@ -36,7 +35,8 @@ Vec3f stateColour(spherical::CellState state, const Vec3f& background) {
     return background;
 }
 
-/// Of the quadtree's cell that holds a direction in which no centroid lies: the display's cells may be the smaller ones.
+/// The colour of a direction whose display cell holds no centroid but whose quadtree cell does: display cells may be smaller than
+/// the quadtree's.
 Vec3f colourBetween(const spherical::MapSnapshot& map, const Vec3& direction, const Vec3f& background) {
     if (map.tree->leafAt(direction) == nullptr) return background;
     const spherical::JudgedCell* judged = judgedCellAt(map, direction);
@@ -79,7 +79,8 @@ CellShares levelShares(const spherical::MapSnapshot& map) {
         const Vec3 middle = directions.middle(grid.cell(cell));
         const CellTree::Node* node = map.tree->leafAt(middle);
         if (node == nullptr) continue;
-        // The scale does not change from view to view. Single leaves may lie far deeper: many triangles at one place.
+        // The scale is fixed by the leaves at the cells' middles, so that it does not change with the view. A few leaves may lie
+        // much deeper, where many triangles share a place.
         result.most = std::max(result.most, double(node->level));
         if (const spherical::JudgedCell* judged = judgedCellAt(map, middle)) node = &map.tree->nodes()[judged->node];
         result.shares[cell] = float(node->level);

@@ -1,4 +1,4 @@
-// The borders between contour bands as curves on the map.
+// The borders of the contour bands as curves on the map.
 
 #include <cmath>
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFirstPieces = 120;
 
-/// Cuts a curve where it goes over the seam, and puts every piece between 0 and 2π.
+/// Cuts a curve where it crosses the seam, and shifts every piece into 0 … 2π.
 std::vector<std::vector<Vec2>> cutAtSeam(const std::vector<Vec2>& points) {
     const auto turnOf = [](double phi) { return std::floor(phi / kTurn); };
     const auto back = [](const Vec2& point, double turn) { return Vec2(point.x, point.y - turn * kTurn); };

@@ -9,12 +9,12 @@
 namespace cullscope {
 namespace {
 
-/// How far apart two neighbouring points may lie on the map, radians, and how often a piece is halved for that: a line that
-/// passes close to a pole turns there within a hair's breadth.
+/// The largest distance of neighbouring points on the map, in radians, and how often a piece may be halved to reach it: a line
+/// that passes close to a pole changes its azimuth within a very short piece.
 constexpr double kStep = std::numbers::pi / 90.0;
 constexpr int kHalvings = 12;
 
-/// Nearest to another azimuth by whole turns.
+/// The angle equal to `phi` up to whole turns that is nearest to `after`.
 double continued(double phi, double after) { return phi + kTurn * std::round((after - phi) / kTurn); }
 
 bool isPole(const Vec3& direction) { return std::hypot(direction.x, direction.y) < 1e-12 * glm::length(direction); }
@@ -45,7 +45,7 @@ void MapLine::halve(const std::function<Vec3(double)>& at, double from, double t
 void MapLine::arc(const Vec3& from, const Vec3& to) {
     const Vec3 a = glm::normalize(from), b = glm::normalize(to);
     if (isPole(a) && isPole(b)) return;
-    // Through a pole run meridians only.
+    // A line through a pole consists of meridians.
     if (isPole(a)) {
         const double phi = mapAngles(b).y;
         if (m_points.size() > 1)

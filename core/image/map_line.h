@@ -7,16 +7,16 @@
 
 namespace cullscope {
 
-/// A line on the map along directions: points (θ, φ) in radians, φ continued over the seam, so close to each other that the line
-/// looks as it is bent.
+/// A line on the map along directions: points (θ, φ) in radians, φ continued over the seam, close enough for the line to look
+/// smooth.
 class MapLine {
 public:
     explicit MapLine(const Vec3& start);
 
-    /// Goes on along at(from) … at(to), of which the beginning is the last point.
+    /// Continues along at(from) … at(to); at(from) is the current last point.
     void follow(const std::function<Vec3(double)>& at, double from, double to);
-    /// Goes on along the great circle from `from`, the last direction, to one less than half a turn away. A pole, which has every
-    /// azimuth, takes that at which the line leaves it.
+    /// Continues along the great circle from `from`, the last direction, to one less than half a turn away. At a pole, which has
+    /// every azimuth, the point gets the azimuth of the rest of the line.
     void arc(const Vec3& from, const Vec3& to);
 
     [[nodiscard]] std::vector<Vec2> take() && { return std::move(m_points); }

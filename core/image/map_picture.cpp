@@ -18,15 +18,15 @@ constexpr double kTick = 5.0;
 constexpr double kLongTick = 9.0;  ///< every 90°
 constexpr double kThin = 1.0;
 constexpr double kStrong = 2.0;
-constexpr double kCasing = 1.5;  ///< of the background's colour on both sides of a line
+constexpr double kCasing = 1.5;  ///< width of the background-coloured border on both sides of a line
 constexpr double kDash = 6.0;
 constexpr double kMark = 4.5;
-constexpr double kLeastCell = 5.0;  ///< a smaller one is not outlined
+constexpr double kLeastCell = 5.0;  ///< smaller cells are not outlined
 constexpr double kWalkedOpacity = 0.45;
 
 constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in the paper's Figure 4
 
-/// Draws the map and what lies over it.
+/// Draws the map and its overlays.
 class MapPainter {
 public:
     MapPainter(const spherical::MapSnapshot& map, const Viewport& size, const DrawStyle& style)
@@ -47,13 +47,13 @@ public:
 
 private:
     [[nodiscard]] double unit() const { return m_style.unit; }
-    /// The place of (θ, φ); φ may lie beyond the seam.
+    /// The position of (θ, φ) in the picture; φ may lie beyond the seam.
     [[nodiscard]] Vec2 place(const Vec2& angles) const {
         return {m_area.left + angles.y / kTurn * (m_area.right - m_area.left),
                 m_area.top + angles.x / std::numbers::pi * (m_area.bottom - m_area.top)};
     }
     [[nodiscard]] Vec3f meanColour(const std::vector<Vec3f>& colours, int x, int y) const;
-    /// A line through (θ, φ) with a casing, wherever it shows: also where it comes in again over the seam.
+    /// A line through (θ, φ) with a casing; where it crosses the seam it continues on the other side.
     void curve(const std::vector<Vec2>& angles, const Canvas::Pen& pen);
     void box(const spherical::CellBox& box, const Canvas::Pen& pen);
     void cross(const Vec2& centre, const Canvas::Pen& pen);
@@ -67,7 +67,7 @@ private:
     Canvas::Rectangle m_area;
 };
 
-/// Of the cells that a pixel covers; of the one under its centre where that is all.
+/// The mean colour of the cells that a pixel covers; the colour of the cell under its centre where it covers no more than that.
 Vec3f MapPainter::meanColour(const std::vector<Vec3f>& colours, int x, int y) const {
     const SphericalGrid& grid = m_map.maps->grid();
     const double columns = grid.columns() / (m_area.right - m_area.left), rows = grid.rows() / (m_area.bottom - m_area.top);
@@ -127,7 +127,7 @@ void MapPainter::paintRegion(const spherical::VisibleRegion& region) {
     m_canvas.clipTo(m_area);
     for (const spherical::CellBox& each : region.boxes) box(each, {m_contrast, kThin * unit()});
     std::vector<Vec2> outline = region.outline;
-    // In case 1 it ends a whole turn away from its beginning.
+    // In case 1 the outline ends a whole turn from its start and is not closed.
     if (region.caseNumber != 1 && !outline.empty()) outline.push_back(outline.front());
     curve(outline, {kRegionColour, kStrong * unit(), kDash * unit()});
 }
@@ -176,7 +176,7 @@ void MapPainter::paintBands(const spherical::ContourBands& bands) {
     axisMarks(bands.axis);
 }
 
-/// Where the axis from the centre to the eye begins (ring) and ends (dot).
+/// Marks on the map where the axis from the centre to the eye starts (ring) and, opposite, where it ends (dot).
 void MapPainter::axisMarks(const Vec3& axis) {
     const Vec2 start = place(mapAngles(axis)), end = place(mapAngles(-axis));
     m_canvas.ring(start, kMark * unit(), {m_style.background, (kStrong + 2.0 * kCasing) * unit()});

@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// From the coordinates of a map, which count from its bounding sphere's centre, to the world.
+/// Transforms a map's coordinates, which are relative to its bounding sphere's centre, to the world.
 class MapPlace {
 public:
     MapPlace(const Scene& scene, const spherical::MapSnapshot& map)
@@ -15,7 +15,7 @@ public:
           m_centre(map.maps.mesh().origin() + map.maps.sphere().centre) {}
 
     [[nodiscard]] Vec3 world(const Vec3& point) const { return Vec3(m_worldFromMesh * Vec4(m_centre + point, 1.0)); }
-    /// The other way; of a flat object not finite.
+    /// The inverse; not finite for an object that its transform flattens.
     [[nodiscard]] Vec3 local(const Vec3& place) const {
         return Vec3(glm::inverse(m_worldFromMesh) * Vec4(place, 1.0)) - m_centre;
     }
@@ -25,7 +25,7 @@ private:
     Vec3 m_centre;
 };
 
-/// How many straight pieces a circle of a radius in pixels needs to look round.
+/// The number of straight pieces with which a circle of that radius in pixels looks round.
 [[nodiscard]] inline int piecesOfCircle(double pixels) { return 8 * int(std::clamp(pixels / 24.0, 2.0, 16.0)); }
 
 }  // namespace cullscope

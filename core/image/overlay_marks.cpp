@@ -29,7 +29,7 @@ void addMark(std::vector<LineSegment>& lines, const OverlayContext& context, con
         lines.push_back({at(-1.0, 1.0), at(1.0, -1.0), colour});
         return;
     }
-    // A dot is what a ring of half its radius fills with the width of its line.
+    // A dot is a ring of half the radius whose line is wide enough to fill it.
     const double ring = shape == MarkShape::Dot ? 0.5 : 1.0;
     const auto onRing = [&](int i) {
         const double angle = 2.0 * std::numbers::pi * i / kSides;

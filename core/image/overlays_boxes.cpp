@@ -5,7 +5,7 @@
 namespace cullscope {
 namespace {
 
-constexpr float kBoxWidth = 1.0f;  ///< units; narrower lines have gaps
+constexpr float kBoxWidth = 1.0f;  ///< units; narrower lines show gaps
 
 void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node) {
     const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;

@@ -7,13 +7,13 @@
 namespace cullscope {
 namespace {
 
-// Widths and radii are in units.
+// Widths and radii in units.
 constexpr float kFrustumWidth = 1.5f;
 constexpr float kEyeWidth = 2.0f;
 constexpr double kEyeRadius = 6.0;
 
-/// The forward distance at which the frustum's lines end: the far plane or the scene's farthest corner, whichever is nearer; a
-/// tenth of the scene's size at least, where it lies behind.
+/// The forward distance at which the frustum's lines end: the far plane or the scene's farthest corner, whichever is nearer; at
+/// least a tenth of the scene's size, also where the scene lies behind the eye.
 double cutDistance(const Frustum& frustum, const Vec3& eye, const Box3& bounds) {
     double farthest = 0.1 * bounds.diagonal();
     for (int corner = 0; corner < 8 && !bounds.empty(); ++corner) {
@@ -48,7 +48,7 @@ Frustum shownFrustum(const View& culling, const Scene& scene) {
 
 std::vector<OverlayLines> frustumOverlay(const OverlayContext& context, const View& culling) {
     OverlayLines eye{{}, {kEyeWidth, false}, true};
-    // A dot in the ring; nothing where the eye lies behind the viewer.
+    // A dot in the ring; none where the eye lies behind the viewing camera.
     addMark(eye.lines, context, culling.eye(), kEyeRadius, MarkShape::Ring, context.contrast);
     if (!eye.lines.empty()) eye.lines.push_back({culling.eye(), culling.eye(), context.contrast});
     return {{frustumLines(culling, context.scene, context.contrast), {kFrustumWidth, true}, true}, std::move(eye)};

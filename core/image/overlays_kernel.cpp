@@ -1,4 +1,4 @@
-// Inner kernels: what is filled of a solid, and what it hides from an eye.
+// Inner kernels: the filled part of a solid, and its outline as seen from an eye.
 
 #include <algorithm>
 
@@ -7,7 +7,7 @@
 namespace cullscope {
 namespace {
 
-// Widths and radii are in units.
+// Widths and radii in units.
 constexpr float kGridWidth = 1.5f;
 constexpr float kHorizonWidth = 3.0f;
 constexpr float kAxisWidth = 1.5f;
@@ -15,13 +15,14 @@ constexpr float kHorizonMarkWidth = 2.0f;
 constexpr double kMarkRadius = 5.0;
 
 constexpr double kLeastGap = 8.0;      ///< pixels between lines of the grid, on average
-constexpr double kLeastRadius = 20.0;  ///< pixels; a smaller kernel is left out: among many objects they hide each other
+constexpr double kLeastRadius = 20.0;  ///< pixels; smaller kernels are left out, because many small ones would hide each other
 constexpr double kLeastStep = 2.0;     ///< pixels between points of a line
 
-constexpr Vec3f kHorizonColour(0.86f, 0.08f, 0.08f);  ///< as of the visible region: what the eye sees ends there
+constexpr Vec3f kHorizonColour(0.86f, 0.08f, 0.08f);  ///< the visible region's colour: the outline is the border of what the eye
+                                                      ///< can see
 
-/// The kernel as a surface through the corners of its cells, in the world. Cells have one radius each: a corner takes the least
-/// of the cells that meet there, so that the surface has no steps and nowhere leaves the kernel.
+/// The kernel as a surface through the corners of its cells, in the world. Each cell has one radius, and a corner takes the
+/// smallest of the cells that share it, so that the surface has no steps and lies inside the kernel everywhere.
 class KernelSurface {
 public:
     KernelSurface(const InnerKernel& kernel, const MapPlace& place) : m_size(1U << kernel.level()) {
@@ -33,7 +34,7 @@ public:
             }
     }
 
-    /// From the centre, over all corners; world units.
+    /// Mean distance from the centre over all corners, in world units.
     [[nodiscard]] double meanRadius(const Vec3& centre) const {
         double sum = 0.0;
         for (const Vec3& corner : m_corners) sum += glm::distance(corner, centre);
@@ -43,7 +44,7 @@ public:
     [[nodiscard]] uint32_t size() const { return m_size; }
     [[nodiscard]] const Vec3& corner(uint32_t x, uint32_t y) const { return m_corners[number(x, y)]; }
 
-    /// By cell (row, then column): whether it shows its outside to an eye.
+    /// By cell (row, then column): whether its outer side faces the eye.
     [[nodiscard]] std::vector<char> facing(const Vec3& eye, const Vec3& centre) const {
         std::vector<char> result;
         for (uint32_t y = 0; y < m_size; ++y)
@@ -67,7 +68,8 @@ private:
             for (uint32_t x = 0; x < m_size; ++x)
                 for (const auto& [right, down] : {std::pair(0U, 0U), std::pair(1U, 0U), std::pair(0U, 1U), std::pair(1U, 1U)})
                     lower(x + right, y + down, kernel.radius({kernel.level(), x, y}));
-        // A border of the square is folded onto itself about its middle; the four corners, last, are one direction.
+        // Each border of the square is folded onto itself at its middle; the square's four corners are the same direction and are
+        // joined last.
         const auto join = [&](uint32_t ax, uint32_t ay, uint32_t bx, uint32_t by) {
             lower(ax, ay, radii[number(bx, by)]);
             lower(bx, by, radii[number(ax, ay)]);
@@ -105,7 +107,7 @@ public:
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {
-        // All of it lies inside the object.
+        // Drawn without depth test, because all of it lies inside the object.
         return {{std::move(m_grid), {kGridWidth, false}},
                 {std::move(m_axes), {kAxisWidth, false}, true},
                 {std::move(m_horizons), {kHorizonWidth, false}, true},
@@ -113,7 +115,7 @@ public:
     }
 
 private:
-    /// The smallest power of two by which cells of that many pixels are at least `least` apart.
+    /// The smallest power of two by which cells of that many pixels are at least `least` pixels apart.
     [[nodiscard]] static uint32_t strideFor(double pixels, double least, uint32_t most) {
         uint32_t stride = 1;
         while (stride < most && stride * pixels < least) stride *= 2;
@@ -123,7 +125,7 @@ private:
     void addGrid(const KernelSurface& surface, const Vec3& centre, double pixels) {
         const uint32_t size = surface.size();
         const Vec3f& colour = m_context.palette[size_t(TriangleState::Hidden)].colour;
-        // A quarter of a turn is half the square's side.
+        // A quarter of a turn is half the side of the square.
         const double ofCell = pixels * std::numbers::pi / size;
         const uint32_t stride = strideFor(ofCell, kLeastGap, size / 2), step = strideFor(ofCell, kLeastStep, stride);
         const std::vector<char> facing = surface.facing(m_context.viewing.eye(), centre);

@@ -1,16 +1,15 @@
-// The planes of the culling camera's frustum in colours of their own, and the boxes in the colour of the plane that rejected
-// them.
+// The planes of the culling camera's frustum in one colour each, and the boxes in the colour of the plane that rejected them.
 
 #include "core/image/overlays.h"
 
 namespace cullscope {
 namespace {
 
-// Widths are in units.
+// Widths in units.
 constexpr float kRejectedWidth = 2.0f;
 constexpr float kKeptWidth = 1.0f;
 constexpr float kPlaneWidth = 2.5f;
-/// How far a plane's border lies within its face, of the way to the face's middle.
+/// The distance of a plane's outline from its face's border, as a share of the way to the face's middle.
 constexpr double kInset = 0.06;
 
 /// Corners of each face in the order of FrustumPlane, as Frustum::corners numbers them.

@@ -8,7 +8,7 @@
 namespace cullscope {
 namespace {
 
-// Widths and radii are in units.
+// Widths and radii in units.
 constexpr float kCircleWidth = 1.0f;
 constexpr float kCellWidth = 1.0f;
 constexpr float kLineWidth = 1.5f;
@@ -19,7 +19,7 @@ constexpr double kMissRadius = 4.5;
 constexpr double kLeastCell = 8.0;
 
 constexpr Vec3f kRegionColour(0.86f, 0.08f, 0.08f);  ///< red and dashed, as in the paper's Figure 4
-constexpr double kStep = std::numbers::pi / 120.0;   ///< of lines on the sphere
+constexpr double kStep = std::numbers::pi / 120.0;   ///< step of lines on the sphere, radians
 constexpr int kStepsADash = 2;
 
 Vec3 direction(double theta, double phi) {
@@ -40,7 +40,7 @@ public:
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {
-        // Where cells share a border, that of what is drawn lies over the others.
+        // Where cells share a border, that of a drawn cell is drawn last, over the others.
         std::vector<LineSegment> cells;
         for (const TriangleState state :
              {TriangleState::OutsideFrustum, TriangleState::Hidden, TriangleState::BackFacing, TriangleState::Visible})
@@ -70,7 +70,7 @@ private:
         }
     }
 
-    /// A line on the sphere that is straight on the map.
+    /// A line on the sphere that is straight in (θ, φ).
     void addOnSphere(const Vec2& from, const Vec2& to, double radius, const MapPlace& place, const Vec3f& colour, bool dashed) {
         const int steps = std::max(1, int(std::ceil(glm::length(to - from) / kStep)));
         const auto at = [&](int i) {
@@ -86,7 +86,7 @@ private:
         const double left = grid.phiOf(box.firstColumn), right = grid.phiOf(box.lastColumn + 1);
         for (const double theta : {top, bottom})
             addOnSphere({theta, left}, {theta, right}, radius, place, m_context.contrast, false);
-        // Full rows have no ends.
+        // Full rows have no left and right border.
         if (box.firstColumn == 0 && box.lastColumn + 1 == grid.columns()) return;
         for (const double phi : {left, right}) addOnSphere({top, phi}, {bottom, phi}, radius, place, m_context.contrast, false);
     }
@@ -98,7 +98,7 @@ private:
         const std::vector<Vec2>& outline = region.outline;
         m_dash = 0;
         for (size_t i = 1; i < outline.size(); ++i) addOnSphere(outline[i - 1], outline[i], radius, place, kRegionColour, true);
-        // In case 1 it ends a whole turn away from its beginning: that is the same place on the sphere.
+        // In case 1 the outline ends a whole turn from its start, which is the same place on the sphere.
         if (region.caseNumber != 1 && outline.size() > 1)
             addOnSphere(outline.back(), outline.front(), radius, place, kRegionColour, true);
     }
@@ -118,7 +118,8 @@ private:
             for (size_t i = 1; i < outline.size(); ++i) {
                 const Vec3 from = radius * direction(outline[i - 1].x, outline[i - 1].y);
                 const Vec3 to = radius * direction(outline[i].x, outline[i].y);
-                // On the other side they would be seen through the sphere and crowd these; from within it there is no other side.
+                // Borders on the far side would be seen through the sphere and clutter the picture; seen from within it there is
+                // no far side.
                 if (glm::dot(eye, eye) > squared && (glm::dot(from, eye) < squared || glm::dot(to, eye) < squared)) continue;
                 m_cells[size_t(state)].push_back({place.world(from), place.world(to), m_context.palette[size_t(state)].colour});
             }

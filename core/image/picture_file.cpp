@@ -38,7 +38,7 @@ Format formatOf(const std::filesystem::path& path) {
                {path.string()});
 }
 
-/// JPEG and TIFF lose names that they do not know; all pairs become one text under a name that every one of them has.
+/// The metadata of JPEG and TIFF, which drop names that they do not know: all pairs as one text under a name that they keep.
 std::string described(const std::filesystem::path& path, const Picture& picture) {
     Json json = Json::object();
     for (const auto& [name, text] : picture.metadata) json[name] = text;
@@ -54,12 +54,12 @@ std::string described(const std::filesystem::path& path, const Picture& picture)
 OIIO::ImageSpec specificationOf(const std::filesystem::path& path, const Picture& picture, Format format) {
     OIIO::ImageSpec spec(picture.size.width, picture.size.height, format == Format::Jpeg ? 3 : 4, OIIO::TypeDesc::UINT8);
     spec.attribute("Software", "Cullscope " CULLSCOPE_VERSION);
-    // Exr's readers expect linear colours. (TIFF also wants to be told: without it, OpenImageIO writes a broken EXIF part.)
+    // EXR readers expect linear colours. (TIFF needs the attribute too: without it, OpenImageIO writes a broken EXIF part.)
     spec.attribute("oiio:ColorSpace", format == Format::Exr ? "Linear" : "sRGB");
     if (format == Format::Png || format == Format::Tiff) spec.attribute("oiio:UnassociatedAlpha", 1);
     if (format == Format::Jpeg) {
         spec.attribute("Compression", "jpeg:95");
-        // Thin coloured lines must not bleed into what is beside them.
+        // Chroma subsampling would smear thin coloured lines into their neighbourhood.
         spec.attribute("jpeg:subsampling", "4:4:4");
     }
     if (picture.dotsPerInch > 0.0) {
@@ -74,7 +74,7 @@ OIIO::ImageSpec specificationOf(const std::filesystem::path& path, const Picture
     return spec;
 }
 
-/// EXR's pixels: four halves of colour, then depth and triangle where there are any, packed.
+/// The pixels of an EXR: four half floats of colour, then depth and triangle if the picture has them, packed.
 std::vector<std::byte> exrPixels(const Picture& picture, OIIO::ImageSpec& spec) {
     spec.format = OIIO::TypeDesc::HALF;
     spec.channelnames = {"R", "G", "B", "A"};
@@ -106,7 +106,7 @@ std::vector<std::byte> exrPixels(const Picture& picture, OIIO::ImageSpec& spec) 
     return packed;
 }
 
-/// The picture as a file of the format that a name ends in.
+/// The picture encoded in the format of the file name's extension.
 std::vector<unsigned char> encoded(const std::filesystem::path& path, const Picture& picture, const Vec3f& background) {
     constexpr std::array kNames{"picture.png", "picture.jpg", "picture.tif", "picture.exr"};
     const Format format = formatOf(path);
@@ -155,7 +155,7 @@ std::vector<int> colourChannels(const OIIO::ImageSpec& spec) {
     return spec.nchannels < 3 ? std::vector{0, 0, 0} : std::vector{0, 1, 2};
 }
 
-/// Channels [first, last] in the type asked for, pixel by pixel, rows from the bottom.
+/// Channels [first, last], converted to `type`, interleaved by pixel, rows from the bottom.
 template <typename Value>
 std::vector<Value> readChannels(OIIO::ImageInput& input, int first, int last, OIIO::TypeDesc type,
                                 const std::filesystem::path& path) {
@@ -171,7 +171,7 @@ std::vector<Value> readColours(OIIO::ImageInput& input, OIIO::TypeDesc type, Val
     std::vector<int> channels = colourChannels(input.spec());
     const int alpha = input.spec().alpha_channel;
     if (alpha >= 0) channels.push_back(alpha);
-    // One reading from the first to the last of them: many formats decode all channels each time.
+    // All of them in one read, from the first to the last: many formats decode all channels at each read.
     const auto [first, last] = std::minmax_element(channels.begin(), channels.end());
     const std::vector<Value> read = readChannels<Value>(input, *first, *last, type, path);
     const auto stride = static_cast<size_t>(*last + 1 - *first);
@@ -207,7 +207,7 @@ Picture readPicture(const std::filesystem::path& path) {
                    {path.string(), std::to_string(spec.width), std::to_string(spec.height)});
     Picture picture;
     picture.size = {spec.width, spec.height};
-    // Where alpha is straight already there is no loss by rounding; files of floats are linear and multiplied by alpha.
+    // Straight alpha is read without rounding loss; files of floats are linear and multiplied by alpha, and are converted.
     if (spec.format.is_floating_point())
         picture.rgba = straightFromLinear(readColours<float>(*input, OIIO::TypeDesc::FLOAT, 1.0F, path));
     else

@@ -15,7 +15,7 @@
 namespace cullscope {
 namespace {
 
-/// What OpenImageIO writes to in place of a file.
+/// The target that OpenImageIO writes to in place of a file.
 class MemoryProxy final : public OIIO::Filesystem::IOVecOutput {
 public:
     size_t pwrite(const void* bytes, size_t size, int64_t offset) override {
@@ -33,7 +33,7 @@ private:
     bool m_full = false;
 };
 
-/// A file in memory that has a name, which the system may limit in size.
+/// A file in memory with a path, whose size the system may limit.
 class NamedMemory {
 public:
     NamedMemory() : m_descriptor(memfd_create("picture", MFD_CLOEXEC)) {
@@ -44,7 +44,7 @@ public:
     NamedMemory& operator=(const NamedMemory&) = delete;
 
     [[nodiscard]] std::string name() const { return "/proc/self/fd/" + std::to_string(m_descriptor); }
-    /// Why it takes no more: an `errno`; 0 where it does.
+    /// The reason why it cannot grow: an `errno`; 0 where it can.
     [[nodiscard]] int refusal() const {
         constexpr off_t kMore = 1 << 20;
         return posix_fallocate(m_descriptor, size(), kMore);
@@ -81,7 +81,7 @@ bool written(OIIO::ImageOutput& output, const std::string& name, const OIIO::Ima
     return output.open(name, spec) && writePixels() && output.close() && !output.has_error();
 }
 
-/// Whether a file has all rows and the description that it is to have. TIFF's library does not tell of every write that failed.
+/// Whether a file has all rows and the expected description. The TIFF library does not report every failed write.
 bool wholeFile(const std::string& name, const OIIO::ImageSpec& spec) {
     const auto input = OIIO::ImageInput::open(name);
     if (!input || input->spec().get_string_attribute("ImageDescription") != spec.get_string_attribute("ImageDescription")) {
@@ -98,7 +98,7 @@ bool wholeFile(const std::string& name, const OIIO::ImageSpec& spec) {
     return true;
 }
 
-/// TIFF's library reads what it has written, which OpenImageIO has for files with a name only.
+/// Encodes into a named file: the TIFF library reads back what it has written, which OpenImageIO supports for named files only.
 std::vector<unsigned char> encodedByName(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
                                          const std::function<bool()>& writePixels, const std::filesystem::path& path) {
     const NamedMemory file;

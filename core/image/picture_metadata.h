@@ -12,31 +12,32 @@
 
 namespace cullscope {
 
-/// Names and texts of a picture's file (Picture::metadata).
+/// Pairs of name and text in a picture's file (Picture::metadata).
 using PictureMetadata = std::vector<std::pair<std::string, std::string>>;
 
-/// What one picture shows, and what is known of it.
+/// The content of a picture and the figures measured for it.
 struct PictureSubject {
     std::string scene;   ///< a specification
     std::string hidden;  ///< objects left out, as in "3,7-9"; empty: none
     std::string strategy;
     ParameterSet parameters;
     Camera culling;
-    Camera viewing;  ///< the same, or an observer's
+    Camera viewing;  ///< the culling camera, or an observer's
     Viewport cullingSize, size;
     ViewLook look;
     std::optional<MapColouring> map;  ///< the index map in place of the scene
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
     std::optional<double> speedup;        ///< against `backface`
-    std::optional<Viewport> figuresSize;  ///< at which the last two were measured
+    std::optional<Viewport> figuresSize;  ///< the size at which the last two were measured
 };
 
-/// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is
-/// not known, and an observer's camera where nobody observes, is left out. Numbers read back as the very same.
+/// All parameters that reproduce the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" after the prefix.
+/// Values that are not known are left out, and the observer's camera where it is the culling camera. Numbers are written with
+/// enough digits to read back exactly.
 [[nodiscard]] PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix = "cullscope:");
 
-/// "cullscope:version", "cullscope:commit" and "cullscope:gl_renderer" of the program that drew.
+/// "cullscope:version", "cullscope:commit" and "cullscope:gl_renderer" of the program that drew the picture.
 [[nodiscard]] PictureMetadata programMetadata(std::string_view glRenderer);
 
 /// "WIDTHxHEIGHT".

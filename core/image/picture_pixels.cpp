@@ -7,13 +7,13 @@
 namespace cullscope {
 namespace {
 
-/// IEC 61966-2-1.
+/// The sRGB transfer functions of IEC 61966-2-1.
 float linearFromSrgb(float coded) { return coded <= 0.04045F ? coded / 12.92F : std::pow((coded + 0.055F) / 1.055F, 2.4F); }
 float srgbFromLinear(float linear) {
     return linear <= 0.0031308F ? linear * 12.92F : 1.055F * std::pow(linear, 1.0F / 2.4F) - 0.055F;
 }
 
-/// Not a number, as damaged files may hold, becomes 0.
+/// NaN, which damaged files may hold, becomes 0.
 uint8_t byteOf(float share) {
     return share > 0.0F ? static_cast<uint8_t>(std::lround(std::min(share, 1.0F) * 255.0F)) : uint8_t{0};
 }

@@ -8,9 +8,9 @@
 
 namespace cullscope {
 
-/// Pixels of RGBA as picture files want them.
+/// Conversions of RGBA pixels for picture files.
 
-/// The same rows in the other order: files hold them from the top, pictures here from the bottom.
+/// The same rows in reverse order: files store them from the top, pictures here from the bottom.
 template <typename Value>
 [[nodiscard]] std::vector<Value> upsideDown(const std::vector<Value>& values, int height) {
     const size_t rows = static_cast<size_t>(height);
@@ -23,11 +23,11 @@ template <typename Value>
     return flipped;
 }
 
-/// RGB bytes of RGBA bytes before a background.
+/// RGBA bytes blended with a background, as RGB bytes.
 [[nodiscard]] std::vector<uint8_t> flattened(const std::vector<uint8_t>& rgba, const Vec3f& background);
 
-/// Linear floats multiplied by alpha of sRGB bytes with straight alpha, and back. There and back gives the same bytes where alpha
-/// is 255; where it is 0 the colour is lost.
+/// Converts sRGB bytes with straight alpha to linear floats multiplied by alpha, and back. Both together return the same bytes
+/// where alpha is 255; where it is 0 the colour is lost.
 [[nodiscard]] std::vector<float> linearPremultiplied(const std::vector<uint8_t>& rgba);
 [[nodiscard]] std::vector<uint8_t> straightFromLinear(const std::vector<float>& rgba);
 

@@ -9,13 +9,13 @@
 namespace cullscope {
 namespace {
 
-// In units.
+// In units (DrawStyle::unit).
 constexpr float kFrameWidth = 1.0f;
 constexpr float kModelMargin = 40.0f;
 constexpr double kTick = 3.5;
 constexpr double kLongTick = 6.0;
 
-/// The map's border with ticks at φ below and at θ on the left, as lines that the viewer sees there.
+/// The map's border with ticks at φ below and at θ on the left, as world lines at those pixels for the viewing camera.
 std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, const DrawStyle& style) {
     const Vec3f colour = contrastTo(style.background);
     const auto at = [&](double right, double up) {
@@ -34,7 +34,7 @@ std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, co
     return lines;
 }
 
-/// The direction that is shown at a pixel; none beside the map.
+/// The direction shown at a pixel; none outside of the map.
 std::optional<Vec3> directionAt(const MapArea& area, int x, int y) {
     const double phi = (x + 0.5 - area.left) / area.width * 2.0 * std::numbers::pi;
     const double theta = (1.0 - (y + 0.5 - area.bottom) / area.height) * std::numbers::pi;

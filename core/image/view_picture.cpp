@@ -13,19 +13,19 @@ namespace {
 using Look = PaletteEntry::Look;
 using VerdictPalette = std::array<PaletteEntry, kTriangleStateCount>;
 
-/// Units of the background's colour on both sides of a cased line.
+/// Width of the background-coloured border on both sides of a cased line, in units.
 constexpr float kCasing = 1.0f;
 
 constexpr std::array<uint32_t, kTriangleStateCount> kOnLight{0x1FC3E3, 0xDBAC16, 0xC8CCD0, 0x3168F5,
                                                              0x441094, 0x5D3A05, 0xF02172};
 constexpr std::array<uint32_t, kTriangleStateCount> kOnDark{0x88EAEE, 0xF4FB19, 0x4A5058, 0x30A3FE, 0x8A2BFF, 0xFAB970, 0xE7120E};
 
-/// The middle of each colour's shading. At 1 throughout, some pairs have the same grey (drawn and visible, drawn in vain); with
-/// these any two differ by ΔE₀₀ ≥ 8 in every sight that verdict_colour_test.cpp simulates.
+/// The middle of each colour's shading. With 1 for all, some pairs have the same grey (drawn and visible, drawn in vain); with
+/// these values any two differ by ΔE₀₀ ≥ 8 in every colour vision that verdict_colour_test.cpp simulates.
 constexpr std::array<float, kTriangleStateCount> kShadesOnLight{0.9125f, 0.7625f, 1.0f, 0.775f, 0.7f, 0.975f, 1.0f};
 constexpr std::array<float, kTriangleStateCount> kShadesOnDark{0.9125f, 1.1f, 0.85f, 0.875f, 0.8625f, 0.8375f, 1.0f};
 
-/// Only what reached the picture keeps its look.
+/// A palette in which only drawn triangles keep their look.
 VerdictPalette drawnOnly(VerdictPalette palette) {
     for (size_t state = 0; state < palette.size(); ++state)
         if (state != size_t(TriangleState::Visible) && state != size_t(TriangleState::InVain)) palette[state].look = Look::Absent;
@@ -47,7 +47,7 @@ void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& ov
     renderer.drawLines(viewing, overlay.lines, line, target);
 }
 
-/// What the strategy tests. Strategies with maps test spheres, though their objects have boxes.
+/// The bounds that the strategy tests. Strategies with maps test spheres, although their objects have boxes.
 std::vector<OverlayLines> boxesOf(const OverlayContext& context, const StructureSnapshot& snapshot, BoxColouring colouring) {
     std::vector<OverlayLines> overlays;
     if (snapshot.maps.empty() && colouring == BoxColouring::Plane) return boxOverlayByPlane(context, snapshot);
@@ -98,7 +98,7 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     const auto drawAll = [&](const std::vector<OverlayLines>& overlays) {
         for (const OverlayLines& overlay : overlays) drawOverlay(renderer, viewing, overlay, style, target);
     };
-    // Planes have colours where boxes have them; a strategy that tests no boxes has none.
+    // The frustum's planes are coloured where the boxes are; a strategy without boxes has no plane colours.
     bool byPlane = false;
     if (look.boxes || look.bands || look.kernel) {
         const StructureSnapshot snapshot = strategy.snapshot(trace);
@@ -107,7 +107,7 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
         if (look.bands) drawAll(bandOverlay(context, snapshot));
         if (look.kernel) drawAll(kernelOverlay(context, snapshot));
     }
-    // Seen from its own eye a frustum is the picture's border.
+    // Seen from its own eye, a frustum coincides with the picture's border.
     if (!look.frustum || culling.camera() == viewing.camera()) return;
     if (byPlane) drawAll({planeOverlay(context, culling)});
     drawAll(frustumOverlay(context, culling));

@@ -10,7 +10,7 @@
 namespace cullscope {
 namespace {
 
-/// Runs of triangle numbers [first, end), ascending and disjoint.
+/// Ranges of triangle numbers [first, end), ascending and disjoint.
 using Intervals = std::vector<std::pair<uint64_t, uint64_t>>;
 
 Intervals submitted(const DrawList& list, const Scene& scene) {
@@ -50,10 +50,10 @@ uint64_t countMembers(const std::vector<uint32_t>& ascending, const Intervals& i
     return members;
 }
 
-/// A triangle as the raster sees it: corners in pixels (y upward) with their reversed depth in z.
+/// A triangle in raster coordinates: corners in pixels (y upward) with their reversed depth in z.
 using RasterTriangle = std::array<Vec3, 3>;
 
-/// Nothing where a corner lies behind the eye.
+/// The projected triangle; none where a corner lies behind the eye.
 std::optional<RasterTriangle> rasterised(const Scene& scene, const View& view, uint64_t triangle) {
     const size_t number = scene.instanceOf(triangle);
     const TriangleMesh& mesh = scene.meshOf(number);
@@ -83,7 +83,7 @@ double distanceToEdges(const RasterTriangle& triangle, const Vec2& point) {
     return nearest;
 }
 
-/// How much the depth of the triangle's plane changes over one pixel: |∂z/∂x| + |∂z/∂y|.
+/// An upper bound on the change of the depth of the triangle's plane over one pixel: |∂z/∂x| + |∂z/∂y|.
 double depthPerPixel(const RasterTriangle& triangle) {
     const Vec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     return (std::abs(normal.x) + std::abs(normal.y)) / std::abs(normal.z);

@@ -14,14 +14,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kBuilding = 0.1;  // of the progress that is shown
+constexpr double kBuilding = 0.1;  // share of the progress
 
 /// A strategy while it is measured.
 struct Contestant {
     StrategyRequest request;
     StrategyPointer strategy;
-    bool askedFor = true;                       ///< false: a baseline that runs along for the ratios
-    std::vector<double> frameTimes, cullTimes;  ///< of the pose in hand
+    bool askedFor = true;                       ///< false: a baseline measured only for the ratios
+    std::vector<double> frameTimes, cullTimes;  ///< of the current pose
     RunMeasurement run;
 };
 
@@ -74,7 +74,7 @@ private:
         m_contestants.push_back(std::move(contestant));
     }
 
-    /// Whether this OpenGL cannot do a strategy that may be left out; notes why.
+    /// Whether this OpenGL cannot run a strategy that may be left out; records why.
     bool leftOut(const std::string& id) {
         const std::optional<Message> why = unavailable(findStrategy(id).info, m_gl);
         if (!why || !m_request.leaveOutUnavailable) return false;
@@ -82,14 +82,14 @@ private:
         return true;
     }
 
-    /// The first contestant of an id; their number where there is none.
+    /// The index of the first contestant with an id; the number of contestants where there is none.
     [[nodiscard]] size_t indexOf(const std::string& id) const {
         const auto found =
             std::find_if(m_contestants.begin(), m_contestants.end(), [&](const Contestant& c) { return c.request.id == id; });
         return static_cast<size_t>(found - m_contestants.begin());
     }
 
-    /// One frame: each window culls for itself and is drawn; ends when the GPU has finished.
+    /// Draws one frame: each window is culled and drawn; ends when the GPU has finished. `counts`: its times are recorded.
     void drawFrame(Contestant& contestant, const View& view, bool counts) {
         const auto start = Clock::now();
         double cull = 0.0;
@@ -104,7 +104,7 @@ private:
         contestant.cullTimes.push_back(cull);
     }
 
-    /// False where a stop was asked for before the pose was complete.
+    /// Returns false where a stop was requested before the pose was complete.
     bool measurePose(size_t pose) {
         const View view(m_request.path.camera(pose), m_request.size);
         for (Contestant& contestant : m_contestants) {
@@ -129,7 +129,7 @@ private:
         const auto rounds = static_cast<int>(m_contestants.front().frameTimes.size());
         if (timing.fixedRepetitions > 0) return rounds >= timing.fixedRepetitions;
         if (rounds >= std::max(1, timing.mostRepetitions)) return true;
-        // Steadiness compares with the median of two rounds ago: there must be one.
+        // The median is compared with that of two rounds ago, so at least three rounds are needed.
         if (rounds < std::max(3, timing.leastRepetitions)) return false;
         return std::all_of(m_contestants.begin(), m_contestants.end(), [&](const Contestant& contestant) {
             const double now = quantile(contestant.frameTimes, 0.5);
@@ -167,7 +167,7 @@ private:
             }
             frames.push_back(frame);
         }
-        // Only whole poses are kept, so that ratios always have both sides.
+        // Only complete poses are kept, so that every ratio has both of its times.
         for (size_t i = 0; i < frames.size(); ++i) m_contestants[i].run.frames.push_back(frames[i]);
         return true;
     }
@@ -180,7 +180,7 @@ private:
         return bootstrapMean(ratios);
     }
 
-    /// The whole poses measured so far, with their summaries; what is yet to come counts as interrupted.
+    /// The poses measured completely so far, with their summaries; `interrupted` while poses are missing.
     [[nodiscard]] MeasureResult resultSoFar() const {
         MeasureResult result;
         result.request = m_request;

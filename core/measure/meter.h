@@ -14,14 +14,14 @@
 
 namespace cullscope {
 
-/// How often a frame is repeated (measurement.md, "Timing").
+/// The number of repetitions of a frame (measurement.md, "Timing").
 struct TimingProtocol {
-    int warmUp = 1;            ///< frames of each strategy and pose that do not count
+    int warmUp = 1;            ///< frames of each strategy and pose that are not counted
     int fixedRepetitions = 0;  ///< 0: until the median is steady
     int leastRepetitions = 3;
     int mostRepetitions = 21;
     double steadyWithin = 0.02;            ///< relative change of every strategy's median over the last two rounds
-    double longFrameMilliseconds = 250.0;  ///< frames above it are repeated leastRepetitions times only
+    double longFrameMilliseconds = 250.0;  ///< a strategy with longer frames counts as steady after leastRepetitions
 };
 
 struct MeasureRequest {
@@ -29,14 +29,14 @@ struct MeasureRequest {
     std::vector<StrategyRequest> strategies;
     CameraPath path;
     Viewport size;
-    int windows = 1;  ///< pictures of that size a frame
+    int windows = 1;  ///< pictures of that size in each frame
     Upload upload = Upload::Vbo;
     TimingProtocol timing;
     bool accuracy = true;
-    bool leaveOutUnavailable = false;  ///< strategies that this OpenGL cannot do are left out, else they fail
+    bool leaveOutUnavailable = false;  ///< strategies that this OpenGL cannot run are left out; false: they fail with an error
 };
 
-/// One strategy at one pose.
+/// The measurement of one strategy at one pose.
 struct FrameMeasurement {
     size_t pose = 0;
     double frameMilliseconds = 0.0;  ///< median; cull + draw of all windows
@@ -64,17 +64,18 @@ struct Summary {
     std::array<double, 2> speedupVsBackfaceCi95{};
 };
 
-/// One strategy over a path.
+/// The measurement of one strategy over a path.
 struct RunMeasurement {
     StrategyRequest strategy;
-    Promise promise = Promise::Approximate;  ///< the least over the poses measured
+    Promise promise = Promise::Approximate;  ///< the weakest over the poses measured
     Facing facing = Facing::TwoSided;
     Facing referenceFacing = Facing::TwoSided;
     StructureReport structure;
     std::vector<FrameMeasurement> frames;
     Summary summary;
 
-    /// A conservative or exact strategy that lost a pixel (beyond the raster's snapping, where the reference draws other faces).
+    /// Whether a conservative or exact strategy lost a pixel (beyond the raster's snapping, where the reference has another
+    /// facing rule).
     [[nodiscard]] bool promiseBroken() const;
 };
 
@@ -82,17 +83,18 @@ struct MeasureResult {
     MeasureRequest request;
     GlInfo gl;
     std::vector<RunMeasurement> runs;
-    std::vector<Message> leftOut;  ///< why strategies that were asked for are not among the runs
-    bool interrupted = false;      ///< stopped early: the poses measured so far are here
+    std::vector<Message> leftOut;  ///< why requested strategies have no run
+    bool interrupted = false;      ///< stopped early: the runs contain the poses measured until then
 };
 
-/// Gets what makes a result of the poses measured so far. That costs a copy and the bootstrap: to be called only where the result
-/// is wanted, and only until the observer returns.
+/// Called with a function that makes a result of the poses measured so far. That function costs a copy and the bootstrap: call it
+/// only where the result is needed, and only before the observer returns.
 using PoseObserver = std::function<void(const std::function<MeasureResult()>& resultSoFar)>;
 
-/// Measures every strategy at every pose, interleaved, beside the baselines `all` and `backface` (measured too where they are not
-/// asked for, so that every run has its ratios). Needs a current context. A stop request ends it at the next frame and keeps
-/// what was measured; errors are thrown. `afterPose` is called on the measuring thread after every whole pose.
+/// Measures every strategy at every pose, interleaved, together with the baselines `all` and `backface` (measured also where they
+/// are not requested, so that every run has its ratios). Needs a current context. A stop request ends it at the next frame, and
+/// the poses measured until then are returned; errors are thrown. `afterPose` is called on the measuring thread after every
+/// complete pose.
 [[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {},
                                     const PoseObserver& afterPose = {});
 

@@ -30,8 +30,8 @@ std::array<Vec3, 3> cornersFromEye(const Scene& scene, size_t instance, uint64_t
     return corners;
 }
 
-/// A power of two that brings everything to at most about 1 from the eye: Embree multiplies three lengths in float, which leaves
-/// its range for scenes of 1e-13 or 1e13 units.
+/// A power of two that scales the scene to a distance of at most about 1 from the eye: Embree multiplies three lengths in float,
+/// which overflows or underflows for scenes of 1e13 or 1e-13 units.
 double scaleToUnit(const Scene& scene, const Vec3& eye) {
     const Box3& bounds = scene.bounds();
     if (bounds.empty()) return 1.0;
@@ -58,8 +58,8 @@ void addInstance(RTCDevice device, RTCScene target, const Scene& scene, uint32_t
     rtcReleaseGeometry(geometry);
 }
 
-/// Embree's normal is (v1 − v0) × (v2 − v0): a face is front where it points against the ray, turned around for mirrored
-/// instances.
+/// Embree's normal is (v1 − v0) × (v2 − v0): a face is a front face where the normal points against the ray; the opposite for
+/// mirrored instances.
 struct FrontFilter {
     const Scene* scene;
 };
@@ -74,8 +74,8 @@ void rejectBackFaces(const RTCFilterFunctionNArguments* arguments) {
     if (facing * mirrored >= 0.0) arguments->valid[0] = 0;
 }
 
-/// Depth of a triangle's plane at a pixel, and its change over one pixel. Reversed depth is affine in pixel coordinates: with the
-/// plane n·p = c the forward distance along direction d is c / n·d, and 1/distance is linear in d.
+/// The depth of a triangle's plane at a pixel, and its change over one pixel. Reversed depth is affine in pixel coordinates: with
+/// the plane n·p = c the forward distance along direction d is c / n·d, and 1/distance is linear in d.
 struct PlaneDepth {
     double depth;
     double perPixel;

@@ -11,16 +11,16 @@
 
 namespace cullscope {
 
-/// Which triangles and pixels are truly visible from a View under a facing rule. Rows count from the bottom.
+/// Ground truth: the triangles and pixels that are visible from a View under a facing rule. Rows count from the bottom.
 struct Reference {
     Viewport size;
     Facing facing = Facing::TwoSided;
-    std::vector<float> depth;                ///< reversed; 0: nothing there
-    std::vector<uint32_t> triangle;          ///< scene triangle number + 1; 0: nothing there
+    std::vector<float> depth;                ///< reversed; 0: no triangle
+    std::vector<uint32_t> triangle;          ///< scene triangle number + 1; 0: no triangle
     std::vector<uint32_t> visibleTriangles;  ///< scene triangle numbers, ascending, unique
     uint64_t coveredPixels = 0;
 
-    /// As colours by verdict take it. Valid as long as this object.
+    /// The visible triangles as triangleStates needs them. Valid as long as this object lives.
     [[nodiscard]] VisibleTriangles visible() const { return {visibleTriangles, facing}; }
 };
 

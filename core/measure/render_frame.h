@@ -6,7 +6,7 @@
 
 namespace cullscope {
 
-/// One culled and drawn frame. fps in the program always means 1000 / frameMilliseconds.
+/// One culled and drawn frame. Everywhere in the program, fps means 1000 / frameMilliseconds.
 struct FrameResult {
     Verdict verdict;
     double frameMilliseconds = 0.0;  ///< cull + draw, until the GPU has finished

@@ -13,14 +13,14 @@
 namespace cullscope {
 namespace {
 
-/// Small enough that even slow text is parsed within a few milliseconds between two questions for a stop.
+/// Small enough that even slow text is parsed within a few milliseconds, between two checks for a stop request.
 constexpr size_t kBlock = size_t{256} << 10;
 
 }  // namespace
 
 ByteSource::ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash)
     : m_name(path.string()), m_progress(progress) {
-    // Not blocking: opening a pipe that nobody writes to would otherwise wait for ever.
+    // O_NONBLOCK: opening a pipe that no process writes to would otherwise block forever.
     m_file = open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (m_file < 0)
         throwInput(CULLSCOPE_TR("%1 cannot be opened: %2. Check the path and the permissions."), {m_name, systemReason(errno)});
@@ -47,7 +47,7 @@ bool ByteSource::refill(size_t wanted) {
         m_end -= m_begin;
         m_begin = 0;
     }
-    // Grows with what has been read, never by more than a file with so many bytes needs.
+    // The buffer grows with what has been read, never by more than a file of that many bytes needs.
     if (m_buffer.size() < std::min(wanted, m_end + kBlock) || m_end == m_buffer.size()) m_buffer.resize(m_end + kBlock);
     ssize_t got = 0;
     do {

@@ -12,15 +12,15 @@
 
 namespace cullscope {
 
-/// A file read once from front to back through one buffer. Counts bytes and lines for error messages, reports progress,
-/// asks for a stop before every block, and hashes what passes.
+/// A file read once from front to back through one buffer. Counts bytes and lines for error messages, reports progress, checks
+/// for a stop request before every block, and hashes the bytes read.
 class ByteSource {
 public:
-    /// Longest line of a text file that is taken: a polygon of a million corners, and short enough to be worked on between two
-    /// questions for a stop.
+    /// The longest line of a text file that is accepted: a polygon of a million corners, yet short enough to be parsed between
+    /// two checks for a stop request.
     static constexpr size_t kLongestLine = size_t{8} << 20;
 
-    /// Opens a regular, non-empty file. Throws Error(Input) for anything else.
+    /// Opens a regular, non-empty file. Throws Error(Input) for any other.
     ByteSource(const std::filesystem::path& path, const Progress& progress, bool hash);
     ~ByteSource();
     ByteSource(const ByteSource&) = delete;
@@ -29,22 +29,22 @@ public:
     /// The path as the user gave it.
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] uint64_t size() const { return m_size; }
-    /// Offset of the first byte that was not skipped.
+    /// Offset of the next byte.
     [[nodiscard]] uint64_t position() const { return m_readBytes - (m_end - m_begin); }
     [[nodiscard]] uint64_t remaining() const { return m_size > position() ? m_size - position() : 0; }
     /// Number of the line that `line` returned last, from 1.
     [[nodiscard]] uint64_t lineNumber() const { return m_lineNumber; }
     void setLineNumber(uint64_t number) { m_lineNumber = number; }
 
-    /// All buffered bytes from the current position: at least `wanted` (up to kLongestLine) unless the file ends before.
-    /// Valid until the next call.
+    /// All buffered bytes from the current position: at least `wanted` (up to kLongestLine) unless the file ends earlier. Valid
+    /// until the next call.
     [[nodiscard]] std::string_view peek(size_t wanted);
-    /// Passes over `count` bytes, buffered or not.
+    /// Skips `count` bytes, buffered or not.
     void skip(uint64_t count);
-    /// Takes the next line without its end (LF, CRLF, or CR where the file has no LF); false at the end of the file.
+    /// Reads the next line without its end (LF, CRLF, or CR where the file has no LF); false at the end of the file.
     [[nodiscard]] bool line(std::string_view& text);
 
-    /// Reads what is left and gives the hash of the whole file; empty where no hash was asked for.
+    /// Reads the rest of the file and returns the hash of the whole file; empty where no hash was requested.
     [[nodiscard]] std::string sha256();
 
 private:
@@ -61,8 +61,8 @@ private:
     size_t m_begin = 0;
     size_t m_end = 0;
     bool m_atEnd = false;
-    bool m_tells = true;    ///< progress; not for what is only hashed after the mesh is made
-    char m_lineEnd = '\0';  ///< not yet decided
+    bool m_tells = true;    ///< reports progress; false for bytes that are only hashed after the mesh is made
+    char m_lineEnd = '\0';  ///< \0: not yet known
     std::optional<Sha256> m_hash;
 };
 

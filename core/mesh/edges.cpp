@@ -9,7 +9,7 @@
 namespace cullscope {
 namespace {
 
-/// The edges, bucketed by their lower vertex: entry = upper vertex · 2 + (1 when walked from upper to lower).
+/// The edges, bucketed by their lower vertex: entry = upper vertex · 2 + (1 when a triangle traverses it from upper to lower).
 struct EdgeBuckets {
     std::vector<size_t> starts;
     std::vector<uint32_t> entries;
@@ -36,7 +36,7 @@ EdgeBuckets bucketed(std::span<const uint32_t> indices, const std::vector<uint32
     buckets.starts.assign(welded.size() + 2, 0);
     forEachEdge(indices, welded, progress, [&](uint32_t from, uint32_t to) { ++buckets.starts[std::min(from, to) + 2]; });
     for (size_t vertex = 2; vertex < buckets.starts.size(); ++vertex) buckets.starts[vertex] += buckets.starts[vertex - 1];
-    // While they are filled, starts[v + 1] is the next free place of bucket v; afterwards its end.
+    // While the buckets are filled, starts[v + 1] is the next free place of bucket v; afterwards it is its end.
     buckets.entries.resize(buckets.starts.back());
     forEachEdge(indices, welded, progress, [&](uint32_t from, uint32_t to) {
         buckets.entries[buckets.starts[std::min(from, to) + 1]++] = 2 * std::max(from, to) + (from > to ? 1 : 0);

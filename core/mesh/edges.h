@@ -12,11 +12,11 @@ namespace cullscope {
 struct EdgeCounts {
     size_t boundary = 0;      ///< edges with one triangle
     size_t nonManifold = 0;   ///< edges with more than two triangles
-    size_t inconsistent = 0;  ///< edges that two triangles walk in the same direction
+    size_t inconsistent = 0;  ///< edges that two triangles traverse in the same direction
 };
 
-/// Counts the edges of triangles. Triangles with two corners at one position have no surface and are passed over.
-/// Needs fewer than 2^31 positions. Throws Error(Interrupted) on stop.
+/// Counts the edges of triangles. Triangles with two corners at one position have no area and are skipped. Needs fewer than 2^31
+/// positions. Throws Error(Interrupted) on a stop request.
 [[nodiscard]] EdgeCounts countEdges(std::span<const Vec3f> positions, std::span<const uint32_t> indices,
                                     const Progress& progress);
 

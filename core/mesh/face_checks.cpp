@@ -13,11 +13,12 @@ enum class Fault : uint8_t { None, OutOfRange, NotFinite, Degenerate };
 
 template <typename Position>
 bool noArea(const Position& a, const Position& b, const Position& c) {
-    // Differences and products of floats of like size are exact in double: only a true zero gives zero.
+    // Differences and products of floats of similar size are exact in double, so the result is zero only for a triangle without
+    // area.
     return glm::cross(Vec3(b) - Vec3(a), Vec3(c) - Vec3(a)) == Vec3(0.0);
 }
 
-/// What is known of the vertices, a byte each.
+/// One byte of flags for each vertex.
 struct VertexMarks {
     std::vector<uint8_t> usable;
     std::vector<uint8_t> named;
@@ -45,7 +46,7 @@ Fault triangleFault(std::span<const Position> positions, VertexMarks& marks, con
     return noArea(positions[corner[0]], positions[corner[1]], positions[corner[2]]) ? Fault::Degenerate : Fault::None;
 }
 
-/// Corners of a polygon without those that repeat their neighbour.
+/// The corners of a polygon without those equal to their predecessor.
 std::vector<uint32_t> withoutRepeats(std::span<const uint32_t> corners) {
     std::vector<uint32_t> kept;
     for (const uint32_t corner : corners)
@@ -93,7 +94,7 @@ void filterTriangles(std::span<const Position> positions, VertexMarks& marks, st
     triangles.resize(3 * kept);
 }
 
-/// Keeps the polygons for which `keep(corners)` says so; it may shorten them.
+/// Keeps the polygons for which `keep(corners)` returns true; `keep` may remove corners.
 template <typename Keep>
 void filterPolygons(RawMesh& raw, const Progress& progress, Keep&& keep) {
     std::vector<uint32_t> corners;
@@ -119,7 +120,7 @@ void filterPolygons(RawMesh& raw, const Progress& progress, Keep&& keep) {
     raw.polygonCorners.resize(written);
 }
 
-/// A face's vertices beginning with the smallest, in a hash, and which face it was.
+/// The hash of a face's vertices, beginning with the smallest, and the face's number.
 struct FaceKey {
     uint64_t hash = 0;
     uint64_t face = 0;
@@ -135,7 +136,7 @@ uint64_t hashOf(std::span<const uint32_t> corners) {
     return hash;
 }
 
-/// The faces (of those in `keys`) that equal an earlier one. `corners(face)` begins with the face's smallest vertex.
+/// Marks the faces in `keys` that are equal to an earlier one. `corners(face)` begins with the face's smallest vertex.
 template <typename Corners>
 std::vector<bool> repeatedFaces(std::vector<FaceKey>& keys, const Progress& progress, Corners&& corners) {
     std::vector<bool> repeated(keys.size());
@@ -179,7 +180,7 @@ void dropDuplicateTriangles(RawMesh& raw, LoadReport& report, const Progress& pr
     raw.triangles.resize(3 * kept);
 }
 
-/// Rotates every polygon (which changes no surface) to begin with its smallest vertex, then compares.
+/// Rotates every polygon to begin with its smallest vertex (its surface stays the same), then compares.
 void dropDuplicatePolygons(RawMesh& raw, LoadReport& report, const Progress& progress) {
     filterPolygons(raw, progress, [](std::vector<uint32_t>& corners) {
         std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

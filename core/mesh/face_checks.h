@@ -4,14 +4,15 @@
 
 namespace cullscope {
 
-/// Takes the faces of `raw` that name no vertex, use a vertex without usable coordinates, or have no area out, and counts them in
-/// `report`; counts vertices without usable coordinates and, by all faces as they stand in the file, unreferenced ones.
+/// Removes the faces of `raw` that have an index of no vertex, use a vertex without usable coordinates, or have no area, and
+/// counts them in `report`. Also counts the vertices without usable coordinates and those that no face of the file references.
 void dropUnusableFaces(RawMesh& raw, LoadReport& report, const Progress& progress);
 
-/// Takes faces out that have the same vertices in the same direction as an earlier one.
+/// Removes faces that have the same vertices in the same direction as an earlier one, and counts them in `report`.
 void dropDuplicateFaces(RawMesh& raw, LoadReport& report, const Progress& progress);
 
-/// Turns the polygons of `raw` into triangles after the others. Returns how many were too large to be cut along their ears.
+/// Replaces the polygons of `raw` by triangles, appended to its others. Returns how many polygons were too large for ear
+/// clipping.
 size_t triangulatePolygons(RawMesh& raw, const Progress& progress);
 
 }  // namespace cullscope

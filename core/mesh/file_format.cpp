@@ -30,7 +30,7 @@ void refuseWrapped(const std::string& extension, std::string_view start, const s
         throwInput(CULLSCOPE_TR("%1 is a Git LFS pointer, not the mesh itself. Fetch the mesh with: git lfs pull."), {name});
 }
 
-/// A byte order mark, or every second byte of the start is zero.
+/// Whether the text starts with a UTF-16 byte order mark, or every second byte of its start is zero.
 bool isUtf16(std::string_view start) {
     if (start.starts_with("\xFF\xFE") || start.starts_with("\xFE\xFF")) return true;
     const std::string_view sample = start.substr(0, 64);

@@ -10,10 +10,10 @@ namespace {
 
 using VertexHandle = HalfEdgeMesh::VertexHandle;
 
-/// Rounds in which surplus triangles may share copies of vertices; afterwards each gets its own.
+/// Rounds in which surplus triangles may share copies of vertices; afterwards each triangle gets its own copies.
 constexpr int kSharingRounds = 8;
 
-/// OpenMesh reports every face that it refuses on standard error; here a refusal is part of the work.
+/// Silences OpenMesh's report on standard error of every face that it refuses: refusals are expected here.
 class QuietOpenMesh {
 public:
     QuietOpenMesh() : m_wasEnabled(::omerr().is_enabled()) { ::omerr().disable(); }
@@ -64,7 +64,7 @@ void HalfEdgeConversion::addFaces(const Progress& progress) {
         };
         const auto add = [&](uint32_t triangle) {
             const std::span<const uint32_t> corner = m_source.indices().subspan(3 * size_t{triangle}, 3);
-            // Without surface, and OpenMesh takes no such faces.
+            // OpenMesh accepts no triangles without area.
             if (welded[corner[0]] == welded[corner[1]] || welded[corner[1]] == welded[corner[2]] ||
                 welded[corner[2]] == welded[corner[0]])
                 return;
@@ -96,7 +96,7 @@ MeshPointer HalfEdgeConversion::flattened(const Progress& progress) {
         }
         return known;
     };
-    for (const auto face : m_halfEdges.faces()) {  // passes over deleted ones
+    for (const auto face : m_halfEdges.faces()) {  // skips deleted faces
         if (data.indices.size() % 65536 == 0) progress.check();
         for (const auto vertex : m_halfEdges.fv_range(face)) data.indices.push_back(numbered(vertex));
     }

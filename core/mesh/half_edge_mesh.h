@@ -8,8 +8,9 @@
 
 namespace cullscope {
 
-/// OpenMesh's half-edges in double, for simplifying and subdividing only. Its algorithms take minutes on large meshes and ask
-/// nobody; but as templates they call the functions below, which ask for a stop now and then and leave by an exception.
+/// OpenMesh's half-edges in double, for simplification and subdivision only. Its algorithms take minutes on large meshes and have
+/// no way to be stopped. As templates they call the functions below, which check for a stop request now and then and throw an
+/// exception.
 class HalfEdgeMesh : public OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble> {
 public:
     using Base = OpenMesh::TriMesh_ArrayKernelT<OpenMesh::DefaultTraitsDouble>;
@@ -42,15 +43,16 @@ private:
     mutable unsigned m_calls = 0;
 };
 
-/// The triangles of a mesh as half-edges, in coordinates that are centred and of about 1. Corners at equal positions become one
-/// vertex; where that leaves an edge with more than two triangles or a vertex with several fans, copies of vertices take
-/// the surplus triangles, so that nothing is lost.
+/// The triangles of a mesh as half-edges, in centred coordinates of a size of about 1. Corners at equal positions become one
+/// vertex; where that leaves an edge with more than two triangles or a vertex with several fans, the surplus triangles use copies
+/// of vertices, so that no triangle is lost.
 class HalfEdgeConversion {
 public:
     HalfEdgeConversion(const TriangleMesh& mesh, const Progress& progress);
 
     [[nodiscard]] HalfEdgeMesh& mesh() { return m_halfEdges; }
-    /// The half-edges as flat arrays again, about the origin of the mesh they came from. Leaves no deleted elements behind.
+    /// The half-edges as a mesh of flat arrays, about the origin of the source mesh. Removes deleted elements from the half-edge
+    /// mesh.
     [[nodiscard]] MeshPointer flattened(const Progress& progress);
 
 private:

@@ -9,7 +9,7 @@
 namespace cullscope {
 namespace {
 
-/// The share of the work that is reading; checking and making normals is the rest.
+/// The share of the progress for reading; the rest is for checking and computing normals.
 constexpr double kReadingShare = 0.75;
 
 void read(MeshFormat format, ReadJob& job) {

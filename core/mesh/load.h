@@ -10,24 +10,24 @@
 
 namespace cullscope {
 
-/// What was wrong with a file and what became of it. All counts are of faces or vertices of the file.
+/// The defects of a file and how they were repaired. All counts are of faces or vertices of the file.
 struct LoadReport {
     size_t facesRead = 0;             ///< face records in the file, before triangulation
-    size_t trianglesMade = 0;         ///< triangles that the meshes hold
+    size_t trianglesMade = 0;         ///< triangles of all meshes made
     size_t degenerateFaces = 0;       ///< dropped: fewer than three different corners, or an area of exactly zero
     size_t duplicateFaces = 0;        ///< dropped: the same three vertices in the same direction as an earlier one
     size_t nonManifoldEdges = 0;      ///< kept and counted: edges with more than two triangles
     size_t nonFiniteVertices = 0;     ///< NaN, infinite or beyond 1e30; the faces that use them are dropped
     size_t outOfRangeFaces = 0;       ///< dropped: a corner's index names no vertex
     size_t unreferencedVertices = 0;  ///< dropped: no face of the file names them
-    size_t normalsMade = 0;           ///< vertices whose normal was missing or unusable and was made from the faces
-    /// False where duplicate faces and non-manifold edges were not looked for: in meshes above kOptionalAnalysisLimit.
+    size_t normalsMade = 0;           ///< vertices whose normal was missing or unusable and was computed from the faces
+    /// False where duplicate faces and non-manifold edges were not searched for: in meshes above kOptionalAnalysisLimit.
     bool analysed = true;
-    std::vector<Message> remarks;  ///< anything else that was ignored or mended, a sentence each
+    std::vector<Message> remarks;  ///< other repairs or ignored parts, one sentence for each
 
-    /// Whether anything was repaired, dropped or found wrong.
+    /// Whether the file had no defect.
     [[nodiscard]] bool clean() const;
-    /// One sentence for each kind of repair, for a log or a message box; empty where nothing was wrong.
+    /// One sentence for each kind of repair, for a log or a message box; empty where the file had no defect.
     [[nodiscard]] std::vector<Message> sentences() const;
 };
 
@@ -49,10 +49,10 @@ struct LoadOptions {
     bool hash = true;  ///< compute `sha256`
 };
 
-/// Reads OBJ, PLY (ASCII, binary, triangle strips), STL (ASCII, binary), OFF or OM; the content decides where it is
-/// unmistakable, else the extension. Coordinates stay as in the file: doubles are kept as floats about a double origin.
-/// Throws Error(Input) with one sentence naming file, line or byte, what is wrong and what to do; Error(Interrupted) within
-/// 100 ms of a stop request. Never allocates by a number that the file merely claims.
+/// Reads OBJ, PLY (ASCII, binary, triangle strips), STL (ASCII, binary), OFF or OM; the format follows from the content where
+/// that is unambiguous, else from the extension. Coordinates stay as in the file: doubles are kept as floats about a double
+/// origin. Throws Error(Input) with one sentence that names file and line or byte, the defect and what to do; Error(Interrupted)
+/// within 100 ms of a stop request. Never allocates memory by a count that the file states but may not contain.
 [[nodiscard]] LoadedFile loadMeshFile(const std::filesystem::path& path, const LoadOptions& options = {},
                                       const Progress& progress = {});
 

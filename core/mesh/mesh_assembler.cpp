@@ -14,7 +14,7 @@
 namespace cullscope {
 namespace {
 
-/// Smaller objects would vanish in single precision.
+/// Smaller objects would become zero in single precision.
 constexpr double kSmallestExtent = 1e-30;
 
 uint64_t threeQuartersOfTheMachine() {
@@ -31,7 +31,7 @@ void keepOnly(std::vector<Value>& values, const std::vector<uint32_t>& newNumber
     values.resize(kept);
 }
 
-/// Takes vertices out that no face uses any more.
+/// Removes the vertices that no face uses.
 void dropUnusedVertices(RawMesh& raw, const Progress& progress) {
     std::vector<uint32_t> newNumber(raw.vertexCount(), kNoVertex);
     inSteps(raw.triangles.size(), progress, [&](size_t begin, size_t end) {
@@ -59,7 +59,7 @@ Box3 boundsOf(std::span<const Position> positions, const Progress& progress) {
     return bounds;
 }
 
-/// The positions as offsets from `origin`; gives the memory of the old ones back.
+/// The positions as offsets from `origin`; frees the memory of the old positions.
 std::vector<Vec3f> takeOffsets(RawMesh& raw, const Vec3& origin, const Progress& progress) {
     std::vector<Vec3f> offsets = std::move(raw.narrow);
     if (!raw.wide.empty()) offsets.resize(raw.wide.size());
@@ -78,7 +78,7 @@ bool makeUnit(Vec3f& normal) {
     return true;
 }
 
-/// Normals of the file made unit length, those that cannot be replaced by made ones. Returns how many were made.
+/// Normalises the file's normals and computes those that are unusable. Returns how many were computed.
 size_t completeNormals(TriangleMesh::Data& data, const Progress& progress) {
     std::vector<uint32_t> missing;
     inSteps(data.normals.size(), progress, [&](size_t begin, size_t end) {
@@ -115,7 +115,7 @@ void MeshAssembler::add(RawMesh raw, double from, double to) {
     const Progress progress = m_progress.part(from, to);
     progress.check();
     progress.tell(0.0, CULLSCOPE_TR("Checking the mesh"));
-    // The largest a vertex index may be is 2^31 - 2: edges carry one more bit.
+    // The largest vertex index is 2^31 - 2, because an edge's entry needs one more bit (EdgeBuckets).
     if (raw.vertexCount() >= (size_t{1} << 31))
         throwInput(CULLSCOPE_TR("%1 has more than 2,147,483,647 vertices in one object. Split the object."), {m_fileName});
     const bool analyse = raw.triangles.size() / 3 + raw.polygonEnds.size() <= kOptionalAnalysisLimit;

@@ -9,18 +9,19 @@
 
 namespace cullscope {
 
-/// Turns what the readers found into meshes and keeps the report: checks and repairs, cuts polygons, moves the origin to the
-/// object's centre, makes normals. The repairs happen in place, so that little more memory is needed than the mesh has.
+/// Makes meshes of the objects that the readers find, and keeps the report: checks and repairs faces, triangulates polygons,
+/// moves the origin to the object's centre, computes normals. It works in place, so that it needs little more memory than the
+/// mesh.
 class MeshAssembler {
 public:
     MeshAssembler(std::string fileName, const LoadOptions& options, const Progress& progress);
 
-    /// Adds one object; objects without a usable face leave only their counts in the report. `from` and `to`: the share of
-    /// all objects' work that this one is, for the progress.
+    /// Adds one object; an object without a usable face only adds to the counts of the report. `from` and `to`: this object's
+    /// part of the progress of all objects.
     void add(RawMesh raw, double from = 0.0, double to = 1.0);
-    /// Refuses the file when it needs more memory than allowed: `bytes` beside the objects that are already made.
+    /// Throws Error(Input) when the file needs more memory than allowed: `bytes` in addition to the objects already made.
     void requireMemory(uint64_t bytes) const;
-    /// Refuses the file when it holds no triangle; gives the objects otherwise, with names that differ.
+    /// Throws Error(Input) when the file has no triangle; else returns the objects, with distinct names.
     [[nodiscard]] std::vector<LoadedObject> finish();
 
     LoadReport report;
@@ -35,7 +36,7 @@ private:
     size_t m_unusableNormals = 0;
     size_t m_fannedPolygons = 0;
     std::vector<LoadedObject> m_objects;
-    std::unordered_map<std::string, int> m_nextNumber;  ///< by name: the number that its next namesake gets
+    std::unordered_map<std::string, int> m_nextNumber;  ///< by name: the number appended to the next object of the same name
 };
 
 }  // namespace cullscope

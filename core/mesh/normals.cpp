@@ -8,9 +8,9 @@
 namespace cullscope {
 namespace {
 
-constexpr size_t kParallelFrom = 100'000;  ///< triangles; below, starting the threads costs more than it saves
+constexpr size_t kParallelFrom = 100'000;  ///< triangles; with fewer, starting threads costs more time than it saves
 
-/// Brings the longest coordinate to 1, so that squares and products neither overflow nor vanish.
+/// A scale that brings the largest coordinate to 1, so that squares and products neither overflow nor underflow.
 double scaleToOne(std::span<const Vec3f> positions) {
     float largest = 0.0F;
     for (const Vec3f& position : positions)
@@ -18,7 +18,7 @@ double scaleToOne(std::span<const Vec3f> positions) {
     return largest > 0.0F ? 1.0 / static_cast<double>(largest) : 1.0;
 }
 
-/// Sums the normals of the vertices in [first, last) in the order of the triangles.
+/// Sums the triangles' normals at the vertices in [first, last), in the order of the triangles.
 void sumNormals(std::span<const Vec3f> positions, std::span<const uint32_t> indices, double scale, size_t first, size_t last,
                 std::span<Vec3f> normals, const Progress& progress) {
     const auto mine = [&](uint32_t vertex) { return vertex - first < last - first; };
@@ -47,7 +47,8 @@ std::vector<Vec3f> areaWeightedNormals(std::span<const Vec3f> positions, std::sp
                                        const Progress& progress) {
     std::vector<Vec3f> normals(positions.size(), Vec3f(0.0F));
     const double scale = scaleToOne(positions);
-    // Every thread reads all triangles and adds up only its own vertices: no locks, and sums in one fixed order.
+    // Every thread reads all triangles and sums only for its own vertices: no locks, and the same order of summation for any
+    // number of threads.
     const size_t threads = indices.size() / 3 < kParallelFrom ? 1 : static_cast<size_t>(tbb::info::default_concurrency());
     const auto part = [&](size_t thread) {
         sumNormals(positions, indices, scale, positions.size() * thread / threads, positions.size() * (thread + 1) / threads,

@@ -9,8 +9,8 @@
 
 namespace cullscope {
 
-/// One unit normal a position: the sum of its triangles' normals, each weighted by the triangle's area. A position without
-/// a usable sum (no triangle, or triangles that cancel out) gets (0, 0, 1). The same result on any number of processors.
+/// One unit normal for each position: the sum of the normals of its triangles, weighted by their area. A position without a
+/// usable sum (no triangle, or normals that cancel) gets (0, 0, 1). The result does not depend on the number of processors.
 [[nodiscard]] std::vector<Vec3f> areaWeightedNormals(std::span<const Vec3f> positions, std::span<const uint32_t> indices,
                                                      const Progress& progress = {});
 

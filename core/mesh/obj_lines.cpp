@@ -12,8 +12,7 @@ namespace {
 constexpr size_t kMostDigitsOfAnIndex = 9;
 constexpr size_t kMostDigitsOfAnExponent = 3;
 
-/// Keywords of the format that say nothing about the surface (vt and vp, materials, smoothing, points, lines, free-form
-/// surfaces…).
+/// Keywords of the format that do not describe the surface (vt and vp, materials, smoothing, points, lines, free-form surfaces…).
 constexpr std::array<std::string_view, 48> kPassedOver{
     "vt",       "vp",   "usemtl", "mtllib", "s",          "l",         "p",     "deg",    "bmat", "step", "cstype", "curv",
     "curv2",    "surf", "parm",   "trim",   "hole",       "scrv",      "sp",    "end",    "con",  "mg",   "bevel",  "c_interp",
@@ -35,7 +34,7 @@ size_t skipDigits(std::string_view word, size_t& at) {
     return at - begin;
 }
 
-/// Whether tinyobjloader reads the whole word as a number.
+/// Whether tinyobjloader parses the whole word as a number.
 Number judged(std::string_view word) {
     size_t at = !word.empty() && (word[0] == '-' || word[0] == '+') ? 1 : 0;
     size_t digits = skipDigits(word, at);
@@ -61,7 +60,7 @@ ObjLines::int_type ObjLines::underflow() {
     return traits_type::to_int_type(m_line.front());
 }
 
-/// A line with those that a backslash at its end joins to it, without blanks in front.
+/// Reads a line together with those that a backslash at its end continues, without leading blanks.
 bool ObjLines::readLogicalLine() {
     std::string_view line;
     if (!m_source.line(line)) return false;
@@ -84,7 +83,7 @@ bool ObjLines::admitted() {
     std::string_view rest = m_line;
     const std::string_view keyword = takeWord(rest);
     if (keyword.empty() || keyword.front() == '#') return false;
-    // tinyobjloader wants a blank after the keyword.
+    // tinyobjloader requires a blank after the keyword.
     const bool blankFollows = keyword.size() < m_line.size() && (m_line[keyword.size()] == ' ' || m_line[keyword.size()] == '\t');
     if (keyword == "v" || keyword == "vn") {
         checkNumbers(rest);
@@ -135,7 +134,7 @@ bool ObjLines::checkFace(std::string_view rest) {
             throwInput(CULLSCOPE_TR("%1, line %2: \"%3\" is not a corner of a face. Correct the line or export the file again."),
                        {m_source.name(), std::to_string(m_firstLine), shownWord(word)});
     }
-    // A comment after the corners would be read as corners.
+    // tinyobjloader would read a comment after the corners as corners.
     const size_t comment = m_line.find('#');
     if (comment != std::string::npos) m_line.resize(comment);
     if (absurd) ++m_facesWithAbsurdIndex;

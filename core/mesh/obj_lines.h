@@ -7,20 +7,20 @@
 
 namespace cullscope {
 
-/// Hands tinyobjloader an OBJ file line by line, and only lines that it reads rightly. Its number parsers turn what they cannot
-/// read (words, NaN, missing coordinates) silently into 0 and overflow on long integers, and its material code opens
-/// files that the mesh names; so `v`, `vn` and `f` lines are checked here first, and of the others only `o` and `g` go through.
-/// One line is in the buffer at a time: in a callback the members below speak of that callback's line.
+/// Passes an OBJ file to tinyobjloader line by line, and only the lines that it reads correctly. Its number parsers turn words,
+/// NaN and missing coordinates silently into 0 and overflow on long integers, and its material code opens files that the mesh
+/// names. So `v`, `vn` and `f` lines are checked here first, and of the others only `o` and `g` are passed on. The buffer holds
+/// one line at a time: in a callback the members below describe that callback's line.
 class ObjLines : public std::streambuf {
 public:
     explicit ObjLines(ByteSource& source) : m_source(source) {}
 
-    /// The vertex or normal of this line is written as NaN, infinite, or with an exponent that no double has.
+    /// Whether the vertex or normal of this line contains NaN, infinity, or an exponent outside of double's range.
     [[nodiscard]] bool notFinite() const { return m_notFinite; }
-    /// Faces that were not handed on because an index has more digits than any file has vertices.
+    /// Faces that were dropped because an index has more digits than any file has vertices.
     [[nodiscard]] size_t facesWithAbsurdIndex() const { return m_facesWithAbsurdIndex; }
     [[nodiscard]] size_t facesWithoutCorners() const { return m_facesWithoutCorners; }
-    /// Lines that begin with no keyword of the format, and the first of them.
+    /// The number of lines that begin with no keyword of the format, and the first such line.
     [[nodiscard]] size_t unknownLines() const { return m_unknownLines; }
     [[nodiscard]] uint64_t firstUnknownLine() const { return m_firstUnknownLine; }
 

@@ -20,7 +20,7 @@ void checkCount(const char* shape, size_t triangles, size_t least) {
                    {shape, std::to_string(least), std::to_string(kMostTriangles), std::to_string(triangles)});
 }
 
-/// Says how far the rows of a tessellation are, and stops where that was asked for.
+/// Reports the finished rows of a tessellation, and throws Error(Interrupted) on a stop request.
 void row(const Progress& progress, size_t done, size_t all) {
     progress.check();
     progress.tell(double(done) / double(all), CULLSCOPE_TR("Tessellating the shape"));
@@ -55,7 +55,7 @@ MeshPointer periodicGrid(const char* name, size_t triangles, double aspect, cons
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
-/// Unit directions and triangles of an icosahedron whose faces are divided f × f.
+/// Unit directions and triangles of an icosahedron with each face divided f × f.
 struct Geodesic {
     std::vector<Vec3> directions;
     std::vector<uint32_t> indices;
@@ -112,7 +112,7 @@ private:
         return vertices;
     }
 
-    /// The vertex with integer barycentric weights; the same one from either side of an edge.
+    /// The vertex with these integer barycentric weights; the same vertex from both sides of an edge.
     uint32_t vertex(std::array<std::pair<uint32_t, uint32_t>, 3> weights) {
         std::sort(weights.begin(), weights.end());
         std::array<uint32_t, 6> key{};
@@ -125,7 +125,7 @@ private:
             sum += m_geodesic.directions[corner] * double(weight);
         }
         if (used == 2) return key[0] - 1;
-        // A vertex inside a face belongs to that face alone; those on edges are shared.
+        // A vertex inside a face belongs to that face only; vertices on edges are shared.
         if (used == 6) {
             m_geodesic.directions.push_back(glm::normalize(sum));
             return static_cast<uint32_t>(m_geodesic.directions.size() - 1);
@@ -172,7 +172,7 @@ MeshPointer torusMesh(size_t triangles, const Progress& progress) {
 MeshPointer bowlMesh(size_t triangles, const Progress& progress) {
     constexpr double kInner = 0.92;
     checkCount("bowl", triangles, 64);
-    // 4 n sides and n rings on either wall: 16 n² triangles.
+    // 4 n sides and n rings on each of the two walls: 16 n² triangles.
     const auto n = std::max<size_t>(2, size_t(std::lround(std::sqrt(double(triangles) / 16.0))));
     const auto sides = uint32_t(4 * n);
     TriangleMesh::Data data;
@@ -211,8 +211,8 @@ MeshPointer knotMesh(size_t triangles, const Progress& progress) {
         return Vec3(r * std::cos(2 * t), r * std::sin(2 * t), 0.5 * std::sin(3 * t));
     };
     return periodicGrid("knot", triangles, 8.0, progress, [&](double u, double v) {
-        // A frame from the curve's own tangent and its pull toward the axis: smooth and periodic, as the curve never runs along
-        // it.
+        // A frame from the curve's tangent and the direction away from the axis: smooth and periodic, because the tangent never
+        // has that direction.
         const Vec3 tangent = glm::normalize(centre(u + 1e-4) - centre(u - 1e-4));
         const Vec3 outward = centre(u);
         const Vec3 first = glm::normalize(outward - tangent * glm::dot(outward, tangent));

@@ -7,14 +7,14 @@
 
 namespace cullscope {
 
-/// Parametric solids, tessellated to about the number of triangles asked for (the nearest that the tessellation's grid allows).
-/// All are counter-clockwise seen from outside, share vertices across seams, and carry analytic or averaged unit normals.
-/// Throw Error(Usage) for fewer triangles than the shape needs or more than 2e9, Error(Interrupted) on stop.
+/// Parametric solids, tessellated to about the requested number of triangles (the nearest that the tessellation's grid allows).
+/// All are counter-clockwise seen from outside, share vertices across seams, and have analytic or averaged unit normals. Throw
+/// Error(Usage) for fewer triangles than the shape needs or more than 2e9, Error(Interrupted) on a stop request.
 
 /// A unit sphere: an icosahedron with every face divided f × f (20 f² triangles), projected. Closed.
 [[nodiscard]] MeshPointer sphereMesh(size_t triangles, const Progress& progress = {});
 
-/// Half a hollow sphere of radii 1 and 0.92, open towards +z. Closed; from its centre most directions meet it twice.
+/// Half a hollow sphere of radii 1 and 0.92, open towards +z. Closed; from its centre most rays intersect it twice.
 [[nodiscard]] MeshPointer bowlMesh(size_t triangles, const Progress& progress = {});
 
 /// A torus about y with radii 1 and 0.25. Closed.

@@ -30,7 +30,7 @@ constexpr std::array<std::pair<std::string_view, PlyType>, 16> kTypeNames{{{"cha
                                                                            {"double", PlyType::Float64},
                                                                            {"float64", PlyType::Float64}}};
 
-/// Splits a header into lines at whatever ends its first one (LF, CRLF or CR), byte for byte: the body that follows may
+/// Splits a header into lines at the kind of line end of its first line (LF, CRLF or CR), exactly: the body that follows may
 /// begin with a byte that looks like a line end.
 class HeaderLines {
 public:
@@ -116,7 +116,7 @@ PlyElement readElement(std::string_view rest, std::string_view line, const Heade
     return element;
 }
 
-/// The fewest bytes that the rows of an element need; in text a digit and a separator for each value.
+/// The least number of bytes of an element's rows; in text a digit and a separator for each value.
 double smallestBytes(const PlyElement& element, PlyFormat format) {
     const double row = format == PlyFormat::Ascii ? 2.0 * static_cast<double>(element.properties.size())
                                                   : static_cast<double>(element.smallestRow());
@@ -127,7 +127,7 @@ void refuseImpossibleCounts(const PlyHeader& header, const ByteSource& source) {
     double needed = 0.0;
     for (const PlyElement& element : header.elements) {
         needed += smallestBytes(element, header.format);
-        // The last line of a text file may lack its end.
+        // The last line of a text file may have no line end.
         if (needed > static_cast<double>(source.remaining()) + 1.0)
             throwInput(
                 CULLSCOPE_TR(

@@ -24,12 +24,12 @@ struct PlyProperty {
 struct PlyElement {
     std::string name;
     uint64_t count = 0;
-    uint64_t line = 0;  ///< of the header, for messages
+    uint64_t line = 0;  ///< line of the header, for messages
     std::vector<PlyProperty> properties;
 
-    /// Position of a property with one of the names, -1 where there is none.
+    /// The index of the first property with one of the names; -1 where there is none.
     [[nodiscard]] int find(std::initializer_list<std::string_view> names) const;
-    /// Bytes that a row takes at least in a binary file: lists may be empty.
+    /// The least number of bytes of a row in a binary file: lists may be empty.
     [[nodiscard]] uint64_t smallestRow() const;
     [[nodiscard]] bool hasLists() const;
 };
@@ -39,7 +39,8 @@ struct PlyHeader {
     std::vector<PlyElement> elements;
 };
 
-/// Reads the header and leaves `source` at the first byte after it. Refuses counts that the rest of the file cannot hold.
+/// Reads the header and leaves `source` at the first byte after it. Throws Error(Input) for counts that the rest of the file is
+/// too short for.
 [[nodiscard]] PlyHeader readPlyHeader(ByteSource& source);
 
 }  // namespace cullscope

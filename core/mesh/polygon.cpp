@@ -10,7 +10,7 @@ double doubledArea2d(const Vec2& a, const Vec2& b, const Vec2& c) {
     return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
-/// Drops the axis in which the normal is longest, keeping the polygon counter-clockwise.
+/// Projects along the axis in which the normal is longest, keeping the polygon counter-clockwise.
 std::vector<Vec2> projected(std::span<const Vec3> points, const Vec3& normal) {
     const Vec3 size = glm::abs(normal);
     const int axis = size.x >= size.y && size.x >= size.z ? 0 : (size.y >= size.z ? 1 : 2);
@@ -35,7 +35,7 @@ void appendFan(size_t corners, std::vector<uint32_t>& triangles) {
     for (uint32_t i = 1; i + 1 < corners; ++i) triangles.insert(triangles.end(), {0, i, i + 1});
 }
 
-/// The corners that are not yet cut off, as a ring.
+/// Ear clipping; the corners not yet cut off are a doubly linked ring.
 class EarClipper {
 public:
     explicit EarClipper(std::span<const Vec2> points) : m_points(points), m_next(points.size()), m_previous(points.size()) {
@@ -51,12 +51,12 @@ public:
         size_t refused = 0;
         while (left > 3) {
             if (left % 64 == 0) progress.check();
-            // A ring without a proper ear crosses or touches itself: some corner is cut all the same, a convex one if possible.
+            // A ring without an ear crosses or touches itself: then any corner is cut off, a convex one if possible.
             if (isEar(corner) || refused >= 2 * left || (refused >= left && areaAt(corner) > 0.0)) {
                 triangles.insert(triangles.end(), {m_previous[corner], corner, m_next[corner]});
                 m_next[m_previous[corner]] = m_next[corner];
                 m_previous[m_next[corner]] = m_previous[corner];
-                // Going on after the next corner spreads the cuts, which avoids needle-like triangles.
+                // Continuing after the next corner spreads the cuts, which avoids needle-like triangles.
                 corner = m_next[m_next[corner]];
                 --left;
                 refused = 0;

@@ -10,19 +10,20 @@
 
 namespace cullscope {
 
-/// Stands for a corner whose index names no vertex.
+/// The index of a corner that refers to no vertex.
 inline constexpr uint32_t kNoVertex = 0xffffffffU;
 
-/// Larger coordinates are treated like infinite ones: their offsets would leave what a float's squares can hold.
+/// Larger coordinates count as infinite: squares of their offsets would overflow float.
 inline constexpr double kLargestCoordinate = 1e30;
 
-/// An object as it stands in a file: nothing checked yet.
+/// An object as read from a file, without any checks.
 struct RawMesh {
     std::string name;
     std::vector<Vec3> wide;                ///< positions of files with double precision (or text); else empty
     std::vector<Vec3f> narrow;             ///< positions of files whose coordinates are floats; else empty
-    std::vector<Vec3f> normals;            ///< empty, or one a position; those that are unusable are made
-    std::vector<uint32_t> triangles;       ///< three corners a face; kNoVertex or anything else too large: out of range
+    std::vector<Vec3f> normals;            ///< empty, or one for each position; unusable ones are computed later
+    std::vector<uint32_t> triangles;       ///< three corners for each face; kNoVertex and indices that are too large are out of
+                                           ///< range
     std::vector<uint32_t> polygonCorners;  ///< faces with another number of corners, one after the other
     std::vector<size_t> polygonEnds;       ///< where each of them ends in polygonCorners
     bool verticesCounted = false;          ///< the reader has counted unreferenced and non-finite vertices itself
@@ -31,7 +32,7 @@ struct RawMesh {
     [[nodiscard]] Vec3 position(size_t vertex) const { return wide.empty() ? Vec3(narrow[vertex]) : wide[vertex]; }
     [[nodiscard]] size_t bytes() const;
 
-    /// Adds a face with any number of corners.
+    /// Appends a face with any number of corners.
     void addFace(std::span<const uint32_t> corners);
 };
 

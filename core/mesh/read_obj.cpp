@@ -20,13 +20,13 @@ struct Corner {
 struct ObjObject {
     std::string name;
     std::vector<Corner> corners;
-    std::vector<size_t> faceEnds;  ///< into corners
+    std::vector<size_t> faceEnds;  ///< indices into `corners`
 };
 
 constexpr int kLongestSearch = 64;
 constexpr Vec3 kUnusable(std::numeric_limits<double>::quiet_NaN());
 
-/// Collects what tinyobjloader's callbacks tell.
+/// Collects the data of tinyobjloader's callbacks.
 class ObjContents {
 public:
     ObjContents(ReadJob& job, const ObjLines& lines) : m_job(job), m_lines(lines) {
@@ -41,12 +41,12 @@ public:
     void addFace(std::span<const tinyobj::index_t> indices);
     void beginObject(std::string name);
 
-    /// Gives the objects to the assembler, each with only the vertices that it uses.
+    /// Passes the objects to the assembler, each with only the vertices that it uses.
     void assemble();
 
 private:
     void requireMemory() const {
-        // Once as read, and once more for the object in the making.
+        // The data as read, and a copy for the object being assembled.
         m_job.assembler.requireMemory(2 * m_positions.size() * sizeof(Vec3) + m_normals.size() * sizeof(Vec3f) +
                                       2 * m_cornerCount * sizeof(Corner));
     }
@@ -60,7 +60,7 @@ private:
     std::vector<ObjObject> m_objects;
     size_t m_cornerCount = 0;
 
-    // For the object in the making: the vertices that each position of the file has become, chained.
+    // For the object being assembled: the vertices made from each position of the file, as a linked list.
     struct Copy {
         uint32_t normal = kNoVertex;
         uint32_t next = kNoVertex;
@@ -98,11 +98,11 @@ void ObjContents::beginObject(std::string name) {
         m_objects.push_back({std::move(name), {}, {}});
 }
 
-/// A position that is used with several normals becomes a vertex for each of them.
+/// A position that is used with several normals becomes one vertex for each normal.
 uint32_t ObjContents::localVertex(RawMesh& mesh, const Corner& corner) {
     if (corner.vertex >= m_positions.size()) return kNoVertex;
     const uint32_t normal = corner.normal < m_normals.size() ? corner.normal : kNoVertex;
-    // A position with very many normals gets some vertices twice rather than a search without end.
+    // The search is limited: a position with very many normals gets some vertices twice.
     int steps = 0;
     for (uint32_t copy = m_firstCopy[corner.vertex]; copy != kNoVertex && steps < kLongestSearch;
          copy = m_copies[copy].next, ++steps)
@@ -184,7 +184,7 @@ tinyobj::callback_t callbacks() {
 void readObj(ReadJob& job) {
     ObjLines lines(job.source);
     std::istream stream(&lines);
-    stream.exceptions(std::ios::badbit);  // hands on what the lines throw
+    stream.exceptions(std::ios::badbit);  // passes on exceptions thrown by the lines
     ObjContents contents(job, lines);
     tinyobj::LoadObjWithCallback(stream, callbacks(), &contents, nullptr);
     job.assembler.report.facesRead += lines.facesWithAbsurdIndex() + lines.facesWithoutCorners();

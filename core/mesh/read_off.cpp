@@ -1,5 +1,5 @@
-// An own reader rather than OpenMesh's: that one passes coordinates through float, trusts the counts that a file claims and
-// cannot say where a file is wrong.
+// A reader of its own instead of OpenMesh's, which converts coordinates to float, trusts the counts that a file states and cannot
+// say where a file is wrong.
 #include <cstring>
 
 #include "core/base/error.h"
@@ -44,7 +44,8 @@ uint64_t readCount(TextRows& rows) {
     return static_cast<uint64_t>(count);
 }
 
-/// [ST][C][N][4][n]OFF [BINARY], then the counts; all of the first line but "OFF" may be missing, and in old files that too.
+/// The header [ST][C][N][4][n]OFF [BINARY], then the counts. All of the first line but "OFF" may be missing, in old files also
+/// "OFF".
 OffHeader readHeader(ReadJob& job, TextRows& rows) {
     OffHeader header;
     if (!rows.nextRow()) rows.refuseEnd();
@@ -65,7 +66,7 @@ OffHeader readHeader(ReadJob& job, TextRows& rows) {
     }
     header.vertices = readCount(rows);
     header.faces = readCount(rows);
-    rows.restOfRow();  // the number of edges means nothing and is often missing
+    rows.restOfRow();  // the number of edges is unused and often missing
     return header;
 }
 
@@ -99,8 +100,8 @@ void readText(ReadJob& job, TextRows& rows, const OffHeader& header) {
     job.assembler.add(std::move(mesh));
 }
 
-/// The body of a binary file: 32-bit numbers. Geomview writes them big-endian with a count of colour components after every
-/// face; pmp-library as the machine has them and without. The counts tell which.
+/// The body of a binary file: 32-bit numbers. Geomview writes them big-endian with a count of colour components after every face;
+/// pmp-library in the machine's byte order and without. The counts show which of both wrote a file.
 class BinaryOff {
 public:
     BinaryOff(ReadJob& job, OffHeader& header) : m_job(job), m_source(job.source), m_header(header) {}
@@ -122,7 +123,7 @@ public:
             if (m_header.normals) mesh.normals.push_back(triple(bytes.data() + 12));
             m_source.skip(vertexBytes);
         }
-        // Little-endian files are pmp-library's; so are those whose size fits triangles without colours exactly.
+        // Little-endian files are written by pmp-library; so are those whose size is exactly that of triangles without colours.
         const bool colours = m_swap && m_source.remaining() != 16 * m_header.faces;
         for (uint64_t face = 0; face < m_header.faces; ++face) readFace(mesh, colours);
         m_job.assembler.add(std::move(mesh));
@@ -150,11 +151,11 @@ private:
         }
         return value;
     }
-    /// Whether the file can hold as many vertices and faces as its counts say in this machine's byte order.
+    /// Whether the file is large enough for the vertices and faces of its counts, read in this machine's byte order.
     [[nodiscard]] bool plausible(const char* counts) const {
         return 12.0 * integer(counts) + 4.0 * integer(counts + 4) <= static_cast<double>(m_source.size());
     }
-    /// A count of what follows, refused where the file has no room for it.
+    /// Reads a count of following words; throws Error(Input) where the rest of the file is too short for it.
     uint32_t countOfWords() {
         const uint32_t count = integer(need(4).data());
         const uint64_t at = m_source.position();

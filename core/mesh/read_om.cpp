@@ -1,6 +1,6 @@
-// An own reader rather than OpenMesh's: that one stops the program by assertions on what the file says (dimensions of a chunk,
-// lengths of names), allocates custom properties by lengths that the file claims, and builds half-edges. Format: OpenMesh's
-// OMFormat.hh.
+// A reader of its own instead of OpenMesh's, which terminates the program by assertions on a file's content (dimensions of a
+// chunk, lengths of names), allocates custom properties by lengths that the file states, and builds half-edges. Format:
+// OpenMesh's OMFormat.hh.
 #include <array>
 #include <cstring>
 
@@ -13,7 +13,7 @@ namespace {
 
 constexpr size_t kValuesAtOnce = 8192;
 
-/// Numbers of the format.
+/// Constants of the format.
 struct Entity {
     enum : unsigned { Vertex = 0, Mesh = 1, Face = 2, Edge = 4, Halfedge = 6, Sentinel = 7 };
 };
@@ -21,7 +21,7 @@ struct Type {
     enum : unsigned { Position = 0, Normal = 1, Status = 3, Custom = 6, Topology = 7 };
 };
 
-/// A chunk's header: 16 bits.
+/// A chunk's header of 16 bits.
 struct Chunk {
     bool named = false;
     unsigned entity = 0;
@@ -100,8 +100,8 @@ private:
     uint64_t m_vertices = 0;
     uint64_t m_faces = 0;
     uint64_t m_edges = 0;
-    std::vector<uint32_t> m_next;   ///< by half-edge: the following one of its face
-    std::vector<uint32_t> m_to;     ///< by half-edge: the vertex that it leads to
+    std::vector<uint32_t> m_next;   ///< by half-edge: the next half-edge of its face
+    std::vector<uint32_t> m_to;     ///< by half-edge: the vertex it points to
     std::vector<uint32_t> m_first;  ///< by face: one of its half-edges
 };
 
@@ -154,7 +154,7 @@ void OmReader::readHeader() {
     m_vertices = unsignedValue(4);
     m_faces = unsignedValue(4);
     m_edges = unsignedValue(4);
-    // A vertex takes three floats, a face and an edge some bytes each.
+    // A vertex takes three floats, a face and an edge a few bytes each.
     if (12.0 * static_cast<double>(m_vertices) + static_cast<double>(m_faces) > static_cast<double>(m_source.remaining()) ||
         (m_majorVersion >= 2 && 6.0 * static_cast<double>(m_edges) > static_cast<double>(m_source.remaining())))
         throwInput(
@@ -205,12 +205,12 @@ void OmReader::readChunk(const Chunk& chunk) {
     }
     const uint64_t element = chunk.type == Type::Status     ? 4
                              : chunk.type == Type::Topology ? chunk.integerBytes
-                                                      : chunk.dimensions * chunk.scalarBytes;
+                                                            : chunk.dimensions * chunk.scalarBytes;
     if (element * countOf(chunk.entity) > m_source.remaining()) refuse();
     m_source.skip(element * countOf(chunk.entity));
 }
 
-/// Before version 2: the corners of every face, with their number in files of polygons.
+/// Before version 2: the corners of every face, preceded by their number in files of polygons.
 void OmReader::readFaceCorners(const Chunk& chunk) {
     std::vector<uint32_t> corners;
     for (uint64_t face = 0; face < m_faces; ++face) {
@@ -222,7 +222,7 @@ void OmReader::readFaceCorners(const Chunk& chunk) {
     }
 }
 
-/// Since version 2: for every half-edge the next one, the vertex that it leads to, and its face (which is not needed here).
+/// Since version 2: for every half-edge the next one, the vertex it points to, and its face (not needed here).
 void OmReader::readHalfedges(const Chunk& chunk) {
     m_next.reserve(2 * m_edges);
     m_to.reserve(2 * m_edges);
@@ -241,7 +241,7 @@ void OmReader::walkFaces() {
         corners.clear();
         uint32_t halfedge = first;
         do {
-            // In a sound file a half-edge belongs to one face; this also ends walks that lead in circles.
+            // In a valid file a half-edge belongs to one face; the check also ends walks around a face that would not terminate.
             if (halfedge >= m_to.size() || walked[halfedge])
                 throwInput(
                     CULLSCOPE_TR("%1: the edges of face %2 do not close up. The file was changed: fetch or export it again."),

@@ -1,5 +1,5 @@
-// An own reader rather than OpenMesh's: that one passes doubles through float, knows no triangle strips, allocates by the counts
-// that a header claims, and cannot say where a file is wrong.
+// A reader of its own instead of OpenMesh's, which converts doubles to float, supports no triangle strips, allocates by the
+// counts that a header states, and cannot say where a file is wrong.
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -26,7 +26,7 @@ Value loadAs(const char* bytes, bool bigEndian) {
     return std::bit_cast<Value>(raw);
 }
 
-/// Any scalar as a double, which holds every one of them exactly.
+/// Any scalar as a double, which represents all of them exactly.
 double scalarAt(const char* bytes, PlyType type, bool bigEndian) {
     switch (type) {
         case PlyType::Int8:
@@ -49,10 +49,10 @@ double scalarAt(const char* bytes, PlyType type, bool bigEndian) {
     return 0.0;
 }
 
-/// A vertex number of a file; kNoVertex for negative and too large ones.
+/// A vertex index of the file; kNoVertex for negative and too large ones.
 uint32_t vertexNumber(double value) { return value >= 0.0 && value < 4294967295.0 ? static_cast<uint32_t>(value) : kNoVertex; }
 
-/// Where the values of the element being read go: positions and normals of vertices, corners of faces, strips.
+/// The destination of the values of the element being read: positions and normals of vertices, corners of faces, strips.
 class PlySink {
 public:
     PlySink(ReadJob& job, RawMesh& mesh) : m_job(job), m_mesh(mesh) {}
@@ -89,7 +89,7 @@ public:
         if (m_hasNormals) m_mesh.normals.push_back(normal);
     }
 
-    /// `rows`: how many faces there is room for in the file.
+    /// `rows`: the number of faces that the file has room for.
     void beginFaces(uint64_t rows) {
         m_job.assembler.requireMemory(m_mesh.bytes() + rows * 3 * sizeof(uint32_t));
         m_mesh.triangles.reserve(rows * 3);
@@ -105,8 +105,8 @@ public:
         ++m_job.assembler.report.facesRead;
     }
 
-    /// A number of a triangle strip: every second triangle is turned, a negative number begins a new strip. Triangles with
-    /// a repeated corner only join pieces of a strip and are no faces.
+    /// One number of a triangle strip: every second triangle is reversed, a negative number begins a new strip. Triangles with a
+    /// repeated corner only join parts of a strip and are not counted as faces.
     void addStripValue(double value) {
         if (value < 0.0) {
             m_stripLength = 0;
@@ -133,7 +133,7 @@ private:
     size_t m_stripLength = 0;
 };
 
-/// What a list property of an element is for.
+/// The use of a list property of an element.
 enum class ListUse { Skip, Face, Strip };
 
 ListUse useOfList(const PlyElement& element, const PlyProperty& property) {
@@ -147,7 +147,7 @@ public:
     BinaryBody(ReadJob& job, PlySink& sink, bool bigEndian) : m_source(job.source), m_sink(sink), m_bigEndian(bigEndian) {}
 
     void readVertices(const PlyElement& element);
-    /// Faces, strips, and elements that are passed over.
+    /// Reads faces and strips, and skips other elements.
     void readLists(const PlyElement& element);
 
 private:
@@ -185,7 +185,7 @@ void BinaryBody::readVertexRow(const PlyElement& element, const char* row) {
                      m_sink.hasNormals() ? Vec3f(Vec3(value(3), value(4), value(5))) : Vec3f(0.0F));
 }
 
-/// Where three float properties stand side by side, their offset in the row; -1 otherwise.
+/// The offset in the row of three consecutive float properties; -1 where they are not.
 int floatsSideBySide(const PlyElement& element, const int* place) {
     int offset = 0;
     for (int i = 0; i < place[0]; ++i) offset += static_cast<int>(plySize(element.properties[i].type));
@@ -234,7 +234,7 @@ void BinaryBody::readVertices(const PlyElement& element) {
     }
 }
 
-/// Reads a list in pieces, so that a long one needs no memory of its own.
+/// Reads a list in pieces, so that a long one needs no buffer of its own.
 void BinaryBody::readList(const PlyElement& element, const PlyProperty& property, uint64_t row) {
     const size_t size = plySize(property.type);
     const double claimed = scalarAt(need(plySize(property.countType), element, row), property.countType, m_bigEndian);
@@ -280,8 +280,8 @@ void BinaryBody::readRow(const PlyElement& element, uint64_t row) {
     }
 }
 
-/// The usual layout: one list with a byte for the count and 32-bit indices, scalars before or after it. Reads as many
-/// triangles in a row as are buffered; false where the next face is none.
+/// The usual layout: one list with a byte for the count and 32-bit indices, and scalars before or after it. Reads as many
+/// consecutive triangles as are buffered; false where the next face is no triangle.
 bool BinaryBody::readTriangleRows(const PlyElement& element, uint64_t& row) {
     size_t before = 0;
     size_t after = 0;

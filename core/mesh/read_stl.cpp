@@ -1,5 +1,5 @@
-// An own reader rather than OpenMesh's: that one joins corners within a tolerance, trusts the triangle count that a file claims,
-// knows one solid only and cannot say where a file is wrong.
+// A reader of its own instead of OpenMesh's, which joins corners within a tolerance, trusts the triangle count that a file
+// states, supports only one solid and cannot say where a file is wrong.
 #include <cstring>
 
 #include "core/base/error.h"
@@ -22,7 +22,7 @@ std::string trimmed(std::string_view text) {
     return std::string(text.substr(begin, text.find_last_not_of(" \t\r\v\f") - begin + 1));
 }
 
-/// One solid in the making; corners at exactly equal positions become one vertex.
+/// Builds one solid; corners at exactly equal positions become one vertex.
 template <typename Position>
 class SolidBuilder {
 public:
@@ -116,7 +116,7 @@ private:
             m_rows.restOfRow();
             m_solid.end();
         } else if (is("facet")) {
-            m_rows.restOfRow();  // its normal follows from the corners
+            m_rows.restOfRow();  // the normal of the line is ignored: it follows from the corners
             m_inFacet = true;
         } else if (is("vertex") && m_inFacet) {
             const double x = m_rows.real();
@@ -140,7 +140,7 @@ private:
     bool m_inFacet = false;
 };
 
-/// Binary files may begin with "solid" too: then the size, or a zero byte, gives them away.
+/// Binary files may begin with "solid" too; they are recognised by their size or by a zero byte.
 bool isText(ByteSource& source) {
     const std::string_view start = source.peek(1024).substr(0, 1024);
     const size_t first = start.find_first_not_of(" \t\r\n");

@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// What a reader of one format works with: it reads `source` and gives the objects to `assembler`, counting
+/// The input and output of the reader of one format: it reads `source` and adds the objects to `assembler`; it counts
 /// `assembler.report.facesRead` itself. `objectName` is for files that name no objects.
 struct ReadJob {
     ByteSource& source;

@@ -13,10 +13,11 @@
 namespace cullscope {
 namespace {
 
-/// Points, normals, half-edges and the algorithms' own data, measured on the bunny.
+/// Points, normals, half-edges and the data of OpenMesh's algorithms, measured with the bunny.
 constexpr double kBytesPerTriangle = 400.0;
 
-/// Tells how far the decimation is and leaves it on a stop. (HalfEdgeMesh asks while the decimater's heap is filled.)
+/// Reports the progress of the decimation and ends it on a stop request. (HalfEdgeMesh checks for one while the decimater's heap
+/// is filled.)
 class DecimationProgress : public OpenMesh::Decimater::Observer {
 public:
     DecimationProgress(const Progress& progress, size_t collapses)
@@ -57,7 +58,7 @@ void collapseEdges(HalfEdgeMesh& mesh, size_t triangles, Folds folds, const Prog
     decimater.decimate_to_faces(0, triangles);
 }
 
-/// Down to a count. Collapses that would turn a face over are taken only where the count cannot be reached without them.
+/// Decimates to a count. Collapses that flip a face are allowed only where the count cannot be reached without them.
 void decimate(HalfEdgeMesh& mesh, size_t triangles, const Progress& progress) {
     mesh.request_vertex_status();
     mesh.request_edge_status();
@@ -70,8 +71,8 @@ void decimate(HalfEdgeMesh& mesh, size_t triangles, const Progress& progress) {
     if (mesh.n_faces() > triangles + 1) collapseEdges(mesh, triangles, Folds::Allowed, progress);
 }
 
-/// Collapsing an inner edge takes two triangles, so that the count may end one too low. Halving the longest boundary edge adds
-/// one and changes no surface; a closed mesh always has an even count.
+/// Collapsing an inner edge removes two triangles, so the count may end one too low. Splitting the longest boundary edge adds one
+/// and does not change the surface; a closed mesh always has an even count.
 void addOneTriangle(HalfEdgeMesh& mesh) {
     HalfEdgeMesh::EdgeHandle longest;
     for (const auto edge : mesh.edges())
@@ -91,7 +92,7 @@ void refuseTooLarge(double triangles) {
             {std::to_string(static_cast<uint64_t>(triangles * kBytesPerTriangle / (1 << 20)))});
 }
 
-/// Every level of Loop's scheme makes four triangles of one.
+/// Every level of Loop's scheme divides a triangle into four.
 int levelsNeeded(size_t from, size_t triangles) {
     int levels = 0;
     double count = static_cast<double>(from);

@@ -5,11 +5,11 @@
 
 namespace cullscope {
 
-/// `mesh` with `triangles` triangles, or the nearest count that can be reached: fewer by quadric decimation (Garland &
-/// Heckbert 1997), more by Loop subdivision (Loop 1987) followed by decimation down to the count. Half-edges exist only in here.
-/// Corners at equal positions are joined first and normals made anew. A closed mesh has an even count, so an odd one ends one
-/// beside it. Throws Error(Usage) where the count cannot be reached within 0.1 % + 2 (say, a mesh that falls apart),
-/// Error(Interrupted) on stop.
+/// `mesh` with `triangles` triangles, or the nearest count that can be reached: fewer by quadric decimation (Garland & Heckbert
+/// 1997), more by Loop subdivision (Loop 1987) followed by decimation down to the count. Half-edges are used only inside this
+/// function. Corners at equal positions are joined first, and normals are recomputed. A closed mesh has an even count, so an odd
+/// `triangles` gives a count that differs by one. Throws Error(Usage) where the count cannot be reached within 0.1 % + 2 (for
+/// example, a mesh that falls into parts), Error(Interrupted) on a stop request.
 [[nodiscard]] MeshPointer resampled(const TriangleMesh& mesh, size_t triangles, const Progress& progress = {});
 
 }  // namespace cullscope

@@ -22,7 +22,7 @@ std::string extensionOf(const std::filesystem::path& path) {
     return extension;
 }
 
-/// What is written, buffered, with its share of the whole told between the pieces.
+/// A buffered output that reports the written share as progress.
 class Writer {
 public:
     Writer(std::ostream& out, std::span<const PlacedMesh> meshes, const Progress& progress) : m_out(out), m_progress(progress) {
@@ -35,7 +35,7 @@ public:
         const char* bytes = reinterpret_cast<const char*>(&value);
         m_buffer.append(bytes, bytes + sizeof(Value));
     }
-    /// After every vertex and triangle.
+    /// To be called after every vertex and triangle.
     void itemDone() {
         ++m_done;
         if (m_buffer.size() >= kFlushAt) flush();
@@ -56,7 +56,8 @@ private:
     size_t m_total = 0;
 };
 
-/// Positions and normals of a mesh in the world. A mirroring transform turns the triangles over, so that they still face outward.
+/// Positions and normals of a mesh in the world. For a mirroring transform the triangles are reversed, so that they still face
+/// outward.
 class World {
 public:
     explicit World(const PlacedMesh& placed)
@@ -66,7 +67,7 @@ public:
           m_mirrored(glm::determinant(Mat3(placed.worldFromMesh)) < 0.0) {}
 
     [[nodiscard]] Vec3 position(size_t vertex) const {
-        // An identity must give back every bit, which a product with the large origin would not.
+        // An identity keeps every bit of a position; the product with a large origin would not.
         return m_worldFromMesh == Mat4(1.0) ? m_mesh.position(vertex)
                                             : Vec3(m_worldFromMesh * Vec4(m_mesh.position(vertex), 1.0));
     }
@@ -101,7 +102,7 @@ void writeObj(Writer& out, std::span<const PlacedMesh> meshes) {
         for (size_t vertex = 0; vertex < placed.mesh->vertexCount(); ++vertex) {
             const Vec3 p = world.position(vertex);
             const Vec3f n(world.normal(vertex));
-            // The shortest digits that give the same number back.
+            // The shortest decimal that reads back as the same number.
             fmt::format_to(std::back_inserter(out.text()), "v {} {} {}\nvn {} {} {}\n", p.x, p.y, p.z, n.x, n.y, n.z);
             out.itemDone();
         }
@@ -180,7 +181,7 @@ WriteFormat writerFor(const std::filesystem::path& path) {
     throwUsage(CULLSCOPE_TR("%1: meshes are written as .obj, .ply or .stl. Choose one of these endings."), {path.string()});
 }
 
-/// PLY numbers vertices and STL counts triangles with 32 bits.
+/// Throws Error(Usage) above the 32-bit limits of PLY's vertex numbers and STL's triangle count.
 void refuseTooMany(const std::filesystem::path& path, std::span<const PlacedMesh> meshes) {
     uint64_t most = 0;
     for (const PlacedMesh& placed : meshes) most += std::max(placed.mesh->vertexCount(), placed.mesh->triangleCount());

@@ -9,16 +9,16 @@
 
 namespace cullscope {
 
-/// A mesh to be written, placed in the world.
+/// A mesh with its transform to the world, to be written.
 struct PlacedMesh {
     std::string name;
     const TriangleMesh* mesh = nullptr;
     Mat4 worldFromMesh{1.0};  ///< applied to origin + position in double
 };
 
-/// Writes OBJ (one named object an entry, 17 significant digits), PLY (binary, double where float would lose) or binary STL
-/// by the extension, whole or not at all; "-" is standard output, as OBJ. Throws Error(Usage) for another extension or an
-/// unwritable place.
+/// Writes OBJ (one named object for each entry, 17 significant digits), PLY (binary, in double where float would lose digits) or
+/// binary STL by the extension, completely or not at all; "-" is standard output, as OBJ. Throws Error(Usage) for another
+/// extension or where the file cannot be written.
 void saveMeshFile(const std::filesystem::path& path, std::span<const PlacedMesh> meshes, const Progress& progress = {});
 
 }  // namespace cullscope

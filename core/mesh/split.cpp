@@ -17,7 +17,7 @@ struct Parts {
     std::vector<size_t> ends;
 };
 
-/// Which vertices hang together, as a forest in which every vertex points towards its tree's root.
+/// A disjoint-set forest of connected vertices; every vertex points towards its tree's root.
 class Forest {
 public:
     explicit Forest(size_t vertices) : m_parent(vertices) { std::iota(m_parent.begin(), m_parent.end(), 0U); }
@@ -29,7 +29,7 @@ public:
         }
         return vertex;
     }
-    /// The lower number becomes the root.
+    /// Joins two trees; the lower number becomes the root.
     void join(uint32_t a, uint32_t b) {
         a = root(a);
         b = root(b);
@@ -48,7 +48,8 @@ void refuseTooMany(const TriangleMesh& mesh, size_t parts) {
             {mesh.name(), std::to_string(parts), std::to_string(kMostParts)});
 }
 
-/// For each triangle the number of its component, counted in the order of their first triangles, and how many triangles each has.
+/// The component number of each triangle, counted in the order of their first triangles, and the number of triangles of each
+/// component.
 struct Labels {
     std::vector<uint32_t> ofTriangle;
     std::vector<size_t> triangles;
@@ -104,7 +105,7 @@ Parts componentParts(const TriangleMesh& mesh, const Progress& progress) {
     return parts;
 }
 
-/// Halves triangles by their centroids until no cluster has too many.
+/// Halves the triangles by their centroids until no cluster has too many.
 class Clustering {
 public:
     Clustering(const TriangleMesh& mesh, const Progress& progress)
@@ -138,8 +139,9 @@ private:
         return extent.x >= extent.y && extent.x >= extent.z ? 0 : extent.y >= extent.z ? 1 : 2;
     }
 
-    /// Puts the first `clusters / 2` clusters' share of [begin, end) to the left. Both sides keep room for all their triangles:
-    /// count ≤ clusters · most gives ⌊count · left / clusters⌋ ≤ left · most, and the like for the right.
+    /// Divides [begin, end) into `clusters / 2` clusters on the left and the rest on the right, in proportion. Both sides have
+    /// enough clusters for their triangles: count ≤ clusters · most gives ⌊count · left / clusters⌋ ≤ left · most, and likewise
+    /// on the right.
     void halve(size_t begin, size_t end, size_t clusters) {
         if (clusters == 1) {
             std::sort(m_parts.triangles.begin() + std::ptrdiff_t(begin), m_parts.triangles.begin() + std::ptrdiff_t(end));
@@ -150,7 +152,8 @@ private:
         const size_t left = clusters / 2;
         const size_t middle = begin + (end - begin) * left / clusters;
         const int axis = longestAxis(begin, end);
-        // Numbers break ties, so that the two sides are the same everywhere. A selection among millions asks for a stop too.
+        // Ties are broken by the triangle's number, so that the result is the same on every machine. A selection among millions
+        // checks for a stop request.
         uint32_t asked = 0;
         const auto before = [&](uint32_t a, uint32_t b) {
             if (++asked % 65536 == 0) m_progress.check();
@@ -170,7 +173,7 @@ private:
     size_t m_clusters = 0;
 };
 
-/// Makes a mesh of each part; vertices are numbered anew in the order in which the part's triangles use them.
+/// Makes a mesh of each part; vertices are renumbered in the order in which the part's triangles use them.
 class Extraction {
 public:
     explicit Extraction(const TriangleMesh& mesh)

@@ -9,7 +9,7 @@
 
 namespace cullscope {
 
-/// Calls `work(begin, end)` over [0, count) in pieces that take a few milliseconds each, asking for a stop before every piece.
+/// Calls `work(begin, end)` over [0, count) in pieces of a few milliseconds, and checks for a stop request before every piece.
 template <typename Work>
 void inSteps(size_t count, const Progress& progress, Work&& work, size_t step = size_t{1} << 17) {
     for (size_t begin = 0; begin < count; begin += step) {
@@ -18,7 +18,7 @@ void inSteps(size_t count, const Progress& progress, Work&& work, size_t step = 
     }
 }
 
-/// Sorts in pieces, asking for a stop between them: std::sort over blocks, then merges (stable among equal keys is not promised).
+/// Sorts in pieces and checks for a stop request between them: std::sort over blocks, then merges. Not necessarily stable.
 template <typename Value>
 void sortInSteps(std::span<Value> values, const Progress& progress) {
     constexpr size_t kBlock = size_t{1} << 18;

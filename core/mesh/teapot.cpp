@@ -5,8 +5,8 @@
 #include "core/mesh/parametric.h"
 
 // Newell's control points (M. Newell, "The Utilization of Procedure Models in Digital Image Synthesis", 1975; bottom by J.
-// Blinn). Rim, body, lid and bottom turn a profile about the axis; handle and spout are halves that mirror across it. z is up in
-// the data.
+// Blinn). Rim, body, lid and bottom are profiles turned about the axis; handle and spout are mirrored halves. z is up in the
+// data.
 
 namespace cullscope {
 namespace {
@@ -23,7 +23,7 @@ constexpr std::array<std::array<double, 8>, 6> kProfiles{{
     {0.2, 2.7, 0.4, 2.55, 1.3, 2.55, 1.3, 2.4},              // lid
 }};
 
-/// One row across a half tube: inner and outer control point (x, z) and the half width of the two between them.
+/// One row across a half tube: the inner and outer control point (x, z) and the half width of the two between them.
 struct TubeRow {
     double innerX, innerZ, outerX, outerZ, halfWidth;
 };
@@ -42,7 +42,7 @@ constexpr std::array<TubeRow, 7> kSpout{{{1.7, 1.425, 1.7, 0.6, 0.66},
                                          {2.9, 2.475, 3.45, 2.5125, 0.15},
                                          {2.8, 2.4, 3.2, 2.4, 0.15}}};
 
-/// A quarter turn of a profile; 0.56 is the length of the circle's tangents in Newell's data.
+/// A quarter turn of a profile; 0.56 is the tangent length of the circles in Newell's data.
 Patch turned(const std::array<double, 8>& profile, int quarter) {
     constexpr std::array<Vec2, 5> kDirections{Vec2(1, 0), Vec2(0, 1), Vec2(-1, 0), Vec2(0, -1), Vec2(1, 0)};
     const Vec2 from = kDirections[quarter];
@@ -80,7 +80,7 @@ std::vector<Patch> teapotPatches() {
     return patches;
 }
 
-/// Whether the patch's rows and columns turn clockwise seen from outside, for its 4 × 4 place in the order of teapotPatches().
+/// Whether the patch's rows and columns are clockwise seen from outside, by its place in the order of teapotPatches().
 bool flipped(size_t patch) {
     if (patch < 24) return false;
     const size_t side = (patch - 24) / 2 % 2;
@@ -102,19 +102,19 @@ Vec3 evaluate(const Patch& patch, double u, double v) {
     return point;
 }
 
-/// Welds points of neighbouring patches: their borders are the same curves, evaluated with the same rounding up to 1e-9.
+/// Welds points of neighbouring patches: their borders are the same curves, which are evaluated to equal values within 1e-9.
 class PatchWelder {
 public:
     explicit PatchWelder(size_t vertices) { m_positions.reserve(vertices); }
 
-    /// The vertex at a point that several patches may have.
+    /// The vertex at a point on the border of patches; shared where it exists.
     uint32_t shared(const Vec3& p) {
         const auto grid = [](double x) { return static_cast<int64_t>(std::llround(x * 1e8)); };
         const auto [entry, isNew] =
             m_known.try_emplace({grid(p.x), grid(p.y), grid(p.z)}, static_cast<uint32_t>(m_positions.size()));
         return isNew ? own(p) : entry->second;
     }
-    /// A new vertex, y up and centred on the axis, at the height of the data's middle.
+    /// Adds a vertex of one patch, converted to y up, centred on the axis at half the height of the data.
     uint32_t own(const Vec3& p) {
         m_positions.emplace_back(Vec3(p.x, p.z - 1.575, -p.y));
         return static_cast<uint32_t>(m_positions.size() - 1);

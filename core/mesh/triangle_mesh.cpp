@@ -30,8 +30,8 @@ Box3 boundsOfUsed(std::span<const Vec3f> positions, std::span<const uint32_t> in
     return {Vec3(corners.min), Vec3(corners.max)};
 }
 
-/// Six times the volume that closed triangles enclose, positive when they face outward. Coordinates are brought to about 1
-/// first, so that their third powers stay within double.
+/// Six times the volume enclosed by closed triangles, positive when they face outward. Coordinates are scaled to about 1 first,
+/// so that their third powers stay within the range of double.
 double signedVolume(std::span<const Vec3f> positions, std::span<const uint32_t> indices, const Box3& bounds) {
     const double scale = bounds.diagonal() > 0.0 ? 1.0 / bounds.diagonal() : 1.0;
     const Vec3 centre = bounds.centre();

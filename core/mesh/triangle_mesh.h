@@ -11,35 +11,35 @@
 
 namespace cullscope {
 
-/// What the edges of a mesh say about its surface; corners at the same position count as one vertex.
+/// Properties of a mesh's surface that follow from its edges; corners at the same position count as one vertex.
 struct Topology {
     size_t boundaryEdges = 0;      ///< edges with one triangle
     size_t nonManifoldEdges = 0;   ///< edges with more than two triangles
-    size_t inconsistentEdges = 0;  ///< edges that two triangles walk in the same direction
+    size_t inconsistentEdges = 0;  ///< edges that two triangles traverse in the same direction
     bool closed = false;           ///< no boundary edge and no non-manifold edge
     bool consistentlyOriented = false;
-    bool outward = false;  ///< the signed volume is positive (meaningful for closed meshes)
+    bool outward = false;  ///< whether the signed volume is positive (meaningful for closed meshes)
 
-    /// Whether back faces can never be seen from outside: what `facing = auto` asks.
+    /// Whether no back face can be visible from outside: the criterion of `facing = auto`.
     [[nodiscard]] bool frontFacesSuffice() const { return closed && consistentlyOriented && outward; }
 };
 
-/// Above this many triangles, analyses that nobody asked for (closedness, truth in the desktop) are not made.
+/// Above this many triangles, analyses that the user did not request (closedness, ground truth in the desktop) are skipped.
 inline constexpr size_t kOptionalAnalysisLimit = 5'000'000;
 
-/// Triangles as flat arrays: float positions relative to a double origin, one normal a vertex, three indices a triangle.
-/// Immutable after it is made; what is costly to know about it is computed when first asked for.
+/// Triangles as flat arrays: float positions relative to a double origin, one normal for each vertex, three indices for each
+/// triangle. Immutable; expensive properties are computed at the first call.
 class TriangleMesh {
 public:
     struct Data {
         std::string name;
-        Vec3 origin{0.0};               ///< world position of the float coordinates' zero
+        Vec3 origin{0.0};               ///< world position of the origin of the float coordinates
         std::vector<Vec3f> positions;   ///< relative to `origin`, finite
-        std::vector<Vec3f> normals;     ///< unit length, one a position; empty: made by the constructor
-        std::vector<uint32_t> indices;  ///< three a triangle, each below positions.size()
+        std::vector<Vec3f> normals;     ///< unit length, one for each position; empty: computed by the constructor
+        std::vector<uint32_t> indices;  ///< three for each triangle, each below positions.size()
     };
 
-    /// Takes the arrays; asserts their invariants. Missing normals are made (area-weighted).
+    /// Takes the arrays; asserts their invariants. Missing normals are computed (area-weighted).
     explicit TriangleMesh(Data data);
     TriangleMesh(const TriangleMesh&) = delete;
     TriangleMesh& operator=(const TriangleMesh&) = delete;
@@ -53,13 +53,13 @@ public:
     [[nodiscard]] size_t triangleCount() const { return m_data.indices.size() / 3; }
     [[nodiscard]] Vec3 position(size_t vertex) const { return m_data.origin + Vec3(m_data.positions[vertex]); }
 
-    /// Bounds of the float positions, relative to `origin()`. Only vertices that a triangle uses count.
+    /// Bounds of the float positions relative to `origin()`, of the vertices that a triangle uses.
     [[nodiscard]] const Box3& localBounds() const { return m_localBounds; }
-    /// A sphere around the float positions, relative to `origin()`; computed when first asked for.
+    /// A sphere around the float positions, relative to `origin()`; computed at the first call.
     [[nodiscard]] const Sphere& localSphere() const;
-    /// Computed when first asked for: O(triangles · log triangles), about 0.3 s and 24 bytes an edge for a million triangles.
+    /// Computed at the first call: O(triangles · log triangles), about 0.3 s and 24 bytes for each edge, for a million triangles.
     [[nodiscard]] const Topology& topology() const;
-    /// Bytes of the arrays.
+    /// Size of the arrays in bytes.
     [[nodiscard]] size_t bytes() const;
 
 private:

@@ -6,11 +6,11 @@ namespace cullscope {
 namespace {
 
 constexpr unsigned kCacheEntries = 16;
-/// Triangles looked at for each one put in order, above which Forsyth's order is too slow; in a closed regular mesh 18.
+/// Above this number of visited triangles for each one placed, Forsyth's algorithm is too slow; a closed regular mesh has 18.
 constexpr double kMostLooks = 100.0;
 
-/// How many triangles Forsyth's order looks at for each one that it puts in its place: whenever a vertex is used, all triangles
-/// at it are weighed anew.
+/// How many triangles Forsyth's algorithm visits for each one that it places: whenever a vertex is used, the scores of all
+/// triangles at it are recomputed.
 double looksPerTriangle(std::span<const uint32_t> indices, size_t vertices) {
     std::vector<double> trianglesAt(vertices, 0.0);
     for (const uint32_t vertex : indices) ++trianglesAt[vertex];

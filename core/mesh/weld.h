@@ -10,20 +10,21 @@
 
 namespace cullscope {
 
-/// Numbers exactly equal positions (-0 equals 0) alike. Open addressing in one flat table, which grows with what is added.
+/// Gives exactly equal positions (-0 equals 0) the same number. Open addressing in one flat table, which grows as positions are
+/// added.
 template <typename Position>
 class Welder {
 public:
-    /// `expected`: how many positions will come, as far as known.
+    /// `expected`: an estimate of the number of positions.
     explicit Welder(const Progress& progress, size_t expected = 0) : m_progress(&progress) {
         if (expected > 0) m_table.assign(std::bit_ceil(2 * expected + 2), kFree);
     }
 
-    /// The number of the first position equal to `position`; that of `position` itself, `count`, where it is the first.
-    /// `at(i)` gives the position with number i.
+    /// The number of the first position equal to `position`; where there is none, `count`, the number of `position` itself.
+    /// `at(i)` returns the position with number i.
     template <typename At>
     uint32_t findOrAdd(const Position& position, uint32_t count, At&& at) {
-        if (position != position) return count;  // NaN equals nothing, and many of them would crowd one slot
+        if (position != position) return count;  // NaN equals no position, and many of them would fill one slot
         if (2 * (m_used + 1) > m_table.size()) grow(at);
         size_t slot = hash(position) & (m_table.size() - 1);
         while (m_table[slot] != kFree) {

@@ -9,12 +9,12 @@ namespace {
 
 bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
-/// The unit vector at right angles to `forward` that lies nearest to the right of `up`.
+/// The unit vector perpendicular to `forward` that is nearest to the right of `up`.
 Vec3 rightOf(const Vec3& forward, const Vec3& up) {
     const Vec3 right = glm::cross(forward, up);
     const double length = glm::length(right);
     if (length > 1e-12 * glm::length(up)) return right / length;
-    // Looking along `up`: the axis that the view direction uses least.
+    // `forward` is parallel to `up`: the axis with the smallest component of `forward` takes its place.
     const Vec3 size = glm::abs(forward);
     const Vec3 other = size.x <= size.y && size.x <= size.z ? Vec3(1, 0, 0) : size.y <= size.z ? Vec3(0, 1, 0) : Vec3(0, 0, 1);
     return glm::normalize(glm::cross(forward, other));
@@ -63,7 +63,7 @@ namespace {
 
 Mat4 eyeRelative(const Mat4& worldFromMesh, const Vec3& meshOrigin, const Vec3& eye) {
     Mat4 matrix = worldFromMesh;
-    // Linear part times origin first: the large terms cancel against the eye while still in double.
+    // The linear part times the origin first: the large terms cancel against the eye while still in double.
     matrix[3] = Vec4(Vec3(worldFromMesh[3]) - eye + Mat3(worldFromMesh) * meshOrigin, 1.0);
     return matrix;
 }

@@ -18,7 +18,7 @@ struct Camera {
     bool operator==(const Camera&) const = default;
 };
 
-/// The largest width and height of a picture.
+/// The largest width and height of a picture, in pixels.
 inline constexpr int kMostPixels = 16384;
 
 /// Size in pixels.
@@ -29,15 +29,15 @@ struct Viewport {
     bool operator==(const Viewport&) const = default;
 };
 
-/// Throws Error(Usage) where the camera or size makes no picture: not finite, eye at the target, fovy outside (0, 180°),
-/// near not in (0, far), a size below 1 or above 16384.
+/// Throws Error(Usage) where camera and size define no picture: values that are not finite, eye at the target, fovy outside (0,
+/// 180°), near not in (0, far), a size below 1 or above 16384.
 void validate(const Camera& camera, const Viewport& viewport);
 
-/// A camera at a viewport, worked out once: basis, frustum, matrices. Double precision; GPU matrices are relative to the eye.
-/// Clip space is OpenGL's with depth 0 … 1 reversed: 1 at the near plane, 0 at the far plane.
+/// A camera with a viewport and what follows from them: basis, frustum, matrices. In double precision; GPU matrices are relative
+/// to the eye. Clip space is OpenGL's with depth 0 … 1 reversed: 1 at the near plane, 0 at the far plane.
 class View {
 public:
-    /// Validates (see above). Where `up` is parallel to the view direction, another axis takes its place.
+    /// Validates (see above). Where `up` is parallel to the view direction, another axis is used in its place.
     View(const Camera& camera, const Viewport& viewport);
 
     [[nodiscard]] const Camera& camera() const { return m_camera; }
@@ -46,12 +46,12 @@ public:
     /// Relative to the eye; see Frustum.
     [[nodiscard]] const Frustum& frustum() const { return m_frustum; }
 
-    /// Clip coordinates from world axes with the origin at the eye.
+    /// The clip matrix for world axes with the origin at the eye.
     [[nodiscard]] const Mat4& clipFromEyeRelative() const { return m_clipFromEyeRelative; }
-    /// The float matrix with which the GPU takes a mesh's float positions to clip space: all translations are
-    /// summed in double before rounding.
+    /// The float matrix that transforms a mesh's float positions to clip space on the GPU: all translations are summed in double
+    /// before rounding.
     [[nodiscard]] Mat4f clipFromPositions(const Mat4& worldFromMesh, const Vec3& meshOrigin) const;
-    /// The float matrix that takes a mesh's float positions to world axes with the origin at the eye (for shading).
+    /// The float matrix that transforms a mesh's float positions to world axes with the origin at the eye (for shading).
     [[nodiscard]] Mat4f eyeRelativeFromPositions(const Mat4& worldFromMesh, const Vec3& meshOrigin) const;
     /// The direction (not normalised: forward component 1) through a point of the picture; pixel centres lie at +0.5,
     /// y counts upward as in OpenGL.

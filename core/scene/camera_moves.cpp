@@ -9,14 +9,16 @@ namespace cullscope {
 
 namespace {
 
-constexpr double kMaximumElevation = 89.5;  // degrees: a turntable has no way over the pole
+constexpr double kMaximumElevation = 89.5;  // degrees: a turntable does not turn over the pole
 constexpr double kClosest = 1e-4;           // of the scene's radius
-constexpr double kReachBeyond = 0.05;       // of the scene's radius: where the target lies after going through a point
+constexpr double kReachBeyond = 0.05;       // of the scene's radius: distance of the target after the eye has passed through a
+                                            // point
 constexpr double kFarthest = 1e4;           // of the scene's radius
-constexpr double kNearestNearPlane = 1e-7;  // of the far plane: what a float depth buffer still tells apart
+constexpr double kNearestNearPlane = 1e-7;  // of the far plane: the smallest ratio at which a float depth buffer still separates
+                                            // depths
 constexpr double kFramingMargin = 1.04;
 
-/// The horizontal axes that azimuth is counted in: azimuth 0 looks from `front`, 90° from `side`.
+/// The horizontal axes from which azimuth is measured: azimuth 0 looks from `front`, 90° from `side`.
 struct Turntable {
     Vec3 up, front, side;
 };
@@ -26,7 +28,7 @@ Turntable turntable(UpAxis up) {
     return {Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0)};
 }
 
-/// `offset` turned about the turntable's axis and towards it; same length.
+/// `offset` rotated by azimuth about the up axis and by elevation towards it; same length.
 Vec3 turnedOffset(const Vec3& offset, UpAxis up, Angle azimuth, Angle elevation) {
     const Turntable table = turntable(up);
     const double length = glm::length(offset);
@@ -54,7 +56,7 @@ Camera turned(const Camera& camera, UpAxis up, Angle azimuth, Angle elevation) {
 
 Camera seenFrom(const Camera& camera, UpAxis up, const Vec3& direction) {
     const double height = glm::dot(glm::normalize(direction), axisVector(up));
-    // Above and below there is no azimuth of its own: the present one stays.
+    // At the poles the azimuth is not defined by the direction: the present azimuth is kept.
     if (std::abs(height) > std::sin(Angle::fromDegrees(kMaximumElevation).radians()))
         return turned(camera, up, {}, Angle::fromDegrees(height > 0.0 ? 180.0 : -180.0));
     Camera result = camera;
@@ -140,7 +142,7 @@ Camera homeCamera(const Scene& scene, UpAxis up, double aspect) {
 }
 
 Camera observerCamera(const Camera& culling, const Sphere& scene, UpAxis up, double aspect) {
-    // A sphere around the scene and the watched eye; the eye is brought in by the share that the picture needs of it.
+    // The smallest sphere around the scene and the culling camera's eye, so that the picture shows both.
     const Vec3 toEye = culling.eye - scene.centre;
     const double distance = glm::length(toEye);
     Sphere both = scene;

@@ -27,7 +27,7 @@ CameraPath pathAround(const Scene& scene, std::string name, Angle fovy) {
     return path;
 }
 
-/// A pose at 3 R from the centre in a direction, y up (z where that looks along y).
+/// A pose at 3 R from the centre in a direction, with y up (z where it looks along y).
 CameraPath::Pose poseAround(const Scene& scene, const Vec3& direction) {
     const Vec3 centre = scene.boundingSphere().centre;
     const Vec3 up = std::abs(direction.y) > 0.999 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
@@ -45,7 +45,7 @@ CameraPath orbit(const Scene& scene, size_t count) {
     return path;
 }
 
-/// Evenly spread over the sphere: equal steps of height, azimuths a golden angle apart.
+/// Uniformly distributed over the sphere: equal steps of height, azimuths apart by the golden angle.
 CameraPath fibonacci(const Scene& scene, size_t count) {
     CameraPath path = pathAround(scene, "fibonacci:" + std::to_string(count), Angle::fromDegrees(45));
     const double goldenAngle = std::numbers::pi * (3.0 - std::sqrt(5.0));
@@ -58,9 +58,9 @@ CameraPath fibonacci(const Scene& scene, size_t count) {
     return path;
 }
 
-/// A walk into the scene at half its height, from its edge to 0.70 of its depth, looking where it goes and swaying a little. How
-/// deep it goes decides how much is behind: in the 20 × 20 field the frustum culls 79 % of the objects on average, as in Cho et
-/// al.
+/// A walk into the scene at half its height, from its edge to 0.70 of its depth, looking ahead with a small sway. The depth
+/// decides how much of the scene is behind the walker: in the 20 × 20 field the frustum culls 79 % of the objects on average, as
+/// in Cho et al.
 CameraPath walk(const Scene& scene, size_t count) {
     constexpr double kDepth = 0.70;
     constexpr double kSway = 0.08;
@@ -68,12 +68,12 @@ CameraPath walk(const Scene& scene, size_t count) {
     const bool empty = scene.bounds().empty();
     const Vec3 half = empty ? Vec3(1.0) : scene.bounds().halfExtent();
     const Vec3 centre = empty ? Vec3(0.0) : scene.bounds().centre();
-    // The walker stands upright on a scene that lies flat; y is up unless the scene is clearly flat along z.
+    // The walker stands upright on a scene that extends horizontally; y is up unless the scene is clearly flat along z.
     const bool zUp = half.z < 0.5 * half.y;
     const Vec3 up = zUp ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
     const Vec3 depth = zUp ? Vec3(0, half.y, 0) : Vec3(0, 0, -half.z);
     const bool alongX = half.x > glm::length(depth);
-    // A flat scene (a single sheet) still gets a direction to look in.
+    // Gives a scene without extent in that plane (a single sheet) a direction to look in.
     const Vec3 least = Vec3(1, 0, 0) * (1e-3 * radiusOf(scene));
     const Vec3 ahead = (alongX ? Vec3(half.x, 0, 0) : depth) + (glm::length(depth) + half.x > 0 ? Vec3(0) : least);
     const Vec3 side = alongX ? depth : Vec3(half.x, 0, 0);
@@ -91,17 +91,17 @@ CameraPath walk(const Scene& scene, size_t count) {
 /// One of the three cases of Han & Hong 2008, Table 2.
 struct SphericalCase {
     const char* name;
-    double share;    ///< of the faces, in the frustum: what the paper considered (13,508, 16,434, 26,308 of 144,078)
+    double share;    ///< of the faces in the frustum: the faces the paper considered (13,508, 16,434, 26,308 of 144,078)
     Vec3 direction;  ///< to the eye: at a pole of the map, opposite the seam, at the seam
     Vec3 up;
-    double fovy;  ///< degrees; with these the bunny covers all four corners of the window in each pose
+    double fovy;  ///< degrees; with it the bunny covers all four corners of the window in each pose
 };
 
 const std::array<SphericalCase, 3> kSphericalCases{{{"case-1", 13508.0 / 144078.0, {0, 0, 1}, {1, 0, 0}, 14.0},
                                                     {"case-2", 16434.0 / 144078.0, {-1, 0, 0}, {0, 0, 1}, 6.0},
                                                     {"case-3", 26308.0 / 144078.0, {1, 0, 0}, {0, 0, 1}, 13.0}}};
 
-/// The centroid of all surfaces: where most of an object is, whatever sticks out of it.
+/// The area-weighted centroid of all surfaces: the middle of an object, hardly affected by thin protruding parts.
 Vec3 surfaceCentroid(const Scene& scene) {
     Vec3 moment(0.0);
     double area = 0.0;
@@ -118,7 +118,7 @@ Vec3 surfaceCentroid(const Scene& scene) {
     return area > 0.0 ? centre + moment / area : centre;
 }
 
-/// How near the eye has to come so that a share of the faces is in a frustum of 4 : 3: nearer is fewer.
+/// The distance of the eye at which a share of the faces is in a frustum of aspect 4 : 3; a smaller distance gives fewer faces.
 double distanceOfShare(const Scene& scene, CameraPath& path, size_t pose, const Vec3& direction, double share) {
     constexpr Viewport kFourToThree{640, 480};
     constexpr uint64_t kMostLookedAt = 200'000;
@@ -135,8 +135,8 @@ double distanceOfShare(const Scene& scene, CameraPath& path, size_t pose, const 
     return std::sqrt(near * far);
 }
 
-/// Twelve views a little around the case's direction, from outside the bounding sphere with a narrow lens, as near as gives the
-/// paper's share of faces. What `spherical` considers there is a result, not a setting.
+/// Twelve views slightly around the case's direction, from outside the bounding sphere with a narrow field of view, at the
+/// distance that gives the paper's share of faces. Which faces `spherical` considers there is a result, not a setting.
 CameraPath sphericalCase(const Scene& scene, const SphericalCase& wanted) {
     constexpr size_t kPoses = 12;
     constexpr double kTilt = 0.04;
@@ -225,7 +225,8 @@ Camera overviewCamera(const Scene& scene, double aspect) {
 void fitDepthRange(Camera& camera, const Scene& scene) {
     const double radius = radiusOf(scene);
     const double distance = glm::length(camera.eye - scene.boundingSphere().centre);
-    // Outside the scene nothing lies nearer than its sphere; inside, near shrinks with the scene. Reversed depth bears the ratio.
+    // Outside the bounding sphere no point of the scene is nearer than it; inside, near is a fraction of its radius. Reversed
+    // depth keeps its precision at such ratios.
     camera.nearDistance = std::max(distance - radius, radius * 1e-3) * 0.5;
     camera.farDistance = (distance + radius) * 2.0;
 }

@@ -10,7 +10,7 @@
 
 namespace cullscope {
 
-/// Poses with one lens.
+/// Camera poses with common lens parameters.
 struct CameraPath {
     std::string name;
     Angle fovy = Angle::fromDegrees(45.0);
@@ -29,13 +29,14 @@ struct CameraPath {
 /// file.
 [[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);
 
-/// The path that a scene is measured on when none is given: `fibonacci:16` for one object, `walk:16` for many.
+/// The path that a scene is measured on by default: `fibonacci:16` for one object, `walk:16` for several.
 [[nodiscard]] std::string defaultPathName(const Scene& scene);
 
-/// The camera that a window shows a scene with at first: all of it in view, slightly from above.
+/// The camera with which a window first shows a scene: all of it in view, slightly from above.
 [[nodiscard]] Camera overviewCamera(const Scene& scene, double aspect);
 
-/// Near and far for an eye anywhere: the whole scene lies before far, and what is a thousandth of its distance away before near.
+/// Sets near and far for an eye anywhere: far lies beyond the whole scene, near is half the distance to the bounding sphere, or
+/// inside it half a thousandth of its radius.
 void fitDepthRange(Camera& camera, const Scene& scene);
 
 /// Reads and writes the JSON form (measurement.md, "Camera path").

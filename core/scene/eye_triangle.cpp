@@ -17,7 +17,7 @@ std::array<Vec3, 3> InstanceFromEye::corners(uint64_t triangle) const {
 
 bool InstanceFromEye::facesAway(uint64_t triangle) const {
     const auto [a, b, c] = corners(triangle);
-    // The eye is the origin: above 0 it lies behind the plane of a counter-clockwise triangle.
+    // The eye is the origin: a value above 0 means that it lies behind the plane of a counter-clockwise triangle.
     const double behind = glm::dot(glm::cross(b - a, c - a), a);
     return m_mirrored ? behind < 0.0 : behind > 0.0;
 }

@@ -8,7 +8,7 @@
 namespace cullscope {
 namespace {
 
-/// A convex polygon while it is clipped: a triangle gets a corner more at most at each plane.
+/// A convex polygon during clipping: a triangle gets at most one more corner at each plane.
 struct Polygon {
     std::array<Vec3, 9> corners{};
     size_t count = 0;
@@ -16,7 +16,7 @@ struct Polygon {
     void add(const Vec3& corner) { corners[count++] = corner; }
 };
 
-/// Sutherland & Hodgman 1974, one plane: what lies on it stays.
+/// Clips against one plane (Sutherland & Hodgman 1974); points on the plane are kept.
 Polygon clipped(const Polygon& polygon, const Plane& plane) {
     Polygon result;
     for (size_t i = 0; i < polygon.count; ++i) {
@@ -46,7 +46,7 @@ uint64_t trianglesInFrustum(const Scene& scene, const View& view, uint64_t step)
     for (uint32_t i = 0; i < scene.instances().size(); ++i) {
         const InstanceFromEye instance(scene, i, view.eye());
         const uint64_t first = scene.firstTriangle(i), count = scene.meshOf(i).triangleCount();
-        // The scene's numbers decide which ones are looked at, so that small objects are not looked at in full.
+        // Every step-th triangle by scene number is tested, so that small objects are not all tested in full.
         const uint64_t begin = (first + step - 1) / step, end = (first + count + step - 1) / step;
         found += tbb::parallel_reduce(
             tbb::blocked_range<uint64_t>(begin, end, 1024), uint64_t{0},

@@ -8,7 +8,8 @@
 namespace cullscope {
 namespace {
 
-/// The whole text as a number; nothing where it is none. Too large a number is one beyond every scene's objects.
+/// The text as a whole number; none where it is not one. A number that is too large becomes one above the number of objects of
+/// any scene.
 std::optional<size_t> wholeNumber(std::string_view text) {
     if (text.empty() || text.find_first_not_of("0123456789") != std::string_view::npos) return std::nullopt;
     size_t number = 0;

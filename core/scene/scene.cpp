@@ -7,7 +7,8 @@
 namespace cullscope {
 namespace {
 
-/// The mesh's bounds in its own double coordinates. The sum of origin and offset is rounded once more, hence the room.
+/// The mesh's bounds in its own double coordinates. The sum of origin and offset is rounded once more, so the box grows by that
+/// rounding.
 Box3 absoluteBounds(const TriangleMesh& mesh) {
     Box3 box = mesh.localBounds();
     if (box.empty()) return box;
@@ -26,7 +27,7 @@ Sphere absoluteSphere(const TriangleMesh& mesh) {
     return sphere;
 }
 
-/// A box and a sphere, both grown alike.
+/// Grows a box and a sphere by the same length.
 void grow(Box3& box, Sphere& sphere, double by) {
     sphere.radius += by;
     if (box.empty()) return;
@@ -75,7 +76,7 @@ double Scene::pictureRounding(const Instance& instance) const {
     const Sphere& sphere = m_meshes[instance.mesh]->localSphere();
     const Mat3 linear(instance.worldFromMesh);
     double stretch = 0.0;
-    // Each product's size: what they cancel in a sum is rounded all the same.
+    // Absolute values of the products: the sum is rounded in proportion to its terms, also where they cancel.
     Vec3 products(0.0);
     for (int column = 0; column < 3; ++column) {
         stretch = std::max(stretch, glm::length(linear[column]));

@@ -10,19 +10,19 @@
 
 namespace cullscope {
 
-/// One object of a scene: a mesh put somewhere by an affine transform.
+/// One object of a scene: a mesh placed by an affine transform.
 struct Instance {
     uint32_t mesh = 0;        ///< index into Scene::meshes()
     Mat4 worldFromMesh{1.0};  ///< applied to the mesh's double coordinates (origin + position)
     std::string name;
 };
 
-/// Meshes and their instances, in double. Immutable after it is made.
-/// Triangles are numbered through: instance i owns the numbers firstTriangle(i) … firstTriangle(i) + its mesh's count − 1.
+/// Meshes and their instances, in double. Immutable. Triangles have consecutive numbers: instance i owns the numbers
+/// firstTriangle(i) … firstTriangle(i) + its mesh's count − 1.
 class Scene {
 public:
-    /// `sameSurface`: a scene of the very same triangles, divided otherwise. Its bounds are taken over, so that cameras which are
-    /// placed by them stand alike.
+    /// `sameSurface`: a scene of the same triangles, divided into other objects. Its bounds are used, so that cameras placed by
+    /// the bounds are the same.
     Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface = nullptr);
 
     [[nodiscard]] const std::string& name() const { return m_name; }
@@ -35,36 +35,36 @@ public:
     /// The instance that owns a triangle number.
     [[nodiscard]] size_t instanceOf(uint64_t triangle) const;
 
-    /// How far the floats of a picture may misplace an instance's vertices beyond what conservativeMargin (geometry/frustum.h)
-    /// holds, which goes by the distance from the eye: a mesh that lies away from the zero of its float coordinates is rounded by
-    /// its distance from there. Scene units; 0 for a mesh around its zero.
+    /// An upper bound on the displacement of an instance's vertices by the float rounding of a picture, beyond what
+    /// conservativeMargin (geometry/frustum.h) covers. That margin grows with the distance from the eye only, but a mesh far from
+    /// the origin of its float coordinates is rounded in proportion to that distance. Scene units; 0 for a mesh around its
+    /// origin.
     [[nodiscard]] double pictureRounding(const Instance& instance) const;
 
-    /// World bounds of one instance, which hold every vertex, also where a picture's floats put it (pictureRounding), and of
-    /// everything.
+    /// World bounds. Those of one instance contain every vertex, also as displaced by a picture's float rounding
+    /// (pictureRounding); those of the scene contain the vertices without that displacement.
     [[nodiscard]] const Box3& instanceBox(size_t instance) const { return m_instanceBoxes[instance]; }
     [[nodiscard]] const Sphere& instanceSphere(size_t instance) const { return m_instanceSpheres[instance]; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; }
-    /// A sphere around the scene: the camera paths' R.
+    /// A sphere around the scene; its radius is the R of the camera paths.
     [[nodiscard]] const Sphere& boundingSphere() const { return m_sphere; }
 
-    /// By mesh: whether it has triangles and an instance.
+    /// By mesh: whether it has triangles and at least one instance.
     [[nodiscard]] std::vector<bool> shownMeshes() const;
 
-    /// Hash of everything that is drawn (positions, indices, transforms): lower-case hexadecimal SHA-256. Computed when asked
-    /// for.
+    /// Hash of everything that is drawn (positions, indices, transforms): lower-case hexadecimal SHA-256. Computed at every call.
     [[nodiscard]] std::string sha256() const;
     [[nodiscard]] size_t bytes() const;
 
-    /// Whether back faces can never be seen from outside any mesh: what `facing = auto` asks. False, and not computed, for a
-    /// scene whose meshes hold more than kOptionalAnalysisLimit triangles. Meshes without an instance do not count.
+    /// Whether no back face can be visible from outside any mesh: the criterion of `facing = auto`. False, and not computed, for
+    /// a scene whose meshes have more than kOptionalAnalysisLimit triangles together. Meshes without an instance do not count.
     [[nodiscard]] bool frontFacesSuffice() const;
 
 private:
     std::string m_name;
     std::vector<MeshPointer> m_meshes;
     std::vector<Instance> m_instances;
-    std::vector<uint64_t> m_firstTriangle;  ///< one more than instances: prefix sums
+    std::vector<uint64_t> m_firstTriangle;  ///< one element more than instances: prefix sums
     std::vector<Box3> m_instanceBoxes;
     std::vector<Sphere> m_instanceSpheres;
     Box3 m_bounds;

@@ -205,7 +205,7 @@ const std::vector<Generator>& generators() {
     return kGenerators;
 }
 
-/// The generator that a specification names; a file of that plain name goes first.
+/// The generator that a specification names; null where a file has that name and the name has no parameters.
 const Generator* generatorOf(std::string_view specification) {
     const size_t colon = specification.find(':');
     const std::string_view id = specification.substr(0, colon);
@@ -231,7 +231,7 @@ OpenedScene openScene(std::string_view specification, const SceneSourceOptions& 
     }
     GeneratorArguments arguments(cutSpecification(text, sceneGenerators()));
     Request request{arguments, generator->info, options, progress, text};
-    // A parameter nobody knows is refused before the work, so that a typing error does not cost a minute.
+    // Unknown parameters are refused before the scene is generated, so that a typing error does not cost a minute.
     GeneratorArguments check = arguments;
     for (const GeneratorParameter& parameter : generator->info.parameters) (void)check.text(parameter.key, "");
     check.finish(generator->info);

@@ -14,11 +14,11 @@
 
 namespace cullscope {
 
-/// A scene and how it came about.
+/// A scene and where it came from.
 struct OpenedScene {
     ScenePointer scene;
-    std::string specification;         ///< what was asked for: "field:mesh=…,n=20,spacing=2.5" or a file's path
-    std::optional<LoadReport> report;  ///< where a file was read
+    std::string specification;         ///< as requested: "field:mesh=…,n=20,spacing=2.5" or a file's path
+    std::optional<LoadReport> report;  ///< of the file, where one was read
 };
 
 struct SceneSourceOptions {
@@ -26,23 +26,24 @@ struct SceneSourceOptions {
     LoadOptions load;
 };
 
-/// Opens SCENE of the command line: a mesh file, or a generator with parameters (`sphere:triangles=1e6`). Where a generator
-/// takes a mesh, that may be a generator too (`field:mesh=knot:triangles=1000,n=5`).
-/// Throws Error(Usage) naming the parameter for a bad specification, Error(Input) for a bad file, Error(Interrupted) on stop.
+/// Opens SCENE of the command line: a mesh file, or a generator with parameters (`sphere:triangles=1e6`). A generator's mesh may
+/// be the scene of another generator (`field:mesh=knot:triangles=1000,n=5`). Throws Error(Usage) naming the parameter for a bad
+/// specification, Error(Input) for a bad file, Error(Interrupted) on a stop request.
 [[nodiscard]] OpenedScene openScene(std::string_view specification, const SceneSourceOptions& options = {},
                                     const Progress& progress = {});
 
-/// What `cullbench list scenes` and the desktop's Generate menu show.
+/// The generators that `cullbench list scenes` and the desktop's Generate menu show.
 [[nodiscard]] const std::vector<GeneratorInfo>& sceneGenerators();
 
-/// A specification with every file's name in it changed, however deep: to make paths absolute, or relative to another file.
+/// A specification with every file name in it changed, at every nesting depth: to make paths absolute, or relative to another
+/// file.
 [[nodiscard]] std::string withFiles(std::string_view specification, const std::function<std::string(const std::string&)>& change);
 
-/// `bunny` where one is installed (see findBunny), else `teapot`: nothing to download.
+/// `bunny` where it is installed (see findBunny), else `teapot`, which needs no file.
 [[nodiscard]] std::string defaultSceneSpecification(const SceneSourceOptions& options = {});
 
-/// The real bunny: in the given folders, CULLSCOPE_MODELS, the installed data, /usr/share/glmark2/models; empty where there is
-/// none.
+/// The file of the Stanford bunny: searched in the given folders, CULLSCOPE_MODELS, the installed data,
+/// /usr/share/glmark2/models; none where none of them has it.
 [[nodiscard]] std::optional<std::filesystem::path> findBunny(const SceneSourceOptions& options);
 
 }  // namespace cullscope

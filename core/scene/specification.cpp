@@ -15,14 +15,14 @@ std::string shortest(double value) {
     return {buffer.data(), result.ptr};
 }
 
-/// How many characters of a parameter's name the text begins with.
+/// The number of leading characters that can belong to a parameter's name.
 size_t wordLength(std::string_view text) {
     const auto end = std::find_if(text.begin(), text.end(),
                                   [](char c) { return !std::isalnum(static_cast<unsigned char>(c)) && c != '-' && c != '_'; });
     return static_cast<size_t>(end - text.begin());
 }
 
-/// A file's name may hold an equals sign; what stands before one of a parameter is a plain word.
+/// A file's name may contain an equals sign; only a plain word before it is a parameter's name.
 Specification::Piece pieceOf(std::string_view text) {
     const size_t equals = text.find('=');
     if (equals == std::string_view::npos || wordLength(text) != equals) return {"", std::string(text)};
@@ -44,12 +44,13 @@ std::vector<Specification::Piece> piecesOf(std::string_view text) {
 
 std::string joined(const Specification::Piece& piece) { return piece.key.empty() ? piece.value : piece.key + "=" + piece.value; }
 
-/// The generators that a value nests, from the outermost in, each with the keys that it has got.
+/// The generators nested in a value, from the outermost inwards, each with the keys that it has been given.
 class Nesting {
 public:
     Nesting(const std::vector<GeneratorInfo>& known, const std::string& value) : m_known(known) { enter(value); }
 
-    /// Whether the piece belongs to one of them. What lies deeper than that one has ended then.
+    /// Whether one of the generators takes the piece, the innermost first. Generators nested deeper than that one are then
+    /// complete.
     bool takes(const Specification::Piece& piece) {
         for (size_t level = m_levels.size(); level-- > 0;) {
             if (!m_levels[level].lacks(piece.key)) continue;

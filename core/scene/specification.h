@@ -18,9 +18,9 @@ struct GeneratorInfo {
     std::vector<GeneratorParameter> parameters;
 };
 
-/// `GENERATOR:key=value,…` cut at its commas. A comma cuts only before `name=`, so that a file's name may hold commas. Where a
-/// mesh is itself a generator with parameters (`split:mesh=field:mesh=a.obj,n=3,by=components`), what follows belongs to the
-/// innermost one that knows the key and has not got it yet.
+/// `GENERATOR:key=value,…` split at its commas. A comma splits only before `name=`, so that a file's name may contain commas.
+/// Where a mesh is itself a generator with parameters (`split:mesh=field:mesh=a.obj,n=3,by=components`), a following piece
+/// belongs to the innermost generator that has this key and no value for it yet.
 struct Specification {
     struct Piece {
         std::string key;  ///< empty: a first piece without a name, as in `mesh:FILE`
@@ -31,14 +31,14 @@ struct Specification {
 
     /// Whether a piece's value is a mesh: a file or another specification.
     [[nodiscard]] bool namesMesh(const Piece& piece) const;
-    /// Put together again.
+    /// The specification as text again.
     [[nodiscard]] std::string text() const;
 };
-/// `known`: the generators that there are. Text without a colon has no pieces.
+/// `known`: all generators. Text without a colon has no pieces.
 [[nodiscard]] Specification cutSpecification(std::string_view text, const std::vector<GeneratorInfo>& known);
 
-/// A generator's parameters, taken one by one with their defaults.
-/// What is wrong with one throws Error(Usage) that names the generator and the key.
+/// A generator's parameters, read one by one with their defaults. An invalid value throws Error(Usage) that names the generator
+/// and the key.
 class GeneratorArguments {
 public:
     explicit GeneratorArguments(const Specification& specification);
@@ -48,9 +48,9 @@ public:
     [[nodiscard]] std::string text(const std::string& key, const std::string& fallback);
     [[nodiscard]] double number(const std::string& key, double fallback, double least, double most);
     [[nodiscard]] double wholeNumber(const std::string& key, double fallback, double least, double most);
-    /// From 1 to `most`.
+    /// A whole number from 1 to `most`.
     [[nodiscard]] size_t count(const std::string& key, double fallback, double most);
-    /// Refuses what nobody asked for: call after everything known was taken.
+    /// Throws Error(Usage) for a parameter that was not read: call it after all known parameters have been read.
     void finish(const GeneratorInfo& info) const;
 
 private:

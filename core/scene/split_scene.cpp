@@ -6,9 +6,9 @@
 namespace cullscope {
 namespace {
 
-constexpr size_t kMostObjects = 4'000'000;  ///< as many as the largest field has
+constexpr size_t kMostObjects = 4'000'000;  ///< the same as the largest field
 
-/// The parts of one of the old meshes among the new ones.
+/// The range of new meshes that are the parts of one old mesh.
 struct Run {
     uint32_t first = 0;
     uint32_t count = 0;

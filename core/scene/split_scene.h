@@ -7,19 +7,19 @@
 
 namespace cullscope {
 
-/// What an object is split into.
+/// How an object is split.
 struct SplitRule {
     enum class By {
-        Components,  ///< what hangs together
-        Clusters     ///< compact pieces of at most `triangles` triangles
+        Components,  ///< connected components
+        Clusters     ///< compact clusters of at most `triangles` triangles
     };
     By by = By::Components;
     size_t triangles = 5000;  ///< of a cluster, at least 1
 };
 
-/// Every object of a scene split (core/mesh/split.h), so that strategies which decide by objects have something to decide. Copies
-/// of one mesh share their parts. Draws what `scene` draws and has its bounds. Throws Error(Usage) where there would be too many
-/// objects, Error(Interrupted) on stop.
+/// The scene with every object split (core/mesh/split.h), so that strategies that decide by objects have more objects to decide
+/// about. Instances of one mesh share its parts. The picture and the bounds are those of `scene`. Throws Error(Usage) where there
+/// would be too many objects, Error(Interrupted) on a stop request.
 [[nodiscard]] ScenePointer splitScene(const Scene& scene, std::string name, const SplitRule& rule, const Progress& progress = {});
 
 }  // namespace cullscope

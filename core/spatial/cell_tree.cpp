@@ -18,9 +18,9 @@ using Range = tbb::blocked_range<uint32_t>;
 
 constexpr uint32_t kTrianglesPerPass = 8192;
 constexpr uint32_t kLeavesAPart = 64;
-// cos 84°: beyond it a cone hardly ever faces away as a whole, and its test loses its digits.
+// cos 84°: a wider cone is hardly ever back-facing as a whole, and its test loses its precision.
 constexpr double kWidestConeCosine = 0.104528;
-// Of what is kept as float.
+// Bound on the rounding of values stored as float.
 constexpr double kFloatError = 1e-6;
 constexpr float kNoCone = 2.0f;
 
@@ -38,10 +38,10 @@ Vec3f roundedUp(const Vec3& v) { return {roundedUp(v.x), roundedUp(v.y), rounded
 
 Vec3 middleOf(const CellTree::Node& node) { return 0.5 * (Vec3(node.low) + Vec3(node.high)); }
 
-/// What a triangle says about the side it faces to.
+/// The orientation of a triangle.
 struct Facet {
-    Vec3 normal{0.0};     ///< unit; null: none, as it has no area
-    double height = 0.0;  ///< smallest altitude; infinite where two corners coincide, so that no picture shows it
+    Vec3 normal{0.0};     ///< unit; the null vector where the triangle has no area
+    double height = 0.0;  ///< smallest altitude; infinite where two corners coincide, because such a triangle is never drawn
 };
 
 Facet facetOf(const std::array<Vec3, 3>& corners) {
@@ -55,7 +55,7 @@ Facet facetOf(const std::array<Vec3, 3>& corners) {
     return {normal / area, area / longest};
 }
 
-/// Sets a node's cone from the cosine of its half-angle about its axis.
+/// Sets a node's cone from its axis and the cosine of its half-angle.
 void setCone(CellTree::Node& node, const Vec3& axis, double cosine) {
     cosine -= kFloatError;
     node.coneAxis = Vec3f(axis);
@@ -66,7 +66,7 @@ void setCone(CellTree::Node& node, const Vec3& axis, double cosine) {
 bool hasCone(const CellTree::Node& node) { return node.coneCosine <= 1.0f; }
 bool hasNormals(const CellTree::Node& node) { return node.coneAxis != Vec3f(0.0f); }
 
-/// The largest n · v over the unit vectors n of a node's cone.
+/// The largest n · v over all unit vectors n in a node's cone.
 double largestAlong(const CellTree::Node& node, const Vec3& v) {
     const double length = glm::length(v), along = glm::dot(Vec3(node.coneAxis), v);
     if (along >= length * node.coneCosine) return length;
@@ -100,7 +100,7 @@ std::array<Vec3, 3> CellTree::corners(uint32_t triangle) const {
 void CellTree::sortTriangles(const Progress& progress) {
     progress.tell(0.0, CULLSCOPE_TR("order of the triangles"));
     const auto count = uint32_t(m_mesh->triangleCount());
-    std::vector<uint64_t> keys(count);  // the code above, the triangle's number below
+    std::vector<uint64_t> keys(count);  // code in the upper half, triangle number in the lower
     tbb::parallel_for(Range(0, count, kTrianglesPerPass), [&](const Range& part) {
         if (progress.stopRequested()) return;
         for (uint32_t triangle = part.begin(); triangle < part.end(); ++triangle) {
@@ -136,7 +136,7 @@ void CellTree::divide() {
     for (size_t i = 0; i < m_nodes.size(); ++i) {
         Node node = m_nodes[i];
         const auto begin = m_codes.begin() + node.first, end = begin + node.count;
-        // The smallest cell that holds all: chains of nodes with one child say nothing.
+        // The smallest cell that contains all its triangles: this skips chains of nodes with one child.
         while (node.level < finest && codeAt(*begin, node.level + 1U) == codeAt(*(end - 1), node.level + 1U))
             node.code = codeAt(*begin, ++node.level);
         if (node.level < finest && node.count > few) {
@@ -175,7 +175,7 @@ void CellTree::boundLeaf(Node& node) const {
     Box3 box;
     Vec3 sum(0.0);
     double height = std::numeric_limits<double>::infinity();
-    std::vector<std::pair<Vec3, double>> planes;  // unit normal, its product with the triangle's points
+    std::vector<std::pair<Vec3, double>> planes;  // unit normal, and its dot product with the triangle's points
     for (uint32_t place = node.first; place < node.first + node.count; ++place) {
         const std::array<Vec3, 3> points = corners(m_order[place]);
         for (const Vec3& point : points) box.add(point);
@@ -215,14 +215,15 @@ void CellTree::boundInner(Node& node) const {
         normals = normals || hasNormals(child);
         sum += double(child.count) * Vec3(child.coneAxis);
     }
-    // Children that face against each other have no common axis.
+    // Children with opposite normals have no common axis.
     node.coneCosine = cones && !normals ? 1.0f : kNoCone;
     if (!cones || glm::length(sum) < 1e-3) return;
     const Vec3 axis = glm::normalize(sum), middle = middleOf(node);
     double angle = 0.0, margin = -std::numeric_limits<double>::infinity();
     for (const Node& child : children) {
         if (!hasNormals(child)) continue;
-        // Of the chord, which keeps its digits for small angles; float axes are not quite of unit length.
+        // Computed from the chord, which keeps its precision for small angles; axes stored as float are not exactly of unit
+        // length.
         const double chord = glm::length(axis - glm::normalize(Vec3(child.coneAxis)));
         const double apart = 2.0 * std::asin(std::min(1.0, 0.5 * chord)) + kFloatError;
         angle = std::max(angle, apart + std::acos(std::min(1.0, double(child.coneCosine))));

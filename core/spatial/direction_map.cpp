@@ -24,7 +24,7 @@ Vec3 octahedralDirection(const Vec2& point) {
     return glm::normalize(direction);
 }
 
-/// 0b…dcba becomes 0b…0d0c0b0a.
+/// Spreads the bits 0b…dcba to 0b…0d0c0b0a.
 uint32_t spread(uint32_t bits) {
     bits &= 0xffffU;
     bits = (bits | (bits << 8)) & 0x00ff00ffU;
@@ -63,7 +63,7 @@ MapCell mapCellOf(MapLayout layout, const Vec3& direction, uint32_t level) {
     const SphericalPoint point = sphericalPoint(direction);
     const uint32_t size = 1U << level;
     const auto place = [&](double angle, uint32_t end) { return std::min(uint32_t(angle / kTurn * size), end - 1); };
-    // The south pole ends the last row that latitudes have.
+    // The south pole belongs to the last row of the map's half of the square.
     return {level, place(point.phi, size), place(point.theta, std::max(size / 2, 1U))};
 }
 
@@ -78,11 +78,11 @@ double solidAngle(MapLayout layout, const MapCell& cell) {
         const double top = std::min(low.y * kTurn, std::numbers::pi), bottom = std::min(high.y * kTurn, std::numbers::pi);
         return kTurn * size * (std::cos(top) - std::cos(bottom));
     }
-    // Along the cells' edges directions run on great circles, except over the folds, which cells of level 1 and more only touch.
+    // The edges of cells are great-circle arcs, except across the folds, which cells of level 1 and more only touch.
     if (cell.level == 0) return 2.0 * kTurn;
     const Vec3 a = octahedralDirection(low), b = octahedralDirection({high.x, low.y});
     const Vec3 c = octahedralDirection(high), d = octahedralDirection({low.x, high.y});
-    // The diagonal that a cell on the fold is folded over runs where x and y grow with the same sign, or against.
+    // The diagonal along which a cell on the fold is folded: x and y grow together on it, or in opposite directions.
     const bool falling = (low.x < 0.5) == (low.y < 0.5);
     const auto angle = [](const Vec3& p, const Vec3& q, const Vec3& r) { return std::abs(solidAngle({p, q, r})); };
     return falling ? angle(a, b, d) + angle(b, c, d) : angle(a, b, c) + angle(a, c, d);

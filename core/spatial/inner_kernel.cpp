@@ -19,16 +19,16 @@ namespace {
 
 using Range = tbb::blocked_range<uint32_t>;
 
-// Fixed, so that sums are made in the same order on every machine.
+// A fixed size, so that sums have the same order on every machine.
 constexpr uint32_t kTrianglesPerTask = 8192;
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
-// Of the bounding sphere's radius: nothing is hidden behind less.
+// Share of the bounding sphere's radius: a kernel with a smaller least radius is not used, because it hides nothing.
 constexpr double kThin = 0.02;
 
-/// Cells of about 6°, 11° and 22°, but no more than an eighth of the triangles.
+/// Cells of about 6°, 11° and 22°, at most one for eight triangles.
 uint32_t levelFor(size_t triangles) { return triangles >= 8 * 1024 ? 5 : triangles >= 8 * 256 ? 4 : 3; }
 
-/// Relative to the centre.
+/// The corners of a triangle relative to the centre.
 TriangleCorners cornersOf(const TriangleMesh& mesh, uint32_t triangle) {
     TriangleCorners corners;
     for (size_t i = 0; i < 3; ++i)
@@ -36,17 +36,17 @@ TriangleCorners cornersOf(const TriangleMesh& mesh, uint32_t triangle) {
     return corners;
 }
 
-/// An angle by its (cos, sin), so that sums need no trigonometry.
+/// The unit vector (cos, sin) of an angle, so that sums of angles need no trigonometry.
 Vec2 armOf(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-/// A cap around a cell of the map.
+/// A circular cap of directions that contains a cell of the map.
 struct Cap {
     Vec3 middle{0.0};
-    Vec2 radius{1.0, 0.0};  ///< (cos, sin)
+    Vec2 radius{1.0, 0.0};  ///< angle of the radius as (cos, sin)
 
-    /// Whether it has a direction in common with the cap around `other` of a radius given by (cos, sin).
+    /// Whether the cap intersects the cap around `other` with a radius given by (cos, sin).
     [[nodiscard]] bool reachedFrom(const Vec3& other, const Vec2& reach) const {
-        // Beyond half a turn the sum's cosine grows again.
+        // For sums beyond half a turn the caps always intersect; their cosine would rise again.
         const double sine = radius.y * reach.x + radius.x * reach.y;
         return sine <= 0.0 || glm::dot(middle, other) >= radius.x * reach.x - radius.y * reach.y;
     }
@@ -63,7 +63,7 @@ Cap capOf(uint32_t level, uint32_t x, uint32_t y) {
     return cap;
 }
 
-/// By row, then x.
+/// By row (y), then x.
 std::vector<Cap> capsOf(uint32_t level) {
     std::vector<Cap> caps;
     for (uint32_t y = 0; y < 1U << level; ++y)
@@ -71,13 +71,13 @@ std::vector<Cap> capsOf(uint32_t level) {
     return caps;
 }
 
-/// Of the kernel's cells, and of larger ones by which most of those are passed over.
+/// Caps of the kernel's cells, and of larger cells with which most of those are skipped.
 struct CapsByLevel {
     static constexpr uint32_t kLevelsBetween = 2;
 
     explicit CapsByLevel(uint32_t ofFine) : level(ofFine), fine(capsOf(level)), coarse(capsOf(level - kLevelsBetween)) {}
 
-    /// Calls visit(place) for the cells that may have a direction in common with a cap.
+    /// Calls visit(place) for the cells that may intersect a cap.
     template <typename Visit>
     void forEachReachedFrom(const Vec3& middle, const Vec2& reach, const Visit& visit) const {
         const uint32_t across = 1U << (level - kLevelsBetween), within = 1U << kLevelsBetween;
@@ -95,7 +95,7 @@ struct CapsByLevel {
     std::vector<Cap> fine, coarse;
 };
 
-/// How often the surface winds around the centre.
+/// The winding number of the surface around the centre.
 double windingNumber(const TriangleMesh& mesh) {
     const auto count = uint32_t(mesh.triangleCount());
     const double angle = tbb::parallel_deterministic_reduce(
@@ -109,7 +109,8 @@ double windingNumber(const TriangleMesh& mesh) {
     return angle / (4.0 * std::numbers::pi);
 }
 
-/// Adds triangles to cells. Those that reach far beyond their centroid's direction are told to every cell that they may reach.
+/// The nearest surface by cell. A triangle that extends far beyond its centroid's direction is added to every cell that it may
+/// touch.
 class NearestByCell {
 public:
     NearestByCell(const TriangleMesh& mesh, const CapsByLevel& caps, double overhang)
@@ -140,7 +141,7 @@ public:
 private:
     void lower(uint32_t place, float nearest) { m_nearest[place] = std::min(m_nearest[place], nearest); }
     void addAround(const Vec3& middle, double cosine, float nearest) {
-        // The corners do not say how far a triangle reaches that is not within a hemisphere.
+        // For a triangle that is not within a hemisphere, the corners give no bound on its directions.
         const Vec2 reach = armOf(cosine > 0.01 ? std::acos(cosine) + 1e-9 : std::numbers::pi);
         m_caps.forEachReachedFrom(middle, reach, [&](uint32_t place) { lower(place, nearest); });
     }
@@ -187,7 +188,7 @@ InnerKernel::State InnerKernel::stateOf(const TriangleMesh& mesh) {
     if (!topology.closed || !topology.consistentlyOriented) return State::NotClosed;
     const double winding = windingNumber(mesh);
     m_outward = winding > 0.0;
-    // With the centre on the surface it is no whole number.
+    // With the centre on the surface the sum is no whole number.
     const bool whole = std::abs(winding - std::round(winding)) < 0.01;
     return whole && std::abs(winding) > 0.5 ? State::Filled : State::CentreOutside;
 }
@@ -220,7 +221,8 @@ void InnerKernel::lookAround(const std::vector<float>& nearest) {
             });
         }
     });
-    // Around a centre within the solid there is surface in every direction: what is not finite was not met.
+    // Around a centre inside the solid there is surface in every direction: a radius that is still infinite was not found, and
+    // becomes 0.
     for (std::vector<float>* radii : {&m_radii, &m_radiiAround})
         for (float& radius : *radii) radius = std::isfinite(radius) ? radius : 0.0f;
     m_least = *std::min_element(m_radii.begin(), m_radii.end());

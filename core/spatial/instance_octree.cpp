@@ -9,7 +9,7 @@ namespace {
 
 using Node = InstanceOctree::Node;
 
-/// Levels of a Morton code of 64 bits.
+/// Levels of a 64-bit Morton code.
 constexpr int kLevels = 21;
 
 struct Item {
@@ -19,7 +19,7 @@ struct Item {
     bool operator<(const Item& other) const { return code != other.code ? code < other.code : instance < other.instance; }
 };
 
-/// Spreads the lowest 21 bits so that two free ones follow each.
+/// Spreads the lowest 21 bits, with two free bits after each.
 uint64_t spread(uint64_t bits) {
     bits = (bits | bits << 32) & 0x001F00000000FFFFull;
     bits = (bits | bits << 16) & 0x001F0000FF0000FFull;
@@ -33,7 +33,7 @@ bool finite(const Box3& box) {
     return std::isfinite(sum.x) && std::isfinite(sum.y) && std::isfinite(sum.z);
 }
 
-/// The octree while it is built: its nodes hold runs of the items.
+/// Builds the octree: its nodes are ranges of the items.
 class Builder {
 public:
     explicit Builder(const Scene& scene) : m_scene(scene) {
@@ -46,7 +46,7 @@ public:
         if (m_items.empty()) return {};
         m_nodes.push_back({});
         m_nodes.front().count = uint32_t(m_items.size());
-        // Children are appended, so that the list is its own queue.
+        // Children are appended, so that the list is also the queue of nodes to divide.
         for (uint32_t node = 0; node < m_nodes.size(); ++node) split(node);
         for (size_t node = m_nodes.size(); node-- > 0;) sumUp(m_nodes[node]);
         return std::move(m_nodes);
@@ -62,7 +62,7 @@ public:
 private:
     [[nodiscard]] std::span<Item> itemsOf(const Node& node) { return std::span(m_items).subspan(node.first, node.count); }
 
-    /// Sorts a run by Morton codes within the cube around its own centres; what is not finite comes first.
+    /// Sorts items by their Morton codes within the cube around their own centres; items that are not finite come first.
     void sortByCode(std::span<Item> items) const {
         Box3 centres;
         for (const Item& item : items)
@@ -84,8 +84,8 @@ private:
         const Node node = m_nodes[number];
         if (node.count <= InstanceOctree::kLeafInstances || node.depth == InstanceOctree::kMaxDepth) return;
         std::span<Item> items = itemsOf(node);
-        // Of equal codes, and at the root: a cube of their own tells apart what lies in one cell of a cube that far objects
-        // widened.
+        // For the root, and for items with equal codes: a cube around these items alone separates what falls into one cell of a
+        // cube that distant objects made large.
         if (items.front().code == items.back().code) sortByCode(items);
         const uint64_t differing = items.front().code ^ items.back().code;
         if (differing == 0) return;

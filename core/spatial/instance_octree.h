@@ -8,33 +8,33 @@
 
 namespace cullscope {
 
-/// An octree over a scene's instances that have triangles, by the centres of their world boxes. Runs of its order are its nodes,
-/// so that whatever was decided about a node is handed on to its instances without a descent. Nodes with one child are left out.
+/// An octree over the instances of a scene that have triangles, by the centres of their world boxes. A node is a range of its
+/// order, so that a decision about a node applies to its instances without visiting them. Nodes with one child are left out.
 class InstanceOctree {
 public:
     struct Node {
-        Box3 box;  ///< around the boxes of its instances, no larger; without bounds where one of them is not finite
-        uint32_t first = 0, count = 0;  ///< its run of order()
+        Box3 box;                       ///< the tight box around its instances' boxes; infinite where one of them is not finite
+        uint32_t first = 0, count = 0;  ///< its range in order()
         uint64_t triangles = 0;
         int32_t parent = -1;      ///< -1: the root
-        uint32_t firstChild = 0;  ///< children follow each other and come after their parent
+        uint32_t firstChild = 0;  ///< children are consecutive and come after their parent
         uint8_t childCount = 0;   ///< 0: a leaf
-        uint8_t depth = 0;        ///< of the root: 0
+        uint8_t depth = 0;        ///< the root's is 0
 
         [[nodiscard]] bool leaf() const { return childCount == 0; }
     };
 
-    /// A leaf has no more instances than this, unless their centres are the same or it lies at kMaxDepth.
+    /// The largest number of instances in a leaf, unless their centres coincide or the leaf lies at kMaxDepth.
     static constexpr uint32_t kLeafInstances = 4;
     static constexpr uint8_t kMaxDepth = 48;
 
     InstanceOctree() = default;
-    /// O(n log n). The same scene makes the same tree.
+    /// O(n log n). Equal scenes give equal trees.
     explicit InstanceOctree(const Scene& scene);
 
     /// The root first; empty where no instance has triangles.
     [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }
-    /// Instance numbers along the octree's cells (Morton order).
+    /// Instance numbers in Morton order of the octree's cells.
     [[nodiscard]] const std::vector<uint32_t>& order() const { return m_order; }
     /// The instances of a node.
     [[nodiscard]] std::span<const uint32_t> instancesOf(const Node& node) const {

@@ -10,7 +10,7 @@ namespace cullscope {
 
 namespace {
 
-// 144,046 triangles have the paper's 360 × 180 cells.
+// With 144,046 triangles this gives the paper's 360 × 180 cells.
 constexpr double kTrianglesPerSquaredRow = 144'046.0 / (180.0 * 180.0);
 constexpr double kFewestRows = 8.0;
 constexpr double kMostRows = 8192.0;
@@ -32,7 +32,7 @@ SphericalPoint sphericalPoint(const Vec3& position) {
     point.theta = std::atan2(aside, position.z);
     point.phi = std::atan2(position.y, position.x);
     if (point.phi < 0.0) point.phi += 2.0 * kPi;
-    // A tiny negative angle rounds to a whole turn, which is the first column again.
+    // A tiny negative angle is rounded to a whole turn, which is the first column.
     if (point.phi >= 2.0 * kPi) point.phi = 0.0;
     return point;
 }
@@ -42,7 +42,7 @@ SphericalGrid::SphericalGrid(uint32_t columns, uint32_t rows) : m_columns(column
     for (uint32_t row = 0; row <= rows; ++row) m_thetaArms.emplace_back(std::cos(thetaOf(row)), std::sin(thetaOf(row)));
     for (uint32_t column = 0; column <= columns; ++column)
         m_phiArms.emplace_back(std::cos(phiOf(column)), std::sin(phiOf(column)));
-    // The poles and the seam are where they are.
+    // The poles are set exactly.
     m_thetaArms.front() = {1.0, 0.0};
     m_thetaArms.back() = {-1.0, 0.0};
     m_phiArms.back() = m_phiArms.front();
@@ -69,8 +69,7 @@ SphericalGrid::Cell SphericalGrid::cellOf(const Vec3& direction) const {
 }
 
 double SphericalGrid::largestDot(const Vec3& normal, const Cell& cell) const {
-    // normal · direction = nz·cos θ + sin θ·(nx·cos φ + ny·sin φ), and sin θ is never negative: first the best φ, then the best
-    // θ.
+    // normal · direction = nz·cos θ + sin θ·(nx·cos φ + ny·sin φ), and sin θ is never negative: so φ is maximised first, then θ.
     const double aside = largestDotOverArc(Vec2(normal.x, normal.y), m_phiArms[cell.column], m_phiArms[cell.column + 1]);
     return largestDotOverArc(Vec2(normal.z, aside), m_thetaArms[cell.row], m_thetaArms[cell.row + 1]);
 }

@@ -7,18 +7,18 @@
 
 namespace cullscope {
 
-/// A point in the spherical coordinates of Han & Hong 2008, eq. (1), by the two-argument arctangents that their quotients mean.
+/// A point in the spherical coordinates of Han & Hong 2008, eq. (1), computed with atan2 where the paper writes quotients.
 struct SphericalPoint {
     double radius = 0.0;
     double theta = 0.0;  ///< zenith angle from +z, radians in [0, π]
     double phi = 0.0;    ///< azimuth from +x towards +y, radians in [0, 2π)
 };
 
-/// The origin itself has both angles 0.
+/// The spherical coordinates of a position; the origin has both angles 0.
 [[nodiscard]] SphericalPoint sphericalPoint(const Vec3& position);
 
 /// All directions from a point, divided into rows of zenith angle (row 0 at the pole +z) and columns of azimuth (column 0 from
-/// +x, the last one ends at the seam): the paper's θ–φ map. Rows and columns are of equal angles, so that cells at the poles are
+/// +x, the last one ends at the seam): the paper's θ–φ map. Rows and columns have equal angles, so that cells near the poles are
 /// small.
 class SphericalGrid {
 public:
@@ -34,24 +34,24 @@ public:
     static constexpr uint32_t kRows = 180;
     /// At least 4 columns and 2 rows.
     explicit SphericalGrid(uint32_t columns = kColumns, uint32_t rows = kRows);
-    /// As many cells a triangle as the paper's map has for its bunny, whatever the number of triangles.
+    /// A grid with the paper's number of cells for each triangle of its bunny, for any number of triangles.
     [[nodiscard]] static SphericalGrid forTriangles(size_t triangles);
 
     [[nodiscard]] uint32_t columns() const { return m_columns; }
     [[nodiscard]] uint32_t rows() const { return m_rows; }
     [[nodiscard]] uint32_t cellCount() const { return m_columns * m_rows; }
-    /// Rows from the top, columns from the left.
+    /// The number of a cell: rows from the top, columns from the left.
     [[nodiscard]] uint32_t number(const Cell& cell) const { return cell.row * m_columns + cell.column; }
     [[nodiscard]] Cell cell(uint32_t number) const { return {number / m_columns, number % m_columns}; }
 
-    /// The cell of a direction of any length; that of the null vector is the first one.
+    /// The cell that contains a direction of any length; for the null vector the first cell.
     [[nodiscard]] Cell cellOf(const Vec3& direction) const;
     [[nodiscard]] uint32_t rowOf(double theta) const;
     [[nodiscard]] uint32_t columnOf(double phi) const;
-    /// Where a row or column begins, in radians; the one past the last: where that ends.
+    /// The angle at which a row or column begins, in radians; for the number one past the last, the end of the last.
     [[nodiscard]] double thetaOf(uint32_t row) const;
     [[nodiscard]] double phiOf(uint32_t column) const;
-    /// (cos, sin) of the same.
+    /// (cos, sin) of these angles.
     [[nodiscard]] const Vec2& thetaArm(uint32_t row) const { return m_thetaArms[row]; }
     [[nodiscard]] const Vec2& phiArm(uint32_t column) const { return m_phiArms[column]; }
 
@@ -60,7 +60,7 @@ public:
 
 private:
     uint32_t m_columns, m_rows;
-    std::vector<Vec2> m_thetaArms, m_phiArms;  ///< one more than rows and columns
+    std::vector<Vec2> m_thetaArms, m_phiArms;  ///< one element more than rows and columns
 };
 
 }  // namespace cullscope

@@ -21,7 +21,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using Range = tbb::blocked_range<uint32_t>;
 
-// Fixed, so that entries are met in the same order on every machine.
+// A fixed size, so that entries have the same order on every machine.
 constexpr uint32_t kTrianglesPerPart = 8192;
 
 double millisecondsSince(Clock::time_point start) {

@@ -8,11 +8,11 @@
 
 namespace cullscope {
 
-/// The three structures of Han & Hong 2008, section 2.2 and Table 1, over one mesh. Directions are counted from the centre of the
-/// mesh's bounding sphere, radii are distances from it, both in the mesh's coordinates relative to its origin.
+/// The three structures of Han & Hong 2008, section 2.2 and Table 1, for one mesh. Directions and radii are relative to the
+/// centre of the mesh's bounding sphere, in the mesh's coordinates relative to its origin.
 class SphericalMaps {
 public:
-    /// How far from the centre what lies in a cell reaches; empty: nearest > farthest.
+    /// The range of distances from the centre of the surface in a cell; empty: nearest > farthest.
     struct Extent {
         float nearest = 1.0f;
         float farthest = 0.0f;
@@ -30,35 +30,35 @@ public:
         double centroidMap = 0.0, indexMap = 0.0, accessMap = 0.0;  ///< milliseconds
     };
 
-    static constexpr uint64_t kMostEntries = 400'000'000;  ///< of the index map: 5 GB while it is built, 1.6 GB then
-    /// In parallel; the result does not depend on the number of threads. Throws Error(Usage) where the index map would have more
-    /// than `mostEntries` entries, Error(Interrupted) on stop.
+    static constexpr uint64_t kMostEntries = 400'000'000;  ///< of the index map: 5 GB during the build, 1.6 GB afterwards
+    /// Built in parallel; the result does not depend on the number of threads. Throws Error(Usage) where the index map would have
+    /// more than `mostEntries` entries, Error(Interrupted) on a stop request.
     SphericalMaps(MeshPointer mesh, SphericalGrid grid, const Progress& progress = {}, uint64_t mostEntries = kMostEntries);
 
     [[nodiscard]] const TriangleMesh& mesh() const { return *m_mesh; }
     [[nodiscard]] const SphericalGrid& grid() const { return m_grid; }
-    /// Relative to the mesh's origin.
+    /// The bounding sphere, relative to the mesh's origin.
     [[nodiscard]] const Sphere& sphere() const { return m_sphere; }
-    /// Corners relative to the centre.
+    /// The corners of a triangle relative to the centre.
     [[nodiscard]] std::array<Vec3, 3> corners(uint32_t triangle) const;
 
-    /// The centroid map: each triangle in one cell, its centroid's (the centroid as a vector, never the mean of angles), inside a
-    /// cell by growing R.
+    /// The centroid map: each triangle is in one cell, that of its centroid (the centroid as a vector, never the mean of angles);
+    /// inside a cell by ascending R.
     [[nodiscard]] std::span<const uint32_t> centroids(uint32_t cell) const { return m_centroids.of(cell); }
     [[nodiscard]] float centroidRadius(uint32_t triangle) const { return m_centroidRadii[triangle]; }
-    /// The triangle index map: each triangle in every cell that it touches, by growing centroid R.
+    /// The triangle index map: each triangle is in every cell that it touches, by ascending R of the centroid.
     [[nodiscard]] std::span<const uint32_t> triangles(uint32_t cell) const { return m_index.of(cell); }
-    /// How far the whole triangles of the index map's cell reach inside it: no nearer, no farther.
+    /// Bounds on the distances of the index map's triangles of a cell, within this cell.
     [[nodiscard]] const Extent& extent(uint32_t cell) const { return m_extents[cell]; }
     [[nodiscard]] uint64_t indexEntries() const { return m_index.size(); }
 
-    /// The memory access map: the triangles' corners in the centroid map's order, so that a run of cells is one range.
+    /// The memory access map: the triangles' corners in the centroid map's order, so that consecutive cells are one range.
     [[nodiscard]] std::span<const uint32_t> indices() const { return m_indices; }
-    /// Of the cells from `first` up to but without `last`, in numbers of triangles.
+    /// The range of the cells [first, last): its start and length in triangles.
     [[nodiscard]] std::pair<uint64_t, uint64_t> run(uint32_t first, uint32_t last) const {
         return {m_centroids.start(first), m_centroids.start(last) - m_centroids.start(first)};
     }
-    /// The mesh's number of the triangle at each place of that order.
+    /// The number in the mesh of the triangle at each place of that order.
     [[nodiscard]] std::span<const uint32_t> triangleOrder() const { return m_centroids.values(); }
     [[nodiscard]] uint32_t triangleAt(uint64_t place) const { return triangleOrder()[place]; }
 
@@ -78,7 +78,7 @@ private:
     CellLists m_centroids;
     CellLists m_index;
     std::vector<Extent> m_extents;    ///< by cell
-    std::vector<uint32_t> m_indices;  ///< three a triangle
+    std::vector<uint32_t> m_indices;  ///< three for each triangle
     BuildTimes m_times;
 };
 

@@ -8,10 +8,10 @@ namespace cullscope {
 
 namespace {
 
-// Of barycentric coordinates: a ray through the very edge between two triangles meets one of them.
+// Tolerance of barycentric coordinates, so that a ray through the edge of two triangles hits one of them.
 constexpr double kEdgeTolerance = 1e-12;
 
-/// Where the zenith angle along a ray turns; none: nowhere.
+/// The ray parameter at which the zenith angle along the ray has its extreme; none where it has none.
 std::optional<double> turningPoint(const Ray& ray) {
     const double along = glm::dot(ray.origin, ray.direction);
     const double slope = ray.direction.z * along - ray.origin.z * glm::dot(ray.direction, ray.direction);
@@ -43,24 +43,25 @@ private:
             last = std::max(last, rowAt(*turn));
             add(*turn);
         }
-        // One more on either side: the turning point is rounded.
+        // One more row on either side, because the turning point is rounded.
         first = first > 0 ? first - 1 : 0;
         last = std::min(last + 2, m_grid.rows());
         for (uint32_t row = std::max(first, 1u); row <= std::min(last, m_grid.rows() - 1); ++row) addCone(m_grid.thetaArm(row).x);
     }
 
-    /// z = cosine · |p|.
+    /// The intersections with the cone z = cosine · |p|, which is the border of two rows.
     void addCone(double cosine) {
         const Vec3 &o = m_ray.origin, &d = m_ray.direction;
         const double squared = cosine * cosine;
         const double a = d.z * d.z - squared * glm::dot(d, d);
         const double b = o.z * d.z - squared * glm::dot(o, d);
         const double c = o.z * o.z - squared * glm::dot(o, o);
-        // b² − a c, with the cosine taken out: near the equator nothing would be left of the difference.
+        // b² − a c in a form without a common factor of the cosine: near the equator the difference would cancel completely.
         const Vec3 turned = d.z * o - o.z * d, moment = glm::cross(o, d);
         const double discriminant = glm::dot(turned, turned) - squared * glm::dot(moment, moment);
         if (discriminant < 0.0) return;
-        // Both roots without cancellation; one of them may belong to the cone on the other side, which cuts nothing apart.
+        // Both roots without cancellation. One may lie on the mirrored cone; it only divides a cell's piece in two, which
+        // walkedCells joins.
         const double q = -(b + std::copysign(std::abs(cosine) * std::sqrt(discriminant), b));
         if (a != 0.0) add(q / a);
         if (q != 0.0) add(c / q);
@@ -68,9 +69,9 @@ private:
 
     void addColumns() {
         const Vec3 &o = m_ray.origin, &d = m_ray.direction;
-        const double turn = o.x * d.y - o.y * d.x;  // its sign: whether azimuth grows
+        const double turn = o.x * d.y - o.y * d.x;  // sign: direction in which the azimuth changes
         if (turn == 0.0) {
-            // Through the axis: azimuth jumps by half a turn where it meets it.
+            // A ray through the axis: its azimuth jumps by half a turn there.
             const double flat = d.x * d.x + d.y * d.y;
             if (flat > 0.0) add(-(o.x * d.x + o.y * d.y) / flat);
             return;
@@ -78,7 +79,7 @@ private:
         const uint32_t columns = m_grid.columns();
         uint32_t from = m_grid.cellOf(m_ray.at(m_span.from)).column, to = m_grid.cellOf(m_ray.at(m_span.to)).column;
         if (turn < 0.0) std::swap(from, to);
-        // One more on either side: ends that lie on a boundary are rounded to one of its sides.
+        // One more column on either side: end points on a boundary are rounded to one of its sides.
         const uint32_t steps = std::min(columns, (to + columns - from) % columns + 2);
         for (uint32_t step = 0; step < steps; ++step) {
             const Vec2& arm = m_grid.phiArm((from + step) % columns);
@@ -139,13 +140,14 @@ std::optional<double> hit(const Ray& ray, const std::array<Vec3, 3>& corners) {
 }
 
 std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray, std::vector<WalkedCell>* walked) {
-    // A little more than the sphere: its radius is rounded.
+    // A little larger than the sphere, because its radius is rounded.
     const std::optional<Span> inside = throughSphere(ray, maps.sphere().radius * (1.0 + 1e-6));
     if (!inside) return std::nullopt;
     const double foot = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
     std::optional<TriangleHit> nearest;
     for (const WalkedCell& step : walkedCells(maps.grid(), ray, *inside)) {
-        // A triangle of an earlier cell may be met only later on.
+        // The search goes on until the hit lies within the cells walked: a triangle of an earlier cell may be hit only in a later
+        // one.
         if (nearest && nearest->t <= step.span.from) break;
         if (walked) walked->push_back(step);
         const uint32_t cell = maps.grid().number(step.cell);

@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// origin + t · direction, which is of any length but 0. Both in whatever coordinates the maps are in, from their centre.
+/// The ray origin + t · direction, in the coordinates of the maps, relative to their centre. `direction` has any length but 0.
 struct Ray {
     Vec3 origin{0.0};
     Vec3 direction{0.0, 0.0, 1.0};
@@ -15,21 +15,21 @@ struct Ray {
     [[nodiscard]] Vec3 at(double t) const { return origin + t * direction; }
 };
 
-/// Where a ray enters and leaves a sphere around the origin; none: it misses. The entry is not before the ray's own beginning.
+/// The ray parameters at which a ray enters and leaves a sphere around the origin; none where it misses. The entry is at least 0.
 struct Span {
     double from = 0.0;
     double to = 0.0;
 };
 [[nodiscard]] std::optional<Span> throughSphere(const Ray& ray, double radius);
 
-/// The piece of a ray inside one cell.
+/// The part of a ray inside one cell.
 struct WalkedCell {
     SphericalGrid::Cell cell;
     Span span;
 };
 
-/// The cells that a piece of a ray passes one after the other. (Azimuth grows or falls all along a line, the zenith angle turns
-/// at most once: only boundaries that lie between can be crossed.)
+/// The cells that a part of a ray passes through, in order. (Along a line the azimuth is monotonic and the zenith angle has at
+/// most one extreme, so only the boundaries in between can be crossed.)
 [[nodiscard]] std::vector<WalkedCell> walkedCells(const SphericalGrid& grid, const Ray& ray, const Span& span);
 
 struct TriangleHit {
@@ -37,12 +37,12 @@ struct TriangleHit {
     double t = 0.0;
 };
 
-/// Where a ray meets a triangle, edges included; either side. None for a ray in the triangle's plane.
+/// The ray parameter at which a ray hits a triangle, edges included, from either side. None for a ray in the triangle's plane.
 [[nodiscard]] std::optional<double> hit(const Ray& ray, const std::array<Vec3, 3>& corners);
 
-/// The nearest triangle that a ray meets inside the bounding sphere: Triangle_Search of Han & Hong's Appendix 1. Walks the index
-/// map from the entry cell by cell, compares the ray's own R there with how far the cell's triangles reach, and confirms by
-/// intersecting them. `walked`, where given, gets every cell that was looked at.
+/// The nearest triangle that a ray hits inside the bounding sphere: Triangle_Search of Han & Hong's Appendix 1. Walks the index
+/// map from the entry cell by cell, compares the ray's own R there with the range of R of the cell's triangles, and confirms by
+/// intersecting them. `walked`, if not null, receives every cell that was visited.
 [[nodiscard]] std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray,
                                                         std::vector<WalkedCell>* walked = nullptr);
 

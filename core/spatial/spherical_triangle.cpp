@@ -8,9 +8,10 @@ namespace cullscope {
 
 namespace {
 
-// Of unit corners, whose cross products and determinants are exact to a few units in the last place.
+// For unit corners, whose cross products and determinants are exact to a few units in the last place.
 constexpr double kTolerance = 1e-14;
-// Where the triangle is nearly a diameter, its inner points are far longer in these terms than its corners: what is lost there.
+// For a triangle that is nearly a diameter of the sphere: its inner points are scaled up much more than its corners, and their
+// rounding with them.
 constexpr double kLooseTolerance = 1e-7;
 constexpr double kNarrowCapCosine = 0.1;
 
@@ -33,7 +34,7 @@ SphericalTriangle::SphericalTriangle(const Vec3& a, const Vec3& b, const Vec3& c
     for (const Vec3& corner : corners)
         if (corner != Vec3(0.0)) m_capCosine = std::min(m_capCosine, glm::dot(m_capAxis, corner) - kTolerance);
     m_tolerance = m_capCosine > kNarrowCapCosine ? kTolerance / kNarrowCapCosine : kLooseTolerance;
-    // Beyond a hemisphere the corners do not say how far the triangle reaches.
+    // For a triangle beyond a hemisphere the corners give no bound on its directions.
     if (m_capCosine <= kLooseTolerance) m_capCosine = -1.0;
 }
 
@@ -47,14 +48,14 @@ bool SphericalTriangle::touches(const SphericalGrid& grid, const SphericalGrid::
 
 SphericalTriangle::Window SphericalTriangle::windowIn(const SphericalGrid& grid) const {
     if (m_capCosine < 0.0) return {0, grid.rows() - 1, 0, grid.columns()};
-    constexpr double kWiden = 1e-9;  // radians: more than the arc cosine of a small cap is off
+    constexpr double kWiden = 1e-9;  // radians: more than the error of the arc cosine of a small cap
     const SphericalPoint middle = sphericalPoint(m_capAxis);
-    // acos(1 − x) loses half the digits of small angles.
+    // acos(1 − x) loses half of its digits at small angles.
     const double reach = std::acos(std::min(1.0, m_capCosine)) + kWiden + 2e-8;
     const double top = middle.theta - reach, bottom = middle.theta + reach;
     Window window{grid.rowOf(std::max(0.0, top)), grid.rowOf(std::min(bottom, std::numbers::pi)), 0, grid.columns()};
     if (top <= 0.0 || bottom >= std::numbers::pi) return window;
-    // The meridians that touch a cap beside the poles: sin Δφ = sin reach / sin θ.
+    // The meridians tangent to a cap that does not contain a pole: sin Δφ = sin reach / sin θ.
     const double aside = std::asin(std::min(1.0, std::sin(reach) / std::sin(middle.theta))) + kWiden;
     const double width = 2.0 * std::numbers::pi / grid.columns();
     const double first = std::floor((middle.phi - aside) / width), last = std::floor((middle.phi + aside) / width);

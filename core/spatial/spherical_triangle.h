@@ -7,14 +7,14 @@
 
 namespace cullscope {
 
-/// The directions in which a triangle lies as seen from the origin: bounded by great-circle arcs. Triangles in a plane through
-/// the origin, with a corner there, or around it are taken as what they are: arcs, and whole great circles.
+/// The directions of a triangle's points from the origin, bounded by great-circle arcs. Degenerate triangles are handled exactly:
+/// in a plane through the origin it is an arc; with a corner at the origin or the origin inside, up to a whole great circle.
 class SphericalTriangle {
 public:
     SphericalTriangle(const Vec3& a, const Vec3& b, const Vec3& c);
 
-    /// False only where the cell has no direction in common with the triangle. (True also for a few cells beside a corner: three
-    /// half-spaces and a cap tell apart all but those.)
+    /// Whether the triangle touches the cell. Never false where they have a direction in common; true also for a few cells beside
+    /// a corner, which three half-spaces and a cap cannot exclude.
     [[nodiscard]] bool touches(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
 
     /// Calls visit(cell) for every cell that the triangle touches.
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    /// Rows and columns (which may go over the seam) outside of which the triangle touches nothing.
+    /// A range of rows and columns (which may continue over the seam) that contains all cells touched by the triangle.
     struct Window {
         uint32_t firstRow = 0, lastRow = 0;
         uint32_t firstColumn = 0, columns = 0;
@@ -37,11 +37,12 @@ private:
 
     [[nodiscard]] Window windowIn(const SphericalGrid& grid) const;
 
-    std::array<Vec3, 3> m_planes{};  ///< inward normals of the arcs' planes, not of unit length; null: bounds nothing
-    double m_tolerance = 0.0;        ///< by which directions may lie outside a plane
-    bool m_flat = false;             ///< in a plane through the origin: a direction lies in the planes, not on a side of them
+    std::array<Vec3, 3> m_planes{};  ///< inward normals of the arcs' planes, not of unit length; null: no bound
+    double m_tolerance = 0.0;        ///< distance by which directions may lie outside a plane
+    bool m_flat = false;             ///< in a plane through the origin: directions must lie in the planes, not on one side of
+                                     ///< them
     Vec3 m_capAxis{0.0, 0.0, 1.0};
-    double m_capCosine = -1.0;  ///< of the cap around all corners; −1: none narrower than a hemisphere
+    double m_capCosine = -1.0;  ///< cosine of the radius of a cap around all corners; −1: none narrower than a hemisphere
 };
 
 }  // namespace cullscope

@@ -7,21 +7,20 @@
 
 namespace cullscope {
 
-/// The bounds of one object, relative to the eye, and how far a plane test of them leans outward (geometry/frustum.h,
-/// conservativeMargin).
+/// The bounds of one object, relative to the eye, and the margin of their plane tests (geometry/frustum.h, conservativeMargin).
 struct EyeBounds {
     EyeBox box;
     Sphere sphere;
     double margin = 0.0;
 };
 
-/// The margin of something that lies around `world` with the given reach; `fromEye` is the same place relative to the eye.
+/// The margin of a plane test for an object around `world` with the given reach; `fromEye` is the same place relative to the eye.
 [[nodiscard]] inline double marginFromEye(const Vec3& world, const Vec3& fromEye, double reach, const Vec3& eye) {
-    // The subtraction's rounding counts in world coordinates, the picture's in distances from the eye.
+    // The rounding of the subtraction grows with the world coordinates, that of the picture with the distance from the eye.
     return conservativeMargin(glm::length(fromEye) + reach) + (glm::length(world) + glm::length(eye) + reach) * 0x1p-49;
 }
 
-/// Of an instance of the scene.
+/// The bounds of an instance of the scene.
 [[nodiscard]] inline EyeBounds boundsFromEye(const Scene& scene, uint32_t instance, const Vec3& eye) {
     EyeBounds bounds;
     bounds.box = relativeToEye(scene.instanceBox(instance), eye);
@@ -31,13 +30,13 @@ struct EyeBounds {
     return bounds;
 }
 
-/// Signed distance of the bounds' point farthest inside; below 0 by more than the margin, the object is outside. The tighter of
-/// sphere and box decides.
+/// Signed distance of the bounds' point farthest inside the plane, by the tighter of sphere and box. The object is outside where
+/// it is below −margin.
 [[nodiscard]] inline double farthestInside(const Plane& plane, const EyeBounds& bounds) {
     return std::min(plane.distance(bounds.sphere.centre) + bounds.sphere.radius, pVertexDistance(plane, bounds.box));
 }
 
-/// The same of the point farthest outside; above 0 by more than the margin, all of the object is inside this plane.
+/// The same for the point farthest outside; the whole object is inside the plane where it is above the margin.
 [[nodiscard]] inline double farthestOutside(const Plane& plane, const EyeBounds& bounds) {
     return std::max(plane.distance(bounds.sphere.centre) - bounds.sphere.radius,
                     plane.distance(bounds.box.centre) - glm::dot(glm::abs(plane.normal), bounds.box.halfExtent));

@@ -6,12 +6,12 @@
 
 namespace cullscope {
 
-/// The parameter `facing = two-sided | front | auto` that every strategy has whose facing rule is not fixed. `two-sided` is the
-/// default of those that reproduce a paper which draws both sides.
+/// The parameter `facing = two-sided | front | auto` of every strategy without a fixed facing rule. `two-sided` is the default of
+/// strategies from papers that draw both sides.
 [[nodiscard]] ParameterDeclaration facingParameter(std::string defaultId = "auto");
 
-/// The rule for a scene: `auto` is front where every mesh is closed and consistently oriented, two-sided elsewhere. Two-sided
-/// also for strategies without the parameter.
+/// The facing rule for a scene: `auto` is front where every mesh is closed, consistently oriented and outward, else two-sided.
+/// Two-sided for strategies without the parameter.
 [[nodiscard]] Facing resolveFacing(const ParameterSet& parameters, const Scene& scene);
 
 }  // namespace cullscope

@@ -17,7 +17,7 @@ SnapshotNode untested(uint32_t instance, const Scene& scene) {
 StructureSnapshot objectNodes(const Trace& trace, const Scene& scene) {
     StructureSnapshot result;
     for (const TraceEvent& event : trace.events) {
-        // The events of one object follow each other.
+        // The events of one object are consecutive.
         if (result.nodes.empty() || result.nodes.back().instance != event.instance)
             result.nodes.push_back(untested(event.instance, scene));
         SnapshotNode& node = result.nodes.back();

@@ -5,8 +5,8 @@
 
 namespace cullscope {
 
-/// One node an object that a trace's events tell of, in their order, with what became of it: the boxes of strategies that decide
-/// about whole objects. `trace` is of a cull of the scene.
+/// One node for each object that has events in a trace, in the trace's order, with its result: the boxes of strategies that
+/// decide about whole objects. `trace` is from a cull of the scene.
 [[nodiscard]] StructureSnapshot objectNodes(const Trace& trace, const Scene& scene);
 
 }  // namespace cullscope

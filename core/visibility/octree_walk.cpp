@@ -11,18 +11,19 @@ namespace {
 constexpr uint32_t kPlanes = 6;
 constexpr uint32_t kAllPlanes = (1u << kPlanes) - 1;
 
-/// What the planes of a mask, and the axes, say of something.
+/// The result of testing bounds against the planes of a mask, and by separating axes.
 struct MaskedTest {
-    uint32_t planes = 0;  ///< of the mask, those that may cut it
+    uint32_t planes = 0;  ///< planes of the mask that may cut it
     bool outside = false;
-    bool byPlane = false;                     ///< where outside; else an axis parts it from the frustum
-    FrustumPlane plane = FrustumPlane::Left;  ///< where outside by it
-    double distance = 0.0;                    ///< where outside a plane
+    bool byPlane = false;                     ///< with `outside`: by a plane; false: by a separating axis
+    FrustumPlane plane = FrustumPlane::Left;  ///< with `byPlane`: the plane it lies outside of
+    double distance = 0.0;                    ///< with `byPlane`: signed distance of the point farthest inside
     uint32_t tested = 0;
 };
 
-/// `inner` and `outer` give the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
-/// before the others, where it is a plane of the mask, and is set to the plane outside which it lies. NaN decides nothing.
+/// `inner` and `outer` return the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
+/// before the others, if the mask contains it, and is set to the plane that rejects the bounds. A distance of NaN rejects
+/// nothing.
 template <typename Inner, typename Outer>
 MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint8_t& first, const Inner& inner,
                       const Outer& outer) {
@@ -57,7 +58,7 @@ public:
           m_memory(trace == nullptr ? options.memory : nullptr),
           m_refine(options.refine) {}
 
-    /// At most InstanceOctree::kMaxDepth calls deep.
+    /// Recursive, at most InstanceOctree::kMaxDepth calls deep.
     void visit(uint32_t number, uint32_t mask) {
         const InstanceOctree::Node& node = m_octree.nodes()[number];
         ++figures.nodesVisited;
@@ -69,7 +70,7 @@ public:
             [&](const Plane& plane) { return pVertexDistance(plane, box); },
             [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.halfExtent); });
         figures.planesTested += test.tested;
-        if (partable(test)) test.outside = separated(m_frustum, box, margin);
+        if (needsAxes(test)) test.outside = separated(m_frustum, box, margin);
         if (m_trace != nullptr) record(number, test, margin);
         if (test.outside)
             drop(node, test, margin);
@@ -85,8 +86,8 @@ public:
     OctreeWalkCounters figures;
 
 private:
-    /// Whether axes are to be tested after the planes.
-    bool partable(const MaskedTest& test) {
+    /// Whether separating axes are to be tested after the planes; counts the test.
+    bool needsAxes(const MaskedTest& test) {
         if (!m_refine || test.outside || !mayBeSeparated(test.planes)) return false;
         ++figures.axesTested;
         return true;
@@ -101,7 +102,7 @@ private:
             [&](const Plane& plane) { return farthestInside(plane, bounds); },
             [&](const Plane& plane) { return farthestOutside(plane, bounds); });
         figures.planesTested += test.tested;
-        if (partable(test))
+        if (needsAxes(test))
             test.outside = separated(m_frustum, bounds.box, bounds.margin) || separated(m_frustum, bounds.sphere, bounds.margin);
         if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
         ++figures.objectsCulled;
@@ -116,7 +117,8 @@ private:
         for (const uint32_t instance : m_octree.instancesOf(node)) {
             const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
             MaskedTest own = test;
-            // The object lies in the group's box and is outside with it, whatever the last digits of its own distance or margin.
+            // The object lies in the group's box and is outside with it; its own distance and margin may differ in the last
+            // digits.
             if (test.byPlane)
                 own.distance = std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance);
             else
@@ -125,7 +127,7 @@ private:
         }
     }
 
-    /// No plane has the whole group outside, but one may have this object of it.
+    /// The group as a whole is outside no single plane, but this object of it may be.
     void findOwnPlane(const EyeBounds& bounds, MaskedTest& test) const {
         for (uint32_t p = 0; p < kPlanes && !test.byPlane; ++p) {
             test.distance = farthestInside(m_frustum.planes[p], bounds);

@@ -9,24 +9,24 @@
 
 namespace cullscope {
 
-/// An object that the planes of a view do not leave out.
+/// An object that is outside no plane of a view.
 struct KeptObject {
     uint32_t instance = 0;
-    uint8_t planes = 0;  ///< bit p: FrustumPlane p may cut it; a plane whose bit is clear has all of it inside
+    uint8_t planes = 0;  ///< bit p: FrustumPlane p may cut it; if clear, it lies completely inside that plane
 };
 
-/// What a walk cost and what it left out.
+/// The cost of a walk and what it culled.
 struct OctreeWalkCounters {
     uint64_t nodesVisited = 0;
     uint64_t objectsTested = 0;  ///< one by one, in leaves
-    uint64_t planesTested = 0;   ///< of both, all planes together
-    uint64_t axesTested = 0;     ///< of both, how many were tested by separating axes
+    uint64_t planesTested = 0;   ///< of groups and objects, planes tested in total
+    uint64_t axesTested = 0;     ///< of groups and objects, how many were tested by separating axes
     uint64_t objectsCulled = 0;
     uint64_t trianglesCulled = 0;
 };
 
-/// Under which plane each group and object was last left out: it is tested first the next time, for what it left out it will
-/// most often leave out again (Assarsson & Möller 2000). Decides nothing.
+/// The plane that last culled each group and object. It is tested first the next time, because it most often culls again
+/// (Assarsson & Möller 2000). Does not change any result.
 class LastFailedPlanes {
 public:
     static constexpr uint8_t kNone = 0xFF;
@@ -43,28 +43,28 @@ private:
 };
 
 struct OctreeWalkOptions {
-    /// Groups and objects that no plane leaves out are tested by separating axes too (geometry/separation.h).
+    /// Tests groups and objects that are outside no plane by separating axes too (geometry/separation.h).
     bool refine = false;
-    /// Null: the planes are tested in their own order. A traced walk neither reads nor writes it, so that it always tells the
+    /// Null: the planes are tested in their own order. A traced walk neither reads nor writes it, so that its trace is always the
     /// same.
     LastFailedPlanes* memory = nullptr;
 };
 
-/// The objects of a scene that reach into a view, in the octree's order, by its groups: one outside a plane is dropped with all
-/// it holds; a plane that has all of a group inside is not tested below it (Assarsson & Möller 2000), and a group inside all six
-/// hands on its run as it is. Conservative: an object that reaches into the frustum is always kept (bound: geometry/frustum.h,
-/// conservativeMargin). `octree` is the scene's. Where given, `figures` is added to, and `trace` gets the visited groups and, for
-/// every object that is left out, the test of its own bounds against the rejecting plane and its end; nothing about kept ones.
+/// The objects of a scene that intersect a view's frustum, in the octree's order. The walk tests groups: a group outside a plane
+/// is culled with all its objects; a plane that a group lies completely inside is not tested below it (Assarsson & Möller 2000);
+/// the range of a group inside all six is kept without further tests. Conservative: an object that intersects the frustum is
+/// always kept (margin: geometry/frustum.h, conservativeMargin). `octree` is the scene's. The costs are added to `figures` if it
+/// is not null. `trace`, if not null, receives the visited groups and, for every culled object, the test of its own bounds
+/// against the rejecting plane and its end; it receives no events of kept objects.
 [[nodiscard]] std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view,
                                                   OctreeWalkCounters* figures = nullptr, Trace* trace = nullptr,
                                                   const OctreeWalkOptions& options = {});
 
-/// Orders objects by the distance of their spheres from the eye: what is drawn first hides what comes after from the costly part
-/// of OpenGL's work.
+/// Sorts objects by the distance of their spheres from the eye: objects drawn first occlude later ones before fragment shading.
 void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const Vec3& eye);
 
-/// Appends the octree's nodes to `inside` as groups, with what a traced walk decided about them (of those that it did not visit,
-/// the nearest visited ancestor's), and hangs the objects' nodes that are there already under their leaves.
+/// Appends the octree's nodes to `snapshot` as groups, with the results of a traced walk (for nodes that it did not visit, those
+/// of the nearest visited ancestor), and makes the leaves the parents of the objects' nodes that `snapshot` already has.
 void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const Trace& trace);
 
 }  // namespace cullscope

@@ -12,7 +12,7 @@ using ParameterValue = std::variant<bool, int64_t, double, std::string>;
 
 enum class ParameterType { Boolean, Integer, Real, Choice };
 
-/// One parameter of a strategy, said once: forms, the command line, sweeps and result files derive from it.
+/// The declaration of one parameter of a strategy; forms, the command line, sweeps and result files are derived from it.
 struct ParameterDeclaration {
     struct Choice {
         std::string id;           ///< on the command line and in files
@@ -32,14 +32,14 @@ struct ParameterDeclaration {
                                                    std::vector<ParameterDeclaration::Choice> choices);
 [[nodiscard]] ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::string description);
 
-/// Values for declared parameters; complete and in range at any time.
+/// Values of declared parameters; always complete and in range.
 class ParameterSet {
 public:
     ParameterSet() = default;
-    /// All at their defaults.
+    /// All parameters at their defaults.
     explicit ParameterSet(const std::vector<ParameterDeclaration>& declarations);
 
-    /// Throws Error(Usage) naming the key and what is allowed.
+    /// Throws Error(Usage) naming the key and the allowed values.
     void set(std::string_view key, const ParameterValue& value);
     void setFromText(std::string_view key, std::string_view text);
 

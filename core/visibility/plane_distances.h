@@ -7,7 +7,8 @@
 
 namespace cullscope {
 
-/// How an object's bounds (the tighter of box and sphere) lie to one plane of a view, whether or not a strategy asked.
+/// The distance of an object's bounds (the tighter of box and sphere) from one plane of a view, computed independently of the
+/// strategy.
 struct PlaneDistance {
     FrustumPlane plane = FrustumPlane::Left;
     double distance = 0.0;  ///< signed, of the point farthest inside, scene units
@@ -15,7 +16,7 @@ struct PlaneDistance {
     Containment containment = Containment::Straddles;
 };
 
-/// Of an instance of the scene: to each of the six planes, in their order.
+/// The distances of an instance of the scene from the six planes, in their order.
 [[nodiscard]] std::vector<PlaneDistance> planeDistances(const Scene& scene, const View& view, uint32_t instance);
 
 }  // namespace cullscope

@@ -7,19 +7,19 @@
 
 namespace cullscope {
 
-/// A strategy that can be made by name.
+/// A strategy that can be created by its id.
 struct RegisteredStrategy {
     StrategyInfo info;
     StrategyPointer (*make)(ParameterSet parameters);
 };
 
-/// Every strategy, in the order in which lists show them. A new one is one file pair and one line there.
+/// Every strategy, in the order in which lists show them. A new strategy needs one pair of files and one line there.
 [[nodiscard]] const std::vector<RegisteredStrategy>& strategies();
 
-/// Throws Error(Usage) naming the known ids where there is none of this id.
+/// The strategy with this id. Throws Error(Usage) naming the known ids where there is none.
 [[nodiscard]] const RegisteredStrategy& findStrategy(std::string_view id);
 
-/// Makes a strategy with all parameters at their defaults, or as given.
+/// Creates a strategy with all parameters at their defaults, or with the given ones.
 [[nodiscard]] StrategyPointer makeStrategy(std::string_view id);
 [[nodiscard]] StrategyPointer makeStrategy(std::string_view id, ParameterSet parameters);
 

@@ -14,13 +14,13 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// Lends a strategy the renderer for one decision, also for one that fails.
-class Lent {
+/// Sets a strategy's renderer for the duration of one decision, and clears it also after an exception.
+class RendererScope {
 public:
-    Lent(Renderer*& place, Renderer* renderer) : m_place(place) { m_place = renderer; }
-    ~Lent() { m_place = nullptr; }
-    Lent(const Lent&) = delete;
-    Lent& operator=(const Lent&) = delete;
+    RendererScope(Renderer*& place, Renderer* renderer) : m_place(place) { m_place = renderer; }
+    ~RendererScope() { m_place = nullptr; }
+    RendererScope(const RendererScope&) = delete;
+    RendererScope& operator=(const RendererScope&) = delete;
 
 private:
     Renderer*& m_place;
@@ -70,7 +70,7 @@ Renderer& Strategy::renderer() const {
 Verdict Strategy::cull(const View& view, Trace* trace, Renderer* renderer) {
     assert(m_scene != nullptr);
     Verdict verdict;
-    const Lent lent(m_renderer, renderer);
+    const RendererScope scope(m_renderer, renderer);
     const Clock::time_point start = Clock::now();
     verdict.drawList.facing = facing();
     decide(view, verdict, trace);

@@ -23,19 +23,19 @@ namespace cullscope {
 enum class Promise {
     Exact,         ///< draws what is visible and nothing else that could be visible
     Conservative,  ///< loses no visible pixel; may draw too much
-    Approximate    ///< may lose pixels: how many is measured
+    Approximate    ///< may lose pixels; their number is measured
 };
-/// "exact", "conservative", "approximate": as in files.
+/// The id used in files: "exact", "conservative", "approximate".
 [[nodiscard]] const char* promiseId(Promise promise);
 
-/// What a strategy needs of OpenGL in order to decide.
+/// What a strategy needs of OpenGL in order to cull.
 enum class GlRequirement {
-    None,                 ///< the processor decides
-    Context,              ///< `cull` needs a renderer, and its context current
-    CompatibilityProfile  ///< the same with features that only a compatibility profile has
+    None,                 ///< culls on the processor only
+    Context,              ///< `cull` needs a renderer and its context current
+    CompatibilityProfile  ///< as Context, and features that exist only in a compatibility profile
 };
 
-/// What is known of a strategy before it is made.
+/// The properties of a strategy that do not depend on an instance of it.
 struct StrategyInfo {
     std::string id;           ///< on the command line and in files
     std::string name;         ///< English, marked for translation
@@ -45,9 +45,9 @@ struct StrategyInfo {
     GlRequirement glRequirement = GlRequirement::None;
 };
 
-/// Why a strategy cannot be used with an OpenGL; nothing where it can.
+/// Why a strategy cannot be used with an OpenGL; none where it can.
 [[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl);
-/// Throws Error(OpenGl) saying it.
+/// Throws Error(OpenGl) with that reason.
 void requireAvailable(const StrategyInfo& info, const GlInfo& gl);
 
 struct Stage {
@@ -55,19 +55,20 @@ struct Stage {
     double milliseconds = 0.0;
 };
 
-/// One of a strategy's tests, and what it did in one `cull`.
+/// One of a strategy's tests and its result in one `cull`.
 struct CullPart {
     std::string name;      ///< English, marked for translation
-    uint64_t objects = 0;  ///< for which it held and was made
+    uint64_t objects = 0;  ///< objects that it was applied to
     uint64_t culledTriangles = 0;
 };
 
-/// The answer to one `cull`.
+/// The result of one `cull`.
 struct Verdict {
     DrawList drawList;
-    uint64_t consideredTriangles = 0;                     ///< given to OpenGL
-    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; what OpenGL culls itself (back faces) is not known here
-    std::vector<CullPart> parts;  ///< of strategies that put several tests together: what each of them left out
+    uint64_t consideredTriangles = 0;                     ///< submitted to OpenGL
+    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; triangles that OpenGL culls itself (back faces) are not
+                                                          ///< known here
+    std::vector<CullPart> parts;                          ///< of strategies that combine several tests: the result of each
     uint64_t nodesVisited = 0;
     uint64_t bytesTouched = 0;  ///< of the strategy's structures
     int caseNumber = 0;         ///< 1 to 3: of Han & Hong's cases, of the first object that the frustum cuts; 0: none
@@ -75,7 +76,7 @@ struct Verdict {
     double cullMilliseconds = 0.0;  ///< all of `cull`
 };
 
-/// Adds the time from its making to its end to a verdict as a stage.
+/// Measures the time from its construction to its destruction and adds it to a verdict as a stage.
 class StageTimer {
 public:
     StageTimer(Verdict& verdict, const char* name) : m_verdict(verdict), m_name(name) {}
@@ -92,7 +93,7 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-/// What a strategy built: for `cullbench inspect` and result files.
+/// Size and build time of a strategy's structures, for `cullbench inspect` and result files.
 struct StructureReport {
     double buildMilliseconds = 0.0;
     uint64_t bytes = 0;
@@ -103,8 +104,9 @@ struct StructureReport {
     std::vector<Figure> figures;
 };
 
-/// Decides what to draw. One object serves one scene at a time; `cull` may be called from one thread at a time.
-/// A strategy never draws and knows no window; one that asks OpenGL (StrategyInfo::glRequirement) asks through a renderer.
+/// Decides which triangles are drawn. One object serves one scene at a time; `cull` may be called from one thread at a time. A
+/// strategy never draws and does not know any window; one that needs OpenGL (StrategyInfo::glRequirement) uses it through a
+/// renderer.
 class Strategy {
 public:
     explicit Strategy(ParameterSet parameters) : m_parameters(std::move(parameters)) {}
@@ -114,37 +116,38 @@ public:
 
     [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
 
-    /// Prepares what culling this scene needs and times it. The scene must outlive the next build or the strategy.
+    /// Builds the structures for culling this scene and measures the time. The scene must outlive the next build or the strategy.
     void build(const Scene& scene, const Progress& progress = {});
-    /// Needs a build before. `trace`, where given, gets every decision (slower). `renderer` is what a strategy asks that asks
-    /// OpenGL; the others need none. Throws Error(OpenGl) where it asks for what is not there.
+    /// Needs a build before. `trace`, if not null, receives every decision (slower). `renderer` is used by strategies that need
+    /// OpenGL and may be null for the others. Throws Error(OpenGl) where such a strategy gets none or lacks a feature.
     [[nodiscard]] Verdict cull(const View& view, Trace* trace = nullptr, Renderer* renderer = nullptr);
 
-    /// What it promises for the built scene with its parameters.
+    /// The promise for the built scene with these parameters.
     [[nodiscard]] virtual Promise promise() const = 0;
-    /// What it promises at a view, where that depends on the eye's place; never more than `promise()`.
+    /// The promise at a view, where it depends on the eye's position; never stronger than `promise()`.
     [[nodiscard]] virtual Promise promiseAt(const View& /*view*/) const { return promise(); }
-    /// The facing rule for the built scene: its parameter's (visibility/facing.h), unless it overrides it.
+    /// The facing rule for the built scene: by the parameter (visibility/facing.h), unless a strategy overrides it.
     [[nodiscard]] virtual Facing facing() const { return m_facing; }
-    /// The facing rule of the ground truth that it is measured against: its own, except for `backface`.
+    /// The facing rule of the reference that the strategy is measured against: its own, except for `backface`.
     [[nodiscard]] virtual Facing referenceFacing() const { return facing(); }
-    /// The boxes that it tests, with what the traced cull of the built scene decided about each; empty where it has none.
+    /// The boxes that the strategy tests, with the results of the traced cull of the built scene; empty for a strategy without
+    /// boxes.
     [[nodiscard]] virtual StructureSnapshot snapshot(const Trace& /*trace*/) const { return {}; }
     [[nodiscard]] const StructureReport& structure() const { return m_structure; }
 
 protected:
     virtual void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) = 0;
-    /// Fills the draw list's ranges and the counters; facing, considered triangles and the total time are filled in by `cull`.
+    /// Fills the draw list's ranges and the counters; `cull` fills in facing, considered triangles and the total time.
     virtual void decide(const View& view, Verdict& verdict, Trace* trace) = 0;
     [[nodiscard]] const Scene& scene() const { return *m_scene; }
-    /// What the `cull` under way may ask. Throws Error(OpenGl) where it was given none.
+    /// The renderer passed to the current `cull`. Throws Error(OpenGl) where none was passed.
     [[nodiscard]] Renderer& renderer() const;
 
 private:
     ParameterSet m_parameters;
     const Scene* m_scene = nullptr;
     Facing m_facing = Facing::TwoSided;
-    Renderer* m_renderer = nullptr;  ///< while `cull` runs
+    Renderer* m_renderer = nullptr;  ///< set while `cull` runs
     StructureReport m_structure;
 };
 

@@ -8,20 +8,20 @@
 
 namespace cullscope {
 
-/// A strategy by its id, with its parameters: what is to be drawn or measured.
+/// A strategy by its id, with its parameters, as requested for drawing or measuring.
 struct StrategyRequest {
     std::string id;
     ParameterSet parameters;
 };
 
-/// A strategy written as `id` or `id:key=value:key=value`; what is not written is at its default. Throws Error(Usage) naming what
-/// is unknown and what there is.
+/// Parses a strategy written as `id` or `id:key=value:key=value`; other parameters are at their defaults. Throws Error(Usage)
+/// naming an unknown id or key and the known ones.
 [[nodiscard]] StrategyRequest strategyFromText(std::string_view text);
 
-/// The same backwards: only what is not at its default is written.
+/// The inverse: writes only the parameters that are not at their defaults.
 [[nodiscard]] std::string strategyText(const StrategyRequest& strategy);
 
-/// "key=value" in its parts. Throws Error(Usage) where there is no '=' or nothing before it.
+/// Splits "key=value". Throws Error(Usage) where there is no '=' or no key before it.
 [[nodiscard]] std::pair<std::string, std::string> keyAndValue(std::string_view text);
 
 }  // namespace cullscope

@@ -45,7 +45,8 @@ TriangleState stateOfCause(Cause cause) {
 
 namespace {
 
-/// As if nothing were submitted: the causes by object, and within objects where there is more than one.
+/// The states of all triangles as if none were submitted: by the cause of their objects, or of their ranges where a trace has
+/// them.
 std::vector<TriangleState> causes(const Scene& scene, const DrawList& list, const Trace& trace) {
     std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
     for (const TraceEvent& event : trace.events)
@@ -60,17 +61,18 @@ std::vector<TriangleState> causes(const Scene& scene, const DrawList& list, cons
     return states;
 }
 
-/// What a submitted triangle becomes; `inV` where there is a truth.
+/// The state of a submitted triangle.
 struct Submitted {
     const std::optional<VisibleTriangles>& truth;
     Facing facing;
 
     [[nodiscard]] TriangleState state(TriangleState before, const InstanceFromEye& instance, uint64_t triangle) const {
-        // Everything in V was marked as lost before; what a range before this one drew is Visible by now.
+        // All triangles of V were marked as lost before; one that an earlier range drew is already Visible.
         const bool inV = truth.has_value() && (before == TriangleState::WronglyCulled || before == TriangleState::Visible);
         const bool dropped = facing == Facing::Front && instance.facesAway(triangle);
         if (inV) {
-            // What a truth of front sides shows, the same OpenGL drew for the strategy too, edge-on or not.
+            // With a reference of front faces only, OpenGL's facing decision for a visible triangle is the same in the strategy's
+            // picture, also edge-on.
             return dropped && truth->facing == Facing::TwoSided ? TriangleState::WronglyCulled : TriangleState::Visible;
         }
         if (dropped) return TriangleState::BackFacing;

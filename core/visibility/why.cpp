@@ -74,7 +74,7 @@ WhyStep step(const TraceEvent& event) {
     return {{CULLSCOPE_TR("The strategy keeps the object."), {}}, {}, {}, {}, Containment::Straddles};
 }
 
-/// Triangles of an object that are left out, by cause, where the trace tells them apart.
+/// The culled triangles of an object by cause, where the trace has them by ranges.
 std::array<uint64_t, kCauseCount> culledInPart(const Trace& trace, uint32_t instance) {
     std::array<uint64_t, kCauseCount> counts{};
     for (const CulledRun& run : trace.culledRuns)
@@ -91,7 +91,7 @@ void addCauses(const std::array<uint64_t, kCauseCount>& counts, std::vector<WhyS
     }
 }
 
-/// Which box stands for the object, where the strategy has boxes.
+/// The box of the object, where the strategy has boxes.
 std::optional<WhyStep> boxStep(const Scene& scene, const StructureSnapshot& snapshot, uint32_t instance) {
     for (const SnapshotNode& node : snapshot.nodes)
         if (node.instance == instance)
@@ -110,21 +110,21 @@ const SnapshotNode* parentOf(const SnapshotNode& node, const StructureSnapshot& 
     return node.parent < 0 ? nullptr : &snapshot.nodes[size_t(node.parent)];
 }
 
-/// The group with which the object was decided: the outermost that lies wholly outside or inside, else its leaf. Null: none.
+/// The group by which the object was decided: the outermost one completely outside or inside, else the object's leaf. Null: none.
 const SnapshotNode* decidingGroup(const StructureSnapshot& snapshot, uint32_t instance) {
     const auto own = std::find_if(snapshot.nodes.begin(), snapshot.nodes.end(),
                                   [&](const SnapshotNode& node) { return node.instance == instance; });
     if (own == snapshot.nodes.end()) return nullptr;
     const SnapshotNode* group = parentOf(*own, snapshot);
     if (group == nullptr || !group->isGroup()) return nullptr;
-    // Below the group that decided, all show its verdict; above it, all straddle.
+    // Below the deciding group all nodes have its result; above it all straddle.
     for (const SnapshotNode* next = group; next != nullptr && next->containment != Containment::Straddles;
          next = parentOf(*next, snapshot))
         group = next;
     return group;
 }
 
-/// Which group the object was tested with, where that says more than its own box does.
+/// The group that the object was tested with, where it contains other objects too.
 std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t instance) {
     const SnapshotNode* group = decidingGroup(snapshot, instance);
     if (group == nullptr || group->objects < 2) return std::nullopt;

@@ -1,4 +1,4 @@
-# Run at every build (cmake -P): writes OUTPUT, a source file that says which commit is built, only where that changed.
+# Run at every build (cmake -P): writes OUTPUT, a source file with the commit that is built, and only when that has changed.
 execute_process(COMMAND git describe --always --dirty --exclude=* WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE commit
                 OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(NOT commit)

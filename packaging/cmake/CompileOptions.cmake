@@ -1,8 +1,8 @@
-# Every target of the project links this: warnings are errors, and arithmetic is what the source says
-# (no contraction, so that a SIMD path can be bit-identical to its scalar one).
+# Linked by every target of the project: warnings are errors, and floating-point arithmetic is not contracted, so that a SIMD path
+# can be bit-identical to its scalar one.
 add_library(cullscope_options INTERFACE)
 target_compile_options(cullscope_options INTERFACE
-  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>  # says of a source in a unity what holds of headers
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>  # in a unity build GCC reports for sources what is meant for headers
   -Wall -Wextra -Wpedantic -Werror -Wshadow -Wnon-virtual-dtor -Woverloaded-virtual -Wcast-qual -ffp-contract=off)
 target_include_directories(cullscope_options INTERFACE ${CMAKE_SOURCE_DIR})
 target_compile_definitions(cullscope_options INTERFACE
@@ -15,6 +15,6 @@ endif()
 
 find_program(CCACHE ccache)
 if(CCACHE)
-  # Precompiled headers need these two relaxations to be found again in the cache.
+  # Precompiled headers need these two relaxations, or ccache does not find them again.
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()

@@ -1,4 +1,4 @@
-# The libraries that the project links, each the well-kept one for its job; the Debian packages are in packaging/packages.txt.
+# The libraries that the project links; their Debian packages are listed in packaging/packages.txt.
 find_package(PkgConfig REQUIRED)
 find_package(Threads REQUIRED)
 find_package(glm REQUIRED)
@@ -10,7 +10,8 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(fmt REQUIRED)
 find_package(OpenSSL REQUIRED)
-# Debian's CMake files of OpenImageIO ask for its command line tools, and those for Qt 5; its pkg-config file asks for nothing.
+# Debian's CMake files for OpenImageIO require its command line tools, and those require Qt 5; its pkg-config file requires
+# neither.
 pkg_check_modules(OpenImageIO REQUIRED IMPORTED_TARGET GLOBAL OpenImageIO>=2.4)
 add_library(OpenImageIO::OpenImageIO ALIAS PkgConfig::OpenImageIO)
 pkg_check_modules(epoxy REQUIRED IMPORTED_TARGET epoxy)

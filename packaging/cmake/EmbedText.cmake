@@ -1,5 +1,5 @@
-# embed_text(TARGET NAMESPACE_HEADER FILES…): makes text files string constants of a target, so that programs need no data beside
-# them. `shaders/scene.vert` becomes cullscope::embedded::scene_vert in <build>/embedded/HEADER.
+# embed_text(TARGET NAMESPACE_HEADER FILES…): turns text files into string constants of a target, so that programs need no data
+# files. `shaders/scene.vert` becomes cullscope::embedded::scene_vert in <build>/embedded/HEADER.
 function(embed_text target header)
   set(content "#pragma once\n\n#include <string_view>\n\nnamespace cullscope::embedded {\n")
   foreach(file ${ARGN})

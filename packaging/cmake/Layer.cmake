@@ -1,5 +1,5 @@
-# A layer is its folder: every source below it, the families' folders included.
-# cullscope_layer(NAME [SOURCES generated files] [LINKS …] [PRIVATE_LINKS …]): one static library a folder of core.
+# A layer is a folder of core with all sources below it, those in subfolders included. cullscope_layer(NAME [SOURCES generated
+# files] [LINKS …] [PRIVATE_LINKS …]) makes one static library of it.
 function(cullscope_layer name)
   cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)

@@ -1,7 +1,7 @@
-# What `cmake --install` puts where beside the programs (app/), and the Debian package that `cpack` makes of it all.
+# The files that `cmake --install` installs besides the programs (app/), and the Debian package that `cpack` makes of all of them.
 install(FILES ${CMAKE_SOURCE_DIR}/README.md ${CMAKE_SOURCE_DIR}/LICENSE ${CMAKE_SOURCE_DIR}/packaging/LICENSES.md
   DESTINATION ${CMAKE_INSTALL_DOCDIR})
-# Where README names them, so that links and pictures are found there too.
+# In the folders that README's links name, so that its links and pictures also work when installed.
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY ${CMAKE_SOURCE_DIR}/resources/help DESTINATION ${CMAKE_INSTALL_DOCDIR}/resources)
 if(CULLSCOPE_DESKTOP)
@@ -20,7 +20,7 @@ set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
-# What is linked is found by dpkg-shlibdeps; what is opened at run time is named here.
+# dpkg-shlibdeps finds the linked libraries; those opened at run time are named here.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "libegl1, libgl1")
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "glmark2-data, libgl1-mesa-dri, qt6-translations-l10n, fonts-noto-cjk, qt6-wayland")

@@ -1,5 +1,5 @@
 #version 450
-// Lambert with a headlight at the eye, the same for both sides of a face.
+// Lambert shading with a headlight at the eye, the same for both sides of a face.
 
 layout(location = 0) in vec3 toSurface;
 layout(location = 1) in vec3 surfaceNormal;

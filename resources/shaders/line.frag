@@ -1,5 +1,5 @@
 #version 450
-// Lines have one colour and no light.
+// Lines have one colour and no shading.
 
 layout(location = 0) flat in vec3 lineColour;
 

@@ -1,8 +1,8 @@
 #version 450
-// A line as a rectangle of constant width in pixels, with square ends: glLineWidth above 1 is not given everywhere, and a line
-// shorter than a pixel must leave a dot.
+// A line as a rectangle of constant width in pixels, with square ends: not every OpenGL supports a glLineWidth above 1, and a
+// line shorter than a pixel must be drawn as a dot.
 
-layout(location = 0) in vec3 from;  // from the eye, world axes
+layout(location = 0) in vec3 from;  // relative to the eye, world axes
 layout(location = 1) in vec3 to;
 layout(location = 2) in vec3 colour;
 
@@ -13,7 +13,7 @@ layout(location = 3) uniform float leastDistance;
 
 layout(location = 0) flat out vec3 lineColour;
 
-// A line on a surface shows before it: a relative bias of the reversed depth.
+// A line on a surface is drawn in front of it: a relative bias of the reversed depth.
 const float towardEye = 1.0 + 1.0 / 4096.0;
 
 vec4 cut(vec4 point, vec4 other) {
@@ -25,7 +25,7 @@ void main() {
     vec4 start = clipFromEyeRelative * vec4(from, 1.0);
     vec4 end = clipFromEyeRelative * vec4(to, 1.0);
     if (max(start.w, end.w) < leastDistance) {
-        gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // behind the eye: no area, outside the picture
+        gl_Position = vec4(2.0, 2.0, 0.0, 1.0);  // behind the eye: a degenerate triangle outside the picture
         return;
     }
     vec4 a = cut(start, end);

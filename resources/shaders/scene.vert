@@ -1,5 +1,5 @@
 #version 450
-// The one vertex program: pictures, depth pass and item buffer must place every vertex bit for bit alike.
+// The only vertex program: pictures, depth pass and item buffer must have bit-identical vertex positions.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -9,7 +9,7 @@ layout(location = 1) uniform mat4 eyeRelativeFromPositions;
 layout(location = 2) uniform mat3 normalMatrix;
 
 invariant gl_Position;
-layout(location = 0) out vec3 toSurface;  // from the eye, world axes
+layout(location = 0) out vec3 toSurface;  // relative to the eye, world axes
 layout(location = 1) out vec3 surfaceNormal;
 
 void main() {

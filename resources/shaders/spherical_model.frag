@@ -1,24 +1,24 @@
 #version 450
-// Where the ray from the centre through a pixel's zenith and azimuth meets the triangle: R is depth (the farther out, the nearer
-// to the viewer) and tint; the light comes from outside along the ray.
+// Intersects the ray from the centre, through the pixel's zenith angle and azimuth, with the triangle: R gives the depth (larger
+// R is nearer to the viewer) and the colour; the light comes from outside along the ray.
 
 layout(location = 0) flat in vec3 corners[3];
 layout(location = 3) flat in vec3 normals[3];
 
 layout(location = 1) uniform float largestRadius;
-layout(location = 2) uniform vec4 map;  // its lower left corner and its size in pixels of the window
-layout(location = 3) uniform vec3 ramp[5];  // by growing R
+layout(location = 2) uniform vec4 map;  // lower left corner and size of the map in pixels of the window
+layout(location = 3) uniform vec3 ramp[5];  // by ascending R
 
 layout(location = 0) out vec4 colour;
 
 const float pi = 3.14159265358979;
 
 void main() {
-    // From the pixel, not from the rectangle: the very same direction for every triangle that is asked about it.
+    // From the pixel, not interpolated over the rectangle, so that the direction is identical for all triangles at this pixel.
     vec2 place = (gl_FragCoord.xy - map.xy) / map.zw;
     float theta = pi * (1.0 - place.y), phi = 2.0 * pi * place.x;
     vec3 direction = vec3(sin(theta) * cos(phi), sin(theta) * sin(phi), cos(theta));
-    // Bit for bit the other's negative on the other side of an edge: neighbours leave no gap.
+    // On the other side of an edge the bits are exactly the negative, so that neighbours leave no gap.
     precise vec3 planes[3];
     precise vec3 sides;
     for (int i = 0; i < 3; ++i) {
@@ -30,7 +30,7 @@ void main() {
     if (!left && !right) discard;
     vec3 n = cross(corners[1] - corners[0], corners[2] - corners[0]);
     float along = dot(n, direction);
-    if (along == 0.0) discard;  // in a plane with the ray
+    if (along == 0.0) discard;  // the plane is parallel to the ray
     float radius = dot(n, corners[0]) / along;
     if (!(radius > 0.0)) discard;  // on the other side of the centre
     float sum = sides.x + sides.y + sides.z;

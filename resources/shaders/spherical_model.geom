@@ -1,7 +1,7 @@
 #version 450
-// The part of the map in which a triangle lies, as a rectangle; which of its pixels the triangle has is asked of each one, so that
-// edges are great-circle arcs, the seam is no edge, and a triangle over a pole covers all of the polar rows. A triangle over the
-// seam is given twice: where its azimuths begin, and a whole turn before.
+// The part of the map that a triangle may cover, as a rectangle. The fragment shader decides for each of its pixels whether the
+// triangle covers it, so that edges are great-circle arcs, the seam is no edge, and a triangle over a pole covers complete polar
+// rows. A triangle across the seam is emitted twice: from the start of its azimuths, and a whole turn before.
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 8) out;
@@ -13,12 +13,12 @@ layout(location = 0) flat out vec3 corners[3];
 layout(location = 3) flat out vec3 normals[3];
 
 const float pi = 3.14159265358979;
-const float slack = 1e-3;        // radians, for the inaccuracy of atan; only makes the rectangle larger
+const float slack = 1e-3;        // radians, covers the inaccuracy of atan; it only enlarges the rectangle
 const float poleSlack = 1e-6;
 
 float zenith(vec3 direction) { return atan(length(direction.xy), direction.z); }
 
-// Whether the great-circle arc from a to b, whose plane's normal is n, goes through the direction.
+// Whether the great-circle arc from a to b, whose plane has the normal n, contains a direction that lies in this plane.
 bool onArc(vec3 a, vec3 b, vec3 n, vec3 direction) { return dot(direction, cross(n, a)) > 0.0 && dot(direction, cross(b, n)) > 0.0; }
 
 void widen(inout vec2 range, float value) { range = vec2(min(range.x, value), max(range.y, value)); }

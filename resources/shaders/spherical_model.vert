@@ -1,5 +1,5 @@
 #version 450
-// Corners of a mesh as seen from the centre of its spherical coordinates.
+// Corners of a mesh relative to the centre of its spherical coordinates.
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;

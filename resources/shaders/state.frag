@@ -1,15 +1,16 @@
 #version 450
-// A scene triangle coloured by its state, nearly flat: Lambert ± 10 % with a headlight at the eye. Drawn once for every look.
+// A scene triangle coloured by its state, almost unshaded: Lambert ± 10 % with a headlight at the eye. Drawn once for every look.
 
 layout(location = 0) in vec3 toSurface;
 layout(location = 1) in vec3 surfaceNormal;
 
 layout(location = 4) uniform uint firstTriangle;
 layout(location = 5) uniform uint wantedLook;
-layout(location = 6) uniform vec2 hatch;  // units of a period that are black, and white
-layout(location = 7) uniform vec3 hatchPlace;  // where the lower left pixel lies in the whole picture; pixels a unit
+layout(location = 6) uniform vec2 hatch;  // units of a period that are black, and units that are white
+layout(location = 7) uniform vec3 hatchPlace;  // place of the lower left pixel in the whole picture; pixels for each unit
 
-layout(std430, binding = 0) readonly buffer States { uint states[]; };        // four triangles a word, the first lowest
+layout(std430, binding = 0) readonly buffer States { uint states[]; };        // four triangles in each word, the first in the
+                                                                              // lowest byte
 layout(std430, binding = 1) readonly buffer Palette { vec4 palette[]; };      // colour, look
 
 layout(location = 0) out vec4 colour;

@@ -1,4 +1,4 @@
-// What cullbench says of the causes for which strategies leave triangles out, and of the structures behind them.
+// The output of cullbench about the causes for which strategies cull triangles, and about their structures.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

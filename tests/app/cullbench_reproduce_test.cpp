@@ -1,4 +1,4 @@
-// The command line's contract (measurement.md) for experiments of papers: which there are, what repeating one gives.
+// The command line's contract (measurement.md) for experiments of papers: their list, and the results of repeating one.
 
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -39,7 +39,7 @@ TEST_F(CullbenchContract, reproduceNeedsNoOpenGlForTheStructures) {
     EXPECT_EQ(table["scene"]["triangles"], 144046);
     ASSERT_EQ(table["rows"].size(), 5u);
     EXPECT_EQ(table["rows"][2]["paper_megabytes"], 6.7);
-    // The limit for the three maps at the paper's resolution.
+    // The limit required for the three maps at the paper's resolution, in megabytes.
     EXPECT_LE(table["rows"][4]["megabytes"], 8.0);
     EXPECT_GT(table["rows"][4]["build_ms"], 0.0);
     EXPECT_THAT(result.err, HasSubstr("memory access map")) << "the table itself goes beside the data";
@@ -73,7 +73,7 @@ TEST_F(CullbenchContract, interruptKeepsTheTable) {
     EXPECT_TRUE(table["interrupted"]);
 }
 
-/// All 40 views take a minute: a few of them are enough for the files. (What the rows and lines hold: cho_views_test.)
+/// All 40 views take a minute: a few of them are enough for the files. (cho_figure_6_test checks the rows and lines.)
 TEST_F(CullbenchContract, interruptKeepsTheFiguresViews) {
     const ProcessResult result =
         cullbench({"reproduce", "vfc-40-views", "--repeat", "1", "--json", file("f.json"), "--svg", file("f.svg")}, {}, 10.0);

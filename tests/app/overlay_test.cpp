@@ -1,4 +1,4 @@
-// cullbench render --overlay: what is shown, from where, and what is refused.
+// cullbench render --overlay: content, camera, and refused combinations.
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ protected:
         command.insert(command.end(), more.begin(), more.end());
         return runProcess(command);
     }
-    /// A frustum in the scene's field, looked at from above.
+    /// A frustum in the scene's field, seen from above.
     [[nodiscard]] std::vector<uint8_t> observed(const std::string& name, const std::vector<std::string>& overlays) const {
         std::vector<std::string> more{"--eye",       "0,0.5,3", "--target",      "3,0,0", "--background", "FFFFFF",
                                       "--view-eye",  "2,20,18", "--view-target", "0,0,0", "--view-up",    "0,1,0",
@@ -82,7 +82,7 @@ TEST_F(CullbenchOverlay, whatCannotBeShownIsRefused) {
     refused({"--overlay", "boxes", "--overlay", "spherical-model"}, "give it without --overlay boxes");
     refused({"--overlay", "index-map", "--map-colouring", "red"}, "Known: entries, radius, state");
     refused({"--map-colouring", "state"}, "give both");
-    // The frustum cuts the object, or none of it is seen.
+    // The frustum cuts the object, or the object lies outside it.
     const std::vector<std::string> close{"--overlay", "bands", "--eye", "0,0,3", "--target", "1.5,0,0", "--fovy", "20"};
     refused(close, "is cut by the frustum, and only one inside the frustum has contour bands");
     refused({"--overlay", "bands", "--eye", "0,0,9", "--target", "0,0,20"}, "is outside the frustum");
@@ -130,7 +130,7 @@ TEST_F(CullbenchOverlay, picturesOfQuadtreeAndKernelAllDiffer) {
     using Pair = std::pair<std::string, std::string>;
     EXPECT_THAT(readPicture(file("3.png")).metadata, testing::Contains(Pair("cullscope:overlay", "boxes,kernel")));
     EXPECT_THAT(readPicture(file("5.png")).metadata, testing::Contains(Pair("cullscope:map_colouring", "level")));
-    // Of an open mesh nothing is known to be hidden or turned away.
+    // For an open mesh no triangle is known to be hidden or back-facing.
     EXPECT_THAT(
         render("bowl:triangles=4000", "spherical-lossless", "a.png", {"--overlay", "boxes", "-p", "facing=two-sided"}).out,
         HasSubstr("cones: not used; horizon: not used"));
@@ -179,7 +179,7 @@ TEST_F(CullbenchOverlay, picturesOfDirectionsHaveNoDepths) {
 }
 
 TEST_F(CullbenchOverlay, mapIsOfTheFirstObjectInTheFrustum) {
-    // From above one of sixteen is seen, the last; alone it has the same map.
+    // From above only the last of sixteen objects is in view; alone it has the same map.
     const std::vector<std::string> place{"--overlay",   "index-map", "--eye", "3.75,12,3.75", "--target",
                                          "3.75,0,3.75", "--up",      "0,0,1", "--fovy",       "6"};
     std::vector<std::string> alone = place;
@@ -202,7 +202,7 @@ TEST_F(CullbenchOverlay, everyOverlayChangesThePicture) {
 }
 
 TEST_F(CullbenchOverlay, verdictsAreCountedWhereTheyAreShown) {
-    // Closed and convex, from outside: about half is seen, about half is turned away.
+    // Closed and convex, from outside: about half of the triangles are visible, about half back-facing.
     const ProcessResult result = render("sphere:triangles=2000", "frustum", "a.png", {"--overlay", "verdicts"});
     ASSERT_EQ(result.exitStatus, 0) << result.err;
     EXPECT_THAT(result.out, HasSubstr(" drawn and visible"));
@@ -223,7 +223,7 @@ TEST_F(CullbenchOverlay, drawnOnlyHidesWhatWasCulled) {
         for (size_t i = 0; i < rgba.size(); i += 4) pixels += rgba[i] == 255 && rgba[i + 1] == 255 && rgba[i + 2] == 255 ? 1 : 0;
         return pixels;
     };
-    // From behind: the far half's inner side is seen through where the near half was dropped, a little smaller than the ball.
+    // From behind: where the near half was culled, the inner side of the far half is visible, slightly smaller than the ball.
     EXPECT_LT(background({}), background({"--drawn-only"}));
 }
 
@@ -243,7 +243,7 @@ TEST_F(CullbenchOverlay, oneCallDrawsAFigureOfTwoParts) {
     };
     const std::vector<uint8_t> scene = rgba({"--overlay", "bands"}), map = rgba({"--overlay", "index-map"});
     const std::vector<uint8_t> model = rgba({"--overlay", "spherical-model"});
-    // Rows count from the bottom: what stands below comes first.
+    // Rows count from the bottom, so the second picture's rows come first.
     const auto stacked = [&](std::vector<uint8_t> below) {
         below.insert(below.end(), scene.begin(), scene.end());
         return below;

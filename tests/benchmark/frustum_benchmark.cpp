@@ -27,15 +27,17 @@ using Samples = std::vector<FrustumSample>;
 
 constexpr std::array<size_t, 5> kCounts{1'000, 10'000, 100'000, 1'000'000, 10'000'000};
 constexpr std::array kShares{0.01, 0.1, 0.5, 1.0};
-/// The visible set is constant once the cube holds the frustum.
+/// From this number on the cube contains the frustum, and the visible set is constant.
 constexpr size_t kFewestEven = 10'000;
 const std::string kBoxes = "boxes", kSpheres = "spheres", kEvenBoxes = "boxes around a constant visible set";
 
-// The fastest level against the naive loop while the arrays fit the cache: where half and more is visible, and everywhere; beyond
-// the cache against reading. The power of the objects with which the hierarchy's time may grow where the visible set does not.
+// Required ratios: of the fastest level to the naive loop while the arrays fit the cache, where at least half is visible, and
+// everywhere; beyond the cache, to reading. And the exponent of the number of objects with which the hierarchy's time may grow
+// where the visible set is constant.
 constexpr double kManyVisible = 2.5, kAnyVisible = 0.9, kBeyondCache = 2.0, kConstantExponent = 0.25;
 
-/// L2 and L3 as the machine says. The kernel's own figures first: the C library's of L3 are those of several processors together.
+/// The sizes of L2 and L3 together. The kernel's values are used first: the C library's value for L3 is that of several
+/// processors together.
 size_t cacheBytes() {
     size_t bytes = 0;
     for (const int level : {2, 3}) {
@@ -61,7 +63,7 @@ void expectShare(const Samples& samples) {
                                      std::to_string(s.objects) + " " + s.shape + ", not the share that was placed in the view.");
 }
 
-/// All variants but the hierarchy, over the same objects.
+/// All variants but the hierarchy, on the same objects.
 template <typename Batch, typename Naive>
 class Contest {
 public:
@@ -136,7 +138,7 @@ void addSpheres(size_t count, double share, Samples& samples) {
     addContest<SphereBatch, NaiveSphere>(scatteredSpheres(frustumView(), count, share), kSpheres, share, samples);
 }
 
-/// The scene grows around a view whose visible set does not.
+/// The scene grows around a view whose visible set is constant.
 void addEvenBoxes(size_t count, Samples& samples) {
     Hierarchy hierarchy(evenBoxes(frustumView(), count));
     size_t kept = 0;
@@ -191,7 +193,7 @@ void write(const std::filesystem::path& folder, const Samples& samples) {
     writeFileAtomically(folder / "frustum-tests.svg", [&](std::ostream& out) { out << linePlotsSvg(plots); });
 }
 
-/// Says what does not hold.
+/// Checks the required ratios and prints those that are missed.
 bool promisesHold(const Samples& samples) {
     bool hold = true;
     const auto demand = [&](bool holds, const FrustumSample& s, const char* what, double ratio) {

@@ -9,7 +9,7 @@ namespace cullscope::benchmark {
 namespace {
 
 constexpr double kFar = 100.0;
-/// Half the edge of the cube in which what is outside lies, around the eye.
+/// Half the edge of the cube around the eye in which objects outside the frustum lie.
 constexpr double kRoom = 1.5 * kFar;
 constexpr double kSmallest = 0.1, kLargest = 0.5;
 
@@ -35,7 +35,7 @@ Object smallObject(Random& random, const Vec3& centre) {
         return {centre, random.between(kSmallest, kLargest)};
 }
 
-/// Relative to the eye; every choice takes as many as are still wanted of those that are still to come.
+/// Relative to the eye; at every choice the number taken is in proportion to those still needed among those still to come.
 template <typename Object>
 std::vector<Object> scattered(const Frustum& frustum, size_t count, double share) {
     Random random(count);

@@ -7,19 +7,19 @@
 namespace cullscope::benchmark {
 namespace {
 
-/// A measured time is no shorter, in as many passes as it takes.
+/// A time is measured over as many passes as take at least this long.
 constexpr double kLeastMilliseconds = 1.0;
 constexpr int kRounds = 15, kRoundsOfMany = 7;
 constexpr size_t kMany = 2'000'000;
 
-/// The process' own time: on a machine that has more to do, whoever takes long is interrupted more often.
+/// The time of this process only: on a busy machine, a slow variant would be interrupted more often than a fast one.
 double processorTime(const std::function<void()>& pass, size_t passes) {
     const std::clock_t start = std::clock();
     for (size_t i = 0; i < passes; ++i) pass();
     return double(std::clock() - start) * 1000.0 / CLOCKS_PER_SEC / double(passes);
 }
 
-/// How many passes take kLeastMilliseconds.
+/// The number of passes that take kLeastMilliseconds.
 size_t passesOf(const std::function<void()>& pass) {
     size_t passes = 1;
     pass();
@@ -37,7 +37,8 @@ MeshPointer meshOf(std::vector<Vec3f> positions, std::vector<uint32_t> indices) 
 /// A triangle from corner to corner of the cube [-1, 1]³, which is its box.
 MeshPointer cubeSpanningTriangle() { return meshOf({{-1, -1, -1}, {1, 1, 1}, {-1, 1, 1}}, {0, 1, 2}); }
 
-/// Two triangles between the six points of the unit sphere on the axes: it is their bound, and the cube [-1, 1]³ their box.
+/// Two triangles between the six points of the unit sphere on the axes: the sphere is their bounding sphere, the cube [-1, 1]³
+/// their box.
 MeshPointer sphereSpanningTriangles() {
     return meshOf({{-1, 0, 0}, {0, -1, 0}, {0, 0, -1}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {0, 1, 2, 3, 4, 5});
 }
@@ -88,7 +89,7 @@ std::vector<FrustumSample> inTurns(const std::vector<Variant>& variants, size_t 
     }
     for (int round = 0; round < (objects < kMany ? kRounds : kRoundsOfMany); ++round)
         for (size_t i = 0; i < variants.size(); ++i) {
-            // The variant before has left its own arrays in the cache.
+            // Loads this variant's arrays into the cache, which the variant before has filled with its own.
             if (objects < kMany) variants[i].pass();
             times[i].push_back(processorTime(variants[i].pass, passes[i]));
         }

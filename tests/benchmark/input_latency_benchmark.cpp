@@ -1,7 +1,7 @@
-// How long a drag in one of eight views waits for its answer: mouse moves are posted every 8 ms from another thread while all
-// eight pictures follow them and the figures are measured after each rest. Prints, per strategy of the dragged view, the time
-// from a move's posting until the window has taken it, and until the dragged view shows a picture of it or of a later one. Exit
-// status 1 where a move waits longer than 100 ms to be taken.
+// The latency of a drag in one of eight views: mouse moves are posted every 8 ms from another thread while all eight pictures
+// follow them and the figures are measured after each rest. Prints, per strategy of the dragged view, the time from a move's
+// posting until the window has handled it, and until the dragged view shows a picture of it or of a later one. Exit status 1
+// where a move is handled later than 100 ms after its posting.
 //
 //   input_latency_benchmark [scene] [seconds]        needs a display
 #include <QApplication>
@@ -31,14 +31,14 @@ double millisecondsSince(Clock::time_point start) {
     return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 }
 
-/// A mouse move that knows when it was posted.
+/// A mouse move with the time of its posting.
 struct TimedMove : QMouseEvent {
     TimedMove(const QPointF& position, const QPointF& global)
         : QMouseEvent(QEvent::MouseMove, position, global, Qt::NoButton, Qt::LeftButton, {}) {}
     Clock::time_point posted = Clock::now();
 };
 
-/// Notes when each move has been taken, and when the view's picture has caught up with it.
+/// Records when each move was handled, and when the view's picture has caught up with it.
 class Watch : public QObject {
 public:
     Watch(Session& session, int view) : m_session(session), m_view(view) {
@@ -64,7 +64,7 @@ private:
         const auto answers =
             std::find_if(m_cameras.rbegin(), m_cameras.rend(), [&](const auto& one) { return one.first == camera; });
         if (answers == m_cameras.rend()) return;
-        // The oldest move that this picture is the first answer to waited longest.
+        // The latency is that of the oldest move that this picture is the first to show.
         answered.push_back(millisecondsSince(m_cameras.front().second));
         m_cameras.erase(m_cameras.begin(), answers.base());
     }
@@ -80,7 +80,8 @@ double percentile(std::vector<double> values, double share) {
     return values[std::min(values.size() - 1, size_t(share * double(values.size())))];
 }
 
-/// Drags in a view for some seconds, with rests in which figures are measured; the longest wait for a move to be taken.
+/// Drags in a view for that many seconds, with rests in which figures are measured; returns the longest time until a move was
+/// handled.
 double drag(Session& session, MainWindow& window, int view, double seconds) {
     session.setActiveView(view);
     SceneView& picture = window.views().pane(view).picture();
@@ -96,7 +97,7 @@ double drag(Session& session, MainWindow& window, int view, double seconds) {
         for (int step = 0; millisecondsSince(start) < 1000.0 * seconds; ++step) {
             const QPointF offset(60.0 * std::sin(step / 40.0), 20.0 * std::cos(step / 25.0));
             QCoreApplication::postEvent(&picture, new TimedMove(middle + offset, global + offset));
-            // Every second the hand rests for 400 ms: measuring begins, and the next move interrupts it.
+            // Once a second the drag pauses for 400 ms: measuring begins, and the next move interrupts it.
             std::this_thread::sleep_for(step % 75 == 74 ? std::chrono::milliseconds(400) : kBetweenMoves);
         }
         done = true;

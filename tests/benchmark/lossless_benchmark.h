@@ -11,17 +11,17 @@
 
 namespace cullscope::benchmark {
 
-/// A triangle mesh of the same arrays of which nothing is known yet: no bounding sphere, no topology.
+/// A triangle mesh with the same arrays and without cached properties: no bounding sphere, no topology.
 [[nodiscard]] MeshPointer freshCopy(const TriangleMesh& mesh);
-/// One instance where the mesh is.
+/// One instance of the mesh with the identity transform.
 [[nodiscard]] ScenePointer sceneOf(MeshPointer mesh);
-/// The first mesh of a scene by its specification.
+/// The first mesh of the scene with this specification.
 [[nodiscard]] MeshPointer meshOf(const std::string& specification);
 
-/// `spherical-lossless`, not built yet. `facing`: "auto", "front".
+/// `spherical-lossless` before its build. `facing`: "auto", "front".
 [[nodiscard]] StrategyPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing);
 
-/// A scene's views of 320 × 240: case-1 to case-3, close by and cut, and all around from where the whole object is in view.
+/// Views of a scene at 320 × 240: case-1 to case-3, close views that cut it, and views from all sides of the whole object.
 struct Views {
     std::string name;
     std::vector<View> views;
@@ -31,7 +31,7 @@ struct Views {
 [[nodiscard]] double medianOf(const std::vector<double>& values);
 [[nodiscard]] double meanOf(const std::vector<double>& values);
 
-/// Milliseconds of a call.
+/// The milliseconds that a call takes.
 template <typename Call>
 double timeOf(const Call& call) {
     const auto start = std::chrono::steady_clock::now();
@@ -39,7 +39,7 @@ double timeOf(const Call& call) {
     return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The benchmarks; exit status 1: what the project promises does not hold.
+/// The benchmarks; exit status 1 where a promise of the project does not hold.
 int buildBesideEmbree(const std::string& specification, int rounds);
 int growth(const std::filesystem::path& folder);
 int cullByFaces(const std::filesystem::path& folder);

@@ -1,4 +1,4 @@
-// What `spherical-lossless` builds: beside Embree's tree of the same mesh, and by the number of faces.
+// The structures of `spherical-lossless`: build time beside Embree's tree of the same mesh, and growth with the number of faces.
 #include <embree3/rtcore.h>
 #include <tbb/task_arena.h>
 
@@ -27,7 +27,8 @@ constexpr double kMostTimesEmbree = 1.5;
 constexpr double kBytesTolerance = 0.05;
 constexpr double kTimeTolerance = 0.20;
 
-/// Milliseconds of what is made for one mesh; `all` is the strategy's own build with the bounding sphere, measured apart.
+/// Milliseconds for the parts built for one mesh; `all` is the strategy's own build with the bounding sphere, measured
+/// separately.
 struct BuildTimes {
     double all = 0.0, sphere = 0.0, topology = 0.0, tree = 0.0, kernel = 0.0;
 };
@@ -44,7 +45,7 @@ double figure(const StructureReport& report, const std::string& name) {
     return std::ranges::find(report.figures, name, &StructureReport::Figure::name)->value;
 }
 
-/// Builds the strategy on a mesh of which nothing is known; fills bytes and cells.
+/// Builds the strategy on a mesh without cached properties; fills in bytes and cells.
 double wholeBuild(const TriangleMesh& mesh, BuildSample& sample) {
     const MeshPointer fresh = freshCopy(mesh);
     const double sphere = timeOf([&] { static_cast<void>(fresh->localSphere()); });
@@ -69,7 +70,7 @@ BuildTimes buildTimes(const TriangleMesh& mesh, BuildSample& sample) {
 
 double leastOf(const std::vector<double>& values) { return *std::ranges::min_element(values); }
 
-/// One time for each part, of several builds.
+/// One time for each part, from several builds.
 BuildTimes reduced(const std::vector<BuildTimes>& builds, double (*reduce)(const std::vector<double>&)) {
     const auto part = [&](double BuildTimes::*which) {
         std::vector<double> values;
@@ -80,7 +81,7 @@ BuildTimes reduced(const std::vector<BuildTimes>& builds, double (*reduce)(const
             part(&BuildTimes::kernel)};
 }
 
-/// The best times: other programs on the machine only ever add to them.
+/// The shortest times, because other programs on the machine only lengthen them.
 BuildSample sampleOf(const TriangleMesh& mesh) {
     BuildSample sample{mesh.name(), mesh.triangleCount(), 0, 0, {}};
     std::vector<BuildTimes> builds;
@@ -102,14 +103,14 @@ public:
         : m_device(rtcNewDevice(nullptr)),
           m_positions(mesh.positions().begin(), mesh.positions().end()),
           m_indices(mesh.indices().begin(), mesh.indices().end()) {
-        // Embree reads the last position with 16 bytes.
+        // Embree reads 16 bytes from the last position too.
         m_positions.emplace_back(0.0f);
     }
     ~EmbreeTree() { rtcReleaseDevice(m_device); }
     EmbreeTree(const EmbreeTree&) = delete;
     EmbreeTree& operator=(const EmbreeTree&) = delete;
 
-    /// Milliseconds of a build in medium quality, on the arrays as they lie.
+    /// Milliseconds of a build in medium quality, on the arrays in place.
     [[nodiscard]] double build() const {
         RTCScene scene = nullptr;
         const double time = timeOf([&] {
@@ -174,8 +175,8 @@ void writeGrowth(const std::filesystem::path& folder, const std::vector<BuildSam
     });
 }
 
-/// Whether a mesh's structures grow at most linearly; says so. Small meshes are left out of the times, in which what the kernel
-/// costs at any size counts most, and the largest out of the sum, for which less is built.
+/// Whether a mesh's structures grow at most linearly; prints the result. Small meshes are excluded from the times, because the
+/// kernel's constant cost dominates there, and the largest from the sum, because less is built for it.
 bool linear(const std::vector<BuildSample>& samples, const std::string& mesh) {
     const double bytes = exponentOf(points(samples, mesh, bytesOf));
     const double time = exponentOf(points(samples, mesh, timeOfAll, kLeastTimed, kOptionalAnalysisLimit));

@@ -1,4 +1,4 @@
-// What one cull costs by the number of faces, at equal pictures: one star shape in ever finer tessellations, the same cameras.
+// The cost of one cull by the number of faces, with equal pictures: one star shape in ever finer tessellations, the same cameras.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -18,7 +18,7 @@ constexpr size_t kCamerasBy = 100'000;
 constexpr size_t kViewsEach = 12;
 constexpr int kRounds = 11;
 constexpr Viewport kLarge{1920, 1080};
-// Of the powers of the faces with which visited nodes grow: below it is less than the faces, and hardly at all.
+// Limits for the exponent with which visited nodes grow with the faces: below linear growth, and hardly any growth.
 constexpr double kAutoExponent = 0.9;
 constexpr double kFixedExponent = 0.2;
 
@@ -42,7 +42,7 @@ constexpr std::array kPaths{PathName{"cut", "the frustum cuts the object, 320 x 
                             PathName{"within", "the object inside the frustum, 320 x 240"},
                             PathName{"within-large", "the object inside the frustum, 1920 x 1080"}};
 
-/// Of one configuration over a path's views: means over the views, of times of the views' medians.
+/// The result of one configuration over a path's views: means over the views, for times means of the views' medians.
 struct CullSample {
     size_t configuration = 0;
     std::string path;
@@ -66,7 +66,7 @@ CullSample countsOf(Strategy& strategy, const Views& views, size_t faces) {
     return sample;
 }
 
-/// In turns. Milliseconds by configuration: the mean over the views of the median over the rounds.
+/// Measured in turns. Milliseconds by configuration: the mean over the views of the median over the rounds.
 std::vector<double> cullTimes(const std::vector<StrategyPointer>& strategies, const std::vector<View>& views) {
     std::vector<double> means(strategies.size(), 0.0);
     for (const View& view : views) {
@@ -91,7 +91,7 @@ void addSamples(const MeshPointer& mesh, const std::vector<Views>& paths, std::v
     const ScenePointer scene = sceneOf(mesh);
     std::vector<StrategyPointer> strategies;
     for (const Configuration& c : kConfigurations) {
-        // Above five million triangles `auto` draws both sides, as nobody asks whether the mesh is closed.
+        // Above five million triangles `auto` draws both sides, because closedness is not checked, so `front` is set.
         strategies.push_back(lossless(c.layout, c.level, c.horizon, "front"));
         strategies.back()->build(*scene);
     }
@@ -114,7 +114,7 @@ std::vector<PlotPoint> points(const std::vector<CullSample>& samples, const std:
     return points;
 }
 
-/// What would grow with a power of the faces from a line's first point on.
+/// A line that grows with a power of the faces from a line's first point on.
 PlotLine growing(const char* name, const std::vector<PlotPoint>& from, double power) {
     PlotLine line{name, {}};
     for (const PlotPoint& point : from)
@@ -151,8 +151,8 @@ void write(const std::filesystem::path& folder, const std::vector<CullSample>& s
     writeFileAtomically(folder / "spherical-lossless-cull.svg", [&](std::ostream& out) { out << linePlotsSvg(plots); });
 }
 
-/// The cameras for all tessellations, and those of whole objects in a large picture too: what is smaller than its grid of 1/256
-/// pixel may be turned around by it, and no cone says of it that it shows its back.
+/// The cameras for all tessellations, and those of whole objects in a large picture too: triangles smaller than the raster's grid
+/// of 1/256 pixel may be flipped by snapping, so that no cone counts as back-facing.
 std::vector<Views> pathsOfAll() {
     std::vector<Views> paths = cutAndWithin(*sceneOf(starMesh(kShape, kCamerasBy)), kViewsEach);
     paths.push_back({kPaths[2].id, {}});
@@ -160,7 +160,7 @@ std::vector<Views> pathsOfAll() {
     return paths;
 }
 
-/// Whether visited nodes grow less than the faces with the resolution on auto, and hardly with equal cells; says so.
+/// Whether visited nodes grow less than the faces with automatic resolution, and hardly with equal cells; prints the result.
 bool fewerThanFaces(const std::vector<CullSample>& samples) {
     bool fewer = true;
     for (const PathName& path : kPaths)

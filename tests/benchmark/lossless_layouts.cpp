@@ -1,4 +1,4 @@
-// Latitude-longitude against the octahedron, over meshes and resolutions.
+// The latitude-longitude layout against the octahedral one, over meshes and resolutions.
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -30,7 +30,7 @@ struct Contestant {
     double cellRatio = 1.0;  ///< largest : smallest solid angle of a leaf's cell
 };
 
-/// Its means over one path's views; times are medians, the ratio is of frames of the same view.
+/// The means of a contestant over one path's views; times are medians, the ratio is of frames of the same view.
 struct LayoutSample {
     std::string mesh, path;
     MapLayout layout = MapLayout::Octahedral;
@@ -69,7 +69,7 @@ Contestant contestant(const ScenePointer& scene, MapLayout layout, uint32_t leve
 }
 
 std::vector<Contestant> contestants(const ScenePointer& scene) {
-    static_cast<void>(scene->frontFacesSuffice());  // known once for all layouts
+    static_cast<void>(scene->frontFacesSuffice());  // computed once for all layouts
     std::vector<Contestant> all;
     for (const MapLayout layout : kLayouts)
         for (const uint32_t level : kLevels) all.push_back(contestant(scene, layout, level));
@@ -98,7 +98,7 @@ void addVerdict(LayoutSample& sample, const Verdict& verdict, double faces, doub
         sample.culled[cause] += double(verdict.culledTriangles[cause]) / faces * share;
 }
 
-/// Draws the contestants' frames and backface's in turns.
+/// Draws the frames of the contestants and of backface in turns.
 class FrameRace {
 public:
     explicit FrameRace(const ScenePointer& scene) : m_buffers(scene, Upload::Vbo), m_backface(makeStrategy("backface")) {
@@ -182,7 +182,7 @@ void writeTable(const std::filesystem::path& file, const std::vector<LayoutSampl
     });
 }
 
-/// One plot a mesh; a line joins the levels of a layout over one path, coarse to fine, without auto.
+/// One plot for each mesh; a line connects the levels of a layout over one path, coarse to fine, without auto.
 void writePlots(const std::filesystem::path& file, const std::vector<LayoutSample>& samples) {
     std::vector<LinePlot> plots;
     for (const LayoutSample& s : samples) {

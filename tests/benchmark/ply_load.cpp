@@ -13,7 +13,7 @@ namespace {
 
 using namespace OpenMesh;
 
-/// Keeps points and triangles and lets everything else pass.
+/// Stores points and triangles and ignores everything else.
 class ArrayImporter : public IO::BaseImporter {
 public:
     BareMesh mesh;

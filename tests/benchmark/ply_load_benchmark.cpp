@@ -1,6 +1,6 @@
-// Loads a binary PLY (10 million faces unless told otherwise) by loadMeshFile and by OpenMesh's bare reader, in turns, each time
-// in a child process of its own, and compares the median times and the highest peak of memory with the targets. Exit status 1
-// where a target is missed.
+// Loads a binary PLY (10 million faces by default) by loadMeshFile and by OpenMesh's bare reader, in turns, each time in a child
+// process of its own, and compares the median times and the highest peak of memory with the targets. Exit status 1 where a target
+// is missed.
 //
 //   ply_load_benchmark [faces] [rounds]
 #include <sys/wait.h>
@@ -39,7 +39,7 @@ double peakResidentBytes() {
     return 0.0;
 }
 
-/// Runs `load`, which gives the bytes of its arrays, in a child process.
+/// Runs `load`, which returns the size of its arrays in bytes, in a child process.
 template <typename Load>
 Run measured(Load&& load) {
     int ends[2];

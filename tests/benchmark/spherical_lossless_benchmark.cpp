@@ -1,11 +1,11 @@
-// What `spherical-lossless` takes to build and to cull; none of it needs a window. Ratios count: each is of one run, in turns.
+// The build and cull times of `spherical-lossless`, without a window. Ratios count: each is measured within one run, in turns.
 //
 //   spherical_lossless_benchmark build SCENE [ROUNDS]    build time beside Embree's of the same mesh, bytes
 //   spherical_lossless_benchmark growth FOLDER           bytes and build time over 10,000 to 10 million faces
 //   spherical_lossless_benchmark cull FOLDER             nodes and time of one cull over the same counts, at equal pictures
 //   spherical_lossless_benchmark layouts FOLDER [SCENE]… both layouts of the map over given scenes, torus, knot and sphere
 //
-// Tables and plots are written to FOLDER. Exit status 1 where what is promised of them does not hold.
+// Tables and plots are written to FOLDER. Exit status 1 where a promise does not hold.
 #include <cstdio>
 #include <cstdlib>
 #include <exception>

@@ -1,6 +1,6 @@
-// Builds the three spherical maps (Han & Hong 2008, Table 1) with the resolution on auto over meshes of 10,000 to 10 million
-// faces, writes what each takes in bytes and milliseconds to maps.csv and maps.svg in a folder, and fits a power of the number of
-// faces to it. Exit status 1 where bytes or build time do not grow linearly.
+// Builds the three spherical maps (Han & Hong 2008, Table 1) with automatic resolution over meshes of 10,000 to 10 million faces,
+// writes the bytes and milliseconds of each to maps.csv and maps.svg in a folder, and fits a power of the number of faces to
+// them. Exit status 1 where bytes or build time do not grow linearly.
 //
 //   spherical_maps_benchmark FOLDER [MESH]     MESH: resampled to the same counts up to a million, beside spheres
 #include <algorithm>
@@ -28,7 +28,7 @@ constexpr int kBuilds = 3;
 constexpr double kBytesTolerance = 0.05;
 constexpr double kTimeTolerance = 0.20;
 
-/// One mesh's maps; the times are medians of all maps' sums.
+/// The maps of one mesh; the times are medians of the sum over all maps.
 struct Sample {
     size_t faces = 0;
     uint32_t columns = 0, rows = 0;
@@ -124,7 +124,7 @@ void writePlots(const std::filesystem::path& file, const std::vector<Series>& al
     writeFileAtomically(file, [&](std::ostream& out) { out << linePlotsSvg({bytes, times}); });
 }
 
-/// Whether both grow linearly; says so.
+/// Whether bytes and build time grow linearly; prints the result.
 bool linear(const Series& series) {
     const double bytes = exponentOf(points(series, bytesOf)), time = exponentOf(points(series, millisecondsOf));
     std::printf("%s: bytes grow with faces^%.3f, build time with faces^%.3f\n", series.mesh.c_str(), bytes, time);

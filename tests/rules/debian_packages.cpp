@@ -13,7 +13,7 @@ namespace {
 
 bool isDevelopment(const std::string& package) { return package.ends_with("-dev"); }
 
-/// Whether a package is the compiler, its libraries or the C library.
+/// Whether a package is the compiler, one of its libraries or the C library.
 bool isToolchain(const std::string& package) {
     static const std::regex kToolchain(
         R"(gcc-\d+|libgcc-(s1|\d+-dev)|libstdc\+\+(6|-\d+-dev)|libc6(-dev)?|linux-libc-dev|libclang-common-\d+-dev)");
@@ -183,7 +183,7 @@ std::vector<std::string> unusedPackages(const std::vector<std::string>& listed, 
     for (const std::string& package : listed) {
         if (!isDevelopment(package)) continue;
         bool used = owners.contains(package);
-        // A runtime library stands for the development package of the same source, which depends on it.
+        // A runtime library counts for the development package of the same source that depends on it.
         for (const std::string& runtime : database.dependencies(package))
             used = used || (!isDevelopment(runtime) && owners.contains(runtime));
         if (!used) unused.push_back(package);

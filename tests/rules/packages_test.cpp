@@ -18,7 +18,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
-/// A system of a few packages, in a temporary folder, and a list.
+/// A simulated system of a few packages in a temporary folder, and a package list.
 class PlantedSystem : public testing::Test {
 protected:
     PlantedSystem() : m_folder(fs::temp_directory_path() / ("cullscope packages " + std::to_string(getpid()))) {
@@ -110,7 +110,7 @@ const fs::path kProject = CULLSCOPE_SOURCE_DIR;
 const fs::path kBuild = CULLSCOPE_BINARY_DIR;
 const fs::path kDpkg = "/var/lib/dpkg";
 
-/// The folders that angle brackets are searched in, with Qt's, which CMake adds.
+/// The include folders for angle brackets, with those of Qt, which CMake adds.
 std::vector<fs::path> includeFolders() {
     const std::string architecture = CULLSCOPE_LIBRARY_ARCHITECTURE;
     std::vector<fs::path> folders = {"/usr/include", "/usr/include/" + architecture};
@@ -126,7 +126,7 @@ std::vector<fs::path> includeFolders() {
     return folders;
 }
 
-/// Where an include in angle brackets leads; empty where nothing is there.
+/// The file that an include in angle brackets refers to; empty where there is none.
 fs::path resolved(const std::string& name) {
     static const std::vector<fs::path> kFolders = includeFolders();
     for (const fs::path& folder : kFolders) {
@@ -135,11 +135,11 @@ fs::path resolved(const std::string& name) {
     return {};
 }
 
-/// What the project's sources and its built programs use directly.
+/// The headers and libraries that the project's sources and built programs use directly.
 struct DirectUses {
     std::vector<Use> headers;
     std::vector<Use> libraries;
-    std::vector<std::string> unresolved;  ///< includes that lead nowhere
+    std::vector<std::string> unresolved;  ///< includes whose file was not found
 };
 
 DirectUses directUses() {
@@ -160,7 +160,7 @@ DirectUses directUses() {
     return uses;
 }
 
-/// The CMake modules that the configured build has found.
+/// The CMake modules that the configured build found.
 std::vector<Use> modulesFound(const fs::path& buildFolder) {
     static const std::regex kFolder(R"(^(\w+)_DIR:PATH=(/usr/.*)$)");
     std::vector<Use> modules;
@@ -180,7 +180,7 @@ std::vector<Use> all(const DirectUses& uses) {
     return joined;
 }
 
-/// The list against the system that the project was built on.
+/// The package list, checked against the system that the project was built on.
 class Packages : public testing::Test {
 protected:
     void SetUp() override {
@@ -213,7 +213,7 @@ TEST_F(Packages, everyHeaderThatTheBuildReadComesWithTheList) {
 TEST_F(Packages, everyListedLibraryIsUsed) {
     const PackageDatabase database(kDpkg);
     const std::vector<Use> uses = all(directUses());
-    // Development packages among the programs and CMake modules of [build], [long] and [deb] are no libraries.
+    // [build], [long] and [deb] list programs and CMake modules, among them development packages that are no libraries.
     for (const char* section : {"libraries", "desktop", "tests"}) {
         EXPECT_THAT(unusedPackages(list.at(section), database, uses), IsEmpty()) << "in section " << section;
     }
@@ -223,7 +223,7 @@ TEST_F(Packages, everyListedModuleIsAskedForByCMake) {
     EXPECT_THAT(unusedPackages(list.at("modules"), PackageDatabase(kDpkg), modulesFound(kBuild)), IsEmpty());
 }
 
-/// Which of a program's libraries are Qt's.
+/// The libraries of a program that belong to Qt.
 std::vector<std::string> qtLibraries(const fs::path& program) {
     std::vector<std::string> qt;
     for (const std::string& library : loadedLibraries(program)) {

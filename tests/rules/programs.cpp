@@ -15,7 +15,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A path as one word of the shell.
+/// A path quoted as one word for the shell.
 std::string quoted(const fs::path& path) {
     std::string text = "'";
     for (const char letter : path.string()) text += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
@@ -28,7 +28,7 @@ bool isElf(const fs::path& file) {
     return stream.read(start.data(), start.size()) && start == std::array<char, 4>{'\x7f', 'E', 'L', 'F'};
 }
 
-/// Libraries by name with the file that the loader takes, as `ldd` prints them.
+/// The libraries of a program by name, with the files that the loader chooses, as `ldd` prints them.
 std::map<std::string, fs::path> librariesByName(const fs::path& program) {
     static const std::regex kLine(R"(^\s*(\S+) => (/.*) \(0x[0-9a-f]+\)$)");
     static const std::regex kMissing(R"(^\s*(\S+) => not found)");
@@ -90,7 +90,7 @@ std::vector<fs::path> neededLibraries(const fs::path& program) {
 
 std::vector<fs::path> headersReadByBuild(const fs::path& buildFolder) {
     std::set<fs::path> headers;
-    // -n: Ninja's notes are only read, also while a build runs.
+    // -n: Ninja's dependency log is only read, also during a build.
     for (const std::string& line : outputOf("ninja -n -C " + quoted(buildFolder) + " -t deps")) {
         if (line.starts_with("    /usr/")) headers.insert(fs::path(line.substr(4)).lexically_normal());
     }

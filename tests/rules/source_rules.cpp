@@ -63,7 +63,7 @@ std::string layerOf(const fs::path& path) {
 
 bool isCullbench(const fs::path& file) { return *file.begin() == "app" && file.string().find("cullbench") != std::string::npos; }
 
-/// What is wrong with an include of the library's own headers by a file of core; empty where nothing is.
+/// The error in a quoted or angle-bracket include by a file of core; empty where there is none.
 std::string wrongInCore(const Include& include) {
     const std::vector<std::string> target = partsOf(include.name);
     if (!include.quoted) return target[0] == "core" ? "names a header of the project in angle brackets" : "";
@@ -128,7 +128,7 @@ std::vector<std::string> matches(const std::string& text, const std::regex& patt
     return found;
 }
 
-/// What is wrong with a line of a CMakeLists.txt in core or ui.
+/// The errors in a line of a CMakeLists.txt in core or ui.
 std::vector<std::string> wrongLinks(const fs::path& file, const std::string& text) {
     static const std::regex kOwnTarget(R"(\bcullscope(?:::|_)(\w+))");
     static const std::regex kQt(R"(\b(Qt6?::\w+))");
@@ -162,14 +162,14 @@ std::vector<std::string> wrongLinks(const fs::path& file, const std::string& tex
 constexpr size_t kLongestLine = 120;
 constexpr size_t kMostLinesOfReadme = 90;
 
-/// The characters of a line in UTF-8 without addresses of the web, which cannot be broken.
+/// The number of UTF-8 characters of a line without its URLs, which cannot be broken.
 size_t lengthWithoutAddresses(const std::string& text) {
     static const std::regex kAddress(R"(https?://[^\s)>]+)");
     const std::string rest = std::regex_replace(text, kAddress, "");
     return size_t(std::count_if(rest.begin(), rest.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// The files that the links of a page's line name; what stands in code is no link.
+/// The link targets in a line of a page; text in code is no link.
 std::vector<std::string> linkedFiles(const std::string& text) {
     static const std::regex kCode("`[^`]*`");
     static const std::regex kLink(R"(\]\(([^)\s#]+)[^)]*\))");
@@ -178,12 +178,12 @@ std::vector<std::string> linkedFiles(const std::string& text) {
     return files;
 }
 
-/// What is wrong with a page's link to a file; empty where nothing is.
+/// The error in a page's link to a file; empty where there is none.
 std::string wrongTarget(const fs::path& root, const fs::path& page, const std::string& target) {
     const fs::path place = (page.parent_path() / target).lexically_normal();
     if (!fs::exists(root / place)) return "links to nothing: " + target;
     const bool inHelpWindow = *place.begin() == "docs" || place.generic_string().starts_with("resources/help/");
-    // README and CONTRIBUTING, at the top of the tree, are read on a forge only.
+    // README and CONTRIBUTING, at the top of the tree, are read only on a code hosting site.
     if (page.has_parent_path() && !inHelpWindow) return "links to what the help window has not: " + target;
     return "";
 }
@@ -335,7 +335,7 @@ std::vector<Offence> topLevelOffences(const fs::path& root) {
     for (const fs::directory_entry& entry : fs::directory_iterator(root)) {
         const std::string name = entry.path().filename().string();
         if (kPlaces.contains(name) || name.starts_with(".")) continue;
-        // What a build or an editor leaves there is no part of the project.
+        // Files that a build or an editor leaves there do not belong to the project.
         if (name.starts_with("build") || name == "compile_commands.json" || name == "CMakeUserPresets.json") continue;
         offences.push_back({name, 0, "has no place at the top of the tree"});
     }

@@ -12,14 +12,14 @@ namespace cullscope::rules {
 struct Include {
     std::filesystem::path file;  ///< relative to the tree's root
     int line = 0;
-    std::string name;  ///< what stands between the quotes or the angle brackets
+    std::string name;  ///< the text between the quotes or the angle brackets
     bool quoted = false;
 };
 
 /// Every `#include` of the .h and .cpp files below the given folders of `root`, files in alphabetical order.
 [[nodiscard]] std::vector<Include> includesBelow(const std::filesystem::path& root, const std::vector<std::string>& folders);
 
-/// A place that breaks a rule.
+/// A violation of a rule, with its place.
 struct Offence {
     std::filesystem::path file;  ///< relative to the tree's root
     int line = 0;                ///< 0: the file or folder as a whole
@@ -29,7 +29,7 @@ struct Offence {
 };
 std::ostream& operator<<(std::ostream& out, const Offence& offence);
 
-/// The layers of core, from the ground up.
+/// The layers of core, lowest first.
 [[nodiscard]] const std::vector<std::string>& layers();
 
 /// The folders of ui, from the ground up.
@@ -48,15 +48,15 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// Includes of Qt in core or in cullbench, of OpenGL outside core/gpu, and of OpenMesh outside core/mesh.
 [[nodiscard]] std::vector<Offence> libraryOffences(const std::filesystem::path& root);
 
-/// The same two rules in what the CMakeLists.txt files of core and ui name.
+/// Violations of the same two rules in the CMakeLists.txt files of core and ui.
 [[nodiscard]] std::vector<Offence> linkOffences(const std::filesystem::path& root);
 
-/// Files and folders at the top of the tree that have no place there; build folders and dot-files may be there.
+/// Files and folders that do not belong at the top of the tree; build folders and dot-files are allowed.
 [[nodiscard]] std::vector<Offence> topLevelOffences(const std::filesystem::path& root);
 
-/// What is wrong with README, CONTRIBUTING and the pages of docs: lines of more than 120 characters (addresses of the web apart),
-/// a README of more than 90 lines, links to files that are not there. Links are read in resources/help, too. The help window has
-/// docs and resources/help alone: a link of theirs to anything else is an offence.
+/// Errors in README, CONTRIBUTING and the pages of docs: lines of more than 120 characters (without URLs), a README of more than
+/// 90 lines, links to files that do not exist. Links in resources/help are checked too. The help window contains only docs and
+/// resources/help, so a link from there to any other file is a violation.
 [[nodiscard]] std::vector<Offence> pageOffences(const std::filesystem::path& root);
 
 }  // namespace cullscope::rules

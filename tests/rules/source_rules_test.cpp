@@ -12,7 +12,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// A small tree without an offence, in a temporary folder.
+/// A small tree without violations, in a temporary folder.
 class PlantedTree : public testing::Test {
 protected:
     PlantedTree() : m_root(fs::temp_directory_path() / ("cullscope rules " + std::to_string(getpid()))) {

@@ -33,7 +33,7 @@ double chromaCurve(double chroma) {
     return std::sqrt(seventh / (seventh + std::pow(25.0, 7)));
 }
 
-/// Rows as printed in papers; GLM keeps columns.
+/// A matrix from rows as printed in papers; GLM stores columns.
 Mat3 fromRows(const Vec3& x, const Vec3& y, const Vec3& z) { return glm::transpose(Mat3(x, y, z)); }
 
 }  // namespace

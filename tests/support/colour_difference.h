@@ -19,7 +19,7 @@ struct Lab {
 [[nodiscard]] Vec3 linearOf(const Vec3& srgb);
 [[nodiscard]] Lab labOf(const Vec3& linear);
 
-/// How an eye sees linear sRGB.
+/// A model of how an observer perceives linear sRGB.
 struct Sight {
     const char* name;
     Mat3 linear;  ///< applied to linear sRGB, the result clamped to [0, 1]
@@ -27,8 +27,8 @@ struct Sight {
     [[nodiscard]] Vec3 seen(const Vec3& linearColour) const;
 };
 
-/// Normal sight; luminance alone; protanopia, deuteranopia and tritanopia by the matrices for severity 1.0 of Machado, Oliveira &
-/// Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15(6), 2009.
+/// Normal colour vision; luminance only; protanopia, deuteranopia and tritanopia by the matrices for severity 1.0 of Machado,
+/// Oliveira & Fernandes, "A Physiologically-based Model for Simulation of Color Vision Deficiency", IEEE TVCG 15(6), 2009.
 [[nodiscard]] const std::array<Sight, 5>& sights();
 
 }  // namespace cullscope::test

@@ -10,7 +10,7 @@
 
 namespace cullscope::test {
 
-/// Runs cullbench; with `interruptAfter` above 0 it is interrupted after so many seconds.
+/// Runs cullbench; with `interruptAfter` above 0 it is interrupted after that many seconds.
 inline ProcessResult cullbench(std::vector<std::string> arguments, const std::vector<std::string>& environment = {},
                                double interruptAfter = 0.0) {
     arguments.insert(arguments.begin(), CULLBENCH);
@@ -34,7 +34,7 @@ private:
     std::filesystem::path m_folder;
 };
 
-/// One sentence on standard error that starts with the program's name, and nothing half-written.
+/// Expects one sentence on standard error that starts with the program's name, and no partial output.
 inline void expectRefusal(const ProcessResult& result, int status, const std::string& mentions) {
     EXPECT_EQ(result.exitStatus, status) << result.err;
     EXPECT_THAT(result.err, testing::HasSubstr(mentions));

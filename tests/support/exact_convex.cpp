@@ -13,7 +13,7 @@ Distances between(const Distances& a, const Distances& b, size_t plane) {
     return point;
 }
 
-/// Cuts a convex polygon, its points given by their distances from the planes, down to what lies inside one plane.
+/// Clips a convex polygon, whose points are given by their distances from the planes, to the inside of one plane.
 void clip(std::vector<Distances>& polygon, size_t plane) {
     std::vector<Distances> kept;
     for (size_t i = 0; i < polygon.size(); ++i) {

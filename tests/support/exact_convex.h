@@ -5,8 +5,8 @@
 
 #include "core/geometry/types.h"
 
-// Exact answers about a convex region of six half-spaces, sharing no code with the library. __float128 has 113 bits of mantissa:
-// sums whose terms lie within 2^38 of one another are off by 2^-75 of them at most.
+// Exact tests of a convex region of six half-spaces, sharing no code with the library. __float128 has 113 bits of mantissa: a sum
+// whose terms are within a factor of 2^38 has an error of at most 2^-75 of them.
 
 namespace cullscope::test {
 
@@ -23,7 +23,7 @@ inline QuadVector plus(const QuadVector& a, const QuadVector& b) { return {a[0] 
 inline QuadVector minus(const QuadVector& a, const QuadVector& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
 inline QuadVector quad(const Vec3& v) { return {v.x, v.y, v.z}; }
 
-/// Newton's iteration from the double root: 53, 106, 212 good bits.
+/// Newton's iteration from the square root in double: 53, 106, 212 correct bits.
 [[nodiscard]] Quad root(Quad square);
 
 /// Signed distances of one point from the six planes (of any scale: one scale for each plane), positive inside.
@@ -43,13 +43,13 @@ struct QuadBox {
     QuadVector centre;
     std::array<QuadVector, 3> halves;
 
-    /// Bit i of the number: the sign of half edge i.
+    /// Bit i of the number is the sign of half edge i.
     [[nodiscard]] QuadVector corner(size_t number) const;
-    /// False for a flat one.
+    /// False for a flat box.
     [[nodiscard]] bool contains(const QuadVector& point) const;
 };
 
-/// Whether a box meets the region: `distances` gives those of any point, `within` is some point of the region.
+/// Whether a box intersects the region: `distances` returns those of any point, `within` is some point of the region.
 template <typename DistancesOf>
 [[nodiscard]] bool meets(const QuadBox& box, const DistancesOf& distances, const QuadVector& within) {
     std::array<Distances, 8> corners;
@@ -62,7 +62,7 @@ template <typename DistancesOf>
         if (reachesInside(corners[face[0]], corners[face[1]], corners[face[2]]) ||
             reachesInside(corners[face[0]], corners[face[2]], corners[face[3]]))
             return true;
-    // No face of the box reaches in: the region lies in the box, or apart from it.
+    // No face of the box intersects the region: the region lies inside the box, or they are separate.
     return box.contains(within);
 }
 

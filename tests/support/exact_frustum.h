@@ -7,11 +7,11 @@
 
 namespace cullscope::test {
 
-/// The frustum that the library's doubles say, exactly.
+/// The frustum defined by the library's doubles, evaluated exactly.
 class ExactFrustum {
 public:
     explicit ExactFrustum(const Frustum& frustum) : ExactFrustum(frustum, frustum.farDistance) {}
-    /// With another far distance than its own.
+    /// With another far distance than the frustum's.
     ExactFrustum(const Frustum& frustum, Quad farDistance)
         : m_right(quad(frustum.right)),
           m_up(quad(frustum.up)),
@@ -28,7 +28,7 @@ public:
         return test::meets(
             box, [&](const QuadVector& point) { return distances(point); }, scaled(m_forward, m_frustum.nearDistance));
     }
-    /// Of a point, from the nearest of the frustum's; 0 inside.
+    /// The distance of a point from the nearest point of the frustum; 0 inside.
     [[nodiscard]] Quad distance(const QuadVector& point) const {
         if (inside(distances(point))) return 0;
         std::array<QuadVector, 8> corners;

@@ -8,7 +8,7 @@ namespace {
 
 QuadVector unit(const QuadVector& v) { return scaled(v, 1 / root(dot(v, v))); }
 
-/// Sine over cosine by their series; 40 terms leave less than 2^-113 for angles up to pi/2.
+/// The tangent from the series of sine and cosine; the error of 40 terms is below 2^-113 for angles up to pi/2.
 Quad tangent(Quad angle) {
     Quad sine = 0;
     Quad cosine = 0;
@@ -73,7 +73,7 @@ ObjectTruth ExactVisibility::judge(const Scene& scene, size_t instance) const {
         }
         (inside(fromPlanes) ? anyInside : anyOutside) = true;
     }
-    // A vertex inside decides; so does a plane that has every vertex, hence their convex hull, on its outside.
+    // A vertex inside proves visibility; a plane with every vertex outside, hence their convex hull, disproves it.
     truth.visible = anyInside;
     bool separated = false;
     for (const Quad distance : farthest) separated = separated || distance < 0;

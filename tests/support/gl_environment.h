@@ -11,7 +11,7 @@
 
 namespace cullscope::test {
 
-/// One OpenGL context without a display for a whole test program, and the renderer in it.
+/// One OpenGL context without a display for a whole test program, and its renderer.
 class GlEnvironment : public testing::Environment {
 public:
     void SetUp() override {
@@ -36,7 +36,7 @@ private:
 /// The environment of this program; GoogleTest owns it. Include this header in one source file that every program has.
 inline testing::Environment* const kGlEnvironment = testing::AddGlobalTestEnvironment(new GlEnvironment);
 
-/// What a picture holds.
+/// Colour and depth of a drawn picture.
 struct Picture {
     std::vector<uint8_t> colour;
     std::vector<float> depth;

@@ -5,7 +5,7 @@
 
 namespace cullscope::test {
 
-/// The smallest strategy over a hierarchy of instances: draws what the walk keeps.
+/// The smallest strategy over a hierarchy of instances: draws the objects that the walk keeps.
 class GroupedFrustum final : public Strategy {
 public:
     GroupedFrustum() : Strategy(ParameterSet(std::vector<ParameterDeclaration>{})) {}

@@ -15,7 +15,7 @@ inline Vec3 directionOf(double theta, double phi) {
             std::cos(theta * kDegree)};
 }
 
-/// A map of 90 × 45 cells over a sphere of radius 1 about the origin, as a strategy would give it: outside the frustum.
+/// A map of 90 × 45 cells over a sphere of radius 1 about the origin, in the form a strategy returns it: outside the frustum.
 inline spherical::MapSnapshot sphereMap() {
     spherical::MapSnapshot map;
     map.maps = std::make_shared<SphericalMaps>(sphereMesh(20000), SphericalGrid(90, 45));
@@ -42,8 +42,8 @@ inline spherical::MapSnapshot bandedMap(const Vec3& axis) {
     return map;
 }
 
-/// The same cut by the frustum, with a region from azimuth `left` to `right` (over the seam where right is beyond 360°) and from
-/// zenith angle 60° to 100°.
+/// The same cut by the frustum, with a region from azimuth `left` to `right` (across the seam where `right` is above 360°) and
+/// from zenith angle 60° to 100°.
 inline spherical::MapSnapshot cutMap(double left, double right) {
     spherical::MapSnapshot map = sphereMap();
     map.decision.relation = spherical::SphereRelation::Cut;

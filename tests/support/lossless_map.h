@@ -6,7 +6,7 @@
 
 namespace cullscope::test {
 
-/// What `spherical-lossless` shows of one mesh in one view. The world is the mesh's.
+/// The map of `spherical-lossless` for one mesh in one view. World and mesh coordinates are the same.
 struct LosslessMap {
     LosslessMap(MeshPointer mesh, MapLayout layout, const Vec3& eye, const Vec3& target = Vec3(0.0), double fovyDegrees = 45.0)
         : scene(sceneOf({std::move(mesh)}, {Mat4(1.0)})),

@@ -7,7 +7,7 @@
 
 namespace cullscope::test {
 
-/// A mesh's triangles with every corner moved and some of them turned around.
+/// A mesh's triangles with every corner moved and the winding of some reversed.
 template <typename Move, typename Turned>
 MeshPointer changed(const TriangleMesh& mesh, const Move& move, const Turned& turned) {
     std::vector<Vec3f> positions;
@@ -34,7 +34,7 @@ inline MeshPointer joined(const std::vector<MeshPointer>& meshes) {
     return meshOf(std::move(positions), std::move(indices));
 }
 
-/// A square sheet in waves, open all around.
+/// A square wavy sheet, open on all sides.
 inline MeshPointer sheetMesh(uint32_t side) {
     std::vector<Vec3f> positions;
     std::vector<uint32_t> indices;
@@ -63,7 +63,7 @@ inline MeshPointer openBowlMesh(size_t triangles) {
     return meshOf({sphere->positions().begin(), sphere->positions().end()}, std::move(indices));
 }
 
-/// A real mesh where the models are at hand, else one that stands in.
+/// A real mesh where its file is installed, else a substitute.
 inline MeshPointer realMesh(const std::string& file, const std::string& count, const MeshPointer& standIn) {
     const std::string path = CULLSCOPE_SOURCE_DIR "/../shared/models/" + file;
     if (!std::filesystem::exists(path)) return standIn;
@@ -75,7 +75,7 @@ struct NamedMesh {
     MeshPointer mesh;
 };
 
-/// The meshes on which `spherical-lossless` must lose nothing. `large`: with the million triangles.
+/// The meshes on which `spherical-lossless` must lose no pixel. `large`: with those of a million triangles.
 inline std::vector<NamedMesh> losslessMeshes(bool large) {
     const MeshPointer sphere = sphereMesh(4'000), star = starMesh(5, 12'000);
     const auto half = [](double by) { return [by](const Vec3& p) { return Vec3(0.4 * p.x + by, 0.4 * p.y, 0.4 * p.z); }; };

@@ -7,14 +7,15 @@
 
 namespace cullscope::test {
 
-/// Where triangles lie in a picture, in long double and sharing no code with the renderer or the rays: own basis from the
-/// camera's numbers, own transform, cut at the near and far planes before the division (a cut is an edge like any other).
+/// The edges of triangles in a picture, in long double, without sharing code with the renderer or the rays: its own basis from
+/// the camera's parameters, its own transform, clipping at the near and far planes before the division (a clipped edge counts as
+/// an edge).
 class PixelEdges {
 public:
     PixelEdges(const Scene& scene, const Camera& camera, const Viewport& viewport);
 
-    /// Distance in pixels from a pixel's centre to the nearest edge of a scene triangle; infinity where none of it is in view.
-    /// Pixels count row by row from the bottom.
+    /// The distance in pixels from a pixel's centre to the nearest edge of a scene triangle; infinity where no part of it is in
+    /// view. Pixels count row by row from the bottom.
     [[nodiscard]] double toEdgeOf(uint64_t triangle, size_t pixel) const;
 
 private:
@@ -31,7 +32,8 @@ private:
     std::array<std::array<Real, 3>, 3> m_axes{};  ///< right, up, forward
 };
 
-/// The raster's snapping moves an edge by less than this: vertices go to 1/256 pixel, an edge by at most 1/256 · √2 / 2 with it.
+/// The raster's snapping moves an edge by less than this: vertices snap to 1/256 pixel, which moves an edge by at most 1/256 · √2
+/// / 2.
 inline constexpr double kEdgePixels = 1.0 / 128;
 
 }  // namespace cullscope::test

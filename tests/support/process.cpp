@@ -29,8 +29,8 @@ void redirect(const std::string& path, int flags, int descriptor) {
     close(opened);
 }
 
-/// Whether a program has ended or takes SIGINT itself (blocks it for a thread that waits for it, or has a handler), by what the
-/// kernel says of it.
+/// Whether a program has ended or handles SIGINT itself (blocks it for a thread that waits for it, or has a handler), as reported
+/// by the kernel.
 bool takesInterrupts(pid_t program) {
     std::istringstream status(contents("/proc/" + std::to_string(program) + "/status"));
     const uint64_t interrupt = uint64_t(1) << (SIGINT - 1);
@@ -42,7 +42,7 @@ bool takesInterrupts(pid_t program) {
     return false;
 }
 
-/// On a busy machine a program may need seconds until its first line runs; an interrupt before that says nothing of it.
+/// On a busy machine a program may need seconds to start; an interrupt before its handler is set would not test it.
 void waitUntilItTakesInterrupts(pid_t program) {
     for (int tries = 0; tries < 12000 && !takesInterrupts(program); ++tries)
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
@@ -52,7 +52,7 @@ void waitUntilItTakesInterrupts(pid_t program) {
 
 ProcessResult runProcess(const std::vector<std::string>& command, const std::vector<std::string>& environment,
                          double interruptAfterSeconds) {
-    // Files rather than pipes: a program that prints much must not wait for a reader.
+    // Files instead of pipes: a program that prints much would block without a reader.
     std::string folder = (std::filesystem::temp_directory_path() / "cullscope-process-XXXXXX").string();
     if (mkdtemp(folder.data()) == nullptr) return {};
     std::vector<char*> arguments;

@@ -24,7 +24,7 @@ Mat4 randomPlace(Random& random, double spread, const Vec3& offset) {
     else if (kind < 0.5)
         stretch *= Vec3(logBetween(random, 0.1, 10), -logBetween(random, 0.1, 10), 1.0);
     Mat4 place(randomRotation(random) * Mat3(scaling(stretch)));
-    // Sheared now and then: an affine transform is all that is promised.
+    // Sheared now and then, because any affine transform is supported.
     if (random.unit() < 0.1) place[0] += 0.7 * place[1];
     place[3] = Vec4(random.direction() * (spread * random.unit()) + offset, 1.0);
     return place;
@@ -48,7 +48,7 @@ ScenePointer shapesScene(Random& random, const Vec3& byTransform, const Vec3& by
     std::vector<Instance> instances;
     for (uint32_t i = 0; i < 24; ++i) {
         Mat4 place = randomPlace(random, 20.0, byTransform);
-        // A mesh whose origin lies far out is turned and scaled about that origin, not about the world's.
+        // A mesh whose origin is far away is rotated and scaled about that origin, not about the world's.
         place[3] -= Vec4(Mat3(place) * byOrigin - byOrigin, 0.0);
         instances.push_back({i % 4, place, "shape " + std::to_string(i)});
     }
@@ -67,15 +67,15 @@ ScenePointer boxesScene(Random& random, const Vec3& byTransform, const Vec3& byO
     return sceneOf(std::move(meshes), places);
 }
 
-/// An orthonormal basis and what the view will see at distance 1.
+/// An orthonormal basis and the size of the view at distance 1.
 struct Lens {
     Vec3 forward, right, up;
     double tanHalfWidth, tanHalfHeight, nearDistance, farDistance;
 };
 
-/// A point on a plane of the view (or anywhere in it: plane 6), relative to the eye, between near and far.
+/// A point on a plane of the view (anywhere in it for plane 6), relative to the eye, between near and far.
 Vec3 pointOnPlane(const Lens& lens, size_t plane, Random& random) {
-    // Depths that scenes have are preferred to the 15 powers of ten between near and far.
+    // Depths common in scenes are preferred to the 15 powers of ten between near and far.
     const double low = std::clamp(0.01, lens.nearDistance, lens.farDistance);
     const double high = std::clamp(100.0, lens.nearDistance, lens.farDistance);
     double depth = random.unit() < 0.7 ? logBetween(random, low, high) : logBetween(random, lens.nearDistance, lens.farDistance);
@@ -109,7 +109,7 @@ Vec3 normalOf(const Lens& lens, size_t plane) {
     }
 }
 
-/// A vertex of an object in the world: its farthest inside a plane, its farthest outside, or any.
+/// A vertex of an object in world coordinates: the farthest inside a plane, the farthest outside, or any.
 Vec3 chosenVertex(const Scene& scene, size_t instance, const Vec3& normal, Random& random) {
     const TriangleMesh& mesh = scene.meshOf(instance);
     const Mat4& place = scene.instances()[instance].worldFromMesh;
@@ -160,7 +160,7 @@ RandomView randomView(const Scene& scene, Random& random) {
     camera.nearDistance = std::min(one, other);
     camera.farDistance = std::max(std::max(one, other), camera.nearDistance * 1.001);
     const Vec3 forward = random.direction();
-    // Now and then nearly along the view; closer than this the basis is a matter of rounding.
+    // Now and then nearly parallel to the view direction; any closer, the basis would depend on rounding.
     camera.up = random.unit() < 0.1 ? forward + random.direction() * logBetween(random, 1e-3, 1.0) : random.direction();
     if (glm::length(glm::cross(forward, camera.up)) < 1e-4)
         camera.up = glm::cross(forward, Vec3(forward.y, forward.z, -forward.x));
@@ -173,12 +173,12 @@ RandomView randomView(const Scene& scene, Random& random) {
     const size_t instance = random.bits() % scene.instances().size();
     const double kind = random.unit();
     if (kind < 0.08) {
-        // The eye within an object, or exactly at a vertex.
+        // The eye inside an object, or exactly at a vertex.
         camera.eye = random.unit() < 0.5 ? scene.instanceBox(instance).centre() : chosenVertex(scene, instance, forward, random);
     } else if (kind < 0.2) {
         camera.eye = scene.bounds().centre() + random.direction() * (0.7 * scene.bounds().diagonal() * random.unit());
     } else {
-        // Near planes more often: they have no half pixel of room.
+        // Near planes more often, because they have no tolerance of half a pixel.
         const size_t plane = random.unit() < 0.25 ? 4 : random.bits() % 7;
         const Vec3 point = pointOnPlane(lens, plane, random);
         const double shift = logBetween(random, 1e-12, 1e-3) * (random.unit() < 0.5 ? -1.0 : 1.0);

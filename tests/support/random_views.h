@@ -6,8 +6,8 @@
 
 namespace cullscope::test {
 
-/// Four shapes under random rotations, scales, reflections and flattenings, or random boxes; moved by up to 1e7 through their
-/// transforms or through their mesh's origin. The same scene for the same seed.
+/// Four shapes under random rotations, scales, reflections and flattenings, or random boxes; moved by up to 1e7 by their
+/// transforms or their mesh's origin. The same scene for the same seed.
 [[nodiscard]] ScenePointer randomScene(uint64_t seed);
 
 struct RandomView {
@@ -15,8 +15,8 @@ struct RandomView {
     Viewport viewport;
 };
 
-/// A view of a scene with near and far from 1e-6 to 1e9, fields from 0.01° to 179°, sizes to 16384 × 1. Most are placed so that
-/// an object touches one of the six planes to within 1e-12 … 1e-3 of its distance, from inside, from outside or through it.
+/// A view of a scene with near and far from 1e-6 to 1e9, fields of view from 0.01° to 179°, sizes up to 16384 × 1. In most of
+/// them an object touches one of the six planes to within 1e-12 … 1e-3 of its distance, from inside, from outside or across it.
 [[nodiscard]] RandomView randomView(const Scene& scene, Random& random);
 
 }  // namespace cullscope::test

@@ -8,7 +8,7 @@ namespace cullscope::test {
 
 inline StrategyRequest request(const std::string& id) { return {id, ParameterSet(findStrategy(id).info.parameters)}; }
 
-/// Nine closed bodies, three poses, few repetitions: a measurement of a tenth of a second.
+/// Nine closed bodies, three poses, few repetitions: a measurement that takes a tenth of a second.
 inline MeasureRequest smallExperiment(const std::vector<std::string>& strategies) {
     std::vector<Mat4> places;
     for (int i = 0; i < 9; ++i) places.push_back(translation({3.0 * (i % 3 - 1), 0, 3.0 * (i / 3 - 1)}));

@@ -46,25 +46,25 @@ MeshPointer awkwardTriangles() {
         triangles.push_back({Vec3f(0.3f, 0.1f, side), Vec3f(-0.2f, 0.3f, side), Vec3f(-0.1f, -0.3f, side)});  // over a pole
         triangles.push_back({Vec3f(0.0f, 0.0f, side), Vec3f(0.5f, 0.2f, side), Vec3f(0.1f, 0.6f, side)});     // a corner on it
         triangles.push_back({Vec3f(-0.4f, 0.0f, side), Vec3f(0.7f, 0.0f, side), Vec3f(0.1f, 0.6f, side)});  // an edge through it
-        triangles.push_back({Vec3f(1e-4f, 1e-4f, side), Vec3f(2e-4f, 1e-4f, side), Vec3f(1e-4f, 3e-4f, side)});  // hard by it
+        triangles.push_back({Vec3f(1e-4f, 1e-4f, side), Vec3f(2e-4f, 1e-4f, side), Vec3f(1e-4f, 3e-4f, side)});  // near it
     }
-    // Over the seam, high and low, and with an edge on it.
+    // Across the seam, high and low, and with an edge on it.
     triangles.push_back({Vec3f(1.0f, -0.2f, 0.1f), Vec3f(1.0f, 0.2f, 0.0f), Vec3f(1.0f, 0.0f, 0.4f)});
     triangles.push_back({Vec3f(0.1f, -0.02f, 0.9f), Vec3f(0.1f, 0.02f, 0.95f), Vec3f(0.2f, 0.0f, 0.9f)});
     triangles.push_back({Vec3f(0.8f, 0.0f, 0.2f), Vec3f(0.9f, 0.0f, -0.3f), Vec3f(0.7f, 0.5f, 0.0f)});
     triangles.push_back({Vec3f(0.8f, -1e-12f, 0.2f), Vec3f(0.9f, -1e-12f, -0.3f), Vec3f(0.7f, -0.5f, 0.0f)});
-    // In a plane through the centre: beside it, and around it.
+    // In a plane through the centre: beside the centre, and around it.
     triangles.push_back({Vec3f(0.5f, 0.5f, 0.0f), Vec3f(0.9f, 0.2f, 0.0f), Vec3f(0.3f, 0.8f, 0.0f)});
     triangles.push_back({Vec3f(0.9f, 0.1f, 0.0f), Vec3f(-0.5f, 0.7f, 0.0f), Vec3f(-0.4f, -0.8f, 0.0f)});
     triangles.push_back({Vec3f(0.5f, 0.3f, 0.2f), Vec3f(-0.5f, -0.3f, -0.2f), Vec3f(0.1f, 0.6f, -0.4f)});
-    // Nearly around it, and with a corner in it.
+    // Almost around the centre, and with a corner at it.
     triangles.push_back({Vec3f(0.9f, 0.1f, 0.01f), Vec3f(-0.5f, 0.7f, 0.02f), Vec3f(-0.4f, -0.8f, 0.01f)});
     triangles.push_back({Vec3f(0.0f, 0.0f, 0.0f), Vec3f(0.4f, 0.7f, 0.2f), Vec3f(-0.3f, 0.6f, 0.5f)});
     // A needle, a segment and a point.
     triangles.push_back({Vec3f(-0.9f, 0.1f, 0.1f), Vec3f(0.2f, 0.9f, 0.3f), Vec3f(-0.9f, 0.1f, 0.100001f)});
     triangles.push_back({Vec3f(-0.6f, 0.1f, 0.1f), Vec3f(0.2f, -0.7f, 0.3f), Vec3f(-0.6f, 0.1f, 0.1f)});
     triangles.push_back({Vec3f(0.2f, -0.7f, 0.3f), Vec3f(0.2f, -0.7f, 0.3f), Vec3f(0.2f, -0.7f, 0.3f)});
-    // Corners that make the bounding sphere's centre the origin.
+    // Corners that put the bounding sphere's centre at the origin.
     for (const float x : {1.0f, -1.0f})
         for (const float y : {1.0f, -1.0f})
             for (const float z : {1.0f, -1.0f})
@@ -76,7 +76,7 @@ MeshPointer randomTriangles(uint64_t seed, size_t count) {
     Random random(seed);
     std::vector<std::array<Vec3f, 3>> triangles;
     for (size_t i = 0; i < count; ++i) {
-        // One draw a statement: the order of those in one expression is the compiler's.
+        // One random number per statement: within one expression the compiler chooses the order.
         const double away = random.unit();
         const Vec3 place = away * random.direction();
         const double size = std::pow(10.0, random.between(-4.0, 0.3));

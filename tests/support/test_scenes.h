@@ -19,7 +19,7 @@ inline MeshPointer meshOf(std::vector<Vec3f> positions, std::vector<uint32_t> in
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
-/// A closed box of twelve triangles, outward.
+/// A closed box of twelve triangles that face outward.
 inline MeshPointer boxMesh(const Vec3f& min, const Vec3f& max, const Vec3& origin = Vec3(0.0)) {
     std::vector<Vec3f> corners;
     for (int corner = 0; corner < 8; ++corner)
@@ -35,7 +35,7 @@ inline MeshPointer squareMesh(float half, float z) {
     return meshOf({{-half, -half, z}, {half, -half, z}, {half, half, z}, {-half, half, z}}, {0, 1, 2, 0, 2, 3});
 }
 
-/// The same mesh with its float coordinates about another origin.
+/// The same mesh with its float coordinates relative to another origin.
 inline MeshPointer withOrigin(const TriangleMesh& mesh, const Vec3& origin) {
     TriangleMesh::Data data;
     data.name = mesh.name();

@@ -32,7 +32,7 @@ inline std::string named(const TriangleMesh& mesh, const CellTree::Options& opti
     return mesh.name() + ", " + mapLayoutId(options.layout) + ", level " + std::to_string(options.level);
 }
 
-/// Calls check(tree) for the meshes with all options.
+/// Calls check(tree) for every mesh with every combination of options.
 template <typename Check>
 void forAllTrees(const Check& check) {
     for (const MeshPointer& mesh : testedMeshes())

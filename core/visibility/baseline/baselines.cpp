@@ -5,7 +5,7 @@
 namespace cullscope::baseline {
 namespace {
 
-/// Submits everything, whatever the view.
+/// Submits all triangles for every view.
 class Everything : public Strategy {
 public:
     using Strategy::Strategy;
@@ -38,7 +38,7 @@ class Backface final : public Everything {
 public:
     using Everything::Everything;
     [[nodiscard]] Promise promise() const override { return m_closed ? Promise::Conservative : Promise::Approximate; }
-    /// Inside a closed mesh there are only back faces to be seen; an eye in an object's box may be inside.
+    /// Inside a closed mesh only back faces are visible; an eye in an object's box may be inside its mesh.
     [[nodiscard]] Promise promiseAt(const View& view) const override {
         for (size_t i = 0; i < scene().instances().size(); ++i)
             if (contains(scene().instanceBox(i), view.eye())) return Promise::Approximate;

@@ -11,17 +11,17 @@
 namespace cullscope::frustum {
 namespace {
 
-/// What is decided about an object before OpenGL is asked, or left to it.
+/// The result for an object before OpenGL is queried, or that it has to be.
 enum class Answer { Visible, BeforeNear, BeyondFar, Asked };
 
-/// What OpenGL is asked about in one cull.
+/// The boxes that OpenGL tests in one cull.
 struct GrownBoxes {
     std::vector<Answer> answers;      ///< by instance
-    std::vector<uint32_t> instances;  ///< that are asked about
+    std::vector<uint32_t> instances;  ///< whose boxes OpenGL tests
     std::vector<EyeBox> boxes;        ///< of those, grown
 };
 
-/// How far a box grows: as much as a pixel spans where it lies farthest from the eye, and the margin of a plane test.
+/// The length by which a box grows: a pixel's width at its farthest distance from the eye, plus the margin of a plane test.
 double growthOf(const EyeBounds& bounds, const View& view) {
     const Frustum& frustum = view.frustum();
     const double farthest =
@@ -30,7 +30,7 @@ double growthOf(const EyeBounds& bounds, const View& view) {
     return pixel * std::max(farthest, 0.0) + bounds.margin;
 }
 
-/// What both strategies share: everything but the question.
+/// The common part of both strategies: everything but the OpenGL test.
 class FrustumBoxTests : public Strategy {
 public:
     using Strategy::Strategy;
@@ -39,7 +39,7 @@ public:
 
 protected:
     void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
-        // The boxes are the scene's own: nothing is built besides.
+        // The boxes are the scene's own; nothing else is built.
         report.bytes = scene.instances().size() * sizeof(Box3);
         report.figures = {{"objects", double(scene.instances().size())}};
     }
@@ -70,15 +70,15 @@ protected:
         if (trace != nullptr) record(view, questions, visible, *trace);
     }
 
-    /// Which of the boxes OpenGL hits: places in the span.
+    /// The boxes that OpenGL hits, as indices into the span.
     [[nodiscard]] virtual std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) = 0;
-    /// Whether what lies before near or beyond far is hit all the same, so that it is to be left out before it is asked about.
+    /// Whether OpenGL also hits boxes before the near or beyond the far plane, so that they must be culled before the test.
     [[nodiscard]] virtual bool clampsDepth() const = 0;
 
 private:
     [[nodiscard]] Answer answerTo(const EyeBounds& bounds, const EyeBox& grown, const View& view) const {
         const Frustum& frustum = view.frustum();
-        // OpenGL's floats hold neither what is not finite nor what is larger than they are.
+        // Infinities, NaN and numbers beyond the range of float cannot be passed to OpenGL.
         const double farthest = glm::length(grown.centre) + glm::length(grown.halfExtent);
         if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.margin)) return Answer::Visible;
         if (!clampsDepth()) return Answer::Asked;
@@ -145,7 +145,7 @@ protected:
     [[nodiscard]] bool clampsDepth() const override { return false; }
 
 private:
-    size_t m_bufferWords = 0;  ///< as many as did the last time
+    size_t m_bufferWords = 0;  ///< the size that was large enough the last time
 };
 
 class FrustumQuery final : public FrustumBoxTests {

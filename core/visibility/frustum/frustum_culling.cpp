@@ -17,14 +17,14 @@ BoxTest boxTestFromId(const std::string& id) {
     return id == "length" ? BoxTest::Length : BoxTest::PVertex;
 }
 
-/// Signed distances of an object's point farthest inside and farthest outside one plane; outside only below −bound.
+/// Signed distances of an object's points farthest inside and farthest outside one plane; it is outside where inner < −bound.
 struct PlaneTest {
     double inner = 0.0, outer = 0.0, bound = 0.0;
 
     [[nodiscard]] bool outside() const { return inner < -bound; }
 };
 
-/// The one that is more certain that the object is outside, and the other's word that it is inside.
+/// The tighter of two bounds in both directions: the smaller inner distance with its margin, and the larger outer distance.
 PlaneTest tighter(const BatchDistances& a, const BatchDistances& b) {
     const BatchDistances& nearer = a.farthestInside + a.margin <= b.farthestInside + b.margin ? a : b;
     return {nearer.farthestInside, std::max(a.farthestOutside, b.farthestOutside), nearer.margin};
@@ -86,7 +86,7 @@ private:
         return 1;
     }
 
-    /// Sets a bit for every object that is outside.
+    /// Sets the bit of every object that is outside.
     void findOutsideObjects(const View& view, const BatchFrustum& frustum) {
         if (m_test == BoxTest::Length) {
             m_outside.assign(m_boxes->wordCount(), 0);
@@ -102,7 +102,7 @@ private:
         for (size_t word = 0; word < m_outside.size(); ++word) m_outside[word] |= m_outsideByBox[word];
     }
 
-    /// One object after the other, those that are not outside yet.
+    /// Tests the objects that are not outside yet, one at a time.
     void addOutside(const View& view, const BatchFrustum& frustum) {
         for (uint32_t i = 0; i < m_boxes->size(); ++i) {
             if (isOutside(i)) continue;
@@ -116,7 +116,7 @@ private:
 
     [[nodiscard]] bool isOutside(uint32_t instance) const { return (m_outside[instance / 64] >> (instance % 64) & 1) != 0; }
 
-    /// The test of one object against one plane that `decide` makes of all.
+    /// The test of one object against one plane, as `decide` applies it to all objects.
     [[nodiscard]] PlaneTest testOf(const View& view, const BatchFrustum& frustum, uint32_t instance, FrustumPlane which) const {
         const BatchDistances sphere = frustum.distances(which, scene().instanceSphere(instance));
         if (m_test == BoxTest::PVertex) return tighter(sphere, frustum.distances(which, scene().instanceBox(instance)));
@@ -124,7 +124,7 @@ private:
         const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
         if (m_test == BoxTest::Length) {
             const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.halfExtent);
-            // The batch's margin, so that the test never leaves out what the tighter one keeps.
+            // The margin of the batch test, so that this looser test never culls an object that the tighter one keeps.
             const double margin = std::max(sphere.margin, frustum.distances(which, scene().instanceBox(instance)).margin);
             return {centre + length, centre - length, margin};
         }
@@ -132,7 +132,7 @@ private:
         return tighter(sphere, {pVertexDistance(plane, box), nVertexDistance(plane, box), bounds.margin});
     }
 
-    /// The mesh's own box, turned with the object.
+    /// The mesh's own box, transformed with the object.
     [[nodiscard]] OrientedBox orientedBoxOf(uint32_t instance, const Vec3& eye) const {
         const TriangleMesh& mesh = scene().meshOf(instance);
         const Instance& object = scene().instances()[instance];
@@ -155,7 +155,7 @@ private:
     BoxTest m_test;
     std::optional<BoxBatch> m_boxes;
     std::optional<SphereBatch> m_spheres;
-    std::vector<uint64_t> m_outside, m_outsideByBox;  ///< of the `decide` under way
+    std::vector<uint64_t> m_outside, m_outsideByBox;  ///< results of the current `decide`
 };
 
 }  // namespace

@@ -4,12 +4,12 @@
 
 namespace cullscope::frustum {
 
-/// `frustum`: objects whose bounding sphere or axis-aligned box lies outside one of the six planes are left out, all tested in
-/// batches with as many lanes as the processor has (geometry/frustum_batch.h). Conservative: an object that reaches into the
-/// frustum is always drawn (bound: geometry/frustum.h, conservativeMargin).
-/// `box=p-vertex` tests n·c + d + |n|·e (Assarsson & Möller 2000); `box=oriented` the mesh's own box as the object's transform
-/// puts it, in place of the axis-aligned one; `box=length` tests the length of the extent vector alone, as in Orangelie 2023, to
-/// show what it wastes: the box's circumscribed sphere in place of the box. The last two test one object after the other.
+/// `frustum`: culls objects whose bounding sphere or axis-aligned box lies outside one of the six planes; all are tested in
+/// batches with as many lanes as the processor has (geometry/frustum_batch.h). Conservative: an object that intersects the
+/// frustum is always drawn (margin: geometry/frustum.h, conservativeMargin).
+/// `box=p-vertex` tests n·c + d + |n|·e (Assarsson & Möller 2000). `box=oriented` tests the mesh's own box as transformed by the
+/// instance, instead of the axis-aligned one. `box=length` tests the length of the extent vector only, as in Orangelie 2023, to
+/// show the cost: it is the box's circumscribed sphere instead of the box. The last two test one object at a time.
 [[nodiscard]] StrategyInfo frustumInfo();
 [[nodiscard]] StrategyPointer makeFrustum(ParameterSet parameters);
 

@@ -59,12 +59,12 @@ protected:
     }
 
 private:
-    /// An object that is kept, by its own bounds, whichever of them its groups made needless.
+    /// Records the plane tests of a kept object by its own bounds, also of planes that the tests of its groups made unnecessary.
     void record(uint32_t instance, const View& view, Trace& trace) const {
         const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
         for (size_t p = 0; p < view.frustum().planes.size(); ++p) {
             const Plane& plane = view.frustum().planes[p];
-            // Its group decided that no plane has it outside.
+            // Its group's tests show that it is outside no plane.
             addPlaneTest(trace, instance, static_cast<FrustumPlane>(p), std::max(farthestInside(plane, bounds), -bounds.margin),
                          farthestOutside(plane, bounds), bounds.margin);
         }

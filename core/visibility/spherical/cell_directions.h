@@ -8,7 +8,7 @@
 
 namespace cullscope::spherical {
 
-/// The directions of a grid's cell middles against an axis, for loops over all cells: sums of products and no trigonometry.
+/// The directions of the middles of a grid's cells, for loops over all cells that use products instead of trigonometry.
 class CellDirections {
 public:
     explicit CellDirections(const SphericalGrid& grid);

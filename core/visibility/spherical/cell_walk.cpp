@@ -6,13 +6,13 @@
 namespace cullscope::spherical {
 namespace {
 
-// Fewer triangles than this between two ranges are drawn in vain sooner than OpenGL begins another range.
+// Drawing fewer hidden triangles than this between two ranges is faster than starting another range.
 constexpr uint32_t kGap = 8;
-// Cells of fewer triangles are drawn in less time than the horizon takes to test them.
+// Cells of fewer triangles are drawn faster than the horizon test takes.
 constexpr uint32_t kLeastForHorizon = 96;
 constexpr uint8_t kNearPlane = 1U << unsigned(FrustumPlane::Near);
 
-/// What is still open of a node: it passes to its children.
+/// The tests that are not yet decided for a node; passed on to its children.
 struct OpenTests {
     uint8_t planes = 0;
     bool cones = false;
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    /// Takes out of `planes` those that the box lies wholly inside.
+    /// Whether the box is outside one plane of the mask. Removes from `planes` those that it lies completely inside.
     [[nodiscard]] bool outside(const Vec3& middle, const Vec3& half, uint8_t& planes) const {
         for (size_t p = 0; p < m_spread.size(); ++p) {
             if ((planes & (1U << p)) == 0) continue;
@@ -63,8 +63,8 @@ private:
         return false;
     }
 
-    /// Whether all triangles show their backs, and would after being moved by the picture's snapping: a triangle seen so nearly
-    /// edge-on that it is narrower than twice that may be turned around by it. Clears `open.cones` where none shows its back.
+    /// Whether all triangles of a node are back-facing, also after the picture's snapping has moved their vertices: snapping may
+    /// flip a triangle whose projected width is less than twice that movement. Clears `open.cones` where none is back-facing.
     [[nodiscard]] bool facesAway(const CellTree::Node& node, const Vec3& middle, const Vec3& half, OpenTests& open) const {
         if (node.coneCosine > 1.0f) return false;
         const Vec3 to = middle - m_view.eye;
@@ -75,8 +75,8 @@ private:
             open.cones = false;
             return false;
         }
-        // What the near plane cuts is divided into new triangles, as thin as they come. Against the axis the cone's farthest
-        // normal is not the one on its rim.
+        // A triangle that the near plane cuts is clipped into new triangles that may be arbitrarily thin, so that no bound on
+        // their height is known. Where the cone's axis points towards the eye, the rim of the cone does not bound its normals.
         if ((open.planes & kNearPlane) != 0 || along <= 0.0) return false;
         const double far = distance + radius;
         return along * node.coneCosine - across * node.coneSine > node.planeMargin + 4.0 * m_snap * far / node.leastHeight * far;
@@ -109,8 +109,9 @@ private:
     const KernelHorizon* m_horizon;
     bool m_traced;
     double m_snap;
-    std::array<Vec3, 6> m_spread{};             ///< of the planes' normals: |n| · half is how far a box reaches
-    std::array<uint64_t, kCauseCount> m_gap{};  ///< left out since the last range
+    std::array<Vec3, 6> m_spread{};             ///< components |n| of the planes' normals: |n| · half is half the box's extent
+                                                ///< along n
+    std::array<uint64_t, kCauseCount> m_gap{};  ///< triangles culled since the last range, by cause
     size_t m_judgedBeforeGap = 0;
     CellWalk m_walk;
 };

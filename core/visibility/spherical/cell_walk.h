@@ -8,21 +8,21 @@
 
 namespace cullscope::spherical {
 
-/// What may be tested of an object's cells in one view.
+/// The tests that may be applied to an object's cells in one view.
 struct CellTests {
-    uint8_t planes = 0x3f;                   ///< bit p: plane p (FrustumPlane) may cut the object
-    bool cones = false;                      ///< normal cones: only front sides are drawn
-    const KernelHorizon* horizon = nullptr;  ///< null: the kernel hides nothing
+    uint8_t planes = 0x3f;                   ///< bit p: FrustumPlane p may cut the object
+    bool cones = false;                      ///< normal cones; only where back faces are not drawn
+    const KernelHorizon* horizon = nullptr;  ///< null: no horizon test
 };
 
-/// How far a picture may move a point, in mesh units a unit of distance from the eye: by its snapping to 1/256 pixel, counted
-/// whole instead of half and once for x and y, and by the rounding of what OpenGL computes in float.
+/// An upper bound on the displacement of a point in the picture, in mesh units for each unit of distance from the eye: by
+/// snapping to 1/256 pixel (taken in full instead of half, once for x and y) and by OpenGL's float rounding.
 [[nodiscard]] double snapping(const ObjectSpaceView& view);
 
-/// Walks the quadtree: a node outside one plane, with all triangles turned away, or hidden behind the kernel is left out with all
-/// that it holds; one of which nothing is left to decide is drawn without being opened; leaves are drawn. Conservative: nothing
-/// that the picture shows is left out, its rounding and its snapping to 1/256 pixel included. `traced`: says of each node where
-/// the walk ended what became of it.
+/// Walks the quadtree of an object. A node that is outside one plane, completely back-facing, or hidden behind the kernel is
+/// culled with its subtree; one with no undecided test is drawn without visiting its children; leaves are drawn. Conservative:
+/// nothing visible in the picture is culled, its rounding and its snapping to 1/256 pixel included. `traced`: records the result
+/// for each node at which the walk ended.
 [[nodiscard]] CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced);
 
 }  // namespace cullscope::spherical

@@ -5,11 +5,11 @@
 namespace cullscope::spherical {
 namespace {
 
-/// Where a cell's middle lies among the bands.
+/// The position of a cell's middle among the bands.
 struct Place {
     double alongAxis = 0.0;  ///< cos α
     double across = 0.0;     ///< sin α
-    size_t entry = 0;        ///< in the table
+    size_t entry = 0;        ///< index into the table
 };
 
 class Placing {
@@ -29,8 +29,8 @@ private:
     const ContourBands& m_bands;
 };
 
-/// From near to far, sector by sector: drawn up to the first band beyond 90° whose S does not exceed the largest nearer one. A
-/// band without triangles has no S and decides nothing.
+/// For each sector, from near to far: drawn up to the first band beyond 90° whose S does not exceed the largest S before it. A
+/// band without triangles has no S and changes nothing.
 void compareWithNearer(ContourBands& bands) {
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         double largest = 0.0;

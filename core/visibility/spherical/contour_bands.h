@@ -7,12 +7,12 @@
 
 namespace cullscope::spherical {
 
-/// What the band tests of both spherical strategies need of a mesh's maps, worked out once.
+/// The data of a mesh's maps that the band tests of both spherical strategies need, computed once.
 struct BandCells {
     struct Cell {
         uint32_t number = 0;
         uint32_t row = 0, column = 0;
-        float farthestCentroid = 0.0f;  ///< R of the last one: the centroid map is sorted by it
+        float farthestCentroid = 0.0f;  ///< R of the cell's farthest centroid
     };
 
     explicit BandCells(const SphericalMaps& maps);
@@ -22,17 +22,17 @@ struct BandCells {
     std::vector<Cell> cells;  ///< those that own triangles, ascending
 };
 
-/// Contour bands around the axis from the centre to the eye, empty yet: `width` in radians, all sizes 0.
+/// Contour bands around the axis from the centre to the eye, with all sizes 0; `width` in radians.
 [[nodiscard]] ContourBands makeBands(const Vec3& eye, double width, uint32_t sectors);
 
-/// Area_Sampling and Hidden_Surface_Test of Han & Hong 2008, Appendix 1. S of a cell is its farthest centroid's distance from the
-/// centre, projected on the perpendicular of the axis in the direction of the cell's middle; S of a band's sector is its cells'
-/// largest. Drawn is what lies within 90° of the axis, and beyond it each sector as long as its bands' S exceeds the largest S
-/// nearer; there it is cut, and nothing after it is drawn. Fills the bands and gives the drawn cells in runs (over empty cells
-/// too).
+/// Area_Sampling and Hidden_Surface_Test of Han & Hong 2008, Appendix 1. S of a cell is the distance of its farthest centroid
+/// from the centre, projected on the perpendicular of the axis in the direction of the cell's middle; S of a band's sector is the
+/// largest of its cells. Cells within 90° of the axis are drawn. Beyond, a sector is drawn as long as each band's S exceeds the
+/// largest S before it; from the first band where it does not, nothing is drawn. Fills the bands and returns the drawn cells in
+/// runs (which may include empty cells).
 [[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands);
 
-/// Collects cells in ascending order into runs; between two of them may only lie cells that own nothing.
+/// Collects cells in ascending order into runs; between two cells of a run there may only be cells without triangles.
 class RunCollector {
 public:
     void add(uint32_t cell, bool drawn) {

@@ -13,26 +13,27 @@
 
 namespace cullscope::spherical {
 
-/// How an object's bounding sphere lies to the frustum: the branches of Han & Hong 2008, Appendix 1.
+/// The relation of an object's bounding sphere to the frustum: the branches of Han & Hong 2008, Appendix 1.
 enum class SphereRelation {
     Outside,   ///< nothing is drawn
-    Cut,       ///< some plane cuts it: corner rays, visible region, cases
+    Cut,       ///< at least one plane cuts it: corner rays, visible region, cases
     Within,    ///< inside all six planes: contour bands and the S test
     AroundEye  ///< the eye is inside the sphere, or the object is flat: everything is drawn
 };
 /// English, marked for translation.
 [[nodiscard]] const char* relationName(SphereRelation relation);
 
-/// One of the view's four corner rays. Points and directions in the mesh's coordinates around its map's centre.
+/// One of the view's four corner rays. Points and directions in the mesh's coordinates, relative to the centre of its map.
 struct CornerRay {
     Ray ray;
     std::optional<Span> span;             ///< through the bounding sphere; none: the ray misses it
-    std::optional<TriangleHit> hit;       ///< confirmed by intersection; none: `point` is the sphere's nearest to the ray
+    std::optional<TriangleHit> hit;       ///< confirmed by intersection; none: `point` is the point of the sphere nearest to the
+                                          ///< ray
     Vec3 point{0.0};                      ///< the region's corner
     std::vector<WalkedCell> walkedCells;  ///< only in a traced cull
 };
 
-/// A box of cells, all bounds inclusive; never over the seam.
+/// A rectangle of cells, all bounds inclusive; it never crosses the seam.
 struct CellBox {
     uint32_t firstRow = 0, lastRow = 0;
     uint32_t firstColumn = 0, lastColumn = 0;
@@ -40,23 +41,24 @@ struct CellBox {
     bool operator==(const CellBox&) const = default;
 };
 
-/// Cells by number, from `first` up to but without `last`.
+/// The cells with numbers [first, last).
 struct CellRun {
     uint32_t first = 0, last = 0;
 
     bool operator==(const CellRun&) const = default;
 };
 
-/// The visible region on the map, in radians. Its corners are joined in the order bottom-left, bottom-right, top-right, top-left.
+/// The visible region on the map, in radians. Its corners are connected in the order bottom-left, bottom-right, top-right,
+/// top-left.
 struct VisibleRegion {
     int caseNumber = 0;  ///< 1: a pole is in view, 2: one clump, 3: split by the seam
-    /// Along the region's outline, (θ, φ): φ is continued over the seam, below 0 or beyond 2π where it crosses; closed but in
-    /// case 1, where it ends a whole turn away from its beginning.
+    /// The region's outline as (θ, φ), with φ continued over the seam (below 0 or beyond 2π where it crosses); closed, except in
+    /// case 1, where it ends a whole turn from its start.
     std::vector<Vec2> outline;
     std::vector<CellBox> boxes;  ///< one; case 3: two
 };
 
-/// A contour band's sector: all directions between two angles α from the axis and two angles β about it.
+/// A sector of a contour band: all directions between two angles α from the axis and two angles β about it.
 struct BandSector {
     double size = 0.0;     ///< S of `spherical`: the largest centroid component perpendicular to the axis, mesh units; of
                            ///< `spherical-horizon`: the least slope of the surface
@@ -64,15 +66,15 @@ struct BandSector {
     bool drawn = true;
 };
 
-/// The contour bands on the bounding sphere.
+/// The contour bands on the bounding sphere around one axis.
 struct ContourBands {
-    Vec3 axis{0.0, 0.0, 1.0};  ///< unit: from the centre to the sphere's point nearest to the eye, where α = 0
-    Vec3 side{1.0, 0.0, 0.0};  ///< unit, perpendicular: there β = 0
-    Vec3 over{0.0, 1.0, 0.0};  ///< axis × side: there β = 90°
-    double width = 0.0;        ///< of a band, radians
+    Vec3 axis{0.0, 0.0, 1.0};  ///< unit vector: from the centre to the sphere's point nearest to the eye, where α = 0
+    Vec3 side{1.0, 0.0, 0.0};  ///< unit vector perpendicular to the axis: β = 0
+    Vec3 over{0.0, 1.0, 0.0};  ///< axis × side: β = 90°
+    double width = 0.0;        ///< of a band, in radians
     uint32_t bands = 0, sectors = 0;
     std::vector<BandSector> table;  ///< by band, then sector
-    bool slopes = false;            ///< sizes are slopes
+    bool slopes = false;            ///< whether sizes are slopes
 
     [[nodiscard]] const BandSector& at(uint32_t band, uint32_t sector) const { return table[size_t(band) * sectors + sector]; }
     /// The unit direction at α, β (radians).
@@ -85,54 +87,54 @@ struct ContourBands {
     [[nodiscard]] uint32_t sectorOf(double beta) const;
 };
 
-/// Triangles in a strategy's order, by their places.
+/// A range of triangles by their places in a strategy's order.
 struct PlaceRun {
     uint32_t first = 0, count = 0;
 
     bool operator==(const PlaceRun&) const = default;
 };
 
-/// A node of a CellTree at which a walk ended.
+/// A node of a CellTree at which a walk ended, and the result.
 struct JudgedCell {
     uint32_t node = 0;
-    std::optional<Cause> cause;  ///< why it was left out; none: it is drawn
+    std::optional<Cause> cause;  ///< why it was culled; none: it is drawn
 };
 
-/// What `spherical-lossless` decided about one object's cells.
+/// The result of `spherical-lossless` for one object's cells.
 struct CellWalk {
-    bool cones = false, horizon = false;         ///< which tests held for the object in this view, besides the frustum's
+    bool cones = false, horizon = false;         ///< which tests besides the frustum's were applied to the object in this view
     std::vector<PlaceRun> drawn;                 ///< ascending, disjoint
     std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
     uint64_t nodesVisited = 0;
     std::vector<JudgedCell> judged;  ///< only in a traced cull: ascending, disjoint
-    std::vector<Vec3> outline;       ///< only in a traced cull, with `horizon`: the kernel's outline as the eye sees it
+    std::vector<Vec3> outline;       ///< only in a traced cull, with `horizon`: the kernel's outline as seen from the eye
 };
 
-/// What a spherical strategy decided about one object, and why.
+/// The decision of a spherical strategy about one object, and its reasons.
 struct SphericalDecision {
     uint32_t instance = 0;
     SphereRelation relation = SphereRelation::Outside;
-    Vec3 eye{0.0};                        ///< in the mesh's coordinates around the map's centre
+    Vec3 eye{0.0};                        ///< in the mesh's coordinates relative to the map's centre
     std::array<CornerRay, 4> rays;        ///< with Cut, of `spherical`
     std::optional<VisibleRegion> region;  ///< with Cut, of `spherical`
-    std::optional<ContourBands> bands;    ///< where something was tested by bands
-    std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are given to OpenGL
+    std::optional<ContourBands> bands;    ///< where cells were tested by bands
+    std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are submitted
     std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;
 };
 
-/// One object's decision with the maps that it was made on.
+/// The decision about one object together with the maps that it was based on.
 struct MapSnapshot {
     LazyMaps maps;
     SphericalDecision decision;
-    CellTreePointer tree{};  ///< of `spherical-lossless`, which decides on it; the maps only show what became of the triangles
-    InnerKernelPointer kernel{};  ///< of the same
+    CellTreePointer tree{};       ///< of `spherical-lossless`, which decides by this tree; the maps only display the result
+    InnerKernelPointer kernel{};  ///< of `spherical-lossless`
 };
 
-/// What became of a cell of the centroid map. Of `spherical-lossless`, whose cells are others: of its triangles, the last one
-/// of this list that is any's.
+/// The result for a cell of the centroid map. For `spherical-lossless`, which has other cells: the last state of this list that
+/// any of the cell's triangles has.
 enum class CellState : uint8_t { Empty, OutsideFrustum, BackFacing, Hidden, Drawn };
-/// By cell number.
+/// The states by cell number.
 [[nodiscard]] std::vector<CellState> cellStates(const MapSnapshot& map);
 
 }  // namespace cullscope::spherical

@@ -11,10 +11,10 @@
 namespace cullscope::spherical {
 namespace {
 
-// α from 18° to 154° in equal steps of its cosine: denser about 90°, where slopes are largest.
+// Bands of α from 18° to 154° in equal steps of its cosine: densest at 90°, where slopes are largest.
 constexpr double kFirstCosine = 0.95;
 constexpr double kLastCosine = -0.90;
-// What is left of the kernel's reach for the picture's grid.
+// The share of the kernel's reach reserved for displacement by the picture's snapping.
 constexpr double kReachForSnap = 0.2;
 constexpr double kWider = 1.0 + 1e-9;
 
@@ -28,8 +28,8 @@ KernelHorizon::KernelHorizon(const InnerKernel& kernel, const Vec3& eye, double 
     m_side = glm::normalize(glm::cross(aside, m_axis));
     m_over = glm::cross(m_axis, m_side);
     m_shrink = snap * (m_distance + radius);
-    // A point of the kernel moved by that much must stay within the directions that its radius holds for; nearer to the centre
-    // than the least radius it may be anywhere.
+    // A point of the kernel displaced by that much must stay within the directions for which its radius holds. At distances below
+    // the least radius, a displacement can reach any direction.
     if (kernel.leastRadius() <= m_shrink * (1.0 + 1.0 / (kReachForSnap * kernel.reach()))) return;
     m_sectors = uint32_t(std::ceil(std::numbers::pi / ((1.0 - kReachForSnap) * kernel.reach())));
     m_bands = bandsFor(kernel);
@@ -69,7 +69,7 @@ double KernelHorizon::radiusAt(const InnerKernel& kernel, const Band& band, uint
 
 int KernelHorizon::bandUpTo(double cosine) const {
     const double step = (kFirstCosine - kLastCosine) / double(m_bands - 1);
-    // Rounding may count one band too many: the next test of a cosine settles it.
+    // Rounding may give one band too many; the comparison of cosines corrects that.
     const int band = std::min(int(std::floor((kFirstCosine - cosine) / step)), int(m_bands) - 1);
     return band >= 0 && m_band[size_t(band)].cosine < cosine ? band - 1 : std::max(band, -1);
 }
@@ -83,7 +83,7 @@ KernelHorizon::Reach KernelHorizon::reach(const Vec3& middle, double radius) con
     if (ahead <= radius) return Reach::Open;
     const double most = (aside + radius) / (ahead - radius) * kWider;
     const double least = std::max(0.0, aside - radius) / (ahead + radius) / kWider;
-    // α of the sphere's points: its middle's, give or take the angle of its radius.
+    // The range of α of the sphere's points: the α of its middle ± the angle of its radius.
     const double cosine = length > 0.0 ? std::clamp(towardsEye / length, -1.0, 1.0) : 1.0;
     const double sine = std::sqrt(1.0 - cosine * cosine);
     const double wideSine = length > radius ? radius / length * kWider : 1.0;

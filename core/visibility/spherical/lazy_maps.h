@@ -8,9 +8,8 @@
 
 namespace cullscope::spherical {
 
-/// A mesh's spherical maps, for looking at. A strategy that works on them has them ready; of one that works on something else
-/// they are made, at the paper's resolution, when somebody first looks at them, which takes about half a microsecond a triangle.
-/// May be asked from several threads.
+/// A mesh's spherical maps for display. A strategy that works with maps passes its own. For other strategies they are built at
+/// the first access, at the paper's resolution at most, which takes about half a microsecond per triangle. Thread-safe.
 class LazyMaps {
 public:
     LazyMaps() = default;

@@ -13,14 +13,14 @@
 namespace cullscope::spherical {
 namespace {
 
-// Below that, what the horizon costs to set up is more than it saves.
+// With fewer triangles, setting up the horizon costs more than it saves.
 constexpr size_t kLeastTrianglesForHorizon = 2000;
-// An object of fewer is drawn in less time than its cells are looked at.
+// An object of fewer triangles is drawn faster than its cells are tested.
 constexpr size_t kLeastTrianglesForCells = 1000;
-// Objects whose walks are worth a second thread.
+// From this number of objects, a second thread saves time.
 constexpr size_t kObjectsForThreads = 8;
 
-/// One mesh's structures; none for a mesh that no instance with triangles shows.
+/// The structures of one mesh; empty for a mesh without triangles or instances.
 struct MeshCells {
     CellTreePointer tree;
     InnerKernelPointer kernel;
@@ -90,11 +90,11 @@ protected:
     }
 
 private:
-    /// What is known of an object that no group left out.
+    /// The decision about an object that no group test culled.
     struct Decided {
         uint32_t instance = 0;
         SphereRelation relation = SphereRelation::Outside;
-        bool whole = false;  ///< drawn as it is, without a walk
+        bool whole = false;  ///< drawn completely, without a walk
         CellWalk walk;
     };
 
@@ -167,7 +167,7 @@ private:
         return result;
     }
 
-    /// Planes that cut both the box and the sphere of the object.
+    /// The planes that cut both the box and the sphere of the object.
     [[nodiscard]] static uint8_t planesToTest(const KeptObject& object, const ObjectSpaceView& seen) {
         uint8_t planes = object.planes;
         for (size_t p = 0; p < seen.planesTested; ++p)
@@ -175,7 +175,8 @@ private:
         return planes;
     }
 
-    /// What the near plane cuts open hides nothing, nor does a surface of which the outside is not drawn.
+    /// Without a horizon where the near plane cuts the object, or where the kernel's outer side is not drawn: then the surface
+    /// around it hides nothing.
     [[nodiscard]] std::optional<KernelHorizon> horizonOf(const MeshCells& mesh, const ObjectSpaceView& seen) const {
         if (!mesh.kernel || !mesh.kernel->filled() || !seen.beyondNear || seen.relation == SphereRelation::AroundEye) return {};
         if (facing() == Facing::Front && !mesh.kernel->outward()) return {};
@@ -240,7 +241,7 @@ private:
         }
     }
 
-    /// Of what is left out, for which most is.
+    /// The cause for which most of the culled triangles were culled.
     [[nodiscard]] static Cause mainCause(const SphericalDecision& decision) {
         if (!decision.walk) return Cause::OutsideFrustum;
         const std::array<uint64_t, kCauseCount>& culled = decision.walk->culled;

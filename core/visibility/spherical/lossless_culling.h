@@ -4,9 +4,10 @@
 
 namespace cullscope::spherical {
 
-/// `spherical-lossless`: the map of directions without the errors of its walks (methods.md). A hierarchy over the objects and a
-/// quadtree over each one's map against the frustum; normal cones where only front sides are drawn; the horizon of the inner
-/// kernel where the mesh is closed and the eye outside. Conservative on every mesh: what does not hold for one is left out.
+/// `spherical-lossless`: culling by a map of directions without the errors of the published method (methods.md). It tests a
+/// hierarchy over the objects, and a quadtree over each object's map, against the frustum; uses normal cones where only front
+/// faces are drawn; and uses the horizon of the inner kernel where the mesh is closed and the eye outside. Conservative on every
+/// mesh: a test whose conditions a mesh does not meet is not used for it.
 [[nodiscard]] StrategyInfo sphericalLosslessInfo();
 [[nodiscard]] StrategyPointer makeSphericalLossless(ParameterSet parameters);
 

@@ -8,17 +8,18 @@
 namespace cullscope::spherical {
 namespace {
 
-/// Map coordinates to world axes with the origin at the eye: linear · p + centre.
+/// The affine map from map coordinates to world axes with the origin at the eye: linear · p + centre.
 struct EyeFromMap {
     Mat3 linear{1.0};
     Vec3 centre{0.0};
-    double margin = 0.0;   ///< of a plane's test
-    double stretch = 0.0;  ///< no vector grows by more
+    double margin = 0.0;   ///< of plane tests
+    double stretch = 0.0;  ///< upper bound on the factor by which it lengthens a vector
 };
 
 double frobenius(const Mat3& m) { return std::sqrt(glm::dot(m[0], m[0]) + glm::dot(m[1], m[1]) + glm::dot(m[2], m[2])); }
 
-/// No vector grows by more: exact for rotations with a uniform scale, the root of a bound on the Gram matrix elsewhere.
+/// An upper bound on the factor by which a vector is lengthened: exact for rotations with a uniform scale, else the root of a
+/// bound on the norm of the Gram matrix.
 double largestStretch(const Mat3& m) {
     const Mat3 gram = glm::transpose(m) * m;
     double largest = 0.0;
@@ -37,7 +38,7 @@ EyeFromMap eyeFromMap(const Scene& scene, uint32_t instance, const Sphere& spher
     const Vec3 centre = Vec3(worldFromMesh * Vec4(scene.meshOf(instance).origin() + sphere.centre, 1.0));
     result.centre = centre - eye;
     const double reach = sphere.radius * result.stretch;
-    // The subtraction's rounding counts in world coordinates, the picture's in distances from the eye.
+    // The rounding of the subtraction grows with the world coordinates, that of the picture with the distance from the eye.
     result.margin = marginFromEye(centre, result.centre, reach, eye) + scene.pictureRounding(scene.instances()[instance]);
     return result;
 }
@@ -78,7 +79,7 @@ ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sph
     result.beyondNear = result.planes[size_t(FrustumPlane::Near)].containment == Containment::Inside;
     const Mat3 inverse = glm::inverse(object.linear);
     const double shrink = frobenius(inverse);
-    // A flattened object has no inside that a direction could point from.
+    // A flattened object has no inside, so directions from its centre are not defined.
     if (!std::isfinite(shrink) || object.stretch * shrink > 1e9 || radius <= 0.0) return result;
     result.eye = -(inverse * object.centre);
     result.eyeKnown = true;
@@ -86,10 +87,10 @@ ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sph
     const std::array<Vec3, 8> corners = view.frustum().corners();
     std::transform(corners.begin(), corners.begin() + 4, result.cornerDirections.begin(),
                    [&](const Vec3& corner) { return inverse * corner; });
-    // A pixel is widest in the middle of the picture.
+    // A pixel covers the largest angle in the middle of the picture.
     const double farthest = glm::length(object.centre) + radius * object.stretch;
     result.pixelReach = result.pixelSlope * farthest * shrink;
-    // At the sphere itself the slopes and spans of rays lose all their digits.
+    // With the eye at the sphere itself, the slopes and ray parameters lose all their digits.
     if (glm::length(result.eye) <= radius * (1.0 + 1e-6)) return result;
     result.relation = within ? SphereRelation::Within : SphereRelation::Cut;
     return result;

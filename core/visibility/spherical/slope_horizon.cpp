@@ -13,29 +13,29 @@ namespace cullscope::spherical {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-// Of cosines that are kept as float.
+// Bound on the rounding of cosines stored as float.
 constexpr double kFloatError = 1e-7;
 
-/// An angle by its (cos, sin), so that sums need no trigonometry.
+/// The sum and the difference of angles given as (cos, sin), without trigonometry.
 Vec2 sum(const Vec2& a, const Vec2& b) { return {a.x * b.x - a.y * b.y, a.y * b.x + a.x * b.y}; }
 Vec2 difference(const Vec2& a, const Vec2& b) { return {a.x * b.x + a.y * b.y, a.y * b.x - a.x * b.y}; }
 
 double slope(double radius, const Vec2& alpha, double eyeDistance) { return radius * alpha.y / (eyeDistance - radius * alpha.x); }
 
-/// Bands that a cap of directions reaches into.
+/// The bands that a cap of directions intersects.
 struct BandRange {
     uint32_t first = 0, last = 0;
 };
 
-/// Sectors that it reaches into, counted on over β = 0.
+/// The sectors that a cap intersects; `first` + i is taken modulo the number of sectors.
 struct SectorRange {
     uint32_t first = 0, count = 0;
 };
 
-/// A cap of directions around a cell's middle, against the bands' axis.
+/// A cap of directions around a cell's middle, relative to the bands' axis.
 class CapOnBands {
 public:
-    /// `wider`: radians that the cap is wider.
+    /// `wider`: radians added to the cap's radius.
     CapOnBands(const ContourBands& bands, const Vec3& middle, const HorizonCells::Cap& cap, double wider = 0.0)
         : m_bands(bands), m_middle(middle), m_radius(cap.cosine, cap.sine), m_angle(cap.angle), m_wider(wider) {
         const double along = std::clamp(glm::dot(middle, bands.axis), -1.0, 1.0);
@@ -44,7 +44,7 @@ public:
 
     [[nodiscard]] const Vec2& alpha() const { return m_alpha; }
     [[nodiscard]] const Vec2& radius() const { return m_radius; }
-    /// Whether the axis or its opposite lies in the cap.
+    /// Whether the cap contains the axis or its opposite.
     [[nodiscard]] bool holdsAxis() const { return m_radius.y + m_wider >= m_alpha.y || m_radius.x <= 0.0; }
 
     [[nodiscard]] BandRange bandRange() const {
@@ -73,15 +73,15 @@ private:
     Vec2 m_alpha{1.0, 0.0};
 };
 
-/// The least slope of a surface that is nowhere nearer than `nearest` over a cap: slopes rise and then fall with α, so that an
-/// end has the least.
+/// A lower bound on the slope over a cap, for a surface at distances of at least `nearest`: slopes rise and then fall with α, so
+/// the smallest is at one of the ends.
 double leastSlope(const CapOnBands& cap, double nearest, double eyeDistance) {
     if (cap.holdsAxis()) return 0.0;
     return std::min(slope(nearest, difference(cap.alpha(), cap.radius()), eyeDistance),
                     slope(nearest, sum(cap.alpha(), cap.radius()), eyeDistance));
 }
 
-/// The largest slope that a surface nowhere farther than `farthest` has over a cap that does not hold the axis.
+/// An upper bound on the slope over a cap that does not contain the axis, for a surface at distances of at most `farthest`.
 double largestSlope(const CapOnBands& cap, double farthest, double eyeDistance) {
     const Vec2 least = difference(cap.alpha(), cap.radius()), most = sum(cap.alpha(), cap.radius());
     const double peak = farthest / eyeDistance;
@@ -89,7 +89,7 @@ double largestSlope(const CapOnBands& cap, double farthest, double eyeDistance) 
     return std::max(slope(farthest, least, eyeDistance), slope(farthest, most, eyeDistance));
 }
 
-/// The least slopes by band and sector.
+/// The smallest slopes of the surface by band and sector.
 std::vector<double> leastSlopes(const HorizonCells& cells, const ContourBands& bands, double eyeDistance) {
     std::vector<double> least(bands.table.size(), kInfinity);
     for (uint32_t row = 0; row < cells.surface.rows(); ++row)
@@ -118,7 +118,7 @@ void fillHorizon(ContourBands& bands, const std::vector<double>& least) {
     }
 }
 
-/// Tests cells against a finished horizon.
+/// Tests cells against a complete horizon.
 class HorizonTest {
 public:
     HorizonTest(const SphericalMaps& maps, const ObjectSpaceView& view, const ContourBands& bands)
@@ -139,14 +139,14 @@ public:
                               const HorizonCells::Cap& owned) const {
         if (owned.cosine <= 0.0f) return false;
         const SphericalMaps::Extent& extent = m_maps.extent(cell.number);
-        // As seen from the centre; a cell that comes near it may be anywhere.
+        // The displacement is converted to an angle at the centre; a cell near the centre may be displaced to any direction.
         if (extent.nearest <= 16.0 * m_reach) return false;
         const CapOnBands cap(m_bands, directions.middle({cell.row, cell.column}), owned, 1.1 * m_reach / extent.nearest);
         if (cap.holdsAxis() && cap.alpha().x > 0.0) return false;
         const double most =
             widened(cap.holdsAxis() ? aroundFarPoint(cap, extent.farthest) : largestSlope(cap, extent.farthest, m_eyeDistance));
         const uint32_t band = cap.bandRange().first;
-        // Most cells lie below or above all sectors of their band.
+        // Most cells are below or above the horizon in all sectors of their band.
         if (m_highest[band] <= most) return false;
         if (m_lowest[band] > most) return true;
         const SectorRange sectors = cap.sectorRange();
@@ -156,7 +156,7 @@ public:
     }
 
 private:
-    /// Slopes fall towards the far point.
+    /// Upper bound on the slope for a cap that contains the far end of the axis: slopes fall towards it.
     [[nodiscard]] double aroundFarPoint(const CapOnBands& cap, double farthest) const {
         const Vec2 least = difference(cap.alpha(), cap.radius());
         if (least.x > 0.0) return kInfinity;
@@ -170,10 +170,10 @@ private:
     const ContourBands& m_bands;
     double m_eyeDistance;
     double m_reach;
-    std::vector<double> m_lowest, m_highest;  ///< horizons by band
+    std::vector<double> m_lowest, m_highest;  ///< smallest and largest horizon by band
 };
 
-/// From the cosine of its radius, rounded outward.
+/// A cap from the cosine of its radius, rounded outward.
 HorizonCells::Cap capOfCosine(double cosine) {
     cosine -= 2.0 * kFloatError;
     if (cosine <= 0.0) return {};
@@ -191,7 +191,7 @@ HorizonCells::Cap capOf(const SphericalMaps& maps, const Vec3& middle, uint32_t 
     return capOfCosine(least);
 }
 
-/// Around the whole of each cell of a row.
+/// A cap around each cell of a row, the whole cell.
 HorizonCells::Cap capOfRow(const SphericalGrid& grid, const CellDirections& directions, uint32_t row) {
     const double halfColumn = kPi / grid.columns();
     const Vec2& middle = directions.row(row);
@@ -203,8 +203,8 @@ HorizonCells::Cap capOfRow(const SphericalGrid& grid, const CellDirections& dire
     return capOfCosine(least);
 }
 
-/// Whole numbers of the maps' cells in each of its own, of 2° or more, and four triangles or more a cell: the horizon may not
-/// cost more than what it saves.
+/// A grid whose cells each consist of whole cells of the maps, of at least 2° and with at least four triangles each on average,
+/// so that the horizon does not cost more than it saves.
 SphericalGrid surfaceGrid(const SphericalGrid& maps, size_t triangles) {
     constexpr double kRowsOfTwoDegrees = 90.0;
     const double rows = std::min(kRowsOfTwoDegrees, std::sqrt(double(triangles) / 8.0));
@@ -275,7 +275,7 @@ bool isStarShaped(const SphericalMaps& maps, Facing facing) {
         const double angle = solidAngle(corners);
         if (angle == 0.0 && glm::cross(corners[1] - corners[0], corners[2] - corners[0]) == Vec3(0.0)) continue;
         turned += angle;
-        if (angle == 0.0) return false;  // edge-on: a whole arc of it lies in one direction
+        if (angle == 0.0) return false;  // seen edge-on from the centre: its points cover an arc of directions more than once
         ++(angle > 0.0 ? left : right);
     }
     if ((left > 0 && right > 0) || std::abs(std::abs(turned) - 4.0 * kPi) > 1e-6) return false;

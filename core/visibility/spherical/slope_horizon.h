@@ -6,43 +6,45 @@
 
 namespace cullscope::spherical {
 
-/// What the horizon test needs of a mesh's maps besides BandCells.
+/// The data of a mesh's maps that the horizon test needs besides BandCells.
 struct HorizonCells {
     /// A cap of directions around a cell's middle.
     struct Cap {
-        float cosine = -1.0f, sine = 0.0f;  ///< of its radius; cosine ≤ 0: nothing narrower than a hemisphere
-        float angle = 4.0f;                 ///< its radius, radians, rounded up
+        float cosine = -1.0f, sine = 0.0f;  ///< cosine and sine of its radius; cosine ≤ 0: no cap narrower than a hemisphere
+        float angle = 4.0f;                 ///< its radius in radians, rounded up
     };
 
     HorizonCells(const SphericalMaps& maps, const BandCells& cells);
     [[nodiscard]] uint64_t bytes() const { return caps.size() * sizeof(Cap) + surfaceNearest.size() * sizeof(float); }
 
-    std::vector<Cap> caps;  ///< by BandCells::cells: around all triangles that the cell owns
+    std::vector<Cap> caps;  ///< by BandCells::cells: around all triangles that belong to the cell
 
-    /// The surface in cells of about 2°, so that the horizon costs the same whatever the maps' resolution.
+    /// A grid over the surface with cells of about 2°, so that the cost of the horizon does not depend on the resolution of the
+    /// maps.
     SphericalGrid surface;
     CellDirections surfaceDirections;
-    std::vector<Cap> surfaceCaps;       ///< by row of it: around the whole cell
-    std::vector<float> surfaceNearest;  ///< by its cells: the surface is nowhere nearer; 0 where there may be none
+    std::vector<Cap> surfaceCaps;       ///< by row of `surface`: around a whole cell
+    std::vector<float> surfaceNearest;  ///< by cell of `surface`: lower bound on the surface's distance; 0 where the cell may
+                                        ///< have no surface
 };
 
-/// The exact slope in place of S (methods.md, `spherical-horizon`). Along a sight line the angle β about the axis stays and α
-/// grows; a point of distance r at α has the slope s = r·sin α / (d − r·cos α), d from the eye to the centre, and what lies on
-/// the same sight line has the same slope. So on a star-shaped surface what has a lower slope than the surface at some smaller α
-/// is hidden. A band's sector has the least slope that its surface can have, by the index map's nearest radii; a cell the largest
-/// that the triangles it owns can have, over all bands and sectors that they reach into. Both are widened by the picture's
-/// snapping to 1/256 pixel (1/64 is taken). Gives the cells that are drawn; fills the bands. Conservative where the surface is
-/// star-shaped around the centre and wholly behind the near plane.
+/// The hidden-surface test with the exact slope instead of S (methods.md, `spherical-horizon`). Along a sight line the angle β
+/// about the axis is constant and α grows. A point at distance r and angle α has the slope s = r·sin α / (d − r·cos α), with d
+/// the distance from the eye to the centre, and all points of a sight line have the same slope. So on a star-shaped surface a
+/// point with a lower slope than the surface at a smaller α is hidden. A band's sector gets the lowest slope that its surface can
+/// have, by the index map's smallest radii; a cell gets the highest slope of its triangles, over all bands and sectors that they
+/// touch. Both are widened for the picture's snapping to 1/256 pixel (1/64 is used). Fills the bands and returns the drawn cells.
+/// Conservative where the surface is star-shaped around the centre and completely beyond the near plane.
 [[nodiscard]] std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells,
                                                 const HorizonCells& horizonCells, const ObjectSpaceView& view,
                                                 ContourBands& bands);
 
-/// Says of each band's sector whether a cell that reaches into it is drawn: for those who look inside.
+/// Sets for each sector of a band whether a drawn cell intersects it; for display only.
 void markDrawnSectors(const SphericalMaps& maps, const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands);
 
-/// Whether every direction from the centre of the mesh's bounding sphere meets its surface exactly once: closed, consistently
-/// oriented, every triangle on the same side of the centre, all solid angles together one sphere. Where only front sides are
-/// drawn they must be the outer ones.
+/// Whether every ray from the centre of the mesh's bounding sphere intersects its surface exactly once: closed, consistently
+/// oriented, all triangles with the same side towards the centre, and all solid angles together one sphere. Where only front
+/// faces are drawn, they must be the outer ones.
 [[nodiscard]] bool isStarShaped(const SphericalMaps& maps, Facing facing);
 
 }  // namespace cullscope::spherical

@@ -14,7 +14,7 @@
 namespace cullscope::spherical {
 namespace {
 
-/// What both strategies have of one mesh.
+/// The structures that both strategies have for one mesh.
 struct MappedMesh {
     SphericalMapsPointer maps;
     std::unique_ptr<const BandCells> bandCells;
@@ -38,7 +38,7 @@ std::vector<ParameterDeclaration> bandParameters(double width, int64_t sectors) 
         wholeNumber("sectors", sectors, 1, 1440, CULLSCOPE_TR("Sectors into which a contour band is divided."))};
 }
 
-/// The frame that both strategies share: maps, relation to the frustum, draw list, trace.
+/// The common part of both strategies: maps, relation to the frustum, draw list, trace.
 class SphericalCulling : public Strategy {
 public:
     using Strategy::Strategy;
@@ -55,10 +55,10 @@ public:
     }
 
 protected:
-    /// Decides about an object that the frustum cuts or holds: fills `drawn` and what the decision shows.
+    /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
     virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
                              bool traced) const = 0;
-    /// Why what `decideAbout` leaves out is not drawn.
+    /// The cause of triangles that `decideAbout` culls.
     [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
     virtual void buildFor(MappedMesh& mesh) = 0;
 
@@ -99,7 +99,7 @@ private:
     [[nodiscard]] SphericalGrid gridFor(const TriangleMesh& mesh) const {
         const auto rows = uint32_t(parameters().integer("rows"));
         if (rows == 0) return SphericalGrid::forTriangles(mesh.triangleCount());
-        // More cells than triangles would only be empty: a scene of many small meshes pays for what it has.
+        // With more cells than triangles most cells would be empty; the limit saves memory in a scene of many small meshes.
         const auto most = uint32_t(std::ceil(std::sqrt(double(mesh.triangleCount()) / 2.0)));
         const uint32_t taken = std::max(std::min(rows, most), 2u);
         return SphericalGrid(2 * taken, taken);
@@ -148,7 +148,7 @@ private:
                           {"memory access map ms", times.accessMap}};
     }
 
-    /// An object by itself: nothing that one is decided by depends on another.
+    /// The decision about one object. It does not depend on other objects, so that objects are decided in parallel.
     struct Decided {
         ObjectSpaceView seen;
         SphericalDecision decision;
@@ -248,7 +248,7 @@ protected:
             return;
         }
         for (size_t i = 0; i < decision.rays.size(); ++i)
-            // From the near plane on: what lies before it is not seen.
+            // The ray starts at the near plane: nothing before it is visible.
             decision.rays[i] = followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, traced);
         decision.region = visibleRegion(*mesh.maps, decision.rays, m_join);
         decision.drawn = runsOf(mesh.maps->grid(), *decision.region);
@@ -272,7 +272,8 @@ protected:
     }
     void buildFor(MappedMesh& mesh) override {
         mesh.horizonCells = std::make_unique<HorizonCells>(*mesh.maps, *mesh.bandCells);
-        // Above the limit nothing is looked for that was not asked for: the promise is the smaller one.
+        // Above the limit the star-shape test is not run, because the user did not request it; the weaker promise is made
+        // instead.
         m_starShaped =
             m_starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit && isStarShaped(*mesh.maps, facing());
     }
@@ -280,8 +281,7 @@ protected:
 
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
                      bool traced) const override {
-        // A surface that the near plane cuts open hides nothing; and what has few triangles is drawn in less time than it is
-        // tested.
+        // A surface that the near plane cuts hides nothing, and an object of few triangles is drawn faster than it is tested.
         if (!view.beyondNear || mesh.maps->mesh().triangleCount() < kFewTriangles) {
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
             return;

@@ -4,15 +4,15 @@
 
 namespace cullscope::spherical {
 
-/// `spherical`: Han & Hong 2008 as published (Appendix 1), for every instance of a scene with one set of maps a mesh.
-/// Approximate. Where the frustum cuts an object's bounding sphere: the box of cells between the four corner rays' hits. Where
-/// the sphere lies inside the frustum: contour bands and the S test. Where the eye is inside the sphere: all of the object.
+/// `spherical`: Han & Hong 2008 as published (Appendix 1), for every instance of a scene, with one set of maps for each mesh.
+/// Approximate. Where the frustum cuts an object's bounding sphere, it draws the box of cells between the four corner rays' hits.
+/// Where the sphere lies inside the frustum, it uses contour bands and the S test. Where the eye is inside the sphere, it draws
+/// the whole object.
 [[nodiscard]] StrategyInfo sphericalInfo();
 [[nodiscard]] StrategyPointer makeSpherical(ParameterSet parameters);
 
-/// `spherical-horizon`: the exact slope in place of S. Conservative where every mesh is star-shaped around the centre of its
-/// bounding sphere, approximate elsewhere. The corner rays are left out: where the frustum cuts a sphere, the slopes alone
-/// decide.
+/// `spherical-horizon`: with the exact slope instead of S. Conservative where every mesh is star-shaped around the centre of its
+/// bounding sphere, else approximate. It does not use corner rays: where the frustum cuts a sphere, only the slopes decide.
 [[nodiscard]] StrategyInfo sphericalHorizonInfo();
 [[nodiscard]] StrategyPointer makeSphericalHorizon(ParameterSet parameters);
 

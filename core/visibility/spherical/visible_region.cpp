@@ -8,19 +8,19 @@
 namespace cullscope::spherical {
 namespace {
 
-constexpr size_t kStepsOfAnArc = 16;  // of the outline that is shown; boxes take the exact extreme
+constexpr size_t kStepsOfAnArc = 16;  // of the displayed outline; boxes use the exact extreme
 
-/// From `from` to `to` the shorter way round, in [−π, π].
+/// The angle from `from` to `to` in [−π, π].
 double turn(double from, double to) { return std::remainder(to - from, kTurn); }
 
-/// The azimuth at which a great circle comes closest to a pole, and that zenith angle, where it lies between two directions.
+/// The zenith angle and azimuth of the point of a great-circle arc nearest to a pole; none where it is one of the arc's ends.
 std::optional<Vec2> extremeOfArc(const Vec3& from, const Vec3& to) {
     const Vec3 normal = glm::cross(from, to);
     const double length = glm::length(normal);
     if (!(length > 1e-12 * glm::length(from) * glm::length(to))) return std::nullopt;
     const Vec3 n = normal / length;
     Vec3 top = Vec3(0, 0, 1) - n.z * n;
-    // Between the two, the middle direction tells towards which pole the arc bends.
+    // Between the two, the arc bends to the side of its middle direction.
     if (glm::dot(top, from) + glm::dot(top, to) < 0.0) top = -top;
     const bool between = glm::dot(glm::cross(from, top), n) > 0.0 && glm::dot(glm::cross(top, to), n) > 0.0;
     if (!between) return std::nullopt;
@@ -28,12 +28,12 @@ std::optional<Vec2> extremeOfArc(const Vec3& from, const Vec3& to) {
     return Vec2(point.theta, point.phi);
 }
 
-/// The outline along the corners with azimuths continued over the seam, and what its boxes must hold.
+/// The outline through the corners with azimuths continued over the seam, and the ranges of θ and φ that its boxes must contain.
 struct Outline {
     std::vector<Vec2> points;
     double leastTheta = kPi, mostTheta = 0.0;
     double leastPhi = 1e9, mostPhi = -1e9;
-    double turned = 0.0;  ///< all the way round
+    double turned = 0.0;  ///< sum of azimuth changes around the outline
 
     void take(double theta, double phi) {
         leastTheta = std::min(leastTheta, theta);
@@ -73,7 +73,7 @@ Outline outlineOf(std::span<const CornerRay, 4> corners, Join join) {
     return outline;
 }
 
-/// The centroids' cells of the confirmed triangles belong to the region too.
+/// Extends the region by the centroids of the hit triangles, whose cells belong to it.
 void takeHits(Outline& outline, const SphericalMaps& maps, std::span<const CornerRay, 4> corners) {
     const double middle = (outline.leastPhi + outline.mostPhi) / 2;
     for (const CornerRay& corner : corners) {
@@ -100,7 +100,7 @@ std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, 
     };
     const uint32_t from = column(outline.leastPhi), to = column(outline.mostPhi);
     if (caseNumber == 2) return {{firstRow, lastRow, from, to}};
-    // Almost all the way round, the two ranges of a row meet.
+    // The azimuths cover almost a whole turn, so that the two ranges of a row overlap.
     if (from <= to) return {{firstRow, lastRow, 0, last}};
     return {{firstRow, lastRow, from, last}, {firstRow, lastRow, 0, to}};
 }
@@ -113,7 +113,7 @@ CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, bool keepWalke
     const double radius = maps.sphere().radius;
     corner.span = throughSphere(ray, radius);
     if (!corner.span) {
-        // The nearest point of the sphere lies above the ray's own nearest to the centre.
+        // The sphere's point nearest to the ray lies on the radius through the ray's point nearest to the centre.
         const double t = std::max(0.0, -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction));
         const Vec3 nearest = ray.at(t);
         corner.point = nearest * (radius / glm::length(nearest));

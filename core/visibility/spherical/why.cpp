@@ -39,7 +39,7 @@ WhyStep regionStep(const VisibleRegion& region, bool drawn) {
     return said({CULLSCOPE_TR("The cell lies outside the visible region's boxes (case %1)."), {number}}, Containment::Outside);
 }
 
-/// Of `spherical`: by the cell's band.
+/// For `spherical`: by the S of the cell's band.
 WhyStep sizeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
     const Vec2 angles = bands.anglesOf(middle);
     const uint32_t band = bands.bandOf(angles.x), sector = bands.sectorOf(angles.y);
@@ -61,7 +61,7 @@ WhyStep sizeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
         Containment::Outside);
 }
 
-/// Of `spherical-horizon`: by the cell's own slope.
+/// For `spherical-horizon`: by the cell's own slope.
 WhyStep slopeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
     const Vec2 angles = bands.anglesOf(middle);
     const uint32_t band = bands.bandOf(angles.x), sector = bands.sectorOf(angles.y);
@@ -80,7 +80,7 @@ WhyStep slopeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
         Containment::Outside);
 }
 
-/// The node at which the walk ended for a place in the order; null: it is not known.
+/// The node at which the walk ended for a place in the order; null where it is not known.
 const JudgedCell* judgedAt(const CellTree& tree, const CellWalk& walk, uint32_t place) {
     const auto found = std::ranges::find_if(walk.judged, [&](const JudgedCell& judged) {
         const CellTree::Node& node = tree.nodes()[judged.node];
@@ -100,7 +100,7 @@ Message judgedSentence(const std::optional<Cause>& cause) {
     return {CULLSCOPE_TR("The box around the cell's triangles lies outside one plane of the frustum."), {}};
 }
 
-/// Why a test was not made of the object's cells; none: it was.
+/// Why normal cones were not tested for the object's cells; none where they were.
 std::optional<Message> conesLeftOut(const CellWalk& walk) {
     if (walk.cones) return std::nullopt;
     return Message{CULLSCOPE_TR("Normal cones are not used: both sides of the triangles are drawn, or the test is switched off."),

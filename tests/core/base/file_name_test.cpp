@@ -14,7 +14,7 @@ protected:
     void SetUp() override { std::filesystem::create_directories(m_folder); }
     void TearDown() override { std::filesystem::remove_all(m_folder); }
 
-    /// The name alone; it lies in the folder.
+    /// The file name without its folder, which is the test's own.
     [[nodiscard]] std::string next(std::string_view pattern, std::string_view scene = "bunny",
                                    std::string_view strategy = "frustum") const {
         const std::filesystem::path path = nextFileName(m_folder, pattern, scene, strategy);

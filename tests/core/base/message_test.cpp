@@ -6,7 +6,7 @@ namespace {
 
 TEST(Message, placesAreFilledInAndArgumentsStayAsTheyAre) {
     EXPECT_EQ(fillIn("%1 and %2, %1 again", {"a", "b"}), "a and b, a again");
-    // A value that looks like a place is text.
+    // A value that looks like a placeholder is inserted as text.
     EXPECT_EQ(fillIn("%1 %2", {"%2", "b"}), "%2 b");
 }
 

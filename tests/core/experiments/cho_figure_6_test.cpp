@@ -47,7 +47,7 @@ RunMeasurement run(const std::string& strategy, Facing facing, const std::vector
     return measured;
 }
 
-/// Nine bodies of 500 triangles, three views.
+/// A made-up result: nine bodies of 500 triangles, three views.
 MeasureResult madeUp() {
     MeasureResult result;
     result.request = smallExperiment({"all"});
@@ -191,7 +191,7 @@ TEST(ChoFigure6, whatWasLeftOutIsSaidOnce) {
     EXPECT_EQ(table.notes.back().english(), "\"frustum-select\" is not there.");
 }
 
-/// The same code over nine bodies: every strategy of the experiment, and none of them loses a pixel of its own picture.
+/// The same code over nine bodies: all strategies of the experiment are measured, and none loses a pixel.
 TEST(ChoFigure6, smallWalkIsReproduced) {
     PaperExperiment small = experiment();
     small.settings[0].scene = "field:mesh=star:triangles=500,n=4,spacing=2.5";

@@ -32,7 +32,7 @@ const PaperValue& valueOf(const PaperTable& table, size_t row, const std::string
 
 double number(const PaperTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
 
-/// What the paper states in a column for one strategy, setting by setting.
+/// The values that the paper states in a column for one strategy, by setting.
 Numbers stated(const std::string& experiment, const std::string& strategy, const std::string& key) {
     Numbers numbers;
     for (const PaperSetting& setting : findPaperExperiment(experiment).settings)
@@ -52,7 +52,7 @@ FrameMeasurement frame(size_t pose, uint64_t considered, uint64_t missed, uint64
     return measured;
 }
 
-/// Two runs over three poses; the second one loses pixels.
+/// A made-up result: two runs over three poses; the second one loses pixels.
 MeasureResult madeUp() {
     MeasureResult result;
     result.request = smallExperiment({"all", "frustum"});
@@ -236,7 +236,7 @@ TEST(PaperTables, csvRowsAreOfOneLength) {
     EXPECT_EQ(commas(lines[0]) + 1, commas(lines[2])) << "one comma is quoted";
 }
 
-/// An experiment over the generators, two settings of three poses.
+/// An experiment over generated scenes: two settings of three poses.
 PaperExperiment smallTable() {
     PaperExperiment experiment = findPaperExperiment("table-2");
     experiment.settings.resize(2);
@@ -276,7 +276,7 @@ TEST(Reproduce, stopInTheMiddleOfASettingKeepsItsPoses) {
     const Progress progress{[&](double share, std::string_view) {
                                 EXPECT_GE(share, last);
                                 last = share;
-                                // The second setting's second pose begins.
+                                // The start of the second setting's second pose.
                                 if (share > 0.5 + 0.5 * (0.05 + 0.95 / 3) - 1e-9) stop.request_stop();
                             },
                             stop.get_token()};

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The contract of measurement.md, "Result".
+// The fields that measurement.md, "Result", requires.
 const std::vector<std::string> kRunFields{"strategy", "promise", "facing", "parameters", "width",
                                           "height",   "windows", "upload", "build_ms",   "structure_bytes"};
 const std::vector<std::string> kFrameFields{
@@ -26,7 +26,7 @@ void expectFields(const Json& json, const std::vector<std::string>& fields) {
     for (const std::string& field : fields) EXPECT_TRUE(json.contains(field)) << field;
 }
 
-/// Cells of a CSV line; quoted ones may hold commas and doubled quotes.
+/// The cells of a CSV line; quoted ones may contain commas and doubled quotes.
 std::vector<std::string> cells(const std::string& line) {
     std::vector<std::string> cells(1);
     bool quoted = false;

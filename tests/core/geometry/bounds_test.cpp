@@ -15,7 +15,7 @@ Mat4 randomAffine(Random& random) {
     return matrix;
 }
 
-/// Components of a transformed point, in 64 bits of mantissa.
+/// A transformed point, computed with 64 bits of mantissa.
 std::array<long double, 3> moved(const Mat4& matrix, const Vec3& point) {
     std::array<long double, 3> result{};
     for (int row = 0; row < 3; ++row) {

@@ -29,7 +29,7 @@ Bits verdicts(const Batch& batch, const BatchFrustum& frustum, SimdLevel level) 
 
 bool bit(const std::vector<uint64_t>& words, size_t i) { return (words[i / 64] >> (i % 64) & 1) != 0; }
 
-/// Of one object, the same on all levels.
+/// The result for one object, checked to be the same on all levels.
 template <typename Batch, typename Object>
 Containment verdict(const Object& object, const Frustum& frustum, const Vec3& eye) {
     const Batch batch(std::span(&object, 1));
@@ -67,7 +67,7 @@ Frustum randomFrustum(Random& random) {
                        magnitude(random, 0, 6));
 }
 
-/// Around a place in or near the frustum, its p-vertex about as far from a plane as the margin where `touching`.
+/// A place in or near the frustum; with `touching`, its p-vertex is about as far from a plane as the margin.
 Vec3 randomCentre(Random& random, const Frustum& frustum, const Vec3& eye, double reach, bool touching) {
     const Vec3 centre = random.direction() * frustum.farDistance * std::pow(random.unit(), 2.0) * 1.5;
     if (!touching) return eye + centre;
@@ -89,7 +89,7 @@ Sphere randomSphere(Random& random, const Frustum& frustum, const Vec3& eye) {
     return {randomCentre(random, frustum, eye, radius, random.bits() % 2 == 0), radius};
 }
 
-/// Now and then a number that breaks arithmetic.
+/// The value, or now and then NaN, an infinity, a huge or a denormal number, or a zero of either sign.
 double spoilt(Random& random, double value) {
     constexpr std::array kBreakers{kNaN,     kInfinity, -kInfinity, 1e300,  -1e300, 1e308,
                                    -1.7e308, 5e-324,    -5e-324,    1e-310, 0.0,    -0.0};
@@ -100,7 +100,7 @@ Vec3 spoilt(Random& random, const Vec3& value) {
     return {spoilt(random, value.x), spoilt(random, value.y), spoilt(random, value.z)};
 }
 
-/// Asserts that all levels give the scalar one's bits and that the tests of single objects give them, too; returns them.
+/// Asserts that all levels give the same bits as the scalar one, and that the tests of single objects agree; returns the bits.
 template <typename Batch, typename Object>
 Bits agreedVerdicts(const std::vector<Object>& objects, const BatchFrustum& frustum) {
     const Batch batch(objects);
@@ -126,7 +126,7 @@ Bits agreedVerdicts(const std::vector<Object>& objects, const BatchFrustum& frus
     return bits;
 }
 
-/// The exact distances of a box's or sphere's points farthest inside and outside, as good as exact for doubles.
+/// The distances of a box's or sphere's points farthest inside and outside, exact for doubles in practice.
 struct ExactDistances {
     Exact inside, outside;
 };
@@ -150,7 +150,7 @@ ExactDistances exactDistances(const Plane& plane, const Sphere& sphere, const Ve
 Sphere around(const Box3& box) { return {box.centre(), glm::length(box.halfExtent())}; }
 Sphere around(const Sphere& sphere) { return sphere; }
 
-/// What every plane test of the project leans outward by at least (visibility/eye_bounds.h, marginFromEye).
+/// The least margin of every plane test of the project (visibility/eye_bounds.h, marginFromEye).
 double leastMargin(const Sphere& sphere, const Vec3& eye) {
     return conservativeMargin(glm::length(sphere.centre - eye) + sphere.radius) +
            (glm::length(sphere.centre) + glm::length(eye) + sphere.radius) * 0x1p-49;
@@ -160,8 +160,8 @@ struct Counts {
     int outside = 0, inside = 0;
 };
 
-/// Asserts that what is said of an object holds exactly with half the margin to spare, and that it is said where it holds by
-/// four.
+/// Asserts that a result holds exactly with half the margin to spare, and that an object that is outside or inside by four
+/// margins is classified so.
 template <typename Object>
 void expectExact(const Object& object, const Frustum& frustum, const Vec3& eye, bool outside, bool inside, Counts& counts) {
     const BatchFrustum batchFrustum(frustum, eye);
@@ -252,7 +252,7 @@ TEST(FrustumBatch, nothingIsSaidBeyondTheLastObject) {
         agreedVerdicts<BoxBatch>(boxes, BatchFrustum(frustum, eye));
         agreedVerdicts<SphereBatch>(spheres, BatchFrustum(frustum, eye));
         ASSERT_EQ(BoxBatch(boxes).wordCount(), (size_t(size) + 63) / 64);
-        // Outside all together, so that every early way out is taken.
+        // All objects outside, so that every early exit is taken.
         const Vec3 behind = eye - frustum.forward * 100.0;
         const Bits bits = agreedVerdicts<BoxBatch>(std::vector<Box3>(size_t(size), {behind, behind}), BatchFrustum(frustum, eye));
         for (size_t i = 0; i < size_t(size); ++i) EXPECT_TRUE(bit(bits.outside, i)) << i << " of " << size;
@@ -306,8 +306,7 @@ TEST(FrustumBatch, case3BoxThatOnlyItsExtentLengthKeepsIsOutside) {
 TEST(FrustumBatch, case4SphereFarFromTheOriginIsKept) {
     const Vec3 on(1e7 + 5.5, 0, -1e7 + 6.5), normal(.6, 0, -.8);
     const Sphere sphere{{1e7 + 8.5, 0, -1e7 + 7.5}, 1.0};
-    // Seen from nearby, and from the origin of the world. The centre lies 1 inside; float makes it 2 outside, and the sphere with
-    // it.
+    // Seen from nearby, and from the world's origin. The centre lies 1 inside; in float it would lie 2 outside, with the sphere.
     for (const Vec3& eye : {on, on + Vec3(3, 4, 5), Vec3(0.0)}) {
         const Frustum frustum = onePlane({normal, glm::dot(normal, eye - on)});
         const BatchDistances distances = BatchFrustum(frustum, eye).distances(FrustumPlane::Left, sphere);

@@ -13,7 +13,7 @@ constexpr std::array kDepths{ClipDepth::MinusOneToOne, ClipDepth::ZeroToOne, Cli
 
 enum class Hand { Right, Left };
 
-/// The matrix that a textbook gives: GLM's own, which shares nothing with ours. `eye` in world coordinates.
+/// The projection matrix of a textbook: GLM's, which shares no code with ours. `eye` in world coordinates.
 Mat4 textbookMatrix(const Vec3& eye, const Vec3& forward, const Vec3& up, Hand hand, ClipDepth depth, Angle fovy, double aspect,
                     double nearDistance, double farDistance) {
     const double f = fovy.radians();
@@ -28,8 +28,8 @@ Mat4 textbookMatrix(const Vec3& eye, const Vec3& forward, const Vec3& up, Hand h
     return projection * look;
 }
 
-/// The same view by makeFrustum. A left-handed camera has its x axis on the other side: what it shows on the left, a right-handed
-/// one with the same axes shows on the right.
+/// The same view by makeFrustum. The x axis of a left-handed camera points to the opposite side: what it shows on the left, a
+/// right-handed one with the same axes shows on the right.
 Frustum frustumOf(const Vec3& forward, const Vec3& up, Hand hand, Angle fovy, double aspect, double nearDistance,
                   double farDistance) {
     const double tall = std::tan(fovy.radians() / 2);
@@ -64,7 +64,7 @@ TEST(FrustumPlanes, rowsCornersAndMakeFrustumAgree) {
                 }
             }
     }
-    // Far 10,000 × near costs four digits of sixteen.
+    // At a far distance of 10,000 × near, four of sixteen digits are lost.
     EXPECT_LT(worstAngle, 1e-10);
     EXPECT_LT(worstOffset, 1e-10);
 }
@@ -95,7 +95,7 @@ TEST(FrustumPlanes, mirroredOrUpsideDownMatrixPointsItsNormalsInward) {
         const Mat4 clip =
             textbookMatrix(Vec3(0), {0, 0, -1}, {0, 1, 0}, Hand::Right, depth, Angle::fromDegrees(70), 1.6, 0.5, 50);
         for (const Vec3 scale : {Vec3(-1, 1, 1), Vec3(1, -1, 1), Vec3(-1, -1, 1)}) {
-            // On the picture's side (x/w and y/w change sign) and on the world's.
+            // Mirrored in the picture (x/w and y/w change sign) and in the world.
             for (const Mat4& mirrored : {glm::scale(Mat4(1.0), scale) * clip, clip * glm::scale(Mat4(1.0), scale)}) {
                 const auto rows = planesFromRows(mirrored, depth);
                 const auto corners = planesFromCorners(mirrored, depth);
@@ -131,7 +131,8 @@ TEST(FrustumPlanes, orthographicViewHasItsPlanes) {
 }
 
 TEST(FrustumPlanes, extremeRatioLosesWhatItsCommentSays) {
-    // Near : far = 1e-6 : 1e9. The reversed matrix as View makes it; GLM's, asked for far : near, cancels while it is made.
+    // Near : far = 1e-6 : 1e9. The reversed matrix as View builds it; GLM's, called with far and near exchanged, cancels during
+    // its construction.
     const double n = 1e-6, f = 1e9;
     Mat4 reversed(0.0);
     reversed[0][0] = reversed[1][1] = 1.0;
@@ -181,13 +182,13 @@ TEST(FrustumPlanes, matrixWithoutPlanesGivesNone) {
         EXPECT_FALSE(planes(notANumber, ClipDepth::ZeroToOne));
         EXPECT_FALSE(planes(endless, ClipDepth::ReversedZeroToOne));
     }
-    // Corners behind the eye: no hull of them is the view.
+    // Corners behind the eye: their hull is not the view.
     EXPECT_FALSE(planesFromCorners(
         textbookMatrix(Vec3(0), {0, 0, -1}, {0, 1, 0}, Hand::Right, ClipDepth::ZeroToOne, Angle::fromDegrees(90), 1, -1, 9),
         ClipDepth::ZeroToOne));
 }
 
-// The control: Orangelie's pseudo-code as it is printed (left-handed, row vectors, depth 0 … 1).
+// The control: Orangelie's pseudo-code as printed (left-handed, row vectors, depth 0 … 1).
 
 Plane getNormalFromPoints(const Vec3& p1, const Vec3& p2, const Vec3& p3) {
     const Vec3 normal = glm::cross(p1 - p2, p1 - p3);
@@ -204,7 +205,7 @@ Printed asPrinted(const Mat4& clip) {
     Printed blog;
     const std::array<Vec3, 8> cube{Vec3(-1, 1, 0), Vec3(1, 1, 0), Vec3(1, -1, 0), Vec3(-1, -1, 0),
                                    Vec3(-1, 1, 1), Vec3(1, 1, 1), Vec3(1, -1, 1), Vec3(-1, -1, 1)};
-    // A row vector times a matrix is the transposed matrix times the vector; no division follows.
+    // A row vector times a matrix is the transposed matrix times the vector; the division by w is missing.
     for (size_t i = 0; i < 8; ++i) blog.vertices[i] = Vec3(inverse * Vec4(cube[i], 1.0));
     const auto& v = blog.vertices;
     blog.nearPlane = getNormalFromPoints(v[0], v[1], v[2]);
@@ -228,7 +229,7 @@ TEST(BlogAsPrinted, keepsNothingOutWhereTheMendedFormDoes) {
     EXPECT_GT(glm::distance(blog.vertices[0], Vec3(-2, 2, 2)), 0.5) << "a near corner";
     EXPECT_GT(glm::distance(blog.vertices[4], Vec3(-10, 10, 10)), 0.5) << "a far corner";
 
-    // Far out to the left: ours cull it; printed, nothing tells it from one in the middle of the view.
+    // Far out to the left: our planes cull it; the printed ones cannot distinguish it from one in the middle of the view.
     const auto culled = [](const Plane& plane, const Vec3& centre, double radius) { return plane.distance(centre) > radius; };
     const Vec3 middle(0, 0, 5), aside(-500, 0, 5);
     for (const Plane& plane : {blog.nearPlane, blog.farPlane, blog.left, blog.right, blog.bottom, blog.up})

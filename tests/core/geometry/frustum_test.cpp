@@ -56,7 +56,7 @@ TEST(Frustum, case1SphereThatPassesEveryPlaneButLiesOutsideIsAKnownFalsePositive
 
 TEST(Frustum, case2BoxThatPassesEveryPlaneButLiesOutsideIsAKnownFalsePositive) {
     EXPECT_EQ(classify(standardFrustum(), box({15, -5, -30}, {40, 5, -9.5})), Containment::Straddles);
-    // Outside all the same: the frustum's points have x <= −z and −z <= 10, so x <= 10 < 15.
+    // It is outside nevertheless: the frustum's points have x <= −z and −z <= 10, so x <= 10 < 15.
 }
 
 TEST(Plane, case3BoxThatOnlyItsExtentLengthKeepsIsOutside) {
@@ -74,12 +74,12 @@ TEST(Plane, case4SphereFarFromTheOriginIsJudgedRightInDouble) {
     const Plane plane{normal, -glm::dot(normal, on)};
     EXPECT_NEAR(plane.distance(sphere.centre), 1.0, 1e-8);
 
-    // The answer that a float test gives, so that the case stays one: −2 in place of +1.
+    // The result of a test in float, so that the case stays relevant: −2 instead of +1.
     const Vec3f normalf(normal);
     const float offset = -glm::dot(normalf, Vec3f(on));
     EXPECT_LT(glm::dot(normalf, Vec3f(sphere.centre)) + offset, 0.5f);
 
-    // Relative to an eye nearby nothing is lost at all.
+    // Relative to an eye nearby no digits are lost.
     const Vec3 eye = on;
     const Plane fromEye{normal, 0.0};
     EXPECT_NEAR(fromEye.distance(sphere.centre - eye), 1.0, 1e-15);
@@ -125,7 +125,7 @@ TEST(Frustum, onlyWhatLiesWhollyWithinIsInside) {
 }
 
 TEST(Frustum, boxIsOutsideOrInsideOnlyWhereAllItsCornersAre) {
-    // A box is outside only if one plane has all its corners outside; inside only if every plane has all of them inside.
+    // A box is outside only if all its corners are outside one plane; inside only if all are inside every plane.
     Random random(5);
     int outside = 0, inside = 0;
     for (int i = 0; i < 20000; ++i) {

@@ -8,7 +8,7 @@ namespace cullscope::random_test {
 namespace {
 
 TEST(Random, numbersAreThoseOfSplitMix64) {
-    // SplitMix64 from seed 0: the published first outputs.
+    // The published first outputs of SplitMix64 for seed 0.
     Random random(0);
     EXPECT_EQ(random.bits(), 0xE220A8397B1DCDAFull);
     EXPECT_EQ(random.bits(), 0x6E789E6AA1B965F4ull);

@@ -23,7 +23,7 @@ Frustum randomFrustum(Random& random) {
     return makeFrustum(forward, right, glm::cross(right, forward), tall * aspect, tall, nearDistance, farDistance);
 }
 
-/// A point of the frustum's surface, mostly on an edge or corner, and a direction that has all of the frustum behind it.
+/// A point of the frustum's surface, mostly on an edge or corner, and a direction in which the frustum does not extend beyond it.
 struct Contact {
     Vec3 point, outward;
 };
@@ -48,7 +48,7 @@ Contact randomContact(const Frustum& frustum, Random& random) {
     return contact;
 }
 
-/// Where edges, corners and faces meet, which is where plane tests err: loosely, or touching to within 1e-17 … 1e-3.
+/// A place where edges, corners and faces meet, because plane tests err there: loosely, or touching to within 1e-17 … 1e-3.
 Vec3 placeOf(const std::array<Vec3, 3>& halves, const Frustum& frustum, Random& random) {
     const Contact contact = randomContact(frustum, random);
     double size = 0.0;
@@ -73,12 +73,12 @@ double randomSize(const Frustum& frustum, Random& random) {
                                : powerOfTen(random, -2, 2) * (random.unit() < 0.5 ? frustum.nearDistance : frustum.farDistance);
 }
 
-/// A box and the directions of its edges, of unit length, which it has even where it is flat.
+/// A box and the unit directions of its edges, which are known even where it is flat.
 struct SampleBox {
     OrientedBox box;
     std::array<Vec3, 3> directions;
 
-    /// Grown so far that each face lies `by` farther out at least: 3 / det bounds what a shear takes from that.
+    /// The box grown so that each face lies at least `by` farther out: 3 / det bounds the loss by a shear.
     [[nodiscard]] QuadBox exact(double by = 0.0) const {
         const double sheared = std::abs(glm::dot(glm::cross(directions[0], directions[1]), directions[2]));
         const Quad outward = sheared > 1.0 - 1e-9 ? by * (1 + 1e-8) : 3 * by / sheared;
@@ -93,7 +93,7 @@ struct SampleBox {
 
 struct PairTally {
     uint64_t pairs = 0, apart = 0, byPlanes = 0, refined = 0;
-    uint64_t withinMargin = 0;  ///< apart, but by no more than the margin: kept
+    uint64_t withinMargin = 0;  ///< separate, but by no more than the margin: kept
 
     void print(const char* what) const {
         std::printf("long: separation %s pairs %llu apart %llu by-planes %llu refined %llu apart-within-margin %llu\n", what,
@@ -105,8 +105,8 @@ struct PairTally {
 
 uint64_t pairsToTest() { return longMode() ? 1'000'000 : 60'000; }
 
-/// Both directions for one pair, with a margin that the test is given and with none: what touches is never parted, and what lies
-/// apart by more than margin and rounding always is.
+/// Both directions for one pair, with a margin and without: objects that touch are never reported as separate, and objects that
+/// are apart by more than margin and rounding always are.
 template <typename Box>
 void checkBox(const Frustum& frustum, const Box& box, const SampleBox& same, PairTally& tally, uint64_t seed) {
     const ExactFrustum exact(frustum);
@@ -121,7 +121,8 @@ void checkBox(const Frustum& frustum, const Box& box, const SampleBox& same, Pai
     EXPECT_FALSE(meets && byPlanes) << "planes cull what is visible: " << seed;
     EXPECT_FALSE(meets && refined) << "refinement culls what is visible: " << seed;
     EXPECT_FALSE(meets && separated(frustum, box, 0.0)) << "without margin the test's own rounding shows: " << seed;
-    // A flat box that has no direction across itself is parted by its edges alone, whose axes lean: not to the last margin.
+    // A flat box without a normal is separated by the axes of its edges only, which are inexact: not checked to the last digits
+    // of the margin.
     if (meets || refined || byPlanes || same.flat()) return;
     ++tally.withinMargin;
     EXPECT_TRUE(exact.meets(same.exact(1.001 * margin))) << "apart by more than the margin, and not seen: " << seed;
@@ -133,7 +134,7 @@ void expectAllKinds(const PairTally& tally) {
     EXPECT_LT(tally.apart, tally.pairs * 3 / 4);
 }
 
-/// A box in a random frame: turned, sheared, mirrored or flat.
+/// A box in a random frame: rotated, sheared, mirrored or flat.
 SampleBox randomBox(const Frustum& frustum, const Vec3& half, Random& random) {
     const Vec3 first = random.direction(), second = glm::normalize(glm::cross(first, random.direction()));
     SampleBox sample{{}, {first, second, glm::cross(first, second)}};
@@ -194,7 +195,7 @@ TEST(SeparationProperty, sphereIsPartedExactlyWhereItLiesApart) {
         Sphere sphere{placeOf({Vec3(size), Vec3(0.0), Vec3(0.0)}, frustum, random), size};
         const ExactFrustum exact(frustum);
         const Quad distance = exact.distance(quad(sphere.centre));
-        // Now and then it touches to the last digits, from either side.
+        // Now and then the sphere touches to the last digits, from inside or outside.
         if (random.unit() < 0.5) sphere.radius = double(distance) * (1.0 + random.between(-1, 1) * powerOfTen(random, -16, -1));
         const double magnitude = glm::length(sphere.centre) + sphere.radius;
         const double margin = conservativeMargin(magnitude);
@@ -248,7 +249,7 @@ TEST(SeparationProperty, boxIsSaidToMeetTheNearRectangleExactlyWhereItDoes) {
         const EyeBox some = randomEyeBox(thin, size, random);
         const double magnitude = glm::length(some.centre) + glm::length(some.halfExtent);
         const double margin = random.unit() < 0.5 ? 0.0 : conservativeMargin(magnitude);
-        // Of a rectangle without any thickness the oracle, too, would lose what only touches.
+        // For a rectangle without thickness the exact test, too, would miss a box that only touches it.
         const ExactFrustum rectangle(frustum, Quad(frustum.nearDistance) + 1e-25 * magnitude);
         const auto meetsWhenGrown = [&](Quad by) {
             QuadBox grown{quad(some.centre), {}};

@@ -2,8 +2,8 @@
 #include "core/geometry/random.h"
 #include "tests/support/gl_environment.h"
 
-// OpenGL asked about boxes; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1,
-// near 0.1, far 10 unless said.
+// OpenGL's tests of boxes; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1,
+// near 0.1, far 10 unless stated.
 
 namespace cullscope::test::box_tests_test {
 namespace {
@@ -17,8 +17,8 @@ View standardView(const Viewport& size = {100, 100}) {
 
 EyeBox box(const Vec3& min, const Vec3& max) { return {0.5 * (min + max), 0.5 * (max - min)}; }
 
-/// In view; left, right, above, below; before near; behind the eye; beyond far; cut by a side; and flat ones in view, seen
-/// edge-on and not.
+/// Boxes in view; left, right, above, below; in front of near; behind the eye; beyond far; cut by a side; and flat ones in view,
+/// seen edge-on and not.
 const std::vector<EyeBox> kAround{
     box({-1, -1, -6}, {1, 1, -4}), box({-9, -1, -6}, {-7, 1, -4}),  box({7, -1, -6}, {9, 1, -4}),
     box({-1, 7, -6}, {1, 9, -4}),  box({-1, -9, -6}, {1, -7, -4}),  box({-.01, -.01, -.06}, {.01, .01, -.05}),
@@ -33,8 +33,8 @@ TEST(BoxSelection, boxesInViewAreHitAndThoseBesideItAreNot) {
 }
 
 TEST(BoxQueries, boxesInViewCoverSamplesAndThoseBesideItDoNot) {
-    // Clamped depth: what lies before near or beyond far covers samples; what is behind the eye does not, nor what is seen
-    // edge-on between two rows of samples.
+    // With clamped depth, boxes in front of near or beyond far cover samples; a box behind the eye does not, nor one seen edge-on
+    // between two rows of samples.
     EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), kAround), ElementsAre(0, 5, 7, 8, 10));
 }
 
@@ -55,7 +55,7 @@ TEST(BoxSelection, case25OverflowOfTheHitBufferIsNoticed) {
 }
 
 TEST(BoxSelection, boxAroundTheFrustumIsNotHit) {
-    // Why a box that reaches the near rectangle must not be asked about (stability case 26).
+    // The reason why a box that touches the near rectangle must not be tested by OpenGL (stability case 26).
     const std::vector<EyeBox> around{{Vec3(0.0), Vec3(50.0)}};
     EXPECT_THAT(GlEnvironment::renderer().selectBoxes(standardView(), around, 100).hits, IsEmpty());
 }

@@ -7,7 +7,7 @@
 #include "tests/support/pixel_edges.h"
 #include "tests/support/test_scenes.h"
 
-// Case 21: the whole scene moved by (1e7, −1e7, 1e7), through its instances' transforms and as a mesh that lies there.
+// Case 21: the whole scene moved by (1e7, −1e7, 1e7), by its instances' transforms and by the meshes' own coordinates.
 
 namespace cullscope::test::far_from_origin_test {
 namespace {
@@ -30,7 +30,7 @@ ScenePointer movedByTransforms() {
     return sceneOf(meshes(), moved);
 }
 
-/// The coordinates themselves lie there: each mesh about an origin of its own, turned and scaled about it.
+/// Moved by the coordinates: each mesh has an origin of its own there, about which it is rotated and scaled.
 ScenePointer movedByOrigins() {
     std::vector<MeshPointer> moved;
     for (const MeshPointer& mesh : meshes()) moved.push_back(withOrigin(*mesh, kFar));
@@ -42,7 +42,7 @@ ScenePointer movedByOrigins() {
     return sceneOf(std::move(moved), around);
 }
 
-/// Views whose numbers are multiples of 2^-20, so that moving eye and target loses nothing.
+/// Views whose numbers are multiples of 2^-20, so that moving eye and target is exact.
 std::vector<Camera> cameras(size_t count) {
     Random random(21);
     const auto rounded = [](double x) { return std::round(x * 0x1p20) * 0x1p-20; };

@@ -12,7 +12,7 @@ GLint integer(GLenum name) {
     return value;
 }
 
-/// Everything that the renderer touches and Qt reckons with, by name.
+/// Checks by name every state that the renderer changes and Qt relies on.
 void expectDefaults() {
     EXPECT_EQ(integer(GL_CLIP_ORIGIN), GL_LOWER_LEFT);
     EXPECT_EQ(integer(GL_CLIP_DEPTH_MODE), GL_NEGATIVE_ONE_TO_ONE);
@@ -42,14 +42,14 @@ void expectDefaults() {
         glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, index, &buffer);
         EXPECT_EQ(buffer, 0) << index;
     }
-    std::array<GLint, 2> polygonMode{};  // compatibility profiles give one for each side
+    std::array<GLint, 2> polygonMode{};  // compatibility profiles return one value for each side
     glGetIntegerv(GL_POLYGON_MODE, polygonMode.data());
     EXPECT_EQ(polygonMode[0], GL_FILL);
     EXPECT_EQ(integer(GL_PACK_ALIGNMENT), 4);
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// A framebuffer that some caller has bound.
+/// A framebuffer bound by the caller before the renderer is called.
 class Bound {
 public:
     Bound() { glBindFramebuffer(GL_FRAMEBUFFER, m_framebuffer.id()); }

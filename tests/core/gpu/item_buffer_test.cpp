@@ -14,7 +14,7 @@ std::vector<uint32_t> items(const ScenePointer& scene, const View& view, const D
 }
 
 TEST(ItemBuffer, tieDoesNotDependOnTheDrawingOrder) {
-    // The same square three times: the lowest number stays, however the list is turned.
+    // The same square three times: the lowest number stays, for every order of the list.
     const ScenePointer scene = copiesOf(squareMesh(50, -5), {Mat4(1.0), Mat4(1.0), Mat4(1.0)});
     DrawList list = everything(*scene, Facing::TwoSided);
     const std::vector<uint32_t> first = items(scene, standardView(), list);
@@ -52,7 +52,7 @@ TEST(ItemBuffer, depthIsThatOfThePicture) {
 }
 
 TEST(ItemBuffer, numbersNameTheInstance) {
-    // Four squares side by side: every quadrant names its own instance's triangles.
+    // Four squares side by side: every quadrant shows the numbers of its own instance's triangles.
     const ScenePointer scene = copiesOf(squareMesh(1, 0), {translation({-2.5, -2.5, -5}), translation({2.5, -2.5, -5}),
                                                            translation({-2.5, 2.5, -5}), translation({2.5, 2.5, -5})});
     const std::vector<uint32_t> seen = items(scene, standardView(), everything(*scene, Facing::Front));

@@ -12,7 +12,7 @@ View downMinusZ(const Viewport& size = {100, 100}, const Vec3& eye = Vec3(0.0)) 
     return {{eye, eye + Vec3(0, 0, -1), {0, 1, 0}, Angle::fromDegrees(90), 1, 100}, size};
 }
 
-/// The pixels that lines leave red, over a square at z = −10 that covers the left half of the picture.
+/// The pixels that lines make red, over a square at z = −10 that covers the left half of the picture.
 std::vector<uint8_t> redPixels(const View& view, const std::vector<LineSegment>& lines, const LineStyle& style,
                                const Vec3& moved = Vec3(0.0)) {
     const ScenePointer scene = sceneOf({squareMesh(10, 0)}, {translation(moved + Vec3(-10, 0, -10))});
@@ -48,7 +48,7 @@ TEST(Lines, widthIsTheOneAskedFor) {
 }
 
 TEST(Lines, partBeyondTheDepthRangeIsDrawn) {
-    // Along the right edge's direction, from behind the eye to far beyond the far plane.
+    // In the direction of the right edge, from behind the eye to far beyond the far plane.
     const std::vector<LineSegment> through{{{5, 2, 50}, {5, 2, -1e6}, kRed}};
     EXPECT_NEAR(double(count(redPixels(downMinusZ(), through, {1, true}))), 54, 7) << "from the border to the vanishing point";
     EXPECT_EQ(count(redPixels(downMinusZ(), {{{5, 2, 50}, {5, 2, 1}, kRed}}, {1, true})), 0u) << "all of it behind the eye";
@@ -129,7 +129,7 @@ TEST(DrawByState, isTheSameByEitherUploadAndFollowsTheFacing) {
     using enum PaletteEntry::Look;
     const std::vector<PaletteEntry> palette{{kRed, Filled}, {{0, 1, 0}, Wireframe}, {{0, 0, 1}, Marked}, {{1, 1, 1}, Absent}};
     EXPECT_EQ(drawn(Upload::Vbo, Facing::TwoSided, palette), drawn(Upload::VertexArray, Facing::TwoSided, palette));
-    // Filled everywhere, it has the depth of the picture, by the same facing rule.
+    // With all triangles filled, the depth is that of the picture, under the same facing rule.
     const std::vector<PaletteEntry> filled(4, {kRed, Filled});
     for (const Facing facing : {Facing::TwoSided, Facing::Front})
         EXPECT_EQ(drawn(Upload::Vbo, facing, filled).depth, picture(scene, view, facing).depth);

@@ -16,7 +16,7 @@ View lookingAt(const Vec3& eye, const Vec3& target, Viewport size = {160, 120}, 
 size_t covered(const std::vector<float>& depth) { return depth.size() - size_t(std::count(depth.begin(), depth.end(), 0.0f)); }
 
 TEST(Renderer, case18NearerOfTwoDistantSurfacesWins) {
-    // Near 0.01, far 1e6, squares at 1000 and 1000.01: a reversed float depth tells them apart, in both orders.
+    // Near 0.01, far 1e6, squares at 1000 and 1000.01: reversed float depth separates them, in both drawing orders.
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(45), 0.01, 1e6}, {64, 64});
     const ScenePointer scene = sceneOf({squareMesh(1000, -1000.0f), squareMesh(1000, -1000.01f)});
     const SceneBuffers buffers(scene, Upload::Vbo);
@@ -107,7 +107,7 @@ TEST(Renderer, sceneWithoutTrianglesOrWithAnEmptyMeshIsDrawn) {
     EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
 }
 
-/// Counts the pixels at which front faces alone show something else than both sides, away from the edges of what is seen.
+/// Counts the pixels at which front faces alone show another colour than both sides, away from the edges of the visible surface.
 uint64_t lostBesideEdges(const ScenePointer& scene, const Camera& camera, const Viewport& size, uint64_t& pixels) {
     const View view(camera, size);
     const SceneBuffers buffers(scene, Upload::Vbo);
@@ -145,7 +145,7 @@ TEST(Renderer, case30MirroredOrFlattenedInstanceLosesNoFrontFace) {
 }
 
 TEST(Renderer, mirroredInstanceIsLitLikeItsMirrorImage) {
-    // Looking down −z at a body mirrored in x: the picture's mirror image, up to rounding of colours and snapping at edges.
+    // Looking down −z at a body mirrored in x: the mirror image of the picture, up to rounding of colours and snapping at edges.
     const MeshPointer star = starMesh(7, 4000);
     const Viewport size{120, 120};
     const View view = lookingAt({0, 0, 4}, Vec3(0.0), size);

@@ -23,7 +23,7 @@ ScenePointer threeBodies() {
                    {translation({-3, 0, 0}), Mat4(1.0), translation({3, 0, 0})});
 }
 
-/// A fan over a half circle that faces +z, of so many vertices.
+/// A fan of that many vertices over a half circle that faces +z.
 MeshPointer fanOf(size_t vertices) {
     TriangleMesh::Data data;
     data.name = "fan";
@@ -107,7 +107,7 @@ TEST(SceneBuffers, everythingHiddenDrawsNothing) {
 }
 
 TEST(SplitPicture, isThatOfTheWhole) {
-    // Far from the origin too: parts keep the mesh's own, so that they are rounded alike.
+    // Also far from the origin: parts keep the mesh's origin, so that they are rounded equally.
     const Mat4 place = translation({2.5, 0, 1}) * scaling({-1, 1, 0.5});
     for (const Vec3& origin : {Vec3(0.0), Vec3(4e6, -2e6, 100.0625)})
         for (const MeshPointer& mesh : {knotMesh(30'000), starMesh(7, 20'000), teapotMesh(8'000)}) {

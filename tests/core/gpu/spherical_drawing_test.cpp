@@ -1,4 +1,4 @@
-// The model in spherical coordinates: which pixels a triangle has, and which triangle a pixel.
+// The model in spherical coordinates: the pixels that a triangle covers, and the triangle picked at a pixel.
 
 #include <numbers>
 
@@ -43,7 +43,7 @@ SphericalModel wholePicture(const Sphere& sphere, const Viewport& size = kSize) 
     return model;
 }
 
-/// Pixels by the degrees that they show.
+/// Access to pixels by the degrees that they show.
 struct Map {
     std::vector<uint8_t> rgba;
     std::vector<float> depth;
@@ -90,7 +90,7 @@ TEST(SphericalDrawing, triangleOverAPoleCoversIt) {
 }
 
 TEST(SphericalDrawing, cornerOrEdgeAtAPoleStaysSharp) {
-    // A quarter of the cap around the pole, and a half that ends in a line over it.
+    // A quarter of the cap around the pole, and a half whose border is a line over the pole.
     const Map quarter = drawn(triangles({{Vec3f(0, 0, 1), corner(20, 30), corner(20, 120)}}));
     const Map half = drawn(triangles({{corner(20, 30), corner(20, 210), corner(20, 120)}}));
     for (const Map& map : {quarter, half}) {
@@ -102,7 +102,7 @@ TEST(SphericalDrawing, cornerOrEdgeAtAPoleStaysSharp) {
 }
 
 TEST(SphericalDrawing, edgeIsAGreatCircleArc) {
-    // Between two corners at 60° from the pole and 120° apart the great circle climbs to 40.9°.
+    // Between two corners at 60° from the pole and 120° apart the great circle rises to 40.9°.
     const Map map = drawn(triangles({{corner(60, 100), corner(60, 220), corner(95, 160)}}));
     const double top = std::atan(std::tan(60 * kDegree) * std::cos(60 * kDegree)) / kDegree;
     EXPECT_TRUE(map.covered(int(top) + 1, 160));
@@ -130,7 +130,7 @@ TEST(SphericalDrawing, closedMeshCoversEveryDirection) {
 }
 
 TEST(SphericalDrawing, everyDirectionShowsWhatItsRayMeets) {
-    // Each pixel's triangle is found again by intersecting the ray through the pixel.
+    // The triangle of each pixel is confirmed by intersecting the ray through the pixel.
     Random random(11);
     std::vector<std::array<Vec3f, 3>> all;
     for (int i = 0; i < 40; ++i) {
@@ -174,7 +174,7 @@ TEST(SphericalDrawing, onlyTheListIsDrawn) {
     const DrawList second{Facing::TwoSided, {{0, 3, 3}}};
     EXPECT_FALSE(drawn(mesh, Vec3(0.0), &second).covered(90, 90));
     EXPECT_TRUE(drawn(mesh, Vec3(0.0), &second).covered(90, 190));
-    // The first place of another order is the second triangle.
+    // The first place of another order is the second triangle of the mesh.
     const std::vector<uint32_t> indices{3, 4, 5, 0, 1, 2}, numbers{1, 0};
     auto order = std::make_shared<TriangleOrder>();
     order->meshes.push_back({indices, numbers});

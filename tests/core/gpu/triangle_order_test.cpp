@@ -11,7 +11,7 @@
 namespace cullscope::test::triangle_order_test {
 namespace {
 
-/// Every mesh's triangles backward.
+/// Every mesh's triangles in reverse order.
 TriangleOrderPointer backward(const Scene& scene) {
     struct Arrays {
         std::vector<std::vector<uint32_t>> indices, triangles;
@@ -34,7 +34,7 @@ ScenePointer twoObjects() { return sceneOf({knotMesh(3000), teapotMesh(2000)}, {
 
 const View kView({{2, 3, 5}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100}, {160, 120});
 
-/// The first `share` of each object's triangles, in their own order or backward from the end: the same triangles.
+/// The first `share` of each object's triangles, in their own order or from the end of the reverse order: the same triangles.
 DrawList partOf(const Scene& scene, double share, const TriangleOrderPointer& order) {
     DrawList list = everything(scene, Facing::TwoSided);
     for (DrawRange& range : list.ranges) {
@@ -83,7 +83,7 @@ TEST(TriangleOrder, itsBuffersGoWithIt) {
     order = backward(*scene);
     const unsigned next = buffers.ordered(order, 0).buffer;
     EXPECT_TRUE(glIsBuffer(next));
-    // The name may be given out again; no more than one order's buffers are left.
+    // OpenGL may reuse the name; at most one order's buffers are left.
     EXPECT_TRUE(next == first || !glIsBuffer(first));
 }
 

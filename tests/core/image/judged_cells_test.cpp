@@ -1,4 +1,4 @@
-// The cells that `spherical-lossless` judged and its horizon, as lines and colours on the map.
+// The cells that `spherical-lossless` tested and its horizon, as lines and colours on the map.
 
 #include "core/image/judged_cells.h"
 
@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 
-/// ∮ cos θ dφ: minus the solid angle that a line goes around counter-clockwise on the map, whatever it does at the poles.
+/// ∮ cos θ dφ: minus the solid angle that a line encloses counter-clockwise on the map, also around the poles.
 double solidAngleWithin(const std::vector<Vec2>& outline) {
     double sum = 0.0;
     for (size_t i = 1; i < outline.size(); ++i)
@@ -25,7 +25,7 @@ double solidAngleWithin(const std::vector<Vec2>& outline) {
     return std::abs(sum);
 }
 
-/// Even–odd, for φ and the turns beside it.
+/// The even–odd rule, for φ and for φ ± a whole turn.
 bool within(const std::vector<Vec2>& outline, const Vec2& angles) {
     for (const double turn : {-kTurn, 0.0, kTurn}) {
         bool odd = false;
@@ -72,7 +72,7 @@ TEST(CellOutline, holdsDirectionsOfItsCellOnly) {
             const Vec3 direction = randomDirection(random);
             const uint32_t level = 1 + uint32_t(i) % 5;
             const MapCell cell = mapCellOf(layout, direction, level);
-            // Between its points the line is straight on the map: close to it either side is right.
+            // Between its points the line is straight on the map: close to it both sides are accepted.
             bool close = false;
             for (int n = 0; n < 8; ++n) close |= !(mapCellOf(layout, direction + 2e-3 * randomDirection(random), level) == cell);
             if (close) continue;
@@ -145,7 +145,7 @@ TEST(HorizonLine, liesWhereTheSlopeIsLargest) {
             const Vec3 aside = (point - along * axis) / across;
             for (double alpha = 20.0 * kDegree; alpha < 150.0 * kDegree; alpha += kDegree) {
                 const Vec3 direction = std::cos(alpha) * axis + std::sin(alpha) * aside;
-                // Bands are some degrees apart.
+                // The bands are some degrees apart, hence the factor.
                 EXPECT_LE(slope(map.kernel->radiusAround(direction), alpha), 1.1 * across / (distance - along));
             }
         }
@@ -157,7 +157,7 @@ TEST(HorizonLine, followsTheOutlineAndCloses) {
         const LosslessMap seen(sphereMesh(20000), MapLayout::Octahedral, eye);
         const std::vector<Vec2> line = horizonLine(seen.map());
         ASSERT_FALSE(line.empty());
-        // Of a ball it is a circle; around a pole it goes a whole turn.
+        // The outline of a ball is a circle; around a pole φ changes by a whole turn.
         const Vec3 axis = glm::normalize(seen.map().decision.eye);
         for (size_t i = 1; i < line.size(); ++i) {
             EXPECT_LT(glm::distance(line[i], line[i - 1]), 4.0 * kDegree);
@@ -211,7 +211,7 @@ TEST(CellShares, kernelIsFilledToThere) {
 }
 
 TEST(CellShares, missingStructureHasNoColours) {
-    // The knot's centre lies outside of it; a paper's map has no quadtree.
+    // The knot's centre lies outside it; the maps of the paper's strategy have no quadtree.
     const LosslessMap knot(knotMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     EXPECT_TRUE(hasColouring(knot.map(), MapColouring::Level));
     EXPECT_FALSE(hasColouring(knot.map(), MapColouring::Kernel));
@@ -247,7 +247,7 @@ TEST(CellColours, judgedCellHasTheColourOfItsState) {
 
 TEST(MapPicture, horizonAndBordersOfCellsAreDrawn) {
     const DrawStyle style{Vec3f(1.0f)};
-    constexpr Viewport kSize{748, 388};  // the margin of 14 leaves two pixels a degree
+    constexpr Viewport kSize{748, 388};  // the margin of 14 leaves two pixels for each degree
     const LosslessMap seen(sphereMesh(20000), MapLayout::LatitudeLongitude, {0.4, 0.3, 3.0});
     const std::vector<uint8_t> rgba = mapPicture(seen.map(), MapColouring::Kernel, kSize, style);
     const auto at = [&](const Vec2& angles) {

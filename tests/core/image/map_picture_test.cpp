@@ -10,9 +10,9 @@ namespace cullscope::test::map_picture_test {
 namespace {
 
 const DrawStyle kLight{Vec3f(1.0f)};
-constexpr Viewport kSize{748, 388};  // the margin of 14 leaves two pixels a degree
+constexpr Viewport kSize{748, 388};  // the margin of 14 leaves two pixels for each degree
 
-/// A picture by the degrees that it shows.
+/// Access to a picture by the degrees that it shows.
 struct Shown {
     std::vector<uint8_t> rgba;
 
@@ -107,9 +107,9 @@ TEST(Contours, pointsLieAtTheirAngle) {
                     ASSERT_LT(std::abs(step.x), 3 * kDegree) << "a line across the map";
                     azimuths += step.y;
                 }
-            // Around a pole a whole turn, else none.
+            // A whole turn around a pole, else none.
             const double beyondPole = std::abs(axis.z) - std::abs(std::cos(contour.alpha));
-            if (std::abs(beyondPole) < 1e-9) continue;  // through it: both are right
+            if (std::abs(beyondPole) < 1e-9) continue;  // through the pole: both are right
             const bool aroundPole = beyondPole > 0.0;
             EXPECT_NEAR(std::abs(azimuths), aroundPole ? 2.0 * std::numbers::pi : 0.0, 1e-6) << contour.alpha / kDegree;
         }
@@ -136,7 +136,7 @@ TEST(MapPicture, regionOverTheSeamIsDrawnOnBothSides) {
     };
     const Shown seam = shown(cutMap(320.0, 400.0)), clump = shown(cutMap(100.0, 200.0));
     for (const double theta : {60.0, 100.0}) {
-        // Dashed: about half of it.
+        // Dashed: about half of the pixels.
         EXPECT_NEAR(red(seam, theta, 325.0, 358.0), 0.5, 0.25);
         EXPECT_NEAR(red(seam, theta, 2.0, 35.0), 0.5, 0.25);
         EXPECT_EQ(red(seam, theta, 45.0, 315.0), 0.0);

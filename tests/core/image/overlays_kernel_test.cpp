@@ -1,4 +1,4 @@
-// Inner kernels and judged cells as lines in the world.
+// Inner kernels and tested cells as lines in the world.
 
 #include <set>
 
@@ -83,7 +83,7 @@ TEST(KernelOverlay, thereIsNoneWhereThereIsNoKernel) {
         for (const OverlayLines& overlay : kernelOverlay(contextOf(*seen, viewing), seen->snapshot))
             EXPECT_TRUE(overlay.lines.empty());
     }
-    // From within nothing is hidden, but the kernel is there.
+    // Seen from inside, nothing is hidden, but the kernel exists.
     const LosslessMap within(sphereMesh(20000), MapLayout::Octahedral, {0, 0, 0.3}, {1, 0, 0});
     EXPECT_TRUE(hasKernel(within.map()));
     EXPECT_TRUE(kernelOverlay(contextOf(within, viewing), within.snapshot)[2].lines.empty());

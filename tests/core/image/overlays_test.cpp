@@ -1,4 +1,4 @@
-// Where the lines of overlays lie in the world.
+// The positions of overlay lines in the world.
 
 #include "core/image/overlays.h"
 
@@ -12,7 +12,7 @@
 namespace cullscope::test::overlays_test {
 namespace {
 
-/// One map over a mesh that stands somewhere, turned and enlarged, as somebody sees it.
+/// One map over a mesh that is moved, rotated and enlarged, as seen from a viewing camera.
 struct Seen {
     explicit Seen(const spherical::MapSnapshot& map) {
         snapshot.maps = {map};
@@ -24,7 +24,7 @@ struct Seen {
         data.indices.assign(mesh.indices().begin(), mesh.indices().end());
         return data;
     }
-    /// A point of the map's coordinates in the world.
+    /// A point in the map's coordinates, transformed to the world.
     [[nodiscard]] Vec3 world(const Vec3& point) const {
         return Vec3(place * Vec4(snapshot.maps[0].maps->sphere().centre + point, 1.0));
     }
@@ -37,7 +37,7 @@ struct Seen {
     }
     [[nodiscard]] double radius() const { return snapshot.maps[0].maps->sphere().radius; }
 
-    // Turned by a right angle about x, twice as large, moved.
+    // Rotated by a right angle about x, twice as large, moved.
     Mat4 place = translation({100, -50, 25}) * Mat4(Vec4(2, 0, 0, 0), Vec4(0, 0, 2, 0), Vec4(0, -2, 0, 0), Vec4(0, 0, 0, 1));
     StructureSnapshot snapshot;
     ScenePointer scene;
@@ -45,7 +45,7 @@ struct Seen {
     DrawStyle style{Vec3f(1.0f)};
 };
 
-constexpr double kPixel = 0.02;  ///< in the world, where the object is
+constexpr double kPixel = 0.02;  ///< size of a pixel in the world, at the object
 
 /// The distance of a place from the nearest of the lines.
 double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
@@ -116,7 +116,7 @@ TEST(GroupOverlay, exactlyTheTestedGroupsHaveABox) {
     };
     using enum Containment;
     constexpr uint32_t kGroup = SnapshotNode::kGroup;
-    // A root that straddles; below it a group outside and one inside, each with a group that was decided with it.
+    // A root that straddles; below it a group outside and one inside, each containing a group that was decided with it.
     seen.snapshot.nodes = {node(4, 0, 1, Outside),      node(5, 1, 2, Inside),       node(-1, kGroup, 10, Straddles),
                            node(2, kGroup, 8, Outside), node(3, kGroup, 7, Outside), node(6, kGroup, 5, Inside),
                            node(2, kGroup, 6, Inside)};
@@ -149,7 +149,7 @@ TEST(BoxesByPlane, boxHasTheColourOfItsPlane) {
         made.rejectedBy = plane;
         return made;
     };
-    // Kept; rejected by a plane; by none alone; and a group with one that was decided with it.
+    // Kept; rejected by a plane; rejected, but by no single plane; and a group with one object that was decided with it.
     seen.snapshot.nodes = {node(-1, 0, 1, {}), node(-1, 1, 2, FrustumPlane::Top), node(-1, 2, 3, {}),
                            node(-1, SnapshotNode::kGroup, 5, FrustumPlane::Near),
                            node(3, SnapshotNode::kGroup, 4, FrustumPlane::Near)};

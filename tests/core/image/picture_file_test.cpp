@@ -38,7 +38,7 @@ private:
     std::filesystem::path m_folder = std::filesystem::temp_directory_path() / ("cullscope-pictures-" + std::to_string(getpid()));
 };
 
-/// Every byte value in red and green; blue tells rows apart; opaque.
+/// Every byte value in red and green; blue differs between rows; opaque.
 Picture opaquePicture() {
     Picture picture{{256, 5}, {}, {}};
     for (int y = 0; y < 5; ++y)
@@ -47,7 +47,7 @@ Picture opaquePicture() {
     return picture;
 }
 
-/// About so many bytes of JSON, as a session is: braces, quotes, line breaks, Korean.
+/// About that many bytes of JSON like a session's: braces, quotes, line breaks, Korean text.
 std::string longText(size_t bytes) {
     nlohmann::json json;
     for (size_t i = 0; json.dump(1).size() < bytes; ++i)
@@ -56,7 +56,7 @@ std::string longText(size_t bytes) {
     return json.dump(1);
 }
 
-/// While it lives no file grows beyond some bytes: a disk that has room for a part of what is written.
+/// While this object lives no file grows beyond that many bytes, as on a disk with room for a part of the data.
 class NearlyFullDisk {
 public:
     explicit NearlyFullDisk(rlim_t bytes) : m_handler(std::signal(SIGXFSZ, SIG_IGN)) {
@@ -77,7 +77,7 @@ private:
     void (*m_handler)(int);
 };
 
-/// Noise, which no format makes small.
+/// Noise, which no format can compress.
 Picture noisyPicture() {
     Picture picture{{256, 256}, std::vector<uint8_t>(256 * 256 * 4), {}};
     std::mt19937 random(7);
@@ -131,7 +131,7 @@ TEST_P(PictureFile, descriptionTooLongForTheFormatIsRefused) {
     } else {
         EXPECT_THAT(refusal([&] { writePicture(file("a." + ending), picture); }, ErrorKind::Usage), HasSubstr("Write a .png"));
         EXPECT_EQ(filesWritten(), 0u);
-        // The longest that is let through is read back whole.
+        // The longest accepted text is read back completely.
         picture.metadata = {{"cullscope:session", std::string(kMostDescriptionBytes - 24, 'x')}};
         EXPECT_EQ(writtenAndRead(picture, ending).metadata, picture.metadata);
     }
@@ -167,7 +167,7 @@ TEST_P(PictureFile, diskWithRoomForAPartKeepsTheOldFile) {
         EXPECT_EQ(textOf(path), "old");
         EXPECT_EQ(filesWritten(), 1u);
     }
-    // What is kept in memory on the way is no file of a limited size.
+    // Intermediate data in memory is not a file whose size is limited.
     const NearlyFullDisk disk(whole);
     writePicture(path, picture);
     EXPECT_EQ(readPicture(path).size, picture.size);
@@ -181,7 +181,7 @@ TEST_P(PictureFile, damagedFileIsRefusedInOneLine) {
         SCOPED_TRACE(kept);
         std::ofstream(path, std::ios::trunc | std::ios::binary) << whole.substr(0, kept);
         try {
-            // A JPEG that ends early is shown as far as it goes.
+            // A truncated JPEG is decoded as far as it goes.
             (void)readPicture(path);
         } catch (const Error& error) {
             const std::string sentence = error.what();
@@ -218,7 +218,7 @@ TEST_F(PictureFile, transparentPixelsKeepTheirColour) {
     for (size_t pixel = 0; pixel < picture.rgba.size() / 4; ++pixel)
         picture.rgba[4 * pixel + 3] = static_cast<uint8_t>(pixel % 7 * 42);
     for (const char* ending : {"png", "tif"}) EXPECT_EQ(writtenAndRead(picture, ending).rgba, picture.rgba) << ending;
-    // Multiplied by alpha, faint colours are lost: EXR keeps alpha, and colour where there is enough of it.
+    // Multiplied by alpha, faint colours are lost: EXR keeps alpha, and colour where alpha is large enough.
     const Picture exr = writtenAndRead(picture, "exr");
     for (size_t i = 0; i < picture.rgba.size(); ++i) {
         const uint8_t alpha = picture.rgba[i / 4 * 4 + 3];
@@ -271,7 +271,7 @@ TEST_F(PictureFile, exrKeepsDepthAndTriangles) {
 }
 
 TEST_F(PictureFile, lowestRowOfTheFileComesFirst) {
-    // A portable pixel map, written by hand: rows from the top, a red one over a blue one.
+    // A hand-written portable pixel map: rows from the top, a red one over a blue one.
     std::ofstream(file("hand.ppm"), std::ios::binary)
         << "P6 2 2 255\n"
         << "\xff" << std::string(2, '\0') << "\xff" << std::string(4, '\0') << "\xff" << std::string(2, '\0') << "\xff";

@@ -5,9 +5,9 @@
 #include "core/image/view_picture.h"
 #include "tests/support/colour_difference.h"
 
-// The colours of the six planes can be told apart from each other, from the verdicts' colours, which stand beside them, and from
-// the background: in normal sight and with three colour-vision deficiencies. Thirteen greys cannot all be told apart, so that the
-// luminance alone is not asked.
+// The colours of the six planes can be distinguished from each other, from the verdicts' colours, which appear beside them, and
+// from the background: with normal colour vision and with three colour-vision deficiencies. Thirteen greys cannot all be
+// distinguished, so luminance alone is not tested.
 
 namespace cullscope::test::plane_colour_test {
 namespace {

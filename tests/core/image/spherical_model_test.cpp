@@ -10,7 +10,7 @@
 namespace cullscope::test::spherical_model_test {
 namespace {
 
-constexpr Viewport kSize{440, 400};  // the map 360 × 180: a pixel a degree
+constexpr Viewport kSize{440, 400};  // the map 360 × 180: one pixel for each degree
 constexpr int kLeft = 40, kBottom = 110;
 
 std::vector<uint8_t> shown(const ScenePointer& scene, const char* id, const View& view, const ViewLook& look,
@@ -27,7 +27,7 @@ std::vector<uint8_t> shown(const ScenePointer& scene, const char* id, const View
 }
 
 TEST(SphericalModelPicture, pickIsWhatIsShown) {
-    // Of two objects the first; a strategy with an order of its own, so that numbers are those of the mesh.
+    // The first of two objects is shown; the strategy has an order of its own, so that numbers must be those of the mesh.
     const ScenePointer scene = sceneOf({knotMesh(4000), sphereMesh(80)}, {translation({5, 1, 2}) * scaling(Vec3(3.0))});
     const View view({{5, 1, 20}, {5, 1, 2}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style{Vec3f(1.0f)};
@@ -92,7 +92,7 @@ TEST(SphericalModelPicture, anglesHaveTicks) {
     const ScenePointer scene = sceneOf({knotMesh(3000)});
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, {Vec3f(1.0f)});
-    // A tick is one pixel wide: to one or the other side of its place.
+    // A tick is one pixel wide and lies on either side of its position.
     const auto marked = [&](int x, int y, int alongX, int alongY) {
         const auto dark = [&](int column, int row) {
             return rgba[4 * (size_t(row) * size_t(kSize.width) + size_t(column))] < 128;

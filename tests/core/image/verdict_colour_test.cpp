@@ -12,8 +12,8 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-// Verdict colours can be told apart: any two that are neighbours in a picture of the field differ by ΔE₀₀ ≥ 8, in normal sight,
-// in grey and with each of three colour-vision deficiencies, on the light and on the dark background.
+// Verdict colours can be distinguished: any two that are neighbours in a picture of the field differ by ΔE₀₀ ≥ 8, with normal
+// colour vision, in grey and with each of three colour-vision deficiencies, on the light and on the dark background.
 
 namespace cullscope::test::verdict_colour_test {
 namespace {
@@ -46,7 +46,7 @@ TriangleStates statesOf(const ScenePointer& scene, const char* id, const Vec3& e
     return triangleStates(*scene, culling, verdict.drawList, trace, truth.visible());
 }
 
-/// States that no strategy of today gives: each object in one of the seven, drawn at random, so that all meet in the picture.
+/// States that no strategy produces: each object has one of the seven at random, so that all are neighbours in the picture.
 TriangleStates everyState(const Scene& scene) {
     TriangleStates states;
     Random random(3);
@@ -56,7 +56,7 @@ TriangleStates everyState(const Scene& scene) {
     return states;
 }
 
-/// A picture by verdict with the state of every pixel.
+/// A picture by verdict, with the state of every pixel.
 class LabelledPicture {
 public:
     LabelledPicture(const ScenePointer& scene, const std::vector<TriangleState>& states, const Vec3f& background)
@@ -71,7 +71,7 @@ public:
     }
 
     [[nodiscard]] const std::vector<int>& labels() const { return m_labels; }
-    /// The mean of what is drawn of a label, in linear light. A halo counts only where nothing else of its state is seen.
+    /// The mean colour of a label's pixels, in linear light. A halo counts only where no other pixel of its state is visible.
     [[nodiscard]] Vec3 mean(int wanted) const {
         std::array<Vec3, 2> sums{Vec3(0.0), Vec3(0.0)};
         std::array<size_t, 2> pixels{};
@@ -104,14 +104,15 @@ private:
         GlEnvironment::renderer().drawByState(m_buffers, observer(), Facing::TwoSided, bytes, palette, target, {m_background});
         return target.readColour();
     }
-    /// Hatch and halo have no colour of their own: what is neither background nor follows a state's colour is a mark's.
+    /// Hatch and halo have no colour of their own: a pixel that is not background and does not change with any state's colour
+    /// belongs to a mark.
     void label(size_t pixel, uint32_t item) {
         const Vec3f colour = Vec3f(m_colours[4 * pixel], m_colours[4 * pixel + 1], m_colours[4 * pixel + 2]) / 255.0f;
         m_own[pixel] = item != 0 && m_states[item - 1] == TriangleState::WronglyCulled ? 1 : 0;
         if (m_own[pixel] != 0 || glm::distance(colour, m_background) > 1.0f / 512)
             m_labels[pixel] = int(TriangleState::WronglyCulled);
     }
-    /// The pixels that follow a change of a state's colour are that state's.
+    /// The pixels that change with a state's colour are that state's.
     void labelByColour(size_t state) {
         VerdictPalette changed = m_palette;
         changed[state].colour = Vec3f(1.0f) - changed[state].colour;
@@ -132,7 +133,7 @@ private:
     std::vector<uint8_t> m_own;  ///< surface, hatch or line of a state; 0: background or halo
 };
 
-/// Checks every pair of neighbours; gives the states that occur.
+/// Checks every pair of neighbours; returns the states that occur.
 std::set<int> check(const LabelledPicture& picture, const char* what) {
     std::array<Vec3, kTriangleStateCount + 1> means;
     for (int label = 0; label <= kBackground; ++label) means[size_t(label)] = picture.mean(label);

@@ -12,10 +12,10 @@ namespace {
 
 const DrawStyle kLight{Vec3f(1.0f), 1.0f, Vec3f(0.2f)};
 
-/// At the origin, looking down −z; a square of half size 1 at z = −10 is 10 pixels wide in each 100.
+/// At the origin, looking down −z; a square of half size 1 at z = −10 is 10 pixels wide in a picture of 100.
 Camera downMinusZ() { return {Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}; }
 
-/// What drawViewPicture gives for one strategy, cull and all.
+/// The result of drawViewPicture for one strategy, including the cull.
 struct Shown {
     std::vector<uint8_t> colour;
     std::vector<float> depth;
@@ -25,13 +25,13 @@ struct Shown {
         const uint8_t* pixel = &colour[4 * (size_t(y) * size_t(size.width) + size_t(x))];
         return Vec3f(pixel[0], pixel[1], pixel[2]) / 255.0f;
     }
-    /// Where a world point lies, in pixels.
+    /// The position of a world point in pixels.
     [[nodiscard]] static std::pair<int, int> pixelOf(const View& view, const Vec3& point) {
         const Vec4 clip = view.clipFromEyeRelative() * Vec4(point - view.eye(), 1.0);
         return {int(std::floor((clip.x / clip.w + 1) / 2 * view.viewport().width)),
                 int(std::floor((clip.y / clip.w + 1) / 2 * view.viewport().height))};
     }
-    /// Whether a colour is in the 3 × 3 pixels around a world point.
+    /// Whether a colour occurs in the 3 × 3 pixels around a world point.
     [[nodiscard]] bool near(const View& view, const Vec3& point, const Vec3f& wanted) const {
         const auto [x, y] = pixelOf(view, point);
         for (int dy = -1; dy <= 1; ++dy)
@@ -86,7 +86,7 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
     }
 }
 
-/// Seven squares of 20 × 20 pixels in a row, one a state; the centre of state i lies at (20 + 40 i, 20).
+/// Seven squares of 20 × 20 pixels in a row, one for each state; the centre of state i lies at (20 + 40 i, 20).
 ScenePointer rowOfSquares(const Vec3& moved = Vec3(0.0)) {
     std::vector<Mat4> places;
     for (int i = 0; i < int(kTriangleStateCount); ++i) places.push_back(translation(moved + Vec3(-12 + 4 * i, 0, -10)));
@@ -121,7 +121,7 @@ TEST(ViewPicture, everyStateHasItsColourAndLook) {
             shown(rowOfSquares(), "all", overTheRow(), overTheRow(), {.colouring = Colouring::Verdicts}, style, &states);
         for (int i = 0; i < int(kTriangleStateCount); ++i) {
             const auto state = static_cast<TriangleState>(i);
-            // Off the diagonal, on which the wireframe has an edge.
+            // Off the diagonal, where the wireframe has an edge.
             const Vec3f inner = look.at(20 + 40 * i + 5, 20);
             if (state == TriangleState::OutsideFrustum) {
                 EXPECT_TRUE(within(inner, background, 0)) << "a wireframe is filled";
@@ -174,7 +174,7 @@ TEST(ViewPicture, wronglyCulledTriangleWithoutAPixelIsSeen) {
 }
 
 TEST(ViewPicture, haloOfAHiddenTriangleDoesNotShowThrough) {
-    // A marked square straight behind a larger one that is drawn.
+    // A marked square directly behind a larger one that is drawn.
     const ScenePointer scene = sceneOf({squareMesh(2, -10), squareMesh(.5f, -12)});
     TriangleStates states;
     states.states = {TriangleState::Visible, TriangleState::Visible, TriangleState::WronglyCulled, TriangleState::WronglyCulled};
@@ -185,7 +185,7 @@ TEST(ViewPicture, haloOfAHiddenTriangleDoesNotShowThrough) {
 }
 
 TEST(ViewPicture, observerColoursByTheCullingCamera) {
-    // Without truth: what lies outside the culling camera's frustum is a wireframe, wherever the observer stands.
+    // Without truth: triangles outside the culling camera's frustum are wireframes, for every position of the observer.
     const ScenePointer scene = field(6);
     const View culling(inTheField(), {320, 240});
     const View observer(above(), {320, 240});
@@ -225,7 +225,7 @@ TEST(ViewPicture, everyObjectHasItsBox) {
     ASSERT_GT(snapshot.nodes.size(), 2000u);
     size_t culled = 0;
     for (const SnapshotNode& node : snapshot.nodes) {
-        // The middles of the four upper edges; the observer looks down on them.
+        // The middles of the four upper edges, which the observer sees from above.
         const Vec3f colour = palette[size_t(node.culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
         const Vec3 centre = node.box.centre(), half = node.box.halfExtent();
         for (const Vec3& edge : {Vec3(1, 1, 0), Vec3(-1, 1, 0), Vec3(0, 1, 1), Vec3(0, 1, -1)})
@@ -257,8 +257,8 @@ TEST(ViewPicture, testedGroupsHaveTheirBoxes) {
         const bool culled = group.containment == Containment::Outside;
         const auto colour =
             verdictPalette(kLight.background)[size_t(culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
-        // Between the first object and the second along the upper edge, where only groups have lines; and of those that lie
-        // within each other the inner one's is seen.
+        // Between the first object and the second along the upper edge, where only groups have lines; of nested groups the inner
+        // one's line is visible.
         const InstanceOctree::Node& node = strategy.octree().nodes()[group.node];
         if (node.box.max.x - node.box.min.x < 4 || (!group.wholly && !node.leaf())) continue;
         EXPECT_TRUE(look.near(observer, {node.box.min.x + 2.25, node.box.max.y, node.box.max.z}, colour)) << group.node;
@@ -290,13 +290,13 @@ TEST(ViewPicture, frustumIsWhereTheCameraLooks) {
             }
         EXPECT_TRUE(look.near(observer, culling.eye(), lines)) << "the eye";
         EXPECT_FALSE(look.near(observer, {0, 0, -12}, lines));
-        // Beyond the far plane of the observer, and its own camera sees none of it.
+        // Beyond the observer's far plane; seen from its own camera the frustum has no lines.
         EXPECT_EQ(shown(scene, "frustum", culling, culling, {.frustum = true}, style).colour,
                   shown(scene, "frustum", culling, culling, {}, style).colour);
     }
 }
 
-/// Numbers are multiples of 2^-20, so that moving everything loses nothing.
+/// Numbers are multiples of 2^-20, so that moving all of them is exact.
 TEST(ViewPicture, farFromTheOriginStatesAndLinesAreTheSame) {
     const Vec3 moved(1e7, -1e7, 1e7);
     const TriangleStates states = oneOfEach();

@@ -8,10 +8,10 @@
 namespace cullscope::test::accuracy_test {
 namespace {
 
-/// Four triangles in two meshes: numbers 0, 1 and 2, 3.
+/// Two meshes of two triangles each: numbers 0, 1 and 2, 3.
 ScenePointer fourTriangles() { return sceneOf({squareMesh(1, 0), squareMesh(1, 1)}); }
 
-/// A reference of 4 × 3 pixels made by hand from its depths and triangle numbers + 1, bottom row first.
+/// A reference of 4 × 3 pixels from given depths and triangle numbers + 1, bottom row first.
 Reference handMade(std::vector<float> depth, std::vector<uint32_t> triangle) {
     Reference reference;
     reference.size = {4, 3};
@@ -55,10 +55,10 @@ TEST(Compare, equalPicturesMissNothing) {
 TEST(Compare, missedAndExtraPixelsAreToldApart) {
     const Reference reference = someReference();
     std::vector<float> depth = reference.depth;
-    depth[0] = 0.0f;                              // nothing where a surface is: missed
+    depth[0] = 0.0f;                              // no surface where the reference has one: missed
     depth[4] = .4f;                               // a farther surface: missed
-    depth[5] = .6f;                               // a nearer one: extra
-    depth[3] = .1f;                               // one where none is: extra
+    depth[5] = .6f;                               // a nearer surface: extra
+    depth[3] = .1f;                               // a surface where the reference has none: extra
     depth[11] = std::nextafter(depth[11], 0.0f);  // one ulp farther: missed
     const Accuracy accuracy = compare(reference, depth, kAllFour, *fourTriangles());
     EXPECT_EQ(accuracy.missedPixels, 3u);
@@ -144,7 +144,7 @@ TEST(Accuracy, removedObjectIsCountedExactly) {
     for (uint32_t removed = 0; removed < 3; ++removed) {
         DrawList lossy = everything(*scene, Facing::TwoSided);
         std::erase_if(lossy.ranges, [&](const DrawRange& range) { return range.instance == removed; });
-        // Counted apart: every pixel whose triangle belongs to the removed object, every different triangle of it.
+        // Counted independently: every pixel whose triangle belongs to the removed object, every different triangle of it.
         uint64_t pixels = 0;
         std::vector<uint32_t> triangles;
         for (const uint32_t number : reference.triangle) {
@@ -170,8 +170,8 @@ TEST(Accuracy, removedObjectIsCountedExactly) {
 }
 
 TEST(MissedBeyondSnapping, innerPixelsCountAndEdgePixelsDoNot) {
-    // A square from (−1, −1) to (1, 1), 64 × 64 pixels of 1/32 each: its diagonal runs through pixel centres, its middle
-    // triangles do not.
+    // A square from (−1, −1) to (1, 1), 64 × 64 pixels of 1/32 each: its diagonal passes through pixel centres, no other
+    // edge does.
     const ScenePointer scene = sceneOf({squareMesh(1, -1)});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 10}, {64, 64});
     const SceneBuffers buffers(scene, Upload::Vbo);

@@ -1,4 +1,4 @@
-// A scene whose objects are all hidden: nothing to cull, to draw or to judge, and nothing may go wrong.
+// A scene whose objects are all hidden: there is nothing to cull, draw or compare, and every operation must still work.
 #include <gtest/gtest.h>
 
 #include "core/base/error.h"

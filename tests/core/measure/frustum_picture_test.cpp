@@ -7,9 +7,9 @@
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
 
-// The other half of the bound in geometry/frustum.h: what the GPU's float arithmetic puts on the raster, `frustum` must have
-// drawn, also where an object touches a plane to within rounding. The judge is the picture of everything; for `frustum-select`,
-// which promises more than samples, the exact one too.
+// The picture's half of the bound in geometry/frustum.h: `frustum` must draw every object that the GPU's float arithmetic
+// rasterises, also where it touches a plane to within rounding. The reference is the picture of all objects; for
+// `frustum-select`, which promises more than samples, also exact visibility.
 
 namespace cullscope::test::frustum_picture_test {
 namespace {
@@ -18,7 +18,7 @@ constexpr uint64_t kAllViews = 10'000;
 constexpr uint64_t kSample = 400;
 constexpr uint64_t kViewsPerScene = 20;
 
-/// Strategies, one with a parameter.
+/// The strategies, one with a parameter.
 struct Contestant {
     const char* id;
     const char* key = nullptr;
@@ -33,7 +33,7 @@ StrategyPointer made(const Contestant& contestant) {
     return makeStrategy(contestant.id, parameters);
 }
 
-/// The random sizes go to 16384 × 1; a picture of that size for each view would cost more than it shows.
+/// The random sizes go up to 16384 × 1; a picture of that size for each view would cost too much time.
 Viewport small(const Viewport& size) { return {std::min(size.width, size.height == 1 ? 1024 : 96), std::min(size.height, 64)}; }
 
 struct Tally {
@@ -60,7 +60,7 @@ public:
                       "scene seed " + std::to_string(seed) + " view " + std::to_string(view));
         }
     }
-    /// By contestant.
+    /// By index into kContestants.
     [[nodiscard]] const std::array<Tally, kContestants.size()>& tallies() const { return m_tallies; }
 
 private:
@@ -90,7 +90,8 @@ private:
         EXPECT_EQ(different, 0u) << "pixels lost";
     }
 
-    /// The picture of everything does not tell of a culled object behind another one: those that are culled, alone.
+    /// In the picture of all objects a culled object may be hidden behind another one, so the culled objects are also drawn
+    /// alone.
     static void lookAtCulled(const SceneBuffers& buffers, const View& view, const DrawList& list, Tally& tally) {
         DrawList culled = everything(buffers.scene(), Facing::TwoSided);
         for (const DrawRange& range : list.ranges)
@@ -102,7 +103,7 @@ private:
         EXPECT_EQ(pixels, 0u) << "pixels that culled objects cover, alone";
     }
 
-    /// Whatever reaches into the frustum is drawn, though it covers no sample: but `frustum-query` asks for samples alone.
+    /// An object that intersects the frustum must be drawn, even if it covers no sample; `frustum-query` promises samples only.
     static void judgeObjects(const Scene& scene, const ExactVisibility& exact, const DrawList& list, const Contestant& contestant,
                              Tally& tally) {
         std::vector<bool> drawn(scene.instances().size(), false);
@@ -124,7 +125,8 @@ private:
 };
 
 TEST(FrustumPicture, meshAwayFromTheZeroOfItsCoordinatesIsDrawnWhereItsFloatsShow) {
-    // An object of a thousandth at 3.8 from its mesh's zero, seen from a thousandth away: floats put it before the far plane.
+    // An object of size 1e-3 at 3.8 from its mesh's origin, seen from a distance of 1e-3: float rounding moves it in front of the
+    // far plane.
     FrustumPicture property;
     property.run(5180, 5184);
     for (const Tally& t : property.tallies()) EXPECT_EQ(t.views, 4u);
@@ -135,7 +137,7 @@ Mat3 randomTurn(Random& random) {
     return {first, second, glm::cross(first, second)};
 }
 
-/// A box around `centre`, turned, flattened along `centre` and turned again, its own centre at the world's origin.
+/// A box around `centre`, rotated, flattened along `centre` and rotated again, with its own centre at the world's origin.
 ScenePointer flattenedFarFromItsZero(double distance, double thickness, Random& random) {
     const Mat3 before = randomTurn(random), after = randomTurn(random);
     const Vec3 centre = glm::transpose(before) * Vec3(0, 0, distance);
@@ -145,7 +147,7 @@ ScenePointer flattenedFarFromItsZero(double distance, double thickness, Random& 
     return sceneOf({boxMesh(Vec3f(centre - 0.5), Vec3f(centre + 0.5))}, {place});
 }
 
-/// Looks at the nearest corner along -z from 3 away, with the far plane just before it.
+/// Looks along -z at the nearest corner from a distance of 3, with the far plane just in front of it.
 View farPlaneJustBefore(const Scene& scene, Random& random) {
     Vec3 nearest(0, 0, -1e9);
     for (size_t v = 0; v < scene.meshOf(0).vertexCount(); ++v) {
@@ -157,7 +159,7 @@ View farPlaneJustBefore(const Scene& scene, Random& random) {
 }
 
 TEST(FrustumPicture, meshTurnedFlattenedAndTurnedFarFromItsZeroIsDrawnWhereItsFloatsShow) {
-    // The products that cancel in the vertices' sums are rounded all the same.
+    // Products are rounded in proportion to their size, also where they cancel in the vertices' sums.
     uint64_t shown = 0;
     for (const double thickness : {1e-2, 1e-3}) {
         Random random(7);
@@ -191,7 +193,7 @@ TEST(FrustumPicture, noPixelOfACulledObjectIsMissing) {
             static_cast<unsigned long long>(t.pairs), static_cast<unsigned long long>(t.culled),
             static_cast<unsigned long long>(t.coveredPixels), static_cast<unsigned long long>(t.differentPixels),
             static_cast<unsigned long long>(t.pixelsOfCulled), static_cast<unsigned long long>(t.falselyCulled));
-        // It must not pass for want of anything to lose.
+        // Guards against a vacuous pass: enough views must cull something.
         EXPECT_GT(t.viewsWithCulled, t.views / 2) << kContestants[i].id;
         EXPECT_GT(t.coveredPixels, t.views * 20) << kContestants[i].id;
     }

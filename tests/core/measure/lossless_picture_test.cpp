@@ -1,4 +1,4 @@
-// What `spherical-lossless` loses of pictures: nothing, of any mesh, however it is seen.
+// `spherical-lossless` loses no pixel of any mesh in any view.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -20,7 +20,7 @@ constexpr uint64_t kViewsPerScene = 10;
 enum Kind { Within, Cutting, Touching, Behind, InSphere, AtCentre, KindCount };
 constexpr std::array kKindNames{"within", "cutting", "touching", "behind", "in the sphere", "at the centre"};
 
-/// How a mesh stands in the world, by seed: as it is, turned, unevenly scaled, mirrored, flattened (case 30), far away (case 21).
+/// The transform of a mesh by seed: identity, rotated, unevenly scaled, mirrored, flattened (case 30), far away (case 21).
 Mat4 placeOf(uint64_t seed) {
     Random random(seed * 31 + 5);
     const Vec3 axis = random.direction();
@@ -63,7 +63,7 @@ std::pair<Camera, Viewport> randomView(const Sphere& sphere, Kind kind, Random& 
                           std::clamp(whole * random.between(0.05, 0.8), 0.2, 150.0), near, far, up),
                     size};
         case Touching: {
-            // The lower plane passes by the sphere, or through it, by a hair.
+            // The lower plane passes the sphere, or cuts it, by a very small distance.
             const Vec3 upward = glm::normalize(glm::cross(aside, away));
             const double fovy = random.between(5.0, 100.0);
             const double angle = 0.5 * fovy * std::numbers::pi / 180.0 + std::asin(R / distance) * random.between(0.96, 1.001);
@@ -152,7 +152,7 @@ TEST(LosslessPicture, noMeshLosesAPixel) {
         ASSERT_EQ(strategy->promise(), Promise::Conservative);
         Random random(seed * 7919);
         for (uint64_t view = 0; view < kViewsPerScene; ++view) {
-            // Those in which cones and horizon have something to leave out come twice.
+            // Kinds in which cones and horizon can cull something occur twice.
             constexpr std::array kKinds{Within, Cutting, Touching, Behind, InSphere, AtCentre, Within, Cutting};
             const Kind kind = kKinds[(view + number) % kKinds.size()];
             property.check(*strategy, buffers, randomView(scene->instanceSphere(0), kind, random), kind,
@@ -167,10 +167,10 @@ TEST(LosslessPicture, noMeshLosesAPixel) {
         static_cast<unsigned long long>(t.views), static_cast<unsigned long long>(t.covered), share(Cause::OutsideFrustum),
         share(Cause::BackFacing), share(Cause::Hidden), static_cast<unsigned long long>(t.missed),
         static_cast<unsigned long long>(t.extra));
-    // llvmpipe takes a sliver that its snapping turns around for a front or a back side by whether another triangle of the same
-    // batch is clipped: all triangles in another order differ from themselves by as much.
+    // llvmpipe decides the facing of a sliver that its snapping flips by whether another triangle of the same batch is clipped:
+    // drawing all triangles in another order gives as many differences.
     EXPECT_LT(t.extra, 1 + t.covered / 1'000'000);
-    // It must not pass for want of anything to lose.
+    // Guards against a vacuous pass: enough pixels must be covered.
     EXPECT_GT(t.covered, t.views * 1000);
     for (const Kind kind : {Within, Cutting, Touching, InSphere, AtCentre}) EXPECT_GT(t.coveredByKind[kind], t.views);
     EXPECT_GT(share(Cause::OutsideFrustum), 10.0);

@@ -65,7 +65,7 @@ TEST(Measure, accuracyIsNotMeasuredWhereItIsOff) {
 }
 
 TEST(Measure, stopKeepsWhatWasMeasured) {
-    // Stopped from the progress report of the third pose: two whole poses stay.
+    // Stopped from the progress report of the third pose: two complete poses stay.
     std::stop_source source;
     Progress progress;
     progress.stop = source.get_token();

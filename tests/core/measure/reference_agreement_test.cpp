@@ -11,11 +11,11 @@
 #include "tests/support/pixel_edges.h"
 #include "tests/support/test_scenes.h"
 
-// The item buffer against Embree's rays: they share no code, so what both say is so. They agree at a pixel where their depths
-// differ by no more than a shift of 1/256 pixel explains (the raster's snapping) and float's rounding of a depth; both of them
-// show nothing, too. Where they do not, the nearer of the two answers names a triangle that the other did not meet: the pixel's
-// centre must lie within 1/128 pixel of an edge of that very triangle. Two surfaces nearer to each other than the tolerance are
-// an agreement.
+// The item buffer against Embree's rays. They share no code, so what both agree on is taken as correct. They agree at a pixel
+// where their depths differ by no more than a shift of 1/256 pixel (the raster's snapping) and float's rounding of a depth
+// explain, or where neither hits a triangle. Where they differ, the nearer of the two results is a triangle that the other did
+// not hit: the pixel's centre must then lie within 1/128 pixel of an edge of that triangle. Two surfaces nearer to each other
+// than the tolerance count as an agreement.
 
 namespace cullscope::test::reference_agreement_test {
 namespace {
@@ -103,7 +103,7 @@ private:
     Tally m_tally;
 };
 
-/// Views from around a scene.
+/// Views from all sides of a scene.
 std::vector<Camera> around(const Scene& scene, size_t count, uint64_t seed) {
     Random random(seed);
     const Sphere sphere = scene.boundingSphere();
@@ -164,7 +164,7 @@ ScenePointer boxField() {
 TEST(ReferenceAgreement, holdsForAFieldOfBoxesThatCutEachOther) { compareAround("boxes", boxField(), 4, 40); }
 
 TEST(ReferenceAgreement, holdsForSurfacesCutByTheNearPlane) {
-    // From within: the eye near or inside objects, the near plane through some of them.
+    // From inside: the eye near or inside objects, the near plane through some of them.
     for (const auto& [name, scene] :
          {std::pair<const char*, ScenePointer>{"boxes-within", boxField()}, {"knot-within", sceneOf({knotMesh(20000)})}}) {
         Comparison comparison(name, scene);
@@ -192,7 +192,7 @@ TEST(ReferenceAgreement, holdsFarFromTheOrigin) {
 }
 
 TEST(ReferenceAgreement, holdsForTinyAndHugeScenes) {
-    // Case 20: nothing is lost at either scale alone.
+    // Case 20: at either scale alone no digits are lost.
     for (const double scale : {1e-18, 1e-6, 1e6, 1e18})
         compareAround("scale-" + std::to_string(int(std::round(std::log10(scale)))),
                       sceneOf({knotMesh(5000)}, {scaling(Vec3(scale))}), 1, 10);

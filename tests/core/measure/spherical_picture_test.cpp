@@ -1,5 +1,5 @@
-// What the spherical strategies' pictures lose: nothing with spherical-horizon on star-shaped meshes, and with `spherical` what
-// it is known to lose.
+// The pixels that the spherical strategies lose: none with spherical-horizon on star-shaped meshes, and the known losses with
+// `spherical`.
 #include <gmock/gmock.h>
 
 #include <cstdio>
@@ -43,7 +43,7 @@ MeshPointer starShaped(uint64_t seed) {
     }
 }
 
-/// One to three objects, turned, scaled unevenly and mirrored; some far from the origin.
+/// One to three objects, rotated, unevenly scaled and mirrored; some far from the origin.
 ScenePointer starScene(uint64_t seed) {
     Random random(seed * 31 + 5);
     std::vector<MeshPointer> meshes;
@@ -64,7 +64,7 @@ ScenePointer starScene(uint64_t seed) {
     return sceneOf(std::move(meshes), places);
 }
 
-/// From just outside an object's bounding sphere to far away, on its whole or on a part of it.
+/// A view from just outside an object's bounding sphere up to far away, of the whole object or a part of it.
 std::pair<Camera, Viewport> starView(const Scene& scene, Random& random) {
     const auto object = size_t(random.between(0.0, double(scene.instances().size()) - 1e-9));
     const Sphere& sphere = scene.instanceSphere(object);
@@ -134,14 +134,14 @@ TEST(SphericalPicture, horizonLosesNoPixelOfAStarShapedMesh) {
                 static_cast<unsigned long long>(t.within), static_cast<unsigned long long>(t.around),
                 static_cast<unsigned long long>(t.covered), 100.0 * double(t.culled) / double(t.triangles),
                 static_cast<unsigned long long>(t.missed));
-    // It must not pass for want of anything to lose.
+    // Guards against a vacuous pass: enough objects must be cut by the frustum.
     EXPECT_GT(t.cut, t.views / 3);
     EXPECT_GT(t.within, t.views / 10);
     EXPECT_GT(t.covered, t.views * 1000);
     EXPECT_GT(double(t.culled), 0.12 * double(t.triangles));
 }
 
-/// The share of covered pixels lost over a path.
+/// The share of covered pixels that are lost over a path.
 double lossOver(const char* strategyId, const ScenePointer& scene, const std::vector<Camera>& cameras,
                 const std::vector<std::pair<const char*, const char*>>& parameters = {}) {
     const SceneBuffers buffers(scene, Upload::Vbo);
@@ -162,7 +162,7 @@ Camera from(const Vec3& eye, double fovy, const Vec3& up = {0, 1, 0.1}) {
 
 TEST(SphericalPicture, knownLossesOfSAndSlopeAreUnchanged) {
     // Case 16: a torus (1, 0.25) whose axis is tilted by 60° from the sight line, far away, and a thick bowl seen into its
-    // opening. These are expected losses, written down so that a change of them is noticed.
+    // opening. These losses are expected; the test detects a change.
     const ScenePointer torus = sceneOf({torusMesh(40'000)}, {rotation({1, 0, 0}, std::numbers::pi / 6)});
     const ScenePointer bowl = sceneOf({bowlMesh(60'000)});
     const std::vector<Camera> far{from({0, 0, 40}, 6)}, into{from({0, 0, 6}, 25)};
@@ -176,7 +176,7 @@ TEST(SphericalPicture, knownLossesOfSAndSlopeAreUnchanged) {
 }
 
 TEST(SphericalPicture, lossAtHighLatitudesIsOfSphericalAlone) {
-    // Case 12 in pixels: `spherical` shows its loss, spherical-horizon none.
+    // Case 12 in pixels: `spherical` loses pixels, spherical-horizon none.
     const ScenePointer scene = sceneOf({sphereMesh(40'000)});
     const auto at = [](double degrees) {
         const double latitude = degrees * std::numbers::pi / 180.0;
@@ -190,7 +190,7 @@ TEST(SphericalPicture, lossAtHighLatitudesIsOfSphericalAlone) {
 
 TEST(SphericalPicture, pathsShowThePapersCases) {
     const std::string file = CULLSCOPE_SOURCE_DIR "/../shared/models/bunny.obj";
-    // Where the bunny is not at hand a body of its proportions stands in.
+    // Without the bunny's file, a body of its proportions is used.
     const bool bunny = std::filesystem::exists(file);
     const ScenePointer scene = bunny ? openScene("mesh:" + file + ",triangles=144046").scene
                                      : sceneOf({bumpyMesh(4, 144'000, 0.03)}, {scaling({1.2, 1.0, 0.9})});
@@ -219,7 +219,7 @@ TEST(SphericalPicture, pathsShowThePapersCases) {
 }
 
 TEST(SphericalPicture, upsideOfAnInstanceIsLookedUpInTheMeshsOwnAxes) {
-    // The case is the map's, not the world's: a turned instance has its pole elsewhere.
+    // The case depends on the map, not on the world: a rotated instance has its pole in another direction.
     const ScenePointer scene = sceneOf({sphereMesh(20'000)}, {rotation({1, 0, 0}, std::numbers::pi / 2) * scaling({2, 2, -2})});
     const StrategyPointer strategy = makeStrategy("spherical");
     strategy->build(*scene);

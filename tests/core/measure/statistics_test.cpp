@@ -22,7 +22,7 @@ TEST(BootstrapMean, meanAndIntervalAreThoseOfTheory) {
     EXPECT_EQ(constant.mean, 2.0);
     EXPECT_EQ(constant.ci95, (std::array{2.0, 2.0}));
 
-    // 0 … 99: mean 49.5, standard error 28.87/10; 95 % within ±1.96 of it, to what 2000 resamples show.
+    // 0 … 99: mean 49.5, standard error 28.87/10; the 95 % interval is ±1.96 of it, within the accuracy of 2000 resamples.
     std::vector<double> ramp(100);
     for (size_t i = 0; i < 100; ++i) ramp[i] = double(i);
     const RatioEstimate estimate = bootstrapMean(ramp);

@@ -1,4 +1,4 @@
-// Every malformed file loads or is refused with one sentence; none crashes, hangs or takes memory by a number that it claims.
+// Every malformed file loads or is refused with one sentence; none crashes, hangs or allocates memory by a count that it states.
 #include <algorithm>
 
 #include "tests/support/mesh_files.h"

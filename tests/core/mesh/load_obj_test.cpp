@@ -71,7 +71,7 @@ TEST_F(LoadObj, coordinatesTooLargeForFloatsAreDroppedAndCounted) {
 TEST_F(LoadObj, aPositionWithSeveralNormalsBecomesSeveralVertices) {
     const LoadedFile file = load("a.obj", kSquare + "vn 0 0 1\nvn 0 0 2\nvn 0 1 0\nf 1//1 2//1 3//1\nf 1//2 3//3 4//1\n");
     const TriangleMesh& mesh = *file.objects[0].mesh;
-    EXPECT_EQ(mesh.vertexCount(), 6U);  // 1 and 3 twice; unit length is made afterwards
+    EXPECT_EQ(mesh.vertexCount(), 6U);  // 1 and 3 twice; normals are normalised afterwards
     EXPECT_EQ(mesh.normals()[0], Vec3f(0, 0, 1));
     EXPECT_EQ(file.report.normalsMade, 0U);
 }
@@ -83,7 +83,7 @@ TEST_F(LoadObj, missingAndUnusableNormalsAreMade) {
 }
 
 TEST_F(LoadObj, concavePolygonIsCutInsideItsOutline) {
-    // An L: its area is 3; a fan from the first corner would cover more.
+    // An L-shape with area 3; a fan from the first corner would cover more.
     const LoadedFile file = load("a.obj", "v 2 0 0\nv 2 1 0\nv 1 1 0\nv 1 2 0\nv 0 2 0\nv 0 0 0\nf 1 2 3 4 5 6\n");
     const TriangleMesh& mesh = *file.objects[0].mesh;
     EXPECT_EQ(mesh.triangleCount(), 4U);

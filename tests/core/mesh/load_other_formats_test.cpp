@@ -89,7 +89,7 @@ TEST_F(LoadOm, filesOfOpenMeshAreReadWithTheirNormalsAndInDouble) {
     EXPECT_TRUE(quad.objects[0].mesh->topology().consistentlyOriented);
     const LoadedFile wide = loadMeshFile(data / "triangle-double.om");
     EXPECT_NEAR(wide.objects[0].mesh->localBounds().max.x + wide.objects[0].mesh->origin().x, 10'000'000.125, 0.5);
-    EXPECT_EQ(wide.objects[0].mesh->origin().x, 5'000'000.5625);  // floats would have lost the fraction
+    EXPECT_EQ(wide.objects[0].mesh->origin().x, 5'000'000.5625);  // floats would lose the fraction
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// How often loading asks whether to stop is counted in bytes, not timed: the same on any machine.
+// The interval between checks for a stop request is counted in bytes, not timed, so that the result is the same on any machine.
 #include "core/base/error.h"
 #include "tests/support/mesh_files.h"
 

@@ -1,4 +1,4 @@
-// Small files of every format, cut off at every byte and with bytes changed by a fixed seed: each must load or be refused.
+// Small files of every format, truncated at every byte and with bytes changed by a fixed seed: each must load or be refused.
 #include <fstream>
 #include <random>
 

@@ -10,7 +10,7 @@ namespace {
 
 double area(std::span<const Vec3> points) { return 0.5 * glm::length(doubledArea(points)); }
 
-/// Every triangle has the polygon's direction, and together they have its area.
+/// Expects every triangle to have the polygon's orientation, and all together its area.
 void expectCovered(const std::vector<Vec3>& points) {
     std::vector<uint32_t> triangles;
     EXPECT_TRUE(triangulatePolygon(points, triangles, {}));

@@ -1,4 +1,4 @@
-// The real models, where they are at hand: counts as their manifest states them.
+// The real models, where their files are installed: counts as stated in their manifest.
 #include "tests/support/mesh_files.h"
 
 namespace cullscope::test::real_models_test {

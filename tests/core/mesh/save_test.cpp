@@ -10,7 +10,7 @@ namespace {
 
 class Save : public MeshFiles {
 protected:
-    /// A tetrahedron that faces outward, at a place where floats alone would lose it.
+    /// A tetrahedron that faces outward, at a place where floats alone would not resolve it.
     [[nodiscard]] MeshPointer tetrahedron() const {
         return load("t.obj",
                     "v 10000000.1 0 0\nv 10000001.1 0 0.3\nv 10000000.1 1 0\nv 10000000.1 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 "

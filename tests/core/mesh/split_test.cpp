@@ -10,7 +10,7 @@
 namespace cullscope::test::split_test {
 namespace {
 
-/// A triangle by its corners' positions and normals, whatever their numbers.
+/// A corner's position and normal, independent of its vertex number.
 using Corner = std::array<float, 6>;
 using Corners = std::array<Corner, 3>;
 
@@ -34,7 +34,7 @@ std::vector<Corners> sortedTrianglesOf(const std::vector<MeshPointer>& meshes) {
     return all;
 }
 
-/// Meshes one after the other as one, far from the origin; every triangle has vertices of its own where `soup`.
+/// Several meshes joined into one, far from the origin; with `soup` every triangle has vertices of its own.
 MeshPointer joined(const std::vector<MeshPointer>& meshes, bool soup) {
     TriangleMesh::Data data;
     data.name = "joined";
@@ -58,7 +58,7 @@ MeshPointer moved(const MeshPointer& mesh, const Vec3f& by) {
     return std::make_shared<TriangleMesh>(std::move(data));
 }
 
-/// Every triangle is there with its very coordinates and normals, the origin too, and in each part in the mesh's order.
+/// Expects every triangle with its exact coordinates and normals, the mesh's origin, and the mesh's order within each part.
 void expectSameSurface(const MeshPointer& mesh, const std::vector<MeshPointer>& parts) {
     EXPECT_EQ(sortedTrianglesOf(parts), sortedTrianglesOf({mesh}));
     const std::vector<Corners> whole = trianglesOf(*mesh);
@@ -131,7 +131,7 @@ TEST(Clusters, areAsFewAsCanBeAndOfLikeSizeAndCompact) {
             EXPECT_GE(2 * smallest, largest) << "pieces of like size";
             if (most < 2000) expectSameSurface(mesh, parts);
         }
-    // 40 pieces of a sphere's surface: each spans a fraction of it.
+    // 40 parts of a sphere's surface: each extends over a fraction of it.
     for (const MeshPointer& part : clusters(sphereMesh(8000), 200))
         EXPECT_LT(part->localBounds().diagonal(), 1.4) << part->name() << " of a sphere of diameter 2";
 }

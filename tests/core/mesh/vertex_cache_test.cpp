@@ -13,7 +13,7 @@ namespace {
 
 using Corners = std::array<uint32_t, 3>;
 
-/// Sorted by triangle; the corners of each begin with the least and keep their sense of rotation.
+/// Sorted triangles; the corners of each begin with the smallest and keep their orientation.
 std::vector<Corners> trianglesOf(std::span<const uint32_t> indices) {
     std::vector<Corners> triangles;
     for (size_t i = 0; i < indices.size(); i += 3) {
@@ -53,7 +53,7 @@ TEST(VertexCache, goodOrderIsNotMadeWorse) {
 }
 
 TEST(VertexCache, fanOfAMillionTrianglesIsOrderedInTime) {
-    // Forsyth's order weighs all triangles at a vertex anew for each of them.
+    // Forsyth's algorithm recomputes the scores of all triangles at a vertex for each of them.
     std::vector<uint32_t> fan;
     for (uint32_t i = 1; i <= 1'000'000; ++i) fan.insert(fan.end(), {0, i, i + 1});
     const std::vector<uint32_t> bad = shuffled(fan);

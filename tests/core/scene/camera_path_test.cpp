@@ -12,7 +12,7 @@
 namespace cullscope::test::camera_path_test {
 namespace {
 
-/// A file of the test's own, gone with it.
+/// A temporary file of the test, removed at its end.
 class TemporaryFile {
 public:
     explicit TemporaryFile(const std::string& content = {}) : m_path(std::filesystem::path(testing::TempDir()) / name()) {
@@ -31,7 +31,7 @@ private:
     std::filesystem::path m_path;
 };
 
-/// The sentence with which a path file is refused, without the file's name at its start.
+/// The error sentence for a path file, without the file's name at its start.
 std::string refusal(const std::string& content) {
     const TemporaryFile file(content);
     try {

@@ -21,7 +21,7 @@ Camera someCamera(Random& random, double farFromOrigin = 0.0) {
     return camera;
 }
 
-/// What validate says; empty where it is content.
+/// The error sentence of validate; empty where it accepts.
 std::string complaint(const Camera& camera, const Viewport& size = kSize) {
     try {
         validate(camera, size);
@@ -98,7 +98,7 @@ TEST(View, frustumHasThePlanesOfTheProjection) {
 }
 
 TEST(View, gpuMatrixLosesNoDigitsFarFromTheOrigin) {
-    // A point of a mesh whose coordinates lie at 1e7: the float matrix must place it as if it lay at the origin.
+    // A point of a mesh whose coordinates are about 1e7: the float matrix must place it as if it were at the origin.
     const Vec3 far(1e7, -1e7, 1e7);
     Camera camera;
     camera.eye = far + Vec3(0, 0, 3);
@@ -150,7 +150,7 @@ TEST(Validate, cameraThatMakesNoPictureIsRefused) {
 }
 
 TEST(Validate, extremeCameraIsTaken) {
-    // Case 23: fields of 0.01° and 179°, windows of 1 × 1 and 16384 × 1.
+    // Case 23: fields of view of 0.01° and 179°, viewports of 1 × 1 and 16384 × 1.
     for (const double degrees : {0.01, 179.0})
         for (const Viewport& size : {Viewport{1, 1}, Viewport{16384, 1}, Viewport{1, 16384}, Viewport{16384, 16384}}) {
             Camera camera;

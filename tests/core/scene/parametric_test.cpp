@@ -42,7 +42,7 @@ TEST_P(Parametric, triangleCountIsNearTheOneAskedFor) {
 
 TEST_P(Parametric, surfaceIsWholeAndOutward) {
     for (const size_t asked : {100u, 3000u, 20000u}) {
-        // So few patches of the teapot fold onto each other.
+        // With so few triangles the teapot's patches fold onto each other.
         if (asked < 1000 && !GetParam().closed) continue;
         const MeshPointer mesh = GetParam().make(asked, {});
         const Topology& topology = mesh->topology();

@@ -8,7 +8,7 @@
 namespace cullscope::scene_source_test {
 namespace {
 
-/// A folder of the test's own, gone with it.
+/// A temporary folder of the test, removed at its end.
 class TemporaryFolder {
 public:
     TemporaryFolder() : m_path(std::filesystem::path(testing::TempDir()) / name()) {

@@ -1,4 +1,4 @@
-// What every node says of its triangles, against the triangles.
+// The bounds of every node, checked against its triangles.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,10 +12,10 @@ using Node = CellTree::Node;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A triangle from its float positions as they are, whose differences double holds exactly.
+/// A triangle from its stored float positions, whose differences are exact in double.
 struct Facet {
-    std::array<Vec3, 3> corners;  ///< from the sphere's centre
-    Vec3 normal{0.0};             ///< unit; null: no area
+    std::array<Vec3, 3> corners;  ///< relative to the sphere's centre
+    Vec3 normal{0.0};             ///< unit; the null vector where it has no area
     double height = kInfinity;    ///< smallest altitude; infinite where corners coincide
 };
 
@@ -70,7 +70,7 @@ TEST(CellTreeBounds, boxesHoldTheirTriangles) {
 TEST(CellTreeBounds, leastHeightIsTheSmallestAltitude) {
     forAllTrees([](const CellTree& tree) {
         const std::vector<Facet> facets = facetsOf(tree);
-        // The centre is not a float: what is taken from it has the rounding of its own size.
+        // The centre is not a float, so differences from it are rounded in proportion to its size.
         const double rounding = 1e-13 * tree.sphere().radius;
         for (const Node& node : tree.nodes()) {
             double height = kInfinity;
@@ -88,7 +88,7 @@ TEST(CellTreeBounds, leastHeightIsTheSmallestAltitude) {
 TEST(CellTreeBounds, conesHoldAllNormals) {
     forAllTrees([](const CellTree& tree) {
         const std::vector<Facet> facets = facetsOf(tree);
-        // By how much a normal lies outside: in the cosine and in the sine of its angle to the axis.
+        // How far a normal lies outside the cone: in the cosine and in the sine of its angle to the axis.
         double beyondCosine = -kInfinity, beyondSine = -kInfinity;
         for (const Node& node : tree.nodes()) {
             if (node.coneCosine > 1.0f) continue;
@@ -133,8 +133,8 @@ TEST(CellTreeBounds, smoothSurfaceHasConesInAllLeaves) {
     }
 }
 
-// The bowl's two walls face against each other in every direction: an inner node whose children's axes cancel out was taken for
-// one without normals, and its cone held none of them.
+// The bowl's two walls face each other in every direction. An inner node whose children's axes cancel out was once taken for one
+// without normals, and its cone contained none of them.
 TEST(CellTreeBounds, childrenThatFaceAgainstEachOtherLeaveNoCone) {
     const CellTree tree(bowlMesh(20'000), {MapLayout::LatitudeLongitude, 9});
     const std::vector<Facet> facets = facetsOf(tree);
@@ -160,7 +160,7 @@ TEST(CellTreeBounds, centreInACornerIsNoTroubleForWhatMeetsThere) {
             fan.push_back({Vec3f(0.0f), Vec3f(x, 0, 0), Vec3f(0, y, 0)});
             fan.push_back({Vec3f(0.0f), Vec3f(0, y, 0), Vec3f(0, 0, x)});
         }
-    // The centroid is the centre: no direction is its.
+    // The centroid is the sphere's centre, so it has no direction.
     fan.push_back({Vec3f(0.5f, 0, 0), Vec3f(-0.25f, 0.25f, 0), Vec3f(-0.25f, -0.25f, 0)});
     for (const CellTree::Options& options : kAllOptions) {
         const CellTree tree(looseTriangles(fan), options);

@@ -1,4 +1,4 @@
-// How the tree divides the triangles over its nodes.
+// The division of the triangles over the tree's nodes.
 #include "core/spatial/cell_tree.h"
 
 #include <tbb/global_control.h>
@@ -28,7 +28,7 @@ TEST(CellTree, orderHoldsEveryTriangleOnce) {
     });
 }
 
-/// Whether children tile their parent's triangles, in ascending order of their cells inside its cell.
+/// Expects the children to partition their parent's triangles, in ascending order of their cells inside its cell.
 void expectTiled(const CellTree& tree, const Node& node) {
     uint32_t next = node.first;
     uint64_t nextCode = 0;
@@ -127,7 +127,7 @@ TEST(CellTree, doesNotDependOnTheNumberOfThreads) {
 }
 
 TEST(CellTree, leafAtADirectionWithoutTrianglesIsNone) {
-    // A small square far above the centre that a speck below makes the sphere's.
+    // A tiny triangle far above the centre of the bounding sphere, and one far below it.
     const MeshPointer mesh = looseTriangles({{Vec3f(-0.01f, -0.01f, 1), Vec3f(0.01f, -0.01f, 1), Vec3f(0, 0.01f, 1)},
                                              {Vec3f(-0.01f, -0.01f, -1), Vec3f(0, 0.01f, -1), Vec3f(0.01f, -0.01f, -1)}});
     for (const MapLayout layout : {MapLayout::Octahedral, MapLayout::LatitudeLongitude}) {

@@ -17,7 +17,7 @@ constexpr double kSphere = 4.0 * std::numbers::pi;
 
 class DirectionMap : public testing::TestWithParam<MapLayout> {
 protected:
-    /// How much of the square the map covers from the top.
+    /// The height of the part of the square that the map covers, from the top.
     [[nodiscard]] static double height() { return GetParam() == MapLayout::Octahedral ? 1.0 : 0.5; }
     [[nodiscard]] static uint32_t rows(uint32_t level) {
         return GetParam() == MapLayout::Octahedral || level == 0 ? 1U << level : 1U << (level - 1);
@@ -27,7 +27,7 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Layouts, DirectionMap, testing::Values(MapLayout::Octahedral, MapLayout::LatitudeLongitude),
                          [](const auto& tested) { return tested.param == MapLayout::Octahedral ? "octahedral" : "latitude"; });
 
-/// Random ones, and those on the axes, the seams, the folds and the octahedron's edges with all signs of zero.
+/// Random directions, and those on the axes, the seams, the folds and the octahedron's edges with all signs of zero.
 std::vector<Vec3> allKindsOfDirections() {
     std::vector<Vec3> directions;
     constexpr std::array kComponents{-1.0, -1e-300, -0.0, 0.0, 1e-300, 1e-17, 0.5, 1.0};
@@ -73,7 +73,7 @@ TEST_P(DirectionMap, everyDirectionIsNearTheMiddleOfItsFinestCell) {
         const double size = 1.0 / double(1U << kFinestLevel);
         const Vec3 middle = directionAt(GetParam(), Vec2(cell.x + 0.5, cell.y + 0.5) * size);
         const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-        // A cell is at most 2π / 2^15 across on either map, its half diagonal √½ of that.
+        // A cell is at most 2π / 2^15 wide on either map, its half diagonal √½ of that.
         EXPECT_LT(glm::length(glm::normalize(direction / largest) - middle), 2.0 * std::numbers::pi * size)
             << direction.x << ' ' << direction.y << ' ' << direction.z;
     }
@@ -113,7 +113,7 @@ TEST_P(DirectionMap, solidAnglesAreTheSharesOfRandomDirections) {
     }
 }
 
-/// The largest over the smallest solid angle of a level's cells.
+/// The ratio of the largest to the smallest solid angle of a level's cells.
 double spreadOf(MapLayout layout, uint32_t level) {
     double largest = 0.0, smallest = kSphere;
     for (uint32_t y = 0; y < 1U << level; ++y)
@@ -132,7 +132,7 @@ TEST(DirectionMapSpread, octahedralCellsLieWithinFivePointTwo) {
 }
 
 TEST(DirectionMapSpread, latitudeLongitudeHasSliversAtItsPoles) {
-    // Rows of height h: sin h / (1 − cos h) = cot(h/2). 115 is that of the default 180 rows, 81.5 that of 128.
+    // Rows of height h: sin h / (1 − cos h) = cot(h/2). 115 is the ratio for the default 180 rows, 81.5 for 128.
     EXPECT_NEAR(spreadOf(MapLayout::LatitudeLongitude, 8), 1.0 / std::tan(std::numbers::pi / 256.0), 1e-6);
     EXPECT_NEAR(1.0 / std::tan(std::numbers::pi / 360.0), 115.0, 0.5);
 }
@@ -154,15 +154,15 @@ TEST(DirectionMapNeighbours, stepOverTheFoldLandsInTheCellThatFacesItThere) {
     constexpr uint32_t kLevel = 7, kLast = (1U << kLevel) - 1;
     constexpr double kSize = 1.0 / double(1U << kLevel);
     for (uint32_t x = 0; x <= kLast; ++x) {
-        // On the edge's middle of a cell of the first row, a little to the far side: the plane x = 0 of the lower half holds the
-        // fold.
+        // At the middle of an edge of a cell of the first row, slightly on the far side: the fold lies in the plane x = 0 of the
+        // lower half.
         const Vec3 here = directionAt(MapLayout::Octahedral, {(x + 0.5) * kSize, 1e-6});
         const Vec3 there(here.x, -here.y, here.z);
         EXPECT_EQ(mapCellOf(MapLayout::Octahedral, here, kLevel), (MapCell{kLevel, x, 0}));
         const MapCell mirrored = mapCellOf(MapLayout::Octahedral, there, kLevel);
         EXPECT_EQ(mirrored, (MapCell{kLevel, x, kLast}));
     }
-    // Between the cells x and last − x of the first row lies the half-plane x = 0 below.
+    // Between the cells x and last − x of the first row lies the lower half-plane x = 0.
     for (uint32_t x = 0; x <= kLast; ++x) {
         const Vec3 here = directionAt(MapLayout::Octahedral, {(x + 0.5) * kSize, 1e-6});
         const MapCell mirrored = mapCellOf(MapLayout::Octahedral, Vec3(-here.x, here.y, here.z), kLevel);
@@ -178,7 +178,7 @@ TEST(DirectionMapNeighbours, directionsBesideTheSeamAreInTheFirstAndTheLastColum
             const Vec3 before(after.x, -after.y, after.z);
             EXPECT_EQ(mapCellOf(MapLayout::LatitudeLongitude, after, kLevel).x, 0U) << theta << ' ' << phi;
             const uint32_t x = mapCellOf(MapLayout::LatitudeLongitude, before, kLevel).x;
-            // An angle too small to be told from a whole turn may count as none.
+            // An angle too close to a whole turn to be distinguished may be rounded to 0.
             EXPECT_TRUE(x == (1U << kLevel) - 1 || (x == 0 && phi < 1e-15)) << theta << ' ' << phi << " gives " << x;
         }
 }

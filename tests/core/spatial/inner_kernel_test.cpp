@@ -1,4 +1,4 @@
-// What the kernel says is filled, against rays from the centre to every triangle.
+// The radii of the kernel, checked against rays from the centre to every triangle.
 #include "core/spatial/inner_kernel.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ using State = InnerKernel::State;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// A mesh with every corner moved and some triangles turned around.
+/// A mesh with every corner moved and the winding of some triangles reversed.
 template <typename Move, typename Turned>
 MeshPointer changed(const TriangleMesh& mesh, const Move& move, const Turned& turned) {
     std::vector<Vec3f> positions;
@@ -46,14 +46,15 @@ MeshPointer joined(const TriangleMesh& a, const TriangleMesh& b) {
     return meshOf(std::move(positions), std::move(indices));
 }
 
-/// A sphere of 0.5 in one of 1, turned around or not.
+/// A sphere of radius 0.5 inside one of radius 1, each reversed or not.
 template <typename Turned>
 MeshPointer shells(const Turned& innerTurned) {
     const MeshPointer sphere = sphereMesh(4'000);
     return joined(*sphere, *changed(*sphere, scaledBy(Vec3(0.5)), innerTurned));
 }
 
-/// Where a ray from the origin meets a triangle, in lengths of the direction (Möller & Trumbore 1997); infinite: nowhere.
+/// The distance at which a ray from the origin hits a triangle, in lengths of the direction (Möller & Trumbore 1997); infinite:
+/// no hit.
 double hit(const TriangleCorners& corners, const Vec3& direction) {
     const Vec3 u = corners[1] - corners[0], v = corners[2] - corners[0];
     const Vec3 p = glm::cross(direction, v);
@@ -85,7 +86,7 @@ private:
     std::vector<TriangleCorners> m_triangles;
 };
 
-/// A direction within an angle of another.
+/// A random direction within an angle of another.
 Vec3 directionNear(Random& random, const Vec3& direction, double angle) {
     const double turn = angle * random.unit();
     const Vec3 aside = glm::normalize(glm::cross(direction, random.direction()));
@@ -147,7 +148,7 @@ TEST(InnerKernel, fillsAFineSphereNearlyToItsSurface) {
 }
 
 TEST(InnerKernel, followsTheSurfaceWhereItIsNotRound) {
-    // As far as its directions reach: where the surface is farther all around, the kernel is too.
+    // Where the surface is farther in all directions within the kernel's reach, the kernel is larger too.
     const MeshPointer mesh = starMesh(7, 20'000);
     const InnerKernel kernel(*mesh);
     ASSERT_TRUE(kernel.filled());
@@ -201,7 +202,7 @@ TEST(InnerKernel, nestedShellsAreFilledUpToTheInnerOne) {
 }
 
 TEST(InnerKernel, shellOfTwoWallsAgainstEachOtherHasItsCentreOutside) {
-    // The outer one inward, the inner one outward: around the centre the surface winds 0 times.
+    // The outer sphere inward, the inner one outward: the winding number at the centre is 0.
     EXPECT_EQ(InnerKernel(*changed(*shells(kEvery), kStay, kEvery)).state(), State::CentreOutside);
 }
 
@@ -211,7 +212,7 @@ TEST(InnerKernel, thinSolidsAreTooThin) {
 }
 
 TEST(InnerKernel, surfaceThroughTheCentreLeavesNoKernel) {
-    // A box with one wall, and one with an edge, in the middle of the sphere that a far box makes.
+    // A box with one wall, and one with an edge, through the centre of the bounding sphere, which a distant box determines.
     const MeshPointer far = boxMesh({-9, -1, -1}, {-8, 1, 1}), other = boxMesh({8, -1, -1}, {9, 1, 1});
     const MeshPointer ends = joined(*far, *other);
     EXPECT_NE(InnerKernel(*joined(*ends, *boxMesh({0, -1, -1}, {2, 1, 1}))).state(), State::Filled);

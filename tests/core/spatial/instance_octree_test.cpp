@@ -16,7 +16,7 @@ bool holds(const Box3& outer, const Box3& inner) {
     return glm::all(glm::lessThanEqual(outer.min, inner.min)) && glm::all(glm::greaterThanEqual(outer.max, inner.max));
 }
 
-/// A node's box, run, triangles and links against what its instances say.
+/// Checks a node's box, range, triangle count and links against its instances.
 void checkNode(const InstanceOctree& octree, const Scene& scene, size_t number) {
     const InstanceOctree::Node& node = octree.nodes()[number];
     Box3 box;
@@ -43,7 +43,7 @@ void checkNode(const InstanceOctree& octree, const Scene& scene, size_t number) 
     EXPECT_EQ(next, node.first + node.count);
 }
 
-/// Every instance with triangles in exactly one leaf, every node right.
+/// Checks that every instance with triangles is in exactly one leaf, and every node.
 void check(const InstanceOctree& octree, const Scene& scene) {
     std::vector<int> leaves(scene.instances().size(), 0);
     for (size_t i = 0; i < octree.nodes().size(); ++i) {
@@ -108,7 +108,7 @@ TEST(InstanceOctree, everyInstanceIsInOneLeafAndInItsBoxes) {
 }
 
 TEST(InstanceOctree, cellsAreEighthsOfTheirParents) {
-    // A grid of 16³ falls apart evenly, level by level.
+    // A grid of 16³ is divided evenly at each level.
     std::vector<Mat4> places;
     for (int i = 0; i < 4096; ++i) places.push_back(translation(Vec3(i % 16, i / 16 % 16, i / 256)));
     const ScenePointer scene = copiesOf(smallBox(), places);
@@ -137,7 +137,7 @@ TEST(InstanceOctree, coincidentCentresEndInOneLeaf) {
 }
 
 TEST(InstanceOctree, objectFarAwayLeavesTheOthersDivided) {
-    // Relative to 1e12, all of the field lies in one cell of a Morton code's 2^21 an axis.
+    // Relative to 1e12, the whole field lies in one of the 2^21 cells of a Morton code along each axis.
     Random random(5);
     std::vector<Mat4> places{translation(Vec3(1e12))};
     for (int i = 0; i < 2000; ++i) places.push_back(translation(10.0 * Vec3(random.unit(), random.unit(), random.unit())));
@@ -148,7 +148,7 @@ TEST(InstanceOctree, objectFarAwayLeavesTheOthersDivided) {
 }
 
 TEST(InstanceOctree, depthEndsAtItsLimit) {
-    // Each twice as far out as the one before: an octree of cells divides off a few at a level.
+    // Each object twice as far out as the one before: every level of the octree separates only a few.
     std::vector<Mat4> places;
     for (int i = 0; i < 600; ++i) places.push_back(translation({std::ldexp(1.0, i - 300), 0, 0}) * scaling(Vec3(1e-200)));
     const ScenePointer scene = copiesOf(smallBox(), places);

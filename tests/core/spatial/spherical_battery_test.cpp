@@ -1,4 +1,4 @@
-// Cases 6 to 11 and 15 of the battery, as they stand there.
+// Cases 6 to 11 and 15 of the battery in stability.md.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(SphericalBattery, cases8To10AnglesAreRight) {
 }
 
 TEST(SphericalBattery, case11CornerAndCentroidAtTheCentreAreFound) {
-    // The bounding sphere is the first triangle's; the second has a corner at its centre, the third its centroid.
+    // The bounding sphere is that of the first triangle; the second has a corner at its centre, the third its centroid.
     const MeshPointer mesh = meshOf({{1, 0, 0},
                                      {-1, 0, 0},
                                      {0, 1, 0},
@@ -69,7 +69,7 @@ TEST(SphericalBattery, case11CornerAndCentroidAtTheCentreAreFound) {
         }
     }
     EXPECT_THAT(owned, testing::Each(1));
-    // Always a candidate: rays from everywhere find them.
+    // They must be candidates in every direction: rays from all sides hit them.
     for (int i = 0; i < 36; ++i) {
         const Vec3 eye = 3.0 * direction(20.0, 10.0 * i + 1.0);
         EXPECT_TRUE(searchTriangle(maps, {eye, Vec3(0.1, 0.1, 0.0) - eye})) << i;
@@ -78,7 +78,7 @@ TEST(SphericalBattery, case11CornerAndCentroidAtTheCentreAreFound) {
 }
 
 TEST(SphericalBattery, case15RayOfImpactIsWalkedToTheSurface) {
-    // A ball of radius 0.5 and two far points that make the bounding sphere's radius 1.
+    // A ball of radius 0.5, and two distant points that give the bounding sphere a radius of 1.
     const MeshPointer ball = sphereMesh(80'000);
     std::vector<Vec3f> positions;
     for (const Vec3f& position : ball->positions()) positions.push_back(0.5f * position);

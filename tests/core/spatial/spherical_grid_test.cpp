@@ -84,7 +84,7 @@ TEST(SphericalGrid, theLargestDotIsThatOfTheCellsDirections) {
             }
         const double length = glm::length(normal);
         EXPECT_LE(found, largest + 1e-12 * length);
-        // Samples are at most half a step away in either angle.
+        // Every direction is at most half a step from a sample in either angle.
         const double step = std::max(kPi / grid.rows(), 2.0 * kPi / grid.columns()) / kSteps;
         EXPECT_GE(found, largest - length * step * step);
     }

@@ -1,4 +1,4 @@
-// The resolution on auto: what the maps take grows with the number of triangles and no faster.
+// With automatic resolution, the bytes of the maps grow in proportion to the number of triangles.
 #include <gtest/gtest.h>
 
 #include <cmath>

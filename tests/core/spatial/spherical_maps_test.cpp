@@ -1,4 +1,4 @@
-// Each triangle stands in one cell of the centroid map and in every cell of the index map that it touches.
+// Each triangle is in one cell of the centroid map and in every cell of the index map that it touches.
 #include "core/spatial/spherical_maps.h"
 
 #include <gtest/gtest.h>
@@ -17,18 +17,17 @@
 namespace cullscope::test::spherical_maps_test {
 namespace {
 
-/// Visits points of a triangle: its corners, along its edges, and inside; where an arc turns (its least and greatest θ) more
-/// densely.
+/// Visits points of a triangle: its corners, points along its edges and inside; more densely near the extreme θ of an arc.
 template <typename Visit>
 void forPoints(const std::array<Vec3, 3>& corners, Random& random, int count, const Visit& visit) {
     for (size_t i = 0; i < 3; ++i) {
         const Vec3 &a = corners[i], &b = corners[(i + 1) % 3];
         visit(a);
         for (int step = 1; step < count; ++step) visit(a + double(step) / count * (b - a));
-        // The arc is highest where its plane's normal, the axis and the point are coplanar.
+        // An arc has its extreme θ where its plane's normal, the axis and the point are coplanar.
         const Vec3 normal = glm::cross(a, b);
         const Vec3 top = glm::cross(normal, glm::cross(normal, Vec3(0.0, 0.0, 1.0)));
-        // On the edge: a + s (b − a) parallel to top.
+        // The point on the edge: a + s (b − a) parallel to top.
         const Vec3 side = glm::cross(normal, top);
         const double from = glm::dot(side, a), way = glm::dot(side, b - a);
         if (way == 0.0) continue;
@@ -79,7 +78,7 @@ TEST(SphericalTriangle, touchesHardlyMoreThanItsOwnCells) {
         confirmed += found.size();
     }
     EXPECT_GE(touched, confirmed);
-    // Beside corners three half-spaces and a cap tell a little too much; samples tell a little too few.
+    // Beside corners, three half-spaces and a cap give a few cells too many; samples give a few too few.
     EXPECT_LT(double(touched), 1.25 * double(confirmed));
 }
 

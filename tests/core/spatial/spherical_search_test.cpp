@@ -1,4 +1,4 @@
-// Every triangle is found again: the search through the index map against Embree.
+// The search through the index map finds the same triangles as Embree.
 #include "core/spatial/spherical_search.h"
 
 #include <embree3/rtcore.h>
@@ -13,7 +13,7 @@
 namespace cullscope::test::spherical_search_test {
 namespace {
 
-/// Embree over a mesh about the maps' centre.
+/// Embree over a mesh, relative to the maps' centre.
 class Tracer {
 public:
     explicit Tracer(const SphericalMaps& maps) : m_device(rtcNewDevice(nullptr)), m_scene(rtcNewScene(m_device)) {
@@ -65,9 +65,9 @@ private:
     RTCScene m_scene;
 };
 
-/// A ray from the centre, or from outside to a point near the mesh. In float, so that both searches take the very same.
+/// A ray from the centre, or from outside to a point near the mesh. In float, so that both searches use identical rays.
 Ray anyRay(Random& random, double radius, bool fromCentre) {
-    // One draw a statement: the order of those in one expression is the compiler's.
+    // One random number per statement: within one expression the compiler chooses the order.
     Ray ray;
     const double away = random.between(1.2, 6.0) * radius, inside = random.between(0.0, 0.9) * radius;
     const Vec3 from = random.direction();
@@ -77,12 +77,12 @@ Ray anyRay(Random& random, double radius, bool fromCentre) {
     return ray;
 }
 
-/// How near a ray comes to an edge of the triangle that one search found and the other did not, in radians from its origin and in
-/// shares of the radius: there the two may differ by rounding.
+/// The distance of a ray from an edge of a triangle that only one of the searches found, in radians from its origin and in shares
+/// of the radius: near an edge the two may differ by rounding.
 double distanceToEdges(const Ray& ray, const std::array<Vec3, 3>& corners) {
     double least = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < 3; ++i) {
-        // Of two lines, the ray's and the edge's, at the edge's nearest inner point.
+        // The distance of two lines, the ray's and the edge's, at the nearest point inside the edge.
         const Vec3& a = corners[i];
         const Vec3 edge = corners[(i + 1) % 3] - a;
         const Vec3 across = a - ray.origin - glm::dot(a - ray.origin, ray.direction) * ray.direction;
@@ -109,11 +109,11 @@ TEST(SphericalSearch, findsWhatEmbreeFinds) {
             ++all;
             hits += expected ? 1 : 0;
             if (!expected && !found) continue;
-            // A triangle through the ray's own beginning is met there, or not, by rounding.
+            // A triangle through the ray's origin may be hit or not, by rounding.
             if (std::min(expected ? expected->t : radius, found ? found->t : radius) < 1e-5 * radius) continue;
             if (expected && found && (expected->triangle == found->triangle || std::abs(expected->t - found->t) < 1e-5 * radius))
                 continue;
-            // Where they differ, one of them passed an edge, or a triangle that is seen from its side.
+            // Where the results differ, the ray passes close to an edge, or the triangle is seen edge-on.
             const bool foundNearer = found && (!expected || found->t < expected->t);
             const std::array<Vec3, 3> corners = maps.corners(foundNearer ? found->triangle : expected->triangle);
             const Vec3 normal = glm::cross(corners[1] - corners[0], corners[2] - corners[0]);
@@ -137,7 +137,7 @@ TEST(WalkedCells, areTheCellsOfTheRaysPoints) {
         const uint32_t columns = 4 + uint32_t(random.between(0.0, 400.0));
         const SphericalGrid grid(columns, 2 + uint32_t(random.between(0.0, 200.0)));
         Ray ray = anyRay(random, 1.0, false);
-        // Some along the axis, through it, and in planes of constant z.
+        // Some rays along the axis, through it, and in planes of constant z.
         if (i % 7 == 1) ray.direction = glm::normalize(Vec3(0.0, 0.0, 0.3) * random.unit() - ray.origin);
         if (i % 7 == 2) ray.direction = {0.0, 0.0, ray.origin.z > 0.0 ? -1.0 : 1.0};
         if (i % 7 == 3) ray.direction = glm::normalize(Vec3(-ray.origin.x, -ray.origin.y, 0.0));
@@ -152,7 +152,7 @@ TEST(WalkedCells, areTheCellsOfTheRaysPoints) {
             const double t = random.between(span->from, span->to);
             const auto step = std::find_if(walked.begin(), walked.end(), [&](const WalkedCell& one) { return t <= one.span.to; });
             ASSERT_NE(step, walked.end());
-            // Hard by a boundary the cell is a matter of rounding.
+            // Very close to a boundary the cell depends on rounding.
             const double margin = std::min(t - step->span.from, step->span.to - t);
             if (margin < 1e-9) continue;
             const SphericalGrid::Cell cell = grid.cellOf(ray.at(t));

@@ -35,13 +35,13 @@ TEST(ExactVisibility, triangleLargerThanTheViewIsVisibleWithoutAVertexInside) {
 }
 
 TEST(ExactVisibility, triangleAcrossAnEdgeOfTheFrustumIsNotVisibleThoughItPassesEveryPlane) {
-    // It crosses the right and the top plane, but beyond the edge that they share: x + y > 2 · 5 there.
+    // It crosses the right and the top plane, but beyond their common edge: x + y > 2 · 5 there.
     EXPECT_FALSE(judged({{11, 0, -5}, {0, 11, -5}, {11, 11, -5}}).visible);
     EXPECT_TRUE(judged({{9, 0, -5}, {0, 9, -5}, {9, 9, -5}}).visible);
 }
 
 TEST(ExactVisibility, pointsOnAPlaneTouchIt) {
-    // 0.1f is above the double 0.1 by 1.5e-9, so this lies just beyond the near plane; the other just before it.
+    // 0.1f is larger than the double 0.1 by 1.5e-9, so this lies just beyond the near plane; the other just in front of it.
     EXPECT_TRUE(judged({{0, 0, -0.1f}, {1, 0, 1}, {0, 1, 1}}).visible);
     EXPECT_FALSE(judged({{0, 0, std::nextafter(-0.1f, 0.0f)}, {1, 0, 1}, {0, 1, 1}}).visible);
     EXPECT_TRUE(judged({{0, 0, -10}, {1, 0, -11}, {0, 1, -11}}).visible);

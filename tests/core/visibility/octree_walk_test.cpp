@@ -16,7 +16,7 @@ constexpr uint64_t kAllViews = 10'000;
 constexpr uint64_t kSample = 500;
 constexpr uint64_t kViewsPerScene = 20;
 
-/// What one walk kept, by instance; none: left out.
+/// By instance, the planes of an object that one walk kept; none: culled.
 using Kept = std::vector<std::optional<uint8_t>>;
 
 Kept byInstance(const std::vector<KeptObject>& kept, size_t instances) {
@@ -28,7 +28,7 @@ Kept byInstance(const std::vector<KeptObject>& kept, size_t instances) {
     return result;
 }
 
-/// How an object's own bounds lie to one plane: the tighter of box and sphere, and the margin that both are given.
+/// An object's own bounds against one plane: the tighter of box and sphere, and their common margin.
 struct OwnTest {
     double inner, outer, margin;
 };
@@ -83,7 +83,8 @@ private:
         m_tally.culledInGroups += culledInGroups(scene, octree, view);
     }
 
-    /// No plane has the object outside, or needlessly in its mask, or wrongly not in it.
+    /// Checks that no plane rejects the object by more than rounding, that every plane of the mask may cut it, and that no other
+    /// plane does.
     void checkPlanes(const Scene& scene, const View& view, size_t instance, uint8_t planes) {
         ++(planes == 0 ? m_tally.keptWhole : m_tally.keptInPart);
         for (size_t p = 0; p < 6; ++p) {
@@ -132,7 +133,7 @@ TEST(GroupWalkProperty, noVisibleObjectIsCulled) {
         static_cast<unsigned long long>(t.visible), static_cast<unsigned long long>(t.culledInGroups),
         static_cast<unsigned long long>(t.culledAlone), static_cast<unsigned long long>(t.keptWhole),
         static_cast<unsigned long long>(t.keptInPart));
-    // It must not pass for want of anything to lose.
+    // Guards against a vacuous pass: enough objects must be visible.
     EXPECT_GT(t.visible, t.views / 2);
     EXPECT_GT(t.culledInGroups, t.objects / 10);
     EXPECT_GT(t.culledAlone, t.objects / 100);
@@ -176,8 +177,8 @@ TEST(GroupWalkTrace, culledObjectsHaveAPlaneAndKeptOnesNone) {
 }
 
 TEST(GroupWalkTrace, boundIsTheOneThatDecided) {
-    // Stretched, its sphere reaches farther than its box and has the larger margin; it lies before the near plane by a distance
-    // between the two.
+    // Its stretched sphere extends farther than its box and has the larger margin; it lies in front of the near plane by a
+    // distance between the two.
     const double groupMargin = (0.9 + 10.0) * 0x1p-20;
     const ScenePointer scene =
         copiesOf(boxMesh(Vec3f(-1), Vec3f(1)), {translation({0, 0, -0.9 + 1.3 * groupMargin}) * scaling({10, 0.1, 0.1})});
@@ -212,7 +213,8 @@ Walked walked(const Scene& scene, const Camera& camera) {
 }
 
 TEST(OctreeWalk, costGrowsWithTheBoundaryAndNotWithTheCount) {
-    // The same square kilometre from the same place, in ever smaller steps: its boundary holds √n objects, its inside n.
+    // The same square kilometre from the same place, with ever smaller spacing: √n objects lie on the frustum's boundary, n
+    // inside.
     std::vector<Walked> at;
     for (const int n : {32, 100, 316}) {
         const ScenePointer scene = field(n, 1000.0 / n);
@@ -236,7 +238,7 @@ TEST(OctreeWalk, costDoesNotGrowWithWhatIsNotInThePicture) {
 }
 
 TEST(OctreeWalk, planeThatHasAGroupInsideIsNotTestedBelowIt) {
-    // From above, with a picture 90° wide whose one side plane stands upright near the middle: no other cuts anything.
+    // From above, with a picture 90° wide whose one side plane stands vertically near the middle: no other plane cuts an object.
     const Angle fovy = Angle::fromRadians(2.0 * std::atan(480.0 / 640.0));
     const ScenePointer scene = field(100, 1.5);
     const Walked half = walked(*scene, {{13, 500, 0}, {513, 0, 0}, {0, 0, -1}, fovy, 1, 5000});

@@ -25,7 +25,7 @@ std::vector<ParameterDeclaration> declarations() {
     return {flag, depth, share, choiceParameter("box", "p-vertex", "", {{"p-vertex", ""}, {"length", ""}})};
 }
 
-/// The sentence with which a value is refused; empty where it is taken.
+/// The error sentence for a value; empty where it is accepted.
 std::string refusal(std::string_view key, std::string_view text) {
     ParameterSet set(declarations());
     const ParameterSet before = set;

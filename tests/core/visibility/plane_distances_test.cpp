@@ -27,7 +27,7 @@ TEST(PlaneDistances, planesLieAsFrustumTestedThem) {
         const PlaneDistance& one = distances[size_t(event.plane)];
         EXPECT_EQ(one.plane, event.plane);
         EXPECT_NEAR(one.distance, event.distance, 1e-9);
-        // The batch's bound goes by norm 1 in place of the length.
+        // The batch test's bound uses the 1-norm instead of the length.
         EXPECT_LE(one.bound, event.bound);
         EXPECT_GE(one.bound, 0.5 * event.bound);
         EXPECT_EQ(one.containment, event.containment);

@@ -18,7 +18,7 @@ StrategyPointer frustumBy(const char* box) {
     return makeStrategy("frustum", parameters);
 }
 
-/// Calls `check(scene, view)` for views of random scenes, built into every one of `strategies`.
+/// Calls `check(scene, view)` for views of random scenes, after building each of `strategies` for the scene.
 template <typename Check>
 void onRandomViews(const std::vector<Strategy*>& strategies, const Check& check) {
     for (uint64_t seed = 1; seed <= kScenes; ++seed) {
@@ -39,7 +39,7 @@ std::vector<int> timesDrawn(const Verdict& verdict, const Scene& scene) {
     return times;
 }
 
-/// Standard camera of the battery: at the origin down −z, 90°, near 0.1, far 10.
+/// The standard camera of the battery: at the origin looking down −z, 90°, near 0.1, far 10.
 View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
 
 TEST(Strategies, countersAddUpToTheScene) {
@@ -168,7 +168,8 @@ TEST(Frustum, objectInViewIsDrawnAndObjectBesideItCulled) {
 }
 
 TEST(Frustum, axisAlignedBoxThatOnlyItsLengthKeepsIsCulled) {
-    // Flat along x, above the view: its corner reaches nowhere, its circumscribed sphere does (stability case 3, as an object).
+    // Flat along x, above the view: none of its corners is in the frustum, but its circumscribed sphere is (stability case 3, as
+    // an object).
     const ScenePointer scene = sceneOf({boxMesh({-60, 9, -6}, {60, 11, -4})});
     const StrategyPointer tight = frustumBy("p-vertex");
     const StrategyPointer loose = frustumBy("length");

@@ -25,7 +25,7 @@ TEST(VisibleSets, whatOnlyOneOfTwoShowsIsCounted) {
 
 uint64_t count(const TriangleStates& states, TriangleState state) { return states.counts[static_cast<size_t>(state)]; }
 
-/// The counts are those of the states, and every triangle has one.
+/// Expects the counts to agree with the states, and a state for every triangle.
 void expectPartition(const TriangleStates& states, const Scene& scene) {
     ASSERT_EQ(states.states.size(), scene.triangleCount());
     std::array<uint64_t, kTriangleStateCount> counted{};
@@ -44,7 +44,7 @@ std::vector<uint32_t> inState(const TriangleStates& states, TriangleState state)
     return triangles;
 }
 
-/// V∖S by a mask of its own.
+/// V∖S, computed by an independent mask.
 std::vector<uint32_t> visibleNotSubmitted(const Reference& reference, const DrawList& list, const Scene& scene) {
     std::vector<uint8_t> submitted(scene.triangleCount(), 0);
     for (const DrawRange& range : list.ranges)
@@ -82,7 +82,7 @@ TEST(TriangleStates, statesOfARandomViewAreAPartition) {
                 const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, reference.visible());
                 EXPECT_TRUE(states.againstTruth);
                 expectPartition(states, *scene);
-                // Where OpenGL drops nothing that the truth shows, what is lost is V∖S.
+                // Where OpenGL culls no triangle that the truth contains, the lost ones are V∖S.
                 if (verdict.drawList.facing == reference.facing) {
                     EXPECT_EQ(inState(states, TriangleState::WronglyCulled),
                               visibleNotSubmitted(reference, verdict.drawList, *scene));
@@ -112,7 +112,7 @@ TEST(TriangleStates, wrongDrawListLosesWhatIsSeen) {
     for (const Facing facing : {Facing::TwoSided, Facing::Front}) {
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), facing);
         for (uint32_t removed = 0; removed < 3; ++removed) {
-            // Half of an object is not given to OpenGL; the trace says why.
+            // Half of an object is not submitted; the trace has its cause.
             DrawList lossy = everything(*scene, facing);
             lossy.ranges[removed].firstIndex = 3 * static_cast<uint32_t>(scene->meshOf(removed).triangleCount() / 2);
             lossy.ranges[removed].indexCount -= lossy.ranges[removed].firstIndex;
@@ -144,7 +144,7 @@ TEST(TriangleStates, everyCauseBecomesItsState) {
 }
 
 TEST(TriangleStates, backFaceThatTheTruthShowsIsLost) {
-    // An open square seen from behind: OpenGL drops it, and with both sides it would be seen.
+    // An open square seen from behind: OpenGL culls it, but two-sided it would be visible.
     const ScenePointer scene = sceneOf({squareMesh(1, 0)});
     const SceneBuffers buffers(scene, Upload::Vbo);
     const View behind({{0, 0, -4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
@@ -169,7 +169,7 @@ TEST(TriangleStates, triangleDrawnTwiceKeepsItsState) {
               triangleStates(*scene, overThree(), everything(*scene, Facing::TwoSided), {}, reference.visible()).states);
 }
 
-/// Whether the outer side of a triangle of a body around `centre` is turned away from the eye, without its winding.
+/// Whether the outer side of a triangle of a body around `centre` faces away from the eye, independent of its winding.
 bool outerSideTurnedAway(const Scene& scene, uint32_t instance, uint32_t triangle, const Vec3& centre, const Vec3& eye) {
     const TriangleMesh& mesh = scene.meshOf(instance);
     std::array<Vec3, 3> corners;

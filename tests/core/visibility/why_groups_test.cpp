@@ -1,4 +1,4 @@
-// What is said of the groups that objects were tested with.
+// The explanation of the groups that objects were tested with.
 
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
@@ -11,7 +11,7 @@ namespace {
 
 ScenePointer field() {
     std::vector<Mat4> places;
-    // No power of two: groups of one are among them.
+    // Not a power of two, so that some groups have one object.
     for (int i = 0; i < 13; ++i)
         for (int j = 0; j < 17; ++j) places.push_back(translation({(i - 6) * 2.5, 0.1 * i, (j - 8) * 2.5}));
     return copiesOf(sphereMesh(80), places);
@@ -28,7 +28,7 @@ std::vector<View> views() {
     return views;
 }
 
-/// By instance, the group that was visited last of those that hold it: nothing was tested below it.
+/// By instance, the innermost visited group that contains it: nothing was tested below it.
 std::vector<TestedGroup> decidingGroups(const InstanceOctree& octree, const Trace& trace, size_t instances) {
     std::vector<TestedGroup> groups(instances);
     for (const TestedGroup& group : trace.groups)
@@ -48,7 +48,7 @@ TEST(WhyOfGroups, onlyTheLevelThatDecidedIsNamed) {
     const ScenePointer scene = field();
     GroupedFrustum strategy;
     strategy.build(*scene);
-    std::array<int, 4> seen{};  ///< by containment; the last: alone
+    std::array<int, 4> seen{};  ///< by containment; the last: groups of one
     for (const View& view : views()) {
         Trace trace;
         const Verdict verdict = strategy.cull(view, &trace);
@@ -62,7 +62,7 @@ TEST(WhyOfGroups, onlyTheLevelThatDecidedIsNamed) {
                 said.push_back(step.sentence.english());
                 EXPECT_EQ(step.containment, groups[i].containment);
             }
-            // A group of one is the object itself, whose own tests are told.
+            // A group of one is the object itself, whose own tests are explained.
             const auto expected =
                 objects < 2 ? std::vector<std::string>{} : std::vector<std::string>{sentenceAbout(groups[i], objects)};
             EXPECT_EQ(said, expected) << "instance " << i;

@@ -11,8 +11,7 @@
 namespace cullscope::test::why_test {
 namespace {
 
-/// A plane through the eye or at a distance, made here from the camera's own numbers: inside where normal·p + offset > 0, p from
-/// the eye.
+/// A plane built here from the camera's parameters: inside where normal·p + offset > 0, with p relative to the eye.
 struct OwnPlane {
     Vec3 normal;
     double offset = 0.0;
@@ -34,7 +33,7 @@ std::array<OwnPlane, 6> ownPlanes(const Camera& camera, const Viewport& size) {
             OwnPlane{forward, -camera.nearDistance}, OwnPlane{-forward, camera.farDistance}};
 }
 
-/// The box's corner farthest inside or the sphere's point farthest inside, whichever lies less far: the tighter bound.
+/// The smaller distance of the box's corner farthest inside and the sphere's point farthest inside: the tighter bound.
 double ownDistance(const OwnPlane& plane, const Scene& scene, uint32_t instance, const Vec3& eye) {
     const Box3& box = scene.instanceBox(instance);
     double farthest = -1e300;
@@ -95,7 +94,7 @@ TEST(Why, planeDistanceIsThatOfAnIndependentOne) {
             EXPECT_GT((seen[{static_cast<FrustumPlane>(plane), c}]), 0) << plane << " " << int(c) << " never occurs";
 }
 
-/// By scene triangle number.
+/// Whether a triangle is submitted, by scene triangle number.
 std::vector<bool> givenTriangles(const Scene& scene, const DrawList& list) {
     std::vector<bool> given(scene.triangleCount(), false);
     for (const DrawRange& range : list.ranges)
@@ -104,7 +103,7 @@ std::vector<bool> givenTriangles(const Scene& scene, const DrawList& list) {
     return given;
 }
 
-/// With maps of few cells, so that many scenes cost little.
+/// With maps of few cells, so that many scenes take little time.
 StrategyPointer coarse(const RegisteredStrategy& registered) {
     ParameterSet parameters(registered.info.parameters);
     for (const ParameterDeclaration& declaration : registered.info.parameters)
@@ -228,7 +227,7 @@ TEST(Trace, everyTriangleNotSubmittedHasACause) {
                 for (const TraceEvent& event : trace.events) {
                     if (event.kind != TraceEvent::Kind::Culled && event.kind != TraceEvent::Kind::PartlyDrawn) continue;
                     culled[event.instance] = true;
-                    // Runs say it more exactly.
+                    // The culled runs give the cause more exactly.
                     if (inRuns[event.instance]) continue;
                     named[size_t(event.cause)] += scene->meshOf(event.instance).triangleCount() - submitted[event.instance];
                 }

@@ -5,7 +5,7 @@
 #include "tests/support/test_scenes.h"
 
 // `frustum-select` and `frustum-query`; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°,
-// aspect 1, near 0.1, far 10 unless said.
+// aspect 1, near 0.1, far 10 unless stated.
 
 namespace cullscope::test::frustum_box_tests_test {
 namespace {
@@ -47,7 +47,7 @@ TEST(FrustumQuery, whatLiesBeforeNearOrBeyondFarIsCulledThoughDepthIsClamped) {
 }
 
 TEST(FrustumBoxTests, case26BoxAroundTheWholeFrustumIsDrawn) {
-    // With the far plane inside it, around the eye and with the eye 0.05 outside of it: OpenGL hits none of its faces.
+    // A box that contains the far plane, with the eye inside it and 0.05 outside it: OpenGL hits none of its faces.
     const ScenePointer around = sceneOf({boxMesh(Vec3f(-1000), Vec3f(1000))});
     const ScenePointer before = sceneOf({boxMesh({-1000, -1000, -1000}, {1000, 1000, -0.05f})});
     for (const char* id : kIds) {
@@ -62,7 +62,7 @@ TEST(FrustumBoxTests, case22ObjectAroundTheEyeIsDrawn) {
 }
 
 TEST(FrustumBoxTests, objectSmallerThanAPixelThatCoversASampleIsDrawn) {
-    // Its own box covers a sample or none by a hair; grown by a pixel it does.
+    // Its own box may or may not cover a sample; grown by a pixel it does.
     const View view = standardView();
     const Vec3 sample = view.direction(40.5, 60.5) * 5.0;
     const ScenePointer scene = copiesOf(boxMesh(Vec3f(-1), Vec3f(1)), {translation(sample) * scaling(Vec3(1e-7))});
@@ -70,8 +70,8 @@ TEST(FrustumBoxTests, objectSmallerThanAPixelThatCoversASampleIsDrawn) {
 }
 
 TEST(FrustumBoxTests, objectJustBeforeFarIsDrawnWhereNearIsVeryNear) {
-    // Seen from the side, where a far plane misplaced by 2 % leaves nothing of the object: selection mode with OpenGL's own depth
-    // range of -1 … 1 in floats.
+    // An object seen at the side, where a far plane displaced by 2 % would cull it: selection mode with OpenGL's own depth range
+    // of -1 … 1 in floats.
     const Camera camera{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(179), 4.5e-5, 33};
     const View view(camera, {96, 64});
     std::vector<Mat4> places;

@@ -7,8 +7,7 @@
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
 
-// The strategies that test bounds against the frustum, over the same random object-frustum pairs and beside the same exact
-// oracle.
+// The strategies that test bounds against the frustum, on the same random object-frustum pairs and against the same exact test.
 
 namespace cullscope::test::frustum_family_test {
 namespace {
@@ -29,33 +28,34 @@ constexpr std::array<Setting, kVariants> kSettings{{{"frustum", "frustum", "box"
                                                     {"frustum-octree:refine=off", "frustum-octree", "refine", "off"},
                                                     {"frustum-octree", "frustum-octree", "refine", "on"}}};
 
-/// What became of the pairs under one variant.
+/// The results of one variant over all pairs.
 struct VariantTally {
     uint64_t culled = 0, visibleCulled = 0;
-    uint64_t falsePositives = 0;  ///< kept, though the object's box lies clearly outside
+    uint64_t falsePositives = 0;  ///< kept, although the object's box lies clearly outside
 };
 
 struct Tally {
     uint64_t views = 0, pairs = 0, visible = 0, straddling = 0;
-    uint64_t boxOutside = 0, withinMargin = 0;  ///< of the boxes outside, those that the margin may keep
+    uint64_t boxOutside = 0, withinMargin = 0;  ///< boxes outside, and those of them that the margin may keep
     std::array<uint64_t, 6> touching{};         ///< visible objects with a vertex within 1e-6 of a plane
-    std::array<uint64_t, 6> justOutside{};      ///< culled ones within 1e-3
+    std::array<uint64_t, 6> justOutside{};      ///< culled objects with a vertex within 1e-3 of a plane
     std::array<VariantTally, kVariants> variants;
 };
 
-/// Which instances a strategy draws.
+/// By instance: whether a strategy draws it.
 std::vector<char> drawnBy(Strategy& strategy, const View& view, size_t instances) {
     std::vector<char> drawn(instances, 0);
     for (const DrawRange& range : strategy.cull(view).drawList.ranges) drawn[range.instance] = 1;
     return drawn;
 }
 
-/// What is true of one pair.
+/// The exact result for one pair.
 struct PairTruth {
     ObjectTruth object;
-    bool boxMeets = false;           ///< the object's box meets the frustum
+    bool boxMeets = false;           ///< the object's box intersects the frustum
     bool boxMeetsInMargin = false;   ///< the same box, grown by margin and rounding
-    bool boxClearlyOutside = false;  ///< outside by more than any test's margin: a batch test's is a few times the others'
+    bool boxClearlyOutside = false;  ///< outside by more than the margin of every test; a batch test's is a few times that of the
+                                     ///< others
 };
 
 class FrustumFamily {
@@ -127,13 +127,13 @@ private:
         }
     }
 
-    /// What no pair may show; empty: nothing.
+    /// Describes a violated condition for a pair; empty where all hold.
     static std::string failureOf(const PairTruth& truth, const std::array<bool, kVariants>& culled) {
         for (size_t v = 0; v < kVariants; ++v)
             if (truth.object.visible && culled[v]) return std::string("visible object culled by ") + kSettings[v].name;
         if (truth.object.visible && !truth.boxMeets) return "the box does not hold its object";
         if (!truth.boxMeetsInMargin && !culled[Refined]) return "box outside kept by the refinement";
-        // What one leaves out, the tighter one leaves out.
+        // An object that a looser test culls is also culled by the tighter one.
         constexpr std::array<std::pair<Variant, Variant>, 4> kLooserThan{
             {{Length, PVertex}, {PVertex, Oriented}, {PVertex, Groups}, {Groups, Refined}}};
         for (const auto& [looser, tighter] : kLooserThan)
@@ -172,7 +172,7 @@ TEST(FrustumFamily, noVisibleObjectIsCulledAndTighterTestsKeepTheirPromises) {
     const Tally& t = family.tally();
     print(t);
 
-    // It must not pass for want of anything to lose: shares of the pairs, counts of the views.
+    // Guards against a vacuous pass, by shares of the pairs and counts of the views.
     EXPECT_GT(t.visible, t.views / 2);
     EXPECT_GT(t.straddling, t.views / 4);
     for (size_t plane = 0; plane < 6; ++plane) {
@@ -185,7 +185,7 @@ TEST(FrustumFamily, noVisibleObjectIsCulledAndTighterTestsKeepTheirPromises) {
     // The known false positives of plane tests, and their order.
     EXPECT_EQ(t.variants[Refined].falsePositives, 0u);
     EXPECT_GT(t.variants[Groups].falsePositives, t.pairs / 2000);
-    // Groups alone make no test sharper; what is left between the two is the batch's wider margin.
+    // Groups alone do not make a test tighter; the difference is the batch test's wider margin.
     EXPECT_LE(t.variants[Groups].falsePositives, t.variants[PVertex].falsePositives);
     EXPECT_GE(t.variants[Groups].falsePositives, t.variants[PVertex].falsePositives * 9 / 10);
     EXPECT_LT(t.variants[Oriented].falsePositives, t.variants[PVertex].falsePositives);

@@ -6,7 +6,7 @@
 #include "tests/support/test_scenes.h"
 
 // The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
-// said.
+// stated.
 
 namespace cullscope::test::frustum_octree_test {
 namespace {
@@ -121,7 +121,7 @@ TEST(FrustumOctree, objectsAreDrawnFromNearToFar) {
 }
 
 TEST(FrustumOctree, objectSaidToBePartedByAxesIsOutsideNoPlane) {
-    // Its group may be parted by an axis alone.
+    // A group may be separated by an axis only.
     const ScenePointer scene = grid(40, 3.0);
     const StrategyPointer strategy = octree("true");
     strategy->build(*scene);

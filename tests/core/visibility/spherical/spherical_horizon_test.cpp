@@ -1,4 +1,4 @@
-// What `spherical-horizon` promises, and that it answers the same however many threads it has.
+// The promises of `spherical-horizon`, and its independence of the number of threads.
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
@@ -34,7 +34,7 @@ TEST(SphericalHorizon, promiseIsConservativeForStarShapedMeshesOnly) {
     EXPECT_EQ(promiseOver(torusMesh(2'000)), Promise::Approximate);
     EXPECT_EQ(promiseOver(bowlMesh(6'000)), Promise::Approximate);
     EXPECT_EQ(promiseOver(squareMesh(1, 0)), Promise::Approximate);
-    // Two spheres, one in the other: each direction meets the surface twice.
+    // Two nested spheres: each direction intersects the surface twice.
     std::vector<Vec3f> positions;
     std::vector<uint32_t> indices;
     for (const float scale : {1.0f, 0.5f}) {
@@ -47,7 +47,7 @@ TEST(SphericalHorizon, promiseIsConservativeForStarShapedMeshesOnly) {
 }
 
 TEST(SphericalHorizon, promiseForInwardFrontsAloneIsApproximate) {
-    // Its fronts are its inner sides: what the horizon takes for a surface is dropped by OpenGL.
+    // Its inner sides are the front faces: OpenGL culls the surface that the horizon would assume.
     const MeshPointer star = bumpyMesh(5, 5'000, 0.2);
     std::vector<uint32_t> turned(star->indices().begin(), star->indices().end());
     for (size_t i = 0; i < turned.size(); i += 3) std::swap(turned[i], turned[i + 1]);

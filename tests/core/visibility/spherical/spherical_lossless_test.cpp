@@ -1,4 +1,4 @@
-// What `spherical-lossless` says of the cells that it leaves out, judged triangle by triangle.
+// The causes that `spherical-lossless` gives for culled cells, checked triangle by triangle.
 #include <gmock/gmock.h>
 
 #include <tbb/global_control.h>
@@ -40,7 +40,7 @@ bool outsideOnePlane(const std::array<Vec3, 3>& corners, const Frustum& frustum)
     });
 }
 
-/// Whether something of the mesh lies between the eye, the origin, and a point.
+/// Whether a triangle of the mesh lies between the eye (the origin) and a point.
 bool covered(const std::vector<std::array<Vec3, 3>>& triangles, const Vec3& point) {
     return std::ranges::any_of(triangles, [&](const std::array<Vec3, 3>& corners) {
         const std::optional<double> t = hit({Vec3(0.0), point}, corners);
@@ -80,7 +80,7 @@ TEST(SphericalLossless, causeOfALeftOutCellIsTrueOfItsTriangles) {
                 }
         }
     }
-    // Each cause is met often enough.
+    // Each cause occurs often enough.
     EXPECT_GT(judged[size_t(Cause::OutsideFrustum)], 1000u);
     EXPECT_GT(judged[size_t(Cause::BackFacing)], 1000u);
     EXPECT_GT(judged[size_t(Cause::Hidden)], 300u);
@@ -178,7 +178,7 @@ TEST(SphericalLossless, costOfACullDoesNotGrowWithTheObjects) {
 }
 
 TEST(SphericalLossless, cullVisitsAsManyCellsOfAFinerMesh) {
-    // Sixteen times the triangles at equal cells: the same walk.
+    // Sixteen times the triangles with equal cells: the same walk.
     std::vector<uint64_t> visited;
     for (const size_t triangles : {20'000u, 320'000u}) {
         const ScenePointer scene = sceneOf({sphereMesh(triangles)});

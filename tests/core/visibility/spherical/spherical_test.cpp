@@ -1,4 +1,4 @@
-// Cases 12 to 17 of the battery and what else `spherical` must get right, and `spherical-horizon` with it, without pictures.
+// Cases 12 to 17 of the battery in stability.md and other requirements on `spherical` and `spherical-horizon`, without pictures.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -21,14 +21,14 @@ spherical::SphericalDecision decisionOf(Strategy& strategy, const View& view, si
     return trace.spherical.at(instance);
 }
 
-/// The eye at 3 R and a latitude, to a unit sphere: case 12.
+/// An eye at 3 R from a unit sphere at a latitude: case 12.
 Vec3 atLatitude(double degrees) {
     const double latitude = degrees * kPi / 180.0;
-    // Not at an azimuth that a map's boundary could favour.
+    // At an azimuth that is no boundary of a map.
     return 3.0 * Vec3(std::cos(latitude) * std::cos(2.1), std::cos(latitude) * std::sin(2.1), std::sin(latitude));
 }
 
-/// The share of the picture's rays whose hit on the unit sphere lies in no box of the region.
+/// The share of the picture's rays whose hit on the unit sphere lies in none of the region's boxes.
 double shareOutsideBoxes(const spherical::VisibleRegion& region, const SphericalGrid& grid, const View& view) {
     int outside = 0, all = 0;
     const Viewport size = view.viewport();
@@ -48,8 +48,8 @@ double shareOutsideBoxes(const spherical::VisibleRegion& region, const Spherical
     return double(outside) / all;
 }
 
-/// A unit sphere's map without the mesh's polyhedron mattering: hits are put on the sphere itself.
-double shareLost(double latitude, spherical::Join join) {
+/// The map of a unit sphere, independent of the mesh's facets: hits are moved to the sphere itself.
+double shareLost(double latitude, Join join) {
     static const SphericalMaps maps(sphereMesh(2000), SphericalGrid(7200, 3600));
     const View view = lookingAt(atLatitude(latitude), Vec3(0.0), 20.0, {200, 200});
     std::array<spherical::CornerRay, 4> corners;
@@ -62,15 +62,14 @@ double shareLost(double latitude, spherical::Join join) {
 }
 
 TEST(Spherical, case12CornerBoxLosesTheSharesThatAreKnown) {
-    // Case 12: 0, 10 and 25 % of the rays at 3 R and 20°. At 75° the corners' box alone would lose 64 % and at 80° 81 %; the pole
-    // is in view there, so that case 1 draws full rows.
-    EXPECT_NEAR(shareLost(0.0, spherical::Join::Chart), 0.0, 0.005);
-    EXPECT_NEAR(shareLost(45.0, spherical::Join::Chart), 0.10, 0.01);
-    EXPECT_NEAR(shareLost(60.0, spherical::Join::Chart), 0.25, 0.015);
-    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, spherical::Join::Chart), 0.0) << latitude;
-    // Great circles reach to the extremes that lie between the corners.
-    for (const double latitude : {45.0, 60.0})
-        EXPECT_LT(shareLost(latitude, spherical::Join::Arcs), shareLost(latitude, spherical::Join::Chart));
+    // Case 12: 0, 10 and 25 % of the rays at 3 R and 20°. At 75° the corners' box alone would lose 64 % and at 80° 81 %; there
+    // the pole is in view, so that case 1 draws full rows.
+    EXPECT_NEAR(shareLost(0.0, Join::Chart), 0.0, 0.005);
+    EXPECT_NEAR(shareLost(45.0, Join::Chart), 0.10, 0.01);
+    EXPECT_NEAR(shareLost(60.0, Join::Chart), 0.25, 0.015);
+    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, Join::Chart), 0.0) << latitude;
+    // Great-circle arcs reach extremes between the corners.
+    for (const double latitude : {45.0, 60.0}) EXPECT_LT(shareLost(latitude, Join::Arcs), shareLost(latitude, Join::Chart));
 }
 
 TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
@@ -92,7 +91,7 @@ TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
         EXPECT_EQ(decision.region->caseNumber, expected.number);
         EXPECT_EQ(decision.region->boxes.size(), expected.boxes);
         for (const spherical::CornerRay& ray : decision.rays) EXPECT_TRUE(ray.hit && ray.span && !ray.walkedCells.empty());
-        // Full rows are one range; a clump is one range a row; a split one two.
+        // Full rows are one range; case 2 has one range for each row; case 3 has two.
         const size_t rows = decision.region->boxes[0].lastRow - decision.region->boxes[0].firstRow + 1;
         EXPECT_EQ(decision.drawn.size(), expected.number == 1 ? 1 : expected.number == 2 ? rows : 2 * rows);
     }
@@ -146,7 +145,7 @@ TEST(Spherical, partlyVisibleSphereThatAllCornerRaysMissIsDrawn) {
 }
 
 TEST(Spherical, eyeInsideTheSphereLosesNothing) {
-    // Case 17: inside, and exactly at the centre: the frustum's set.
+    // Case 17: inside, and exactly at the centre: the result is that of `frustum`.
     const ScenePointer scene = sceneOf({sphereMesh(5'000)});
     for (const char* id : {"spherical", "spherical-horizon"}) {
         const StrategyPointer strategy = makeStrategy(id);
@@ -169,7 +168,7 @@ TEST(Spherical, instancesShareTheirMeshsMaps) {
         const uint64_t bytes = strategy->structure().bytes;
         strategy->build(*many);
         EXPECT_EQ(strategy->structure().bytes, bytes) << id;
-        // Each has its own relation to the frustum.
+        // Each instance has its own relation to the frustum.
         const View view = lookingAt({6, 0.3, -5}, {6, 0, 6}, 30.0);
         Trace trace;
         const Verdict verdict = strategy->cull(view, &trace);
@@ -185,7 +184,7 @@ TEST(Spherical, instancesShareTheirMeshsMaps) {
     }
 }
 
-/// Every range in the list's order, no triangle twice, as many as considered.
+/// Every range in the list's order, no triangle twice, as many triangles as considered.
 void expectSound(const Verdict& verdict, const Scene& scene, const std::string& where) {
     std::vector<uint8_t> times(scene.triangleCount(), 0);
     for (const DrawRange& range : verdict.drawList.ranges) {
@@ -221,7 +220,7 @@ TEST(Spherical, everyTriangleIsDrawnOnceAtMostAndInSoundRanges) {
 }
 
 TEST(Spherical, cornerRaysPassWhatTheNearPlaneCutsAway) {
-    // Two walls; the near plane lies between them. The rays must go on to the second.
+    // Two walls with the near plane between them: the rays must reach the second.
     std::vector<Vec3f> positions;
     std::vector<uint32_t> indices;
     for (const float z : {1.0f, -1.0f})
@@ -262,12 +261,12 @@ TEST(Spherical, bandsAreFromNearToFar) {
     EXPECT_EQ(bands.sectors, 36u);
     EXPECT_LT(glm::distance(bands.axis, glm::normalize(Vec3(0, -4, 1))), 1e-3);
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
-        // S = R sin α grows to 90°, and nothing beyond exceeds it.
+        // S = R sin α grows up to 90°, and no S beyond exceeds it.
         for (uint32_t band = 0; band < 18; ++band) EXPECT_TRUE(bands.at(band, sector).drawn);
         for (uint32_t band = 19; band < 36; ++band) EXPECT_FALSE(bands.at(band, sector).drawn) << band << " " << sector;
         EXPECT_NEAR(bands.at(9, sector).size, std::sin(50.0 * kPi / 180.0), 0.04);
     }
-    // Angles and directions are each other's inverse.
+    // Angles and directions are inverse functions.
     const Vec2 angles = bands.anglesOf(bands.direction(1.2, 4.0));
     EXPECT_NEAR(angles.x, 1.2, 1e-12);
     EXPECT_NEAR(angles.y, 4.0, 1e-12);
