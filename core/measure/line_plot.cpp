@@ -49,6 +49,14 @@ void finishLogarithmic(PlotRange& range, bool given) {
     range.ticks = logarithmicTicks(range.first, range.last);
 }
 
+/// Multiples of a step from `first` to `last`.
+std::vector<double> linearTicks(double first, double last, double step) {
+    std::vector<double> ticks;
+    for (double number = std::ceil(first / step - kSlack); number * step <= last + kSlack * step; ++number)
+        ticks.push_back(number * step);
+    return ticks;
+}
+
 void finishLinear(PlotRange& range, bool given) {
     if (range.last <= range.first) range.last = range.first + std::max(1.0, std::abs(range.first));
     const double step = roundDown((range.last - range.first) / kLinearSteps);
@@ -56,8 +64,7 @@ void finishLinear(PlotRange& range, bool given) {
         range.first = std::floor(range.first / step + kSlack) * step;
         range.last = std::ceil(range.last / step - kSlack) * step;
     }
-    for (double number = std::ceil(range.first / step - kSlack); number * step <= range.last + kSlack * step; ++number)
-        range.ticks.push_back(number * step);
+    range.ticks = linearTicks(range.first, range.last, step);
 }
 
 PlotRange rangeOf(const PlotAxis& axis, std::vector<double> values) {
@@ -65,13 +72,26 @@ PlotRange rangeOf(const PlotAxis& axis, std::vector<double> values) {
     range.scale = axis.scale;
     const bool given = axis.least < axis.most;
     if (given) values.insert(values.end(), {axis.least, axis.most});
+    if (axis.zero) values.push_back(0.0);
     std::erase_if(values, [&](double value) { return !range.places(value); });
     if (values.empty()) values = {1.0, 10.0};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     range.first = *least;
     range.last = *most;
     axis.scale == PlotScale::Logarithmic ? finishLogarithmic(range, given) : finishLinear(range, given);
+    if (axis.whole) std::erase_if(range.ticks, [](double tick) { return std::abs(tick - std::round(tick)) > kSlack; });
     return range;
+}
+
+/// What lines, bars and marks have along an axis.
+std::vector<double> valuesOf(const LinePlot& plot, double PlotPoint::*along, double PlotBox::*from, double PlotBox::*to) {
+    std::vector<double> values;
+    for (const PlotLine& line : plot.lines)
+        for (const PlotPoint& point : line.points) values.push_back(point.*along);
+    for (const PlotBars& bars : plot.bars)
+        for (const PlotBox& box : bars.boxes) values.insert(values.end(), {box.*from, box.*to});
+    for (const PlotMark& mark : plot.marks) values.push_back(mark.at.*along);
+    return values;
 }
 
 }  // namespace
@@ -84,6 +104,13 @@ LinePlot logPlot(std::string title, std::string xTitle, std::string yTitle) {
     return plot;
 }
 
+PlotLine plainLine(std::string name, std::vector<PlotPoint> points, const PlotPen& pen) {
+    PlotLine line{std::move(name), std::move(points)};
+    line.pen = pen;
+    line.dots = false;
+    return line;
+}
+
 bool PlotRange::places(double value) const { return std::isfinite(value) && (scale == PlotScale::Linear || value > 0.0); }
 
 double PlotRange::share(double value) const {
@@ -91,18 +118,21 @@ double PlotRange::share(double value) const {
     return std::log(value / first) / std::log(last / first);
 }
 
+std::vector<double> PlotRange::fewTicks(size_t most) const {
+    std::vector<double> few = ticks;
+    if (few.size() <= most) return few;
+    if (scale == PlotScale::Linear) return linearTicks(first, last, roundUp((last - first) / double(most - 1)));
+    std::erase_if(few, [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > kSlack; });
+    return everyNth(few, most);
+}
+
 PlotRange rangeAlongX(const LinePlot& plot) {
-    std::vector<double> values;
-    for (const PlotLine& line : plot.lines)
-        for (const PlotPoint& point : line.points) values.push_back(point.x);
-    return rangeOf(plot.x, std::move(values));
+    return rangeOf(plot.x, valuesOf(plot, &PlotPoint::x, &PlotBox::left, &PlotBox::right));
 }
 
 PlotRange rangeAlongY(const LinePlot& plot) {
-    std::vector<double> values;
+    std::vector<double> values = valuesOf(plot, &PlotPoint::y, &PlotBox::top, &PlotBox::bottom);
     for (const PlotReference& reference : plot.references) values.push_back(reference.y);
-    for (const PlotLine& line : plot.lines)
-        for (const PlotPoint& point : line.points) values.push_back(point.y);
     return rangeOf(plot.y, std::move(values));
 }
 
