@@ -2909,13 +2909,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LinePlotWidget</name>
-    <message>
-        <source>Upwards: %1; to the right: %2</source>
-        <translation>위로: %1, 오른쪽으로: %2</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LoadingStrip</name>
     <message>
         <source>Opening %1</source>
@@ -3414,8 +3407,12 @@ OpenGL %2
         <translation>모양: %1</translation>
     </message>
     <message>
-        <source>Upwards: missed per million; to the right: speed against backface</source>
-        <translation>위로: 백만분의 놓침; 오른쪽으로: backface 대비 속도</translation>
+        <source>Missed per million</source>
+        <translation>백만분의 놓침</translation>
+    </message>
+    <message>
+        <source>Speed against backface</source>
+        <translation>backface 대비 속도</translation>
     </message>
 </context>
 <context>

@@ -2909,13 +2909,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LinePlotWidget</name>
-    <message>
-        <source>Upwards: %1; to the right: %2</source>
-        <translation>向上：%1；向右：%2</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LoadingStrip</name>
     <message>
         <source>Opening %1</source>
@@ -3414,8 +3407,12 @@ OpenGL %2
         <translation>形状：%1</translation>
     </message>
     <message>
-        <source>Upwards: missed per million; to the right: speed against backface</source>
-        <translation>向上：每百万丢失；向右：相对 backface 的速度</translation>
+        <source>Missed per million</source>
+        <translation>每百万丢失</translation>
+    </message>
+    <message>
+        <source>Speed against backface</source>
+        <translation>相对 backface 的速度</translation>
     </message>
 </context>
 <context>
