@@ -46,6 +46,11 @@ struct PlotReference {
 /// Top and bottom: of a box among values the upper and the lower value, of one in pixels the upper and the lower edge.
 struct PlotBox {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+
+    /// Of one in pixels.
+    [[nodiscard]] bool contains(const PlotPoint& point) const {
+        return point.x >= left && point.x <= right && point.y >= top && point.y <= bottom;
+    }
 };
 
 /// Filled areas of one meaning.

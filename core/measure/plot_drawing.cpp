@@ -20,6 +20,7 @@ constexpr double kBesideFrom = 560.0;   // width of two plots
 constexpr double kBold = 1.15;          // how much wider bold letters are, at most
 constexpr double kMark = 11.0;
 constexpr double kDot = 2.5;
+constexpr double kGapFrom = 4.0;  // width of a bar
 constexpr size_t kMostDots = 60;
 
 // After Okabe and Ito, darkened or lightened for the contrast.
@@ -152,8 +153,9 @@ private:
     void drawBars(const PlotBars& bars) {
         for (const PlotBox& box : bars.boxes) {
             const PlotPoint low = m_place.pixel({box.left, box.bottom}), high = m_place.pixel({box.right, box.top});
-            // Bars beside each other are told apart.
-            const double left = low.x + 0.5, right = high.x - 0.5;
+            // Whole pixels, with a gap to the next one where there is room for it.
+            const double gap = high.x - low.x > kGapFrom ? 1.0 : 0.0, left = std::round(low.x);
+            const double right = std::max(left + 1.0, std::round(high.x) - gap);
             m_drawing.items.push_back(
                 DrawnPath{{{left, high.y}, {right, high.y}, {right, low.y}, {left, low.y}}, {}, bars.colour});
         }

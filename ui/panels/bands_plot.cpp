@@ -199,7 +199,7 @@ std::vector<LinePlot> BandsPlot::plots(const QPalette& palette) const {
 QString BandsPlot::wordsAt(const QPointF& place) const {
     if (empty()) return {};
     const PlotBox area = drawing().places.front().box;
-    if (!QRectF(QPointF(area.left, area.top), QPointF(area.right, area.bottom)).contains(place)) return {};
+    if (!area.contains({place.x(), place.y()})) return {};
     const double alpha = (place.x() - area.left) / (area.right - area.left) * kHalf;
     return bandWords(bands()[contourBands().bandOf(alpha)]);
 }
