@@ -40,8 +40,8 @@ Vec2 sizeOf(MapLayout layout, const MapCell& cell) {
         return {std::min(size, std::numbers::pi), size};
     }
     // Such a cell lies within one quarter of the azimuths, so that its extent in φ needs no handling of the seam.
-    const Vec3 inside = directionAt(layout, 0.5 * (cornersOf(cell)[0] + cornersOf(cell)[2]));
-    const double quarter = std::floor(std::atan2(inside.y, inside.x) / kRightAngle) * kRightAngle;
+    const Vec3 snapshot = directionAt(layout, 0.5 * (cornersOf(cell)[0] + cornersOf(cell)[2]));
+    const double quarter = std::floor(std::atan2(snapshot.y, snapshot.x) / kRightAngle) * kRightAngle;
     Vec2 low(kTurn), high(0.0);
     for (const Vec2& corner : cornersOf(cell)) {
         const Vec3 direction = directionAt(layout, corner);

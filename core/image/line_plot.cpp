@@ -8,7 +8,7 @@
 namespace cullscope {
 namespace {
 
-constexpr double kSlack = 1e-9;            // share of a step: tolerance for the rounding of its multiples
+constexpr double kMargin = 1e-9;           // share of a step: tolerance for the rounding of its multiples
 constexpr double kLinearSteps = 5.0;       // at least, along a linear axis
 constexpr double kManyDecades = 3.0;       // above this an axis shows whole decades
 constexpr double kLeastPlainPower = 1e-3;  // powers of ten below and above these are written 1eN
@@ -19,19 +19,19 @@ constexpr double kMostPlainPower = 1e4;
 double roundUp(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= value * (1.0 - kSlack)) return factor * power;
+        if (factor * power >= value * (1.0 - kMargin)) return factor * power;
     return 10.0 * power;
 }
 double roundDown(double value) { return 1.0 / roundUp(1.0 / value); }
 
 /// Round numbers from `first` to `last`, both above 0.
 std::vector<double> logarithmicTicks(double first, double last) {
-    const bool decadesOnly = std::log10(last / first) > kManyDecades + kSlack;
+    const bool decadesOnly = std::log10(last / first) > kManyDecades + kMargin;
     std::vector<double> ticks;
-    for (double power = std::floor(std::log10(first) + kSlack); power <= std::log10(last) + kSlack; ++power)
+    for (double power = std::floor(std::log10(first) + kMargin); power <= std::log10(last) + kMargin; ++power)
         for (const double factor : {1.0, 2.0, 5.0}) {
             const double tick = factor * std::pow(10.0, power);
-            const bool inside = tick >= first * (1.0 - kSlack) && tick <= last * (1.0 + kSlack);
+            const bool inside = tick >= first * (1.0 - kMargin) && tick <= last * (1.0 + kMargin);
             if (inside && (factor == 1.0 || !decadesOnly)) ticks.push_back(tick);
         }
     return ticks;
@@ -41,24 +41,31 @@ void finishLogarithmic(PlotRange& range, bool given) {
     if (!given) {
         range.first = roundDown(range.first);
         range.last = roundUp(range.last);
-        if (std::log10(range.last / range.first) > kManyDecades + kSlack) {
-            range.first = std::pow(10.0, std::floor(std::log10(range.first) + kSlack));
-            range.last = std::pow(10.0, std::ceil(std::log10(range.last) - kSlack));
+        if (std::log10(range.last / range.first) > kManyDecades + kMargin) {
+            range.first = std::pow(10.0, std::floor(std::log10(range.first) + kMargin));
+            range.last = std::pow(10.0, std::ceil(std::log10(range.last) - kMargin));
         }
     }
     if (range.last <= range.first) range.last = roundUp(range.first * 1.5);
     range.ticks = logarithmicTicks(range.first, range.last);
 }
 
+/// Multiples of a step from `first` to `last`.
+std::vector<double> linearTicks(double first, double last, double step) {
+    std::vector<double> ticks;
+    for (double number = std::ceil(first / step - kMargin); number * step <= last + kMargin * step; ++number)
+        ticks.push_back(number * step);
+    return ticks;
+}
+
 void finishLinear(PlotRange& range, bool given) {
     if (range.last <= range.first) range.last = range.first + std::max(1.0, std::abs(range.first));
     const double step = roundDown((range.last - range.first) / kLinearSteps);
     if (!given) {
-        range.first = std::floor(range.first / step + kSlack) * step;
-        range.last = std::ceil(range.last / step - kSlack) * step;
+        range.first = std::floor(range.first / step + kMargin) * step;
+        range.last = std::ceil(range.last / step - kMargin) * step;
     }
-    for (double number = std::ceil(range.first / step - kSlack); number * step <= range.last + kSlack * step; ++number)
-        range.ticks.push_back(number * step);
+    range.ticks = linearTicks(range.first, range.last, step);
 }
 
 PlotRange rangeOf(const PlotAxis& axis, std::vector<double> values) {
@@ -66,13 +73,26 @@ PlotRange rangeOf(const PlotAxis& axis, std::vector<double> values) {
     range.scale = axis.scale;
     const bool given = axis.least < axis.most;
     if (given) values.insert(values.end(), {axis.least, axis.most});
+    if (axis.zero) values.push_back(0.0);
     std::erase_if(values, [&](double value) { return !range.places(value); });
     if (values.empty()) values = {1.0, 10.0};
     const auto [least, most] = std::minmax_element(values.begin(), values.end());
     range.first = *least;
     range.last = *most;
     axis.scale == PlotScale::Logarithmic ? finishLogarithmic(range, given) : finishLinear(range, given);
+    if (axis.whole) std::erase_if(range.ticks, [](double tick) { return std::abs(tick - std::round(tick)) > kMargin; });
     return range;
+}
+
+/// What lines, bars and marks have along an axis.
+std::vector<double> valuesOf(const LinePlot& plot, double PlotPoint::*along, double PlotBox::*from, double PlotBox::*to) {
+    std::vector<double> values;
+    for (const PlotLine& line : plot.lines)
+        for (const PlotPoint& point : line.points) values.push_back(point.*along);
+    for (const PlotBars& bars : plot.bars)
+        for (const PlotBox& box : bars.boxes) values.insert(values.end(), {box.*from, box.*to});
+    for (const PlotMark& mark : plot.marks) values.push_back(mark.at.*along);
+    return values;
 }
 
 }  // namespace
@@ -85,6 +105,13 @@ LinePlot logPlot(std::string title, std::string xTitle, std::string yTitle) {
     return plot;
 }
 
+PlotLine plainLine(std::string name, std::vector<PlotPoint> points, const PlotPen& pen) {
+    PlotLine line{std::move(name), std::move(points)};
+    line.pen = pen;
+    line.dots = false;
+    return line;
+}
+
 bool PlotRange::places(double value) const { return std::isfinite(value) && (scale == PlotScale::Linear || value > 0.0); }
 
 double PlotRange::share(double value) const {
@@ -92,18 +119,21 @@ double PlotRange::share(double value) const {
     return std::log(value / first) / std::log(last / first);
 }
 
+std::vector<double> PlotRange::fewTicks(size_t most) const {
+    std::vector<double> few = ticks;
+    if (few.size() <= most) return few;
+    if (scale == PlotScale::Linear) return linearTicks(first, last, roundUp((last - first) / double(most - 1)));
+    std::erase_if(few, [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > kMargin; });
+    return everyNth(few, most);
+}
+
 PlotRange rangeAlongX(const LinePlot& plot) {
-    std::vector<double> values;
-    for (const PlotLine& line : plot.lines)
-        for (const PlotPoint& point : line.points) values.push_back(point.x);
-    return rangeOf(plot.x, std::move(values));
+    return rangeOf(plot.x, valuesOf(plot, &PlotPoint::x, &PlotBox::left, &PlotBox::right));
 }
 
 PlotRange rangeAlongY(const LinePlot& plot) {
-    std::vector<double> values;
+    std::vector<double> values = valuesOf(plot, &PlotPoint::y, &PlotBox::top, &PlotBox::bottom);
     for (const PlotReference& reference : plot.references) values.push_back(reference.y);
-    for (const PlotLine& line : plot.lines)
-        for (const PlotPoint& point : line.points) values.push_back(point.y);
     return rangeOf(plot.y, std::move(values));
 }
 
@@ -121,8 +151,8 @@ std::vector<std::vector<PlotPoint>> unbrokenPieces(const PlotLine& line, const P
 
 std::string plotNumber(double value) {
     const double power = value > 0.0 ? std::round(std::log10(value)) : 0.0;
-    const bool powerOfTen = value > 0.0 && std::abs(value / std::pow(10.0, power) - 1.0) < kSlack;
-    if (powerOfTen && (value < kLeastPlainPower * (1.0 - kSlack) || value > kMostPlainPower * (1.0 + kSlack)))
+    const bool powerOfTen = value > 0.0 && std::abs(value / std::pow(10.0, power) - 1.0) < kMargin;
+    if (powerOfTen && (value < kLeastPlainPower * (1.0 - kMargin) || value > kMostPlainPower * (1.0 + kMargin)))
         return fmt::format("1e{:.0f}", power);
     // Six digits hide the rounding of a step's multiples.
     return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);

@@ -2087,8 +2087,8 @@ OpenGL %2
         <translation>Cullscope 자체의 소스는 MIT 라이선스를 따릅니다.</translation>
     </message>
     <message>
-        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which draws the plots, is under the GPL version 3, and so the desktop as a whole is too.</source>
-        <translation>Qt는 LGPL 버전 3에 따라 동적으로 연결됩니다: Qt를 다른 버전으로 바꿀 수 있습니다. 그래프를 그리는 Qt Charts는 GPL 버전 3이므로 데스크톱 전체도 GPL 버전 3에 따릅니다.</translation>
+        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own.</source>
+        <translation>Qt는 LGPL 버전 3에 따라 동적으로 연결됩니다: Qt를 다른 버전으로 바꿀 수 있습니다.</translation>
     </message>
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
@@ -2917,13 +2917,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LinePlotWidget</name>
-    <message>
-        <source>Upwards: %1; to the right: %2</source>
-        <translation>위로: %1, 오른쪽으로: %2</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LoadingStrip</name>
     <message>
         <source>Opening %1</source>
@@ -3422,8 +3415,12 @@ OpenGL %2
         <translation>모양: %1</translation>
     </message>
     <message>
-        <source>Upwards: missed per million; to the right: speed against backface</source>
-        <translation>위로: 백만분의 놓침; 오른쪽으로: backface 대비 속도</translation>
+        <source>Missed per million</source>
+        <translation>백만분의 놓침</translation>
+    </message>
+    <message>
+        <source>Speed against backface</source>
+        <translation>backface 대비 속도</translation>
     </message>
 </context>
 <context>

@@ -2087,8 +2087,8 @@ OpenGL %2
         <translation>Cullscope 自身的源代码采用 MIT 许可证。</translation>
     </message>
     <message>
-        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which draws the plots, is under the GPL version 3, and so the desktop as a whole is too.</source>
-        <translation>它按 LGPL 第 3 版动态链接 Qt：您可以用自己的版本替换 Qt。绘制图表的 Qt Charts 采用 GPL 第 3 版，因此整个桌面程序也采用 GPL 第 3 版。</translation>
+        <source>It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own.</source>
+        <translation>它按 LGPL 第 3 版动态链接 Qt：您可以用自己的版本替换 Qt。</translation>
     </message>
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
@@ -2917,13 +2917,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::LinePlotWidget</name>
-    <message>
-        <source>Upwards: %1; to the right: %2</source>
-        <translation>向上：%1；向右：%2</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::LoadingStrip</name>
     <message>
         <source>Opening %1</source>
@@ -3422,8 +3415,12 @@ OpenGL %2
         <translation>形状：%1</translation>
     </message>
     <message>
-        <source>Upwards: missed per million; to the right: speed against backface</source>
-        <translation>向上：每百万丢失；向右：相对 backface 的速度</translation>
+        <source>Missed per million</source>
+        <translation>每百万丢失</translation>
+    </message>
+    <message>
+        <source>Speed against backface</source>
+        <translation>相对 backface 的速度</translation>
     </message>
 </context>
 <context>

@@ -7,7 +7,7 @@
 #include "tests/ui/made_up_map.h"
 #include "tests/ui/test_scene.h"
 #include "ui/look/verdict_swatch.h"
-#include "ui/statistics/plot_file.h"
+#include "ui/plots/plot_file.h"
 
 namespace cullscope::ui::bands_panel_test {
 namespace {

@@ -1,11 +1,11 @@
-#include "ui/statistics/line_plot_widget.h"
+#include "ui/plots/line_plot_widget.h"
 
 #include <gtest/gtest.h>
 
 #include <QImage>
 
 #include "ui/look/appearance.h"
-#include "ui/statistics/plot_file.h"
+#include "ui/plots/plot_file.h"
 
 namespace cullscope::ui::line_plot_widget_test {
 namespace {

@@ -11,8 +11,8 @@
 #include "ui/look/verdict_swatch.h"
 #include "ui/panels/map_overlay.h"
 #include "ui/panels/map_words.h"
+#include "ui/plots/plot_file.h"
 #include "ui/session/object_pick.h"
-#include "ui/statistics/plot_file.h"
 
 namespace cullscope::ui::map_panel_test {
 namespace {

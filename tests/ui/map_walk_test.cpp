@@ -9,9 +9,9 @@
 #include "ui/panels/bands_plot.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/map_words.h"
+#include "ui/plots/plot_file.h"
 #include "ui/session/cullbench_command.h"
 #include "ui/session/object_pick.h"
-#include "ui/statistics/plot_file.h"
 
 namespace cullscope::ui::map_walk_test {
 namespace {

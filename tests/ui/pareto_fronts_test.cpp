@@ -6,8 +6,8 @@
 
 #include "tests/ui/made_up_result.h"
 #include "ui/jobs/experiment_runner.h"
+#include "ui/plots/plot_file.h"
 #include "ui/statistics/pareto_plot.h"
-#include "ui/statistics/plot_file.h"
 #include "ui/statistics/statistics_panel.h"
 
 namespace cullscope::ui::pareto_fronts_test {

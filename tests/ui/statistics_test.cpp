@@ -5,9 +5,10 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/image/plot_labels.h"
 #include "tests/ui/made_up_result.h"
+#include "ui/plots/plot_painter.h"
 #include "ui/statistics/pareto_plot.h"
-#include "ui/statistics/point_labels.h"
 #include "ui/statistics/pose_strip.h"
 #include "ui/statistics/result_table_model.h"
 #include "ui/statistics/sphere_map.h"
@@ -143,16 +144,19 @@ TEST(ParetoPlot, baselinesAndKeysOfShapesAreToldApart) {
 }
 
 TEST(PointLabels, crowdedLabelsLieApartAndInside) {
-    const QFontMetricsF metrics{QFont()};
+    const PlotStyle style = plotStyle(QFont(), PlotColours(QPalette()));
     const QRectF bounds(0, 0, 300, 300);
     std::vector<PointLabel> labels;
-    for (int i = 0; i < 6; ++i) labels.push_back({{40.0 + 3.0 * i, 150.0}, QStringLiteral("strategy%1").arg(i)});
-    labels.push_back({{298.0, 2.0}, QStringLiteral("corner")});
-    const std::vector<QRectF> places = placeLabels(labels, metrics, bounds, 11.0);
+    for (int i = 0; i < 6; ++i) labels.push_back({{40.0 + 3.0 * i, 150.0}, "strategy" + std::to_string(i)});
+    labels.push_back({{298.0, 2.0}, "corner"});
+    std::vector<QRectF> places;
+    for (const PlotBox& box : placeLabels(labels, style, {0, 0, 300, 300}, 11.0))
+        places.emplace_back(QPointF(box.left, box.top), QPointF(box.right, box.bottom));
+    ASSERT_EQ(places.size(), labels.size());
     for (size_t i = 0; i < places.size(); ++i) {
         EXPECT_TRUE(bounds.contains(places[i])) << i;
         for (size_t j = 0; j < i; ++j) EXPECT_FALSE(places[i].intersects(places[j])) << i << " over " << j;
-        for (const PointLabel& label : labels) EXPECT_FALSE(places[i].contains(label.point)) << i;
+        for (const PointLabel& label : labels) EXPECT_FALSE(places[i].contains({label.point.x, label.point.y})) << i;
     }
 }
 

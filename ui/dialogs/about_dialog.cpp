@@ -28,9 +28,7 @@ AboutDialog::AboutDialog(const GlInfo& gl, QWidget* parent) : QDialog(parent) {
     paragraph(
         tr("Qt %1\nOpenGL %2\n%3", "versions, then the OpenGL renderer").arg(QString::fromLatin1(qVersion()), version, renderer));
     paragraph(tr("Cullscope's own sources are under the MIT licence."));
-    paragraph(tr(
-        "It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own. Qt Charts, which "
-        "draws the plots, is under the GPL version 3, and so the desktop as a whole is too."));
+    paragraph(tr("It uses Qt under the LGPL version 3, linked dynamically: you may replace Qt by a version of your own."));
     paragraph(
         tr("Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, "
            "nlohmann-json and fmt, each under its own free licence."));

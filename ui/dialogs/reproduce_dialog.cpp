@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "ui/statistics/plot_file.h"
+#include "ui/plots/plot_file.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {

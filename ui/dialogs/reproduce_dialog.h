@@ -11,9 +11,9 @@
 #include <filesystem>
 
 #include "ui/models/paper_table_model.h"
+#include "ui/plots/line_plot_widget.h"
+#include "ui/plots/result_exporter.h"
 #include "ui/session/paper_runner.h"
-#include "ui/statistics/line_plot_widget.h"
-#include "ui/statistics/result_exporter.h"
 
 namespace cullscope::ui {
 

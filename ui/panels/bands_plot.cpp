@@ -1,7 +1,6 @@
 #include "ui/panels/bands_plot.h"
 
 #include <QHelpEvent>
-#include <QPainterPath>
 #include <QToolTip>
 #include <algorithm>
 #include <cmath>
@@ -15,11 +14,10 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kMargin = 6.0;
-constexpr double kTick = 3.0;
-constexpr int kLeastPlot = 110;
 constexpr int kDegreeStep = 30;
 constexpr double kHalf = std::numbers::pi;
+
+double degrees(double radians) { return radians / kHalf * 180.0; }
 
 double finite(double size) { return std::isfinite(size) ? size : 0.0; }
 
@@ -98,12 +96,6 @@ std::optional<double> BandsPlot::cut() const {
     return last == bands.rend() ? 0.0 : last->to;
 }
 
-double BandsPlot::largest() const {
-    double most = 0.0;
-    for (const Band& band : bands()) most = std::max({most, band.drawn, band.hidden, m_sector ? band.horizon : 0.0});
-    return most;
-}
-
 QString BandsPlot::sizeName() const { return contourBands().slopes ? tr("slope") : tr("S, mesh units"); }
 
 QString BandsPlot::title() const { return tr("Size by contour band"); }
@@ -145,132 +137,70 @@ QString BandsPlot::description() const {
     return lines.join(QLatin1Char('\n'));
 }
 
-QPointF BandsPlot::Frame::placeOf(double alpha, double size) const {
-    return {area.left() + alpha / kHalf * area.width(), area.bottom() - std::min(1.0, size / most) * area.height()};
+QPointF BandsPlot::placeOf(double alpha, double size) const {
+    const PlotPoint place = drawing().places.front().pixel({degrees(alpha), size});
+    return {place.x, place.y};
 }
 
-PlotLegend BandsPlot::legend(const PlotColours& colours, const QFontMetricsF& metrics, const QPalette& palette) const {
+void BandsPlot::addBars(LinePlot& plot, const QPalette& palette) const {
     const bool all = !m_sector;
-    std::vector<PlotLegend::Entry> entries{
-        {all ? tr("drawn in some sectors") : tr("drawn"), verdictColour(TriangleState::Visible, palette), Qt::SolidLine, {}},
-        {all ? tr("hidden in some sectors") : tr("hidden"), verdictColour(TriangleState::Hidden, palette), Qt::SolidLine, {}}};
-    if (m_sector) entries.push_back({tr("largest nearer"), colours.text, Qt::SolidLine, {}});
-    entries.push_back({tr("beyond it nothing is drawn"), colours.loss, Qt::DashLine, {}});
-    return {std::move(entries), metrics};
-}
-
-BandsPlot::Frame BandsPlot::frame(const QRectF& place, const QFontMetricsF& metrics) const {
-    const std::unique_ptr<QValueAxis> axis(axisFromZero(largest()));
-    const QRectF inner =
-        legend(PlotColours(palette()), metrics, palette()).takeFrom(place.adjusted(kMargin, kMargin, -kMargin, -kMargin));
-    const double words = metrics.boundingRect(inner, Qt::TextWordWrap, caption()).height() + metrics.height() / 2;
-    double left = 0.0;
-    for (int tick = 0; tick < axis->tickCount(); ++tick)
-        left = std::max(left, metrics.horizontalAdvance(lengthText(axis->max() * tick / (axis->tickCount() - 1))));
-    const double right = metrics.horizontalAdvance(QStringLiteral("180°")) / 2;
-    return {inner.adjusted(left + 2 * kTick, words, -right, -metrics.height() - kTick), axis->max()};
-}
-
-QPointF BandsPlot::placeOf(double alpha, double size) const { return frame(rect(), QFontMetricsF(font())).placeOf(alpha, size); }
-
-int BandsPlot::neededHeight(int width) const {
-    const QFontMetricsF metrics(font());
-    const double across = width - 2 * kMargin;
-    const double words = metrics.boundingRect(QRectF(0, 0, across, 1e4), Qt::TextWordWrap, caption()).height();
-    const PlotLegend lines = legend(PlotColours(palette()), metrics, palette());
-    return int(std::ceil(lines.heightWith(kLeastPlot + words, across) + 2 * kMargin));
-}
-
-void BandsPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
-    const PlotColours colours(palette);
-    const QFontMetricsF metrics(painter.font());
-    const Frame frame = this->frame(place, metrics);
-    PlotLegend words = legend(colours, metrics, palette);
-    (void)takeCaption(painter, words.takeFrom(place.adjusted(kMargin, kMargin, -kMargin, -kMargin)), caption(), colours);
-    paintAxes(painter, frame, colours);
-    paintBands(painter, frame, palette);
-    if (m_sector) paintHorizon(painter, frame, colours);
-    paintAngles(painter, frame, colours);
-    words.paint(painter, colours);
-}
-
-void BandsPlot::paintAxes(QPainter& painter, const Frame& frame, const PlotColours& colours) const {
-    const QFontMetricsF metrics(painter.font());
-    const std::unique_ptr<QValueAxis> axis(axisFromZero(largest()));
-    for (int tick = 0; tick < axis->tickCount(); ++tick) {
-        const double size = axis->max() * tick / (axis->tickCount() - 1);
-        const QPointF at = frame.placeOf(0.0, size);
-        painter.setPen(colours.grid);
-        painter.drawLine(at, QPointF(frame.area.right(), at.y()));
-        painter.setPen(colours.text);
-        painter.drawText(QRectF(at.x() - 100.0 - kTick, at.y() - metrics.height() / 2, 100.0, metrics.height()),
-                         Qt::AlignRight | Qt::AlignVCenter, lengthText(size));
-    }
-    for (int degrees = 0; degrees <= 180; degrees += kDegreeStep) {
-        const QPointF at = frame.placeOf(degrees * kHalf / 180.0, 0.0);
-        painter.setPen(colours.faintText);
-        painter.drawLine(at, at + QPointF(0.0, kTick));
-        painter.setPen(colours.text);
-        painter.drawText(QRectF(at.x() - 30.0, at.y() + kTick, 60.0, metrics.height()), Qt::AlignCenter,
-                         QStringLiteral("%1°").arg(degrees));
-    }
-}
-
-void BandsPlot::paintBands(QPainter& painter, const Frame& frame, const QPalette& palette) const {
+    PlotBars drawn{(all ? tr("drawn in some sectors") : tr("drawn")).toStdString(),
+                   verdictColour(TriangleState::Visible, palette).rgba(),
+                   {}};
+    PlotBars hidden{(all ? tr("hidden in some sectors") : tr("hidden")).toStdString(),
+                    verdictColour(TriangleState::Hidden, palette).rgba(),
+                    {}};
     for (const Band& band : bands()) {
-        const double middle = (band.from + band.to) / 2;
+        const double from = degrees(band.from), to = degrees(band.to), middle = (from + to) / 2;
+        // Where sectors differ, the band is shared by both.
         const bool both = band.anyDrawn && band.anyHidden;
-        const auto bar = [&](double from, double to, double size, TriangleState state) {
-            painter.fillRect(QRectF(frame.placeOf(from, size), frame.placeOf(to, 0.0)).adjusted(0.5, 0.0, -0.5, 0.0),
-                             verdictColour(state, palette));
-        };
-        // If some sectors of a band are drawn and others hidden, each colour gets half of the band's width.
-        if (band.anyDrawn) bar(band.from, both ? middle : band.to, band.drawn, TriangleState::Visible);
-        if (band.anyHidden) bar(both ? middle : band.from, band.to, band.hidden, TriangleState::Hidden);
+        if (band.anyDrawn) drawn.boxes.push_back({from, band.drawn, both ? middle : to, 0.0});
+        if (band.anyHidden) hidden.boxes.push_back({both ? middle : from, band.hidden, to, 0.0});
     }
+    plot.bars = {std::move(drawn), std::move(hidden)};
 }
 
-void BandsPlot::paintHorizon(QPainter& painter, const Frame& frame, const PlotColours& colours) const {
-    QPainterPath path;
-    for (const Band& band : bands()) {
-        const QPointF begin = frame.placeOf(band.from, band.horizon);
-        if (path.elementCount() == 0)
-            path.moveTo(begin);
-        else
-            path.lineTo(begin);
-        path.lineTo(frame.placeOf(band.to, band.horizon));
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(colours.ground, 3.5));
-    painter.drawPath(path);
-    painter.setPen(QPen(colours.text, 1.6));
-    painter.drawPath(path);
+void BandsPlot::addHorizon(LinePlot& plot, const PlotColours& colours) const {
+    std::vector<PlotPoint> steps;
+    for (const Band& band : bands())
+        steps.insert(steps.end(), {{degrees(band.from), band.horizon}, {degrees(band.to), band.horizon}});
+    // On bars as dark as itself it has an edge.
+    plot.lines.push_back(plainLine({}, steps, {colours.ground.rgba(), 3.5}));
+    plot.lines.push_back(plainLine(tr("largest nearer").toStdString(), std::move(steps), {colours.text.rgba(), 1.6}));
 }
 
-void BandsPlot::paintAngles(QPainter& painter, const Frame& frame, const PlotColours& colours) const {
-    const auto line = [&](double alpha, const QPen& pen) {
-        painter.setPen(pen);
-        painter.drawLine(frame.placeOf(alpha, 0.0), frame.placeOf(alpha, frame.most));
-    };
-    line(kHalf / 2, QPen(colours.faintText, 1.2, Qt::DotLine));
-    const std::optional<double> cut = this->cut();
-    if (!cut) return;
-    line(*cut, QPen(colours.loss, 2.0, Qt::DashLine));
-    const QFontMetricsF metrics(painter.font());
-    const QString words = degreesText(*cut);
-    QRectF place(frame.placeOf(*cut, frame.most) + QPointF(4.0, 0.0),
-                 QSizeF(metrics.horizontalAdvance(words) + 2.0, metrics.height()));
-    if (place.right() > frame.area.right()) place.moveRight(frame.placeOf(*cut, 0.0).x() - 4.0);
-    painter.fillRect(place, colours.ground);
-    painter.setPen(colours.text);
-    painter.drawText(place, Qt::AlignCenter, words);
+void BandsPlot::addAngles(LinePlot& plot, const PlotColours& colours) const {
+    const double most = rangeAlongY(plot).last;
+    plot.lines.push_back(plainLine({}, {{90.0, 0.0}, {90.0, most}}, {colours.faintText.rgba(), 1.2, PlotStroke::Dotted}));
+    PlotLine last = plainLine(tr("beyond it nothing is drawn").toStdString(), {}, {colours.loss.rgba(), 2.0, PlotStroke::Dashed});
+    if (const std::optional<double> cut = this->cut()) {
+        last.points = {{degrees(*cut), 0.0}, {degrees(*cut), most}};
+        PlotMark words;
+        words.at = last.points.back();
+        words.label = degreesText(*cut).toStdString();
+        plot.marks = {std::move(words)};
+    }
+    plot.lines.push_back(std::move(last));
+}
+
+std::vector<LinePlot> BandsPlot::plots(const QPalette& palette) const {
+    const PlotColours colours(palette);
+    LinePlot plot;
+    plot.x = {{}, PlotScale::Linear, 0.0, 180.0};
+    for (int angle = 0; angle <= 180; angle += kDegreeStep)
+        plot.x.ticks.push_back({double(angle), QStringLiteral("%1°").arg(angle).toStdString()});
+    plot.y = {caption().toStdString(), PlotScale::Linear, 0.0, 0.0, true};
+    addBars(plot, palette);
+    if (m_sector) addHorizon(plot, colours);
+    addAngles(plot, colours);
+    return {std::move(plot)};
 }
 
 QString BandsPlot::wordsAt(const QPointF& place) const {
     if (empty()) return {};
-    const Frame frame = this->frame(rect(), QFontMetricsF(font()));
-    if (!frame.area.contains(place)) return {};
-    const double alpha = (place.x() - frame.area.left()) / frame.area.width() * kHalf;
+    const PlotBox area = drawing().places.front().box;
+    if (!area.contains({place.x(), place.y()})) return {};
+    const double alpha = (place.x() - area.left) / (area.right - area.left) * kHalf;
     return bandWords(bands()[contourBands().bandOf(alpha)]);
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "ui/panels/shown_map.h"
-#include "ui/statistics/chart_parts.h"
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 namespace cullscope::ui {
 
@@ -42,8 +41,7 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool empty() const override { return m_shown.empty() || !m_shown.decision().bands; }
-    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
-    [[nodiscard]] int neededHeight(int width) const override;
+    [[nodiscard]] std::vector<LinePlot> plots(const QPalette& palette) const override;
 
 protected:
     [[nodiscard]] QString emptySentence() const override;
@@ -51,25 +49,13 @@ protected:
     bool event(QEvent* event) override;
 
 private:
-    /// The plot area within the axes, and its scale.
-    struct Frame {
-        QRectF area;
-        double most = 1.0;  ///< upper end of the vertical axis
-
-        [[nodiscard]] QPointF placeOf(double alpha, double size) const;
-    };
-
-    [[nodiscard]] Frame frame(const QRectF& place, const QFontMetricsF& metrics) const;
     [[nodiscard]] const spherical::ContourBands& contourBands() const { return *m_shown.decision().bands; }
-    [[nodiscard]] double largest() const;
     [[nodiscard]] QString sizeName() const;
     [[nodiscard]] QString caption() const;
     [[nodiscard]] QString bandWords(const Band& band) const;
-    [[nodiscard]] PlotLegend legend(const PlotColours& colours, const QFontMetricsF& metrics, const QPalette& palette) const;
-    void paintBands(QPainter& painter, const Frame& frame, const QPalette& palette) const;
-    void paintHorizon(QPainter& painter, const Frame& frame, const PlotColours& colours) const;
-    void paintAngles(QPainter& painter, const Frame& frame, const PlotColours& colours) const;
-    void paintAxes(QPainter& painter, const Frame& frame, const PlotColours& colours) const;
+    void addBars(LinePlot& plot, const QPalette& palette) const;
+    void addHorizon(LinePlot& plot, const PlotColours& colours) const;
+    void addAngles(LinePlot& plot, const PlotColours& colours) const;
 
     ShownMap m_shown;
     MapAbsence m_absence = MapAbsence::NoMaps;

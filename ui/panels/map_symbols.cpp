@@ -3,8 +3,8 @@
 #include <QPainterPath>
 #include <algorithm>
 
-#include "ui/statistics/plot_colours.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/plots/plot_colours.h"
 
 namespace cullscope::ui {
 

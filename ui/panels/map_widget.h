@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/panels/map_painter.h"
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 namespace cullscope::ui {
 

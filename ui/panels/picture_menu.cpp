@@ -6,7 +6,7 @@
 #include <QGuiApplication>
 #include <QMenu>
 
-#include "ui/statistics/plot_file.h"
+#include "ui/plots/plot_file.h"
 
 namespace cullscope::ui {
 

@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
+#include "ui/plots/plot_widget.h"
+#include "ui/plots/result_exporter.h"
 #include "ui/session/session.h"
-#include "ui/statistics/plot_widget.h"
-#include "ui/statistics/result_exporter.h"
 
 namespace cullscope::ui {
 

@@ -6,7 +6,7 @@
 
 namespace cullscope::ui {
 
-/// Asks how the object of a scene is to be split, and gives the result as a scene specification.
+/// GlRequirement how the object of a scene is to be split, and gives the result as a scene specification.
 class SplitDialog : public QDialog {
     Q_OBJECT
 

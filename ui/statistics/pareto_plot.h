@@ -1,14 +1,9 @@
 #pragma once
 
-#include <QChart>
-#include <functional>
-
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 #include "ui/statistics/run_fronts.h"
 
 namespace cullscope::ui {
-
-class PlotLegend;
 
 /// What speed costs in accuracy: speed against `backface` to the right, missed parts per million upwards on a logarithmic scale,
 /// nothing missed on a band of its own. Each point has its strategy's name beside it; its shape is the promise. Runs of one
@@ -24,8 +19,7 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool empty() const override { return m_runs.empty(); }
-    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
-    [[nodiscard]] int neededHeight(int width) const override;
+    [[nodiscard]] std::vector<LinePlot> plots(const QPalette& palette) const override;
 
     /// Where a loss stands on the vertical axis: its decade, or `lowestDecade() − 1` for nothing missed.
     [[nodiscard]] double height(double missedPpm) const;
@@ -40,17 +34,15 @@ protected:
 
 private:
     [[nodiscard]] int highestDecade() const;
-    /// The points and beside each of them whose it is, inside `bounds` over the chart.
-    void paintPoints(QPainter& painter, const QRectF& bounds, const PlotColours& colours,
-                     const std::function<QPointF(const QPointF&)>& placeOf) const;
-    [[nodiscard]] PlotLegend legend(const PlotColours& colours, const QFont& font) const;
+    [[nodiscard]] PlotAxis lossAxis() const;
     /// By run: its front's where it lies on one.
     [[nodiscard]] std::vector<QColor> runColours(const PlotColours& colours) const;
     /// What stands beside a run's point.
     [[nodiscard]] QString shortLabel(size_t run) const;
     /// None: the run lies on no front. Of a run on several the first.
     [[nodiscard]] const RunFront* frontOf(size_t run) const;
-    void addFronts(QChart& chart, const PlotColours& colours) const;
+    void addFronts(LinePlot& plot, const PlotColours& colours) const;
+    void addRuns(LinePlot& plot, const PlotColours& colours) const;
 
     std::vector<RunFigures> m_runs;
     std::vector<RunFront> m_fronts;

@@ -1,20 +1,26 @@
 #include "ui/statistics/path_plot.h"
 
-#include <QLineSeries>
 #include <algorithm>
-#include <cmath>
 
-#include "ui/statistics/chart_parts.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr double kPathMargin = 4.0;
-constexpr double kBesideFrom = 560.0;
-constexpr int kLeastPathChart = 120;
-constexpr size_t kMostDots = 60;
+/// How each run is drawn; the baselines grey.
+std::vector<PlotPen> pensOf(const std::vector<RunFigures>& runs, const PlotColours& colours) {
+    std::vector<PlotPen> pens;
+    size_t number = 0;
+    for (const RunFigures& run : runs) {
+        const PlotStroke stroke = run.id == QLatin1String("all") ? PlotStroke::Dotted : PlotStroke::Dashed;
+        if (run.baseline())
+            pens.push_back({colours.faintText.rgba(), 2.0, stroke});
+        else
+            pens.push_back({colours.series(number++).rgba(), 2.0});
+    }
+    return pens;
+}
 
 }  // namespace
 
@@ -40,48 +46,28 @@ QString PathPlot::description() const {
     return lines.join(QLatin1Char('\n'));
 }
 
-int PathPlot::neededHeight(int width) const {
-    const PlotLegend legend(runStyles(m_runs, PlotColours(palette())), QFontMetricsF(font()));
-    const int charts = lossKnown() && width < kBesideFrom ? 2 : 1;
-    return int(std::ceil(legend.heightWith(charts * kLeastPathChart, width - 2 * kPathMargin) + 2 * kPathMargin));
-}
-
-void PathPlot::paintFigure(QPainter& painter, const QRectF& place, const PlotColours& colours, Figure figure) const {
-    std::unique_ptr<QChart> chart = bareChart(colours);
-    const auto value = [figure](const PoseFigures& pose) {
-        return figure == Figure::Time ? pose.frameMilliseconds : double(pose.missedPixels);
-    };
-    double most = figure == Figure::Time ? 0.0 : 1.0;
-    for (const RunFigures& run : m_runs)
-        for (const PoseFigures& pose : run.poses) most = std::max(most, value(pose));
-    addAxis(*chart, poseAxis(m_poseCount, place.width()), Qt::AlignBottom, painter.font(), colours);
-    addAxis(*chart, axisFromZero(most), Qt::AlignLeft, painter.font(), colours);
-    const std::vector<PlotLegend::Entry> styles = runStyles(m_runs, colours);
+std::vector<LinePlot> PathPlot::plots(const QPalette& palette) const {
+    LinePlot times;
+    times.x = {{}, PlotScale::Linear, 0.0, std::max(1.0, double(m_poseCount) - 1.0), false, true};
+    times.y = {tr("Frame time in ms, by pose").toStdString(), PlotScale::Linear, 0.0, 0.0, true};
+    LinePlot losses = times;
+    losses.y.title = tr("Missed pixels, by pose").toStdString();
+    losses.y.whole = true;
+    const std::vector<PlotPen> pens = pensOf(m_runs, PlotColours(palette));
     for (size_t i = 0; i < m_runs.size(); ++i) {
-        auto* line = new QLineSeries;
-        for (const PoseFigures& pose : m_runs[i].poses) line->append(double(pose.pose), value(pose));
-        line->setPen(QPen(styles[i].colour, 2.0, styles[i].line));
-        line->setPointsVisible(m_poseCount <= kMostDots);
-        addSeries(*chart, line);
+        PlotLine time;
+        time.name = m_runs[i].label.toStdString();
+        time.pen = pens[i];
+        PlotLine loss = time;
+        for (const PoseFigures& pose : m_runs[i].poses) {
+            time.points.push_back({double(pose.pose), pose.frameMilliseconds});
+            loss.points.push_back({double(pose.pose), double(pose.missedPixels)});
+        }
+        times.lines.push_back(std::move(time));
+        losses.lines.push_back(std::move(loss));
     }
-    const QString caption = figure == Figure::Time ? tr("Frame time in ms, by pose") : tr("Missed pixels, by pose");
-    paintChart(painter, takeCaption(painter, place, caption, colours), std::move(chart));
-}
-
-void PathPlot::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
-    const PlotColours colours(palette);
-    PlotLegend legend(runStyles(m_runs, colours), QFontMetricsF(painter.font()));
-    const QRectF inner = legend.takeFrom(place.adjusted(kPathMargin, kPathMargin, -kPathMargin, -kPathMargin));
-    if (!lossKnown()) {
-        paintFigure(painter, inner, colours, Figure::Time);
-    } else {
-        const bool beside = place.width() >= kBesideFrom;
-        const QSizeF half = beside ? QSizeF(inner.width() / 2, inner.height()) : QSizeF(inner.width(), inner.height() / 2);
-        const QPointF second = beside ? QPointF(half.width(), 0.0) : QPointF(0.0, half.height());
-        paintFigure(painter, {inner.topLeft(), half}, colours, Figure::Time);
-        paintFigure(painter, {inner.topLeft() + second, half}, colours, Figure::Missed);
-    }
-    legend.paint(painter, colours);
+    if (!lossKnown()) return {std::move(times)};
+    return {std::move(times), std::move(losses)};
 }
 
 }  // namespace cullscope::ui

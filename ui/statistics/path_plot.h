@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 #include "ui/statistics/run_figures.h"
 
 namespace cullscope::ui {
@@ -17,17 +17,13 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool empty() const override { return m_runs.empty(); }
-    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
-    [[nodiscard]] int neededHeight(int width) const override;
+    [[nodiscard]] std::vector<LinePlot> plots(const QPalette& palette) const override;
 
 protected:
     [[nodiscard]] QString description() const override;
 
 private:
-    enum class Figure { Time, Missed };
-
     [[nodiscard]] bool lossKnown() const;
-    void paintFigure(QPainter& painter, const QRectF& place, const PlotColours& colours, Figure figure) const;
 
     std::vector<RunFigures> m_runs;
     size_t m_poseCount = 0;

@@ -11,13 +11,6 @@
 
 namespace cullscope::ui {
 
-namespace {
-
-constexpr double kTitleGap = 4.0;
-constexpr double kTitleMargin = 8.0;
-
-}  // namespace
-
 PosePlot::PosePlot(QWidget* parent) : PlotWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -31,19 +24,6 @@ void PosePlot::setRun(RunFigures run, size_t poseCount) {
 }
 
 QString PosePlot::title() const { return empty() ? subject() : QStringLiteral("%1 · %2").arg(subject(), m_run.label); }
-
-QRectF PosePlot::belowTitle(const QFontMetricsF& metrics, const QRectF& place) {
-    return place.adjusted(0.0, kTitleGap + metrics.height(), 0.0, 0.0);
-}
-
-void PosePlot::paintTitle(QPainter& painter, const QRectF& place, const PlotColours& colours) const {
-    const QFontMetricsF metrics(painter.font());
-    const QRectF line(place.left() + kTitleMargin, place.top() + kTitleGap, place.width() - 2 * kTitleMargin, metrics.height());
-    painter.setPen(colours.text);
-    // Long parameters: their beginnings tell more than the plot's name.
-    const QString words = metrics.horizontalAdvance(title()) <= line.width() ? title() : m_run.label;
-    painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, metrics.elidedText(words, Qt::ElideRight, line.width()));
-}
 
 QString PosePlot::poseText(const PoseFigures& pose) const {
     QStringList lines{tr("Pose %1").arg(pose.pose), tr("Frame: %1").arg(millisecondsText(pose.frameMilliseconds))};

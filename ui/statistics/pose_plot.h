@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 #include "ui/statistics/run_figures.h"
 
 namespace cullscope::ui {
@@ -36,10 +36,6 @@ protected:
 
     /// What it shows of any strategy, in the user's language.
     [[nodiscard]] virtual QString subject() const = 0;
-    /// Writes the title at the top of a place.
-    void paintTitle(QPainter& painter, const QRectF& place, const PlotColours& colours) const;
-    /// What the title leaves of a place.
-    [[nodiscard]] static QRectF belowTitle(const QFontMetricsF& metrics, const QRectF& place);
     /// The index into the measured poses at a place of the widget; −1 where none is.
     [[nodiscard]] virtual int poseAt(const QPointF& place) const = 0;
     [[nodiscard]] const RunFigures& run() const { return m_run; }

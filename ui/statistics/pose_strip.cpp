@@ -1,7 +1,6 @@
 #include "ui/statistics/pose_strip.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ui/text/wording.h"
 
@@ -9,119 +8,60 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kStripMargin = 10.0;
-constexpr double kLossHeight = 34.0;
-constexpr double kLeastTimes = 40.0;
-constexpr double kWidestColumn = 40.0;
-constexpr double kSharpFrom = 4.0;
+// Upwards, in shares of the longest frame.
+constexpr double kLowest = -0.55;
+constexpr double kLargestLoss = -0.5;
+constexpr double kRing = -0.12;
+constexpr double kRingSize = 6.0;      // pixels
+constexpr double kWidestColumn = 0.4;  // of the plot's height
+
+PlotBox column(const PoseFigures& pose, double top, double bottom) {
+    return {double(pose.pose) - 0.5, top, double(pose.pose) + 0.5, bottom};
+}
 
 }  // namespace
 
 QString PoseStrip::subject() const { return tr("Time and loss by pose"); }
 
-int PoseStrip::neededHeight(int /*width*/) const {
-    return int(kLeastTimes + kLossHeight + 3.0 * QFontMetricsF(font()).height() + 2.0 * kStripMargin);
-}
-
-double PoseStrip::longestFrame() const {
-    double longest = 0.0;
-    for (const PoseFigures& pose : run().poses) longest = std::max(longest, pose.frameMilliseconds);
-    return longest;
-}
-
-PoseStrip::Areas PoseStrip::areas(const QFontMetricsF& metrics, const QRectF& place) const {
-    const QString longest = millisecondsText(longestFrame());
-    const double labels = std::max({metrics.horizontalAdvance(tr("frame")), metrics.horizontalAdvance(tr("missed")),
-                                    metrics.horizontalAdvance(longest)}) +
-                          6.0;
-    const QRectF inner = place.adjusted(kStripMargin, kStripMargin / 2, -kStripMargin, -kStripMargin / 2);
-    const double bottom = inner.bottom() - metrics.height();
-    Areas areas;
-    const double most = kWidestColumn * double(std::max<size_t>(1, poseCount()));
-    const double width = std::min(inner.width() - labels, most);
-    areas.losses = {inner.left() + labels, bottom - kLossHeight, width, kLossHeight};
-    areas.times = {areas.losses.left(), inner.top(), width, areas.losses.top() - 2.0 - inner.top()};
-    areas.labels = {inner.left(), inner.top(), labels - 6.0, bottom - inner.top()};
-    areas.numbers = {areas.losses.left(), bottom, inner.width() - labels, metrics.height()};
-    return areas;
-}
-
-QRectF PoseStrip::column(const QRectF& area, size_t pose) const {
-    const double width = area.width() / double(poseCount());
-    const double left = area.left() + width * double(pose);
-    if (width < kSharpFrom) return {left, area.top(), std::max(1.0, width), area.height()};
-    // On whole pixels, so that the gaps are equally wide.
-    return {std::round(left), area.top(), std::round(left + width) - std::round(left) - 1.0, area.height()};
-}
-
 int PoseStrip::poseAt(const QPointF& place) const {
-    const Areas parts = areas(QFontMetricsF(font()), belowTitle(QFontMetricsF(font()), rect()));
-    const QRectF both = parts.times.united(parts.losses);
-    if (!both.contains(place)) return -1;
-    const auto pose = size_t((place.x() - both.left()) / both.width() * double(poseCount()));
+    const PlotBox area = drawing().places.front().box;
+    if (!area.contains({place.x(), place.y()})) return -1;
+    const auto pose = size_t((place.x() - area.left) / (area.right - area.left) * double(poseCount()));
     const auto found = std::find_if(run().poses.begin(), run().poses.end(), [&](const PoseFigures& p) { return p.pose == pose; });
     return found == run().poses.end() ? -1 : int(found - run().poses.begin());
 }
 
-void PoseStrip::paintLabels(QPainter& painter, const Areas& parts, const PlotColours& colours) const {
-    painter.setPen(colours.grid);
-    painter.drawLine(parts.times.topLeft(), parts.times.topRight());
-    painter.drawLine(parts.losses.topLeft(), parts.losses.topRight());
-    painter.setPen(colours.text);
-    const double line = QFontMetricsF(painter.font()).height();
-    const QRectF& labels = parts.labels;
-    painter.drawText(QRectF(labels.left(), parts.times.top(), labels.width(), line), Qt::AlignRight,
-                     millisecondsText(longestFrame()));
-    painter.drawText(QRectF(labels.left(), parts.times.bottom() - line, labels.width(), line), Qt::AlignRight, tr("frame"));
-    painter.drawText(QRectF(labels.left(), parts.losses.top(), labels.width(), line), Qt::AlignRight, tr("missed"));
-}
-
-void PoseStrip::paintNumbers(QPainter& painter, const Areas& parts, const PlotColours& colours) const {
-    const QFontMetricsF metrics(painter.font());
-    const double room = metrics.horizontalAdvance(QString::number(poseCount())) + 8.0;
-    const double width = parts.times.width() / double(poseCount());
-    const auto step = size_t(std::max(1.0, std::ceil(room / width)));
-    painter.setPen(colours.faintText);
-    for (size_t pose = 0; pose < poseCount(); pose += step) {
-        const double x = parts.times.left() + width * (double(pose) + 0.5);
-        painter.drawText(QRectF(x - room / 2, parts.numbers.top(), room, parts.numbers.height()), Qt::AlignCenter,
-                         QString::number(pose));
-    }
-}
-
-void PoseStrip::paintLoss(QPainter& painter, const QRectF& column, const PoseFigures& pose, const PlotColours& colours) const {
-    if (!pose.missedPpm) return;
-    if (pose.missedPixels == 0) {
-        // Nothing missed is a ring of its own, not a short bar.
-        const double side = std::min(6.0, column.width());
-        painter.setPen(QPen(colours.noLoss, 1.2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawEllipse(QRectF(column.center().x() - side / 2, column.top() + 4.0, side, side));
-        return;
-    }
-    painter.fillRect(QRectF(column.left(), column.top() + 1.0, column.width(), lossShare(*pose.missedPpm) * column.height()),
-                     colours.loss);
-}
-
-void PoseStrip::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
+std::vector<LinePlot> PoseStrip::plots(const QPalette& palette) const {
     const PlotColours colours(palette);
-    const QFontMetricsF metrics(painter.font());
-    paintTitle(painter, place, colours);
-    const Areas parts = areas(metrics, belowTitle(metrics, place));
-    paintLabels(painter, parts, colours);
-    paintNumbers(painter, parts, colours);
-    const double longest = longestFrame();
-    for (size_t i = 0; i < run().poses.size(); ++i) {
-        const PoseFigures& pose = run().poses[i];
-        QRectF bar = column(parts.times, pose.pose);
-        bar.setTop(bar.bottom() - pose.frameMilliseconds / longest * bar.height());
-        painter.fillRect(bar, colours.draw);
-        paintLoss(painter, column(parts.losses, pose.pose), pose, colours);
-        if (int(i) != current()) continue;
-        painter.setPen(QPen(colours.chosen, 2.0));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRect(column(parts.times.united(parts.losses), pose.pose));
+    double longest = 0.0;
+    for (const PoseFigures& pose : run().poses) longest = std::max(longest, pose.frameMilliseconds);
+    LinePlot plot;
+    plot.widest = kWidestColumn * double(poseCount());
+    plot.x = {{}, PlotScale::Linear, -0.5, double(poseCount()) - 0.5, false, true};
+    plot.y = {title().toStdString(), PlotScale::Linear, kLowest, 1.0};
+    plot.y.ticks = {{kLargestLoss / 2, tr("missed").toStdString()},
+                    {0.5, tr("frame").toStdString()},
+                    {1.0, millisecondsText(longest).toStdString()}};
+    PlotBars times{{}, colours.draw.rgba(), {}}, losses{{}, colours.loss.rgba(), {}};
+    for (const PoseFigures& pose : run().poses) {
+        times.boxes.push_back(column(pose, pose.frameMilliseconds / longest, 0.0));
+        if (!pose.missedPpm) continue;
+        // Nothing missed is a ring of its own, not a short bar.
+        if (pose.missedPixels == 0)
+            plot.marks.push_back(
+                {{}, {double(pose.pose), kRing}, PlotShape::Disc, {colours.noLoss.rgba(), 1.2}, 0, {}, kRingSize});
+        else
+            losses.boxes.push_back(column(pose, 0.0, kLargestLoss * lossShare(*pose.missedPpm)));
     }
+    plot.bars = {std::move(times), std::move(losses)};
+    if (current() >= 0) {
+        const PlotBox box = column(run().poses[size_t(current())], 1.0, kLowest);
+        plot.lines = {plainLine(
+            {},
+            {{box.left, box.bottom}, {box.left, box.top}, {box.right, box.top}, {box.right, box.bottom}, {box.left, box.bottom}},
+            {colours.chosen.rgba(), 2.0})};
+    }
+    return {std::move(plot)};
 }
 
 }  // namespace cullscope::ui

@@ -7,11 +7,11 @@
 #include <algorithm>
 
 #include "ui/panels/wheel_guard.h"
+#include "ui/plots/result_exporter.h"
 #include "ui/statistics/flow_layout.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/path_plot.h"
 #include "ui/statistics/pose_strip.h"
-#include "ui/statistics/result_exporter.h"
 #include "ui/statistics/run_figures.h"
 #include "ui/statistics/sphere_map.h"
 #include "ui/statistics/time_bar.h"

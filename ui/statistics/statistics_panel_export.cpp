@@ -2,12 +2,12 @@
 #include <QFileDialog>
 
 #include "core/experiments/result_file.h"
+#include "ui/plots/plot_file.h"
+#include "ui/plots/result_exporter.h"
 #include "ui/statistics/html_report.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/path_plot.h"
-#include "ui/statistics/plot_file.h"
 #include "ui/statistics/pose_strip.h"
-#include "ui/statistics/result_exporter.h"
 #include "ui/statistics/run_figures.h"
 #include "ui/statistics/sphere_map.h"
 #include "ui/statistics/statistics_panel.h"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 namespace cullscope::ui {
 

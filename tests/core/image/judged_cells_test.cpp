@@ -264,8 +264,8 @@ TEST(MapPicture, horizonAndBordersOfCellsAreDrawn) {
     for (const std::vector<Vec2>& outline : cellOutlines(seen.map(), 6.0 * kDegree)) {
         const Vec2 middle = 0.5 * (outline[0] + outline[outline.size() / 2]), side(middle.x, outline[0].y);
         if (side.y < kDegree) continue;
-        const Vec3f inside = at(middle), left = at(side), before = at(side - Vec2(0.0, 0.5 * kDegree));
-        borders += std::max(left.x, before.x) > inside.x + 0.2f ? 1 : 0;
+        const Vec3f snapshot = at(middle), left = at(side), before = at(side - Vec2(0.0, 0.5 * kDegree));
+        borders += std::max(left.x, before.x) > snapshot.x + 0.2f ? 1 : 0;
     }
     EXPECT_GT(borders, 50u);
 }

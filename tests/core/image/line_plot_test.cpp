@@ -2,8 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "core/image/plot_drawing.h"
 
 namespace cullscope::test::line_plot_test {
 namespace {
@@ -31,6 +34,31 @@ size_t countOf(const std::string& text, const std::string& part) {
     size_t count = 0;
     for (size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++count;
     return count;
+}
+
+/// Letters of 6 pixels, lines of 12.
+PlotStyle plainStyle() {
+    PlotStyle style;
+    style.series = plotSeries(false);
+    style.ascent = 10.0;
+    style.height = 12.0;
+    style.width = [](const std::string& words) { return 6.0 * double(words.size()); };
+    style.number = plotNumber;
+    return style;
+}
+
+template <typename Item>
+std::vector<Item> itemsOf(const PlotDrawing& drawing) {
+    std::vector<Item> items;
+    for (const auto& item : drawing.items)
+        if (const auto* one = std::get_if<Item>(&item)) items.push_back(*one);
+    return items;
+}
+
+/// Paths of a colour, that of the legend included.
+size_t pathsOf(const PlotDrawing& drawing, PlotColour colour) {
+    const std::vector<DrawnPath> paths = itemsOf<DrawnPath>(drawing);
+    return size_t(std::count_if(paths.begin(), paths.end(), [&](const DrawnPath& path) { return path.pen.colour == colour; }));
 }
 
 TEST(LinePlot, linearRangeIsRound) {
@@ -86,8 +114,10 @@ TEST(LinePlot, zeroAndNotANumberBreakTheLineAndNotTheScale) {
     ASSERT_EQ(pieces.size(), 2u) << "the line runs through what has no place";
     EXPECT_EQ(pieces[0].size(), 1u);
     EXPECT_EQ(pieces[1].size(), 2u);
+    const PlotDrawing drawing = drawPlots({plot}, 600, 300, plainStyle());
+    EXPECT_EQ(pathsOf(drawing, plotSeries(false)[0]), 2u) << "the second piece, and the legend";
+    EXPECT_EQ(itemsOf<DrawnDisc>(drawing).size(), 3u) << "a point alone is no line";
     const std::string svg = linePlotsSvg({plot});
-    EXPECT_EQ(countOf(svg, "<polyline"), 2u);
     EXPECT_THAT(svg, Not(testing::AnyOf(HasSubstr("nan"), HasSubstr("inf"))));
 }
 
@@ -95,6 +125,16 @@ TEST(LinePlot, linearScaleTakesZeroAndLess) {
     const LinePlot plot = plotOf({{1, 0}, {2, -3}}, PlotScale::Linear);
     EXPECT_EQ(unbrokenPieces(plot.lines[0], rangeAlongX(plot), rangeAlongY(plot)).size(), 1u);
     EXPECT_LE(rangeAlongY(plot).first, -3.0);
+}
+
+TEST(LinePlot, fewTicksAreRound) {
+    const PlotRange linear = rangeAlongY(plotOf({{1, 0}, {2, 10}}, PlotScale::Linear));
+    EXPECT_EQ(linear.fewTicks(9), linear.ticks);
+    EXPECT_THAT(linear.fewTicks(4), ElementsAre(0, 5, 10));
+    EXPECT_THAT(linear.fewTicks(2), ElementsAre(0, 10));
+    const PlotRange decades = rangeAlongY(plotOf({{1, 1}, {2, 1000}}, PlotScale::Logarithmic));
+    EXPECT_THAT(decades.fewTicks(5), ElementsAre(1, 10, 100, 1000)) << "2 and 5 between them";
+    EXPECT_THAT(decades.fewTicks(2), ElementsAre(1, 100));
 }
 
 TEST(LinePlot, numbersAreShortAndRight) {
@@ -133,9 +173,94 @@ TEST(LinePlot, baselineIsGrey) {
     plot.lines.push_back(plot.lines[0]);
     plot.lines[0].baseline = true;
     plot.lines[1].colour = 0;
-    const std::string svg = linePlotsSvg({plot});
-    EXPECT_EQ(countOf(svg, "<polyline fill=\"none\" stroke=\"#555555\""), 1u);
-    EXPECT_EQ(countOf(svg, "<polyline fill=\"none\" stroke=\"#0072b2\""), 1u);
+    const PlotStyle style = plainStyle();
+    const PlotDrawing drawing = drawPlots({plot}, 600, 300, style);
+    // The curve and the legend's piece of it; the axes are as grey as the baseline.
+    EXPECT_EQ(pathsOf(drawing, style.series[0]), 2u);
+    EXPECT_EQ(pathsOf(drawing, style.faint), 3u);
+    EXPECT_EQ(countOf(linePlotsSvg({plot}), "stroke=\"#0072b2\""), 2u);
+}
+
+/// The plots of this file at once: levels, bars, marks with labels, long names.
+LinePlot fullPlot() {
+    LinePlot plot = plotOf({{1, 1}, {2, 20}, {4, 7}}, PlotScale::Linear);
+    plot.y.title = "a caption of so many words that it takes more than one line in a narrow plot";
+    plot.references = {{"level:", 12}};
+    plot.bars = {{"area", 0xFF112233, {{0, 4, 2, 0}}}};
+    plot.marks = {{"mark", {3, 5}, PlotShape::Triangle, {0xFF000000}, 0xFFFF0000, "label"},
+                  {"shape", kNoPlace, PlotShape::Disc, {0xFF00FF00}, 0, ""}};
+    return plot;
+}
+
+TEST(PlotDrawing, noTextIsCutOrLiesOverOtherText) {
+    LinePlot plot = fullPlot();
+    for (int i = 0; i < 12; ++i) plot.lines.push_back(plot.lines[0]);
+    const PlotStyle style = plainStyle();
+    for (const double width : {260.0, 500.0, 700.0, 1100.0})
+        for (const std::vector<LinePlot>& plots : {std::vector{plot}, std::vector{plot, plot}}) {
+            const double height = neededHeight(plots, width, style);
+            std::vector<PlotBox> boxes;
+            for (const DrawnText& text : itemsOf<DrawnText>(drawPlots(plots, width, height, style))) {
+                const double wide = style.width(text.words) / (text.bold ? 1.0 / 1.1 : 1.0);
+                const double left = text.at.x - wide * (text.anchor == TextAnchor::Start ? 0.0
+                                                        : text.anchor == TextAnchor::End ? 1.0
+                                                                                         : 0.5);
+                boxes.push_back({left, text.at.y - style.ascent, left + wide, text.at.y - style.ascent + style.height});
+                const PlotBox& box = boxes.back();
+                EXPECT_TRUE(box.left >= 0 && box.top >= 0 && box.right <= width && box.bottom <= height)
+                    << text.words << " in " << width << " x " << height;
+            }
+            for (size_t i = 0; i < boxes.size(); ++i)
+                for (size_t j = 0; j < i; ++j)
+                    EXPECT_FALSE(boxes[i].left < boxes[j].right && boxes[j].left < boxes[i].right &&
+                                 boxes[i].top < boxes[j].bottom - 0.5 && boxes[j].top < boxes[i].bottom - 0.5)
+                        << j << " and " << i << " in " << width;
+        }
+}
+
+TEST(PlotDrawing, shapeWithoutAPlaceIsInTheLegendAlone) {
+    const PlotDrawing drawing = drawPlots({fullPlot()}, 600, 300, plainStyle());
+    const std::vector<DrawnDisc> discs = itemsOf<DrawnDisc>(drawing);
+    EXPECT_EQ(std::count_if(discs.begin(), discs.end(), [](const DrawnDisc& disc) { return disc.pen.colour == 0xFF00FF00; }), 1);
+    EXPECT_EQ(pathsOf(drawing, 0xFF000000), 2u) << "the triangle and its key";
+    for (const char* name : {"mark", "shape", "area", "line", "level: 12", "label"}) {
+        const std::vector<DrawnText> texts = itemsOf<DrawnText>(drawing);
+        EXPECT_EQ(std::count_if(texts.begin(), texts.end(), [&](const DrawnText& text) { return text.words == name; }), 1)
+            << name;
+    }
+}
+
+TEST(PlotDrawing, valuesStandBesideTheirTicks) {
+    const PlotDrawing drawing = drawPlots({fullPlot()}, 600, 300, plainStyle());
+    ASSERT_EQ(drawing.places.size(), 1u);
+    const PlotPlace& place = drawing.places[0];
+    EXPECT_EQ(place.x.first, 0.0) << "the area begins there";
+    EXPECT_EQ(place.pixel({place.x.first, place.y.last}).x, place.box.left);
+    EXPECT_EQ(place.pixel({place.x.first, place.y.last}).y, place.box.top);
+    EXPECT_EQ(place.pixel({place.x.last, place.y.first}).x, place.box.right);
+    EXPECT_EQ(place.pixel({place.x.last, place.y.first}).y, place.box.bottom);
+    for (const DrawnText& text : itemsOf<DrawnText>(drawing))
+        if (text.words == "3") {
+            EXPECT_NEAR(text.at.x, place.pixel({3, 0}).x, 1e-9);
+        }
+}
+
+TEST(PlotDrawing, longChineseCaptionIsWrapped) {
+    LinePlot plot = fullPlot();
+    plot.y.title = "每个扇区单独比较，两种颜色的环带在一些扇区中绘制";
+    const std::vector<DrawnText> texts = itemsOf<DrawnText>(drawPlots({plot}, 300, 300, plainStyle()));
+    std::string joined;
+    for (const DrawnText& text : texts)
+        if (text.at.x < 5.0 && plot.y.title.find(text.words) != std::string::npos) joined += text.words;
+    EXPECT_EQ(joined, plot.y.title);
+    EXPECT_NE(texts[1].words, plot.y.title);
+}
+
+TEST(PlotDrawing, ticksOfWholeNumbersAreWhole) {
+    LinePlot plot = plotOf({{0, 0}, {3, 0}}, PlotScale::Linear);
+    plot.x.whole = plot.y.whole = plot.y.zero = true;
+    EXPECT_THAT(rangeAlongX(plot).ticks, ElementsAre(0, 1, 2, 3));
+    EXPECT_THAT(rangeAlongY(plot).ticks, ElementsAre(0, 1)) << "nothing but zeros";
 }
 
 TEST(LinePlot, exponentIsThePower) {

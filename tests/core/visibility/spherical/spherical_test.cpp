@@ -38,12 +38,12 @@ double shareOutsideBoxes(const spherical::VisibleRegion& region, const Spherical
             const std::optional<Span> span = throughSphere(ray, 1.0);
             if (!span) continue;
             const SphericalGrid::Cell cell = grid.cellOf(ray.at(span->from));
-            const bool inside = std::any_of(region.boxes.begin(), region.boxes.end(), [&](const spherical::CellBox& box) {
+            const bool snapshot = std::any_of(region.boxes.begin(), region.boxes.end(), [&](const spherical::CellBox& box) {
                 return box.firstRow <= cell.row && cell.row <= box.lastRow && box.firstColumn <= cell.column &&
                        cell.column <= box.lastColumn;
             });
             ++all;
-            outside += inside ? 0 : 1;
+            outside += snapshot ? 0 : 1;
         }
     return double(outside) / all;
 }

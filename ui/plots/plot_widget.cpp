@@ -1,6 +1,9 @@
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 #include <QEvent>
+#include <cmath>
+
+#include "ui/plots/plot_painter.h"
 
 namespace cullscope::ui {
 
@@ -30,6 +33,22 @@ void PlotWidget::contentsChanged() {
     setAccessibleDescription(empty() ? emptySentence() : description());
     setMinimumHeight(empty() ? 0 : neededHeight(width()));
     update();
+}
+
+PlotDrawing PlotWidget::drawing() const {
+    return drawPlots(plots(palette()), width(), height(), plotStyle(font(), PlotColours(palette())));
+}
+
+void PlotWidget::paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const {
+    const PlotStyle style = plotStyle(painter.font(), PlotColours(palette));
+    painter.save();
+    painter.translate(place.topLeft());
+    paintDrawing(painter, drawPlots(plots(palette), place.width(), place.height(), style));
+    painter.restore();
+}
+
+int PlotWidget::neededHeight(int width) const {
+    return int(std::ceil(cullscope::neededHeight(plots(palette()), width, plotStyle(font(), PlotColours(palette())))));
 }
 
 void PlotWidget::paintEvent(QPaintEvent*) {

@@ -1,4 +1,4 @@
-#include "ui/statistics/result_exporter.h"
+#include "ui/plots/result_exporter.h"
 
 #include <QCoreApplication>
 

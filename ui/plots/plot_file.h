@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QSize>
 
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 namespace cullscope::ui {
 

@@ -3,7 +3,8 @@
 #include <QPainter>
 #include <QWidget>
 
-#include "ui/statistics/plot_colours.h"
+#include "core/image/plot_drawing.h"
+#include "ui/plots/plot_colours.h"
 
 namespace cullscope::ui {
 
@@ -20,10 +21,15 @@ public:
     /// What it is, in the user's language: its accessible name and the title of what is exported.
     [[nodiscard]] virtual QString title() const = 0;
     [[nodiscard]] virtual bool empty() const = 0;
+    /// What it shows if it is not empty, in the user's language, for core to lay out; several share the first one's legend. What
+    /// is no plot over two axes has none, and overrides paintPlot and neededHeight.
+    [[nodiscard]] virtual std::vector<LinePlot> plots(const QPalette& /*palette*/) const { return {}; }
+    /// As the window shows it.
+    [[nodiscard]] PlotDrawing drawing() const;
     /// Paints it, if it is not empty, on a ground that the caller has painted.
-    virtual void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const = 0;
+    virtual void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const;
     /// The height that it needs at a width, in pixels.
-    [[nodiscard]] virtual int neededHeight(int width) const = 0;
+    [[nodiscard]] virtual int neededHeight(int width) const;
 
 protected:
     void paintEvent(QPaintEvent* event) override;

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <QChart>
-
-#include "core/image/line_plot.h"
-#include "ui/statistics/plot_legend.h"
-#include "ui/statistics/plot_widget.h"
+#include "ui/plots/plot_widget.h"
 
 namespace cullscope::ui {
 
-/// Lines over two axes, as core has them: a paper's figure, the paper's levels as thin lines across with their numbers behind.
+/// A plot that core describes: a paper's figure, the paper's levels as thin lines across with their numbers behind.
 class LinePlotWidget : public PlotWidget {
     Q_OBJECT
 
@@ -21,15 +17,12 @@ public:
 
     [[nodiscard]] QString title() const override;
     [[nodiscard]] bool empty() const override { return m_plot.title.empty(); }
-    void paintPlot(QPainter& painter, const QRectF& place, const QPalette& palette) const override;
-    [[nodiscard]] int neededHeight(int width) const override;
+    [[nodiscard]] std::vector<LinePlot> plots(const QPalette& palette) const override;
 
 protected:
     [[nodiscard]] QString description() const override;
 
 private:
-    [[nodiscard]] PlotLegend legend(const PlotColours& colours, const QFont& font) const;
-
     LinePlot m_plot;
 };
 

@@ -1,4 +1,4 @@
-#include "ui/statistics/plot_file.h"
+#include "ui/plots/plot_file.h"
 
 #include <QBuffer>
 #include <QPageSize>

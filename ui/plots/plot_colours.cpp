@@ -1,14 +1,10 @@
-#include "ui/statistics/plot_colours.h"
+#include "ui/plots/plot_colours.h"
 
-#include <array>
+#include "core/image/plot_drawing.h"
 
 namespace cullscope::ui {
 
 namespace {
-
-// After Okabe and Ito, darkened or lightened for a contrast of at least 3 : 1 against the ground.
-constexpr std::array<QRgb, 8> kOnLight{0x0072B2, 0xC44E00, 0x00805A, 0xA8447E, 0x7A5C00, 0x2E86C8, 0x5B3FA8, 0x8A2B2B};
-constexpr std::array<QRgb, 8> kOnDark{0x56B4E9, 0xFF9A4D, 0x2BD4A4, 0xF0A6D0, 0xF0E442, 0x8FC7FF, 0xB79CFF, 0xFF8A8A};
 
 QColor between(const QColor& a, const QColor& b, double share) {
     const auto mix = [share](int from, int to) { return int(from + (to - from) * share); };
@@ -31,7 +27,8 @@ PlotColours::PlotColours(const QPalette& palette)
 }
 
 QColor PlotColours::series(size_t number) const {
-    return QColor(dark ? kOnDark[number % kOnDark.size()] : kOnLight[number % kOnLight.size()]);
+    const std::span<const PlotColour> colours = plotSeries(dark);
+    return QColor(colours[number % colours.size()]);
 }
 
 }  // namespace cullscope::ui
