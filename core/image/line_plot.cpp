@@ -8,7 +8,7 @@
 namespace cullscope {
 namespace {
 
-constexpr double kMargin = 1e-9;           // share of a step: tolerance for the rounding of its multiples
+constexpr double kStepTolerance = 1e-9;    // share of a step: tolerance for the rounding of its multiples
 constexpr double kLinearSteps = 5.0;       // at least, along a linear axis
 constexpr double kManyDecades = 3.0;       // above this an axis shows whole decades
 constexpr double kLeastPlainPower = 1e-3;  // powers of ten below and above these are written 1eN
@@ -19,19 +19,19 @@ constexpr double kMostPlainPower = 1e4;
 double roundUp(double value) {
     const double power = std::pow(10.0, std::floor(std::log10(value)));
     for (const double factor : {1.0, 2.0, 5.0})
-        if (factor * power >= value * (1.0 - kMargin)) return factor * power;
+        if (factor * power >= value * (1.0 - kStepTolerance)) return factor * power;
     return 10.0 * power;
 }
 double roundDown(double value) { return 1.0 / roundUp(1.0 / value); }
 
 /// Round numbers from `first` to `last`, both above 0.
 std::vector<double> logarithmicTicks(double first, double last) {
-    const bool decadesOnly = std::log10(last / first) > kManyDecades + kMargin;
+    const bool decadesOnly = std::log10(last / first) > kManyDecades + kStepTolerance;
     std::vector<double> ticks;
-    for (double power = std::floor(std::log10(first) + kMargin); power <= std::log10(last) + kMargin; ++power)
+    for (double power = std::floor(std::log10(first) + kStepTolerance); power <= std::log10(last) + kStepTolerance; ++power)
         for (const double factor : {1.0, 2.0, 5.0}) {
             const double tick = factor * std::pow(10.0, power);
-            const bool inside = tick >= first * (1.0 - kMargin) && tick <= last * (1.0 + kMargin);
+            const bool inside = tick >= first * (1.0 - kStepTolerance) && tick <= last * (1.0 + kStepTolerance);
             if (inside && (factor == 1.0 || !decadesOnly)) ticks.push_back(tick);
         }
     return ticks;
@@ -41,9 +41,9 @@ void finishLogarithmic(PlotRange& range, bool given) {
     if (!given) {
         range.first = roundDown(range.first);
         range.last = roundUp(range.last);
-        if (std::log10(range.last / range.first) > kManyDecades + kMargin) {
-            range.first = std::pow(10.0, std::floor(std::log10(range.first) + kMargin));
-            range.last = std::pow(10.0, std::ceil(std::log10(range.last) - kMargin));
+        if (std::log10(range.last / range.first) > kManyDecades + kStepTolerance) {
+            range.first = std::pow(10.0, std::floor(std::log10(range.first) + kStepTolerance));
+            range.last = std::pow(10.0, std::ceil(std::log10(range.last) - kStepTolerance));
         }
     }
     if (range.last <= range.first) range.last = roundUp(range.first * 1.5);
@@ -53,7 +53,7 @@ void finishLogarithmic(PlotRange& range, bool given) {
 /// Multiples of a step from `first` to `last`.
 std::vector<double> linearTicks(double first, double last, double step) {
     std::vector<double> ticks;
-    for (double number = std::ceil(first / step - kMargin); number * step <= last + kMargin * step; ++number)
+    for (double number = std::ceil(first / step - kStepTolerance); number * step <= last + kStepTolerance * step; ++number)
         ticks.push_back(number * step);
     return ticks;
 }
@@ -62,8 +62,8 @@ void finishLinear(PlotRange& range, bool given) {
     if (range.last <= range.first) range.last = range.first + std::max(1.0, std::abs(range.first));
     const double step = roundDown((range.last - range.first) / kLinearSteps);
     if (!given) {
-        range.first = std::floor(range.first / step + kMargin) * step;
-        range.last = std::ceil(range.last / step - kMargin) * step;
+        range.first = std::floor(range.first / step + kStepTolerance) * step;
+        range.last = std::ceil(range.last / step - kStepTolerance) * step;
     }
     range.ticks = linearTicks(range.first, range.last, step);
 }
@@ -80,7 +80,7 @@ PlotRange rangeOf(const PlotAxis& axis, std::vector<double> values) {
     range.first = *least;
     range.last = *most;
     axis.scale == PlotScale::Logarithmic ? finishLogarithmic(range, given) : finishLinear(range, given);
-    if (axis.whole) std::erase_if(range.ticks, [](double tick) { return std::abs(tick - std::round(tick)) > kMargin; });
+    if (axis.whole) std::erase_if(range.ticks, [](double tick) { return std::abs(tick - std::round(tick)) > kStepTolerance; });
     return range;
 }
 
@@ -123,7 +123,7 @@ std::vector<double> PlotRange::fewTicks(size_t most) const {
     std::vector<double> few = ticks;
     if (few.size() <= most) return few;
     if (scale == PlotScale::Linear) return linearTicks(first, last, roundUp((last - first) / double(most - 1)));
-    std::erase_if(few, [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > kMargin; });
+    std::erase_if(few, [](double tick) { return std::abs(std::log10(tick) - std::round(std::log10(tick))) > kStepTolerance; });
     return everyNth(few, most);
 }
 
@@ -151,8 +151,8 @@ std::vector<std::vector<PlotPoint>> unbrokenPieces(const PlotLine& line, const P
 
 std::string plotNumber(double value) {
     const double power = value > 0.0 ? std::round(std::log10(value)) : 0.0;
-    const bool powerOfTen = value > 0.0 && std::abs(value / std::pow(10.0, power) - 1.0) < kMargin;
-    if (powerOfTen && (value < kLeastPlainPower * (1.0 - kMargin) || value > kMostPlainPower * (1.0 + kMargin)))
+    const bool powerOfTen = value > 0.0 && std::abs(value / std::pow(10.0, power) - 1.0) < kStepTolerance;
+    if (powerOfTen && (value < kLeastPlainPower * (1.0 - kStepTolerance) || value > kMostPlainPower * (1.0 + kStepTolerance)))
         return fmt::format("1e{:.0f}", power);
     // Six digits hide the rounding of a step's multiples.
     return fmt::format("{:.6g}", value == 0.0 ? 0.0 : value);

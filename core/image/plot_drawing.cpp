@@ -10,8 +10,8 @@
 namespace cullscope {
 namespace {
 
-constexpr double kMargin = 4.0;
-constexpr double kTick = 5.0;           // between an axis and its numbers
+constexpr double kPlotMargin = 4.0;
+constexpr double kTickGap = 5.0;        // between an axis and its numbers
 constexpr double kNumberGap = 12.0;     // at least, between two numbers along x
 constexpr double kNumberLeading = 1.3;  // of their height, between two numbers along y
 constexpr double kBehind = 6.0;         // between a level and its number
@@ -62,7 +62,7 @@ struct Words {
         const bool words = std::any_of(plot.marks.begin(), plot.marks.end(),
                                        [](const PlotMark& mark) { return mark.shape == PlotShape::None && !mark.label.empty(); });
         top = words ? style.height + kMark : style.height / 2 + 1.0;
-        below = kTick + style.height * double(1 + across.size());
+        below = kTickGap + style.height * double(1 + across.size());
     }
     [[nodiscard]] double above(const PlotStyle& style) const { return style.height * double(title.size() + up.size()) + top; }
 };
@@ -113,7 +113,7 @@ private:
         inner.top += m_words.above(m_style);
         inner.bottom -= m_words.below;
         m_up = ticksOf(m_plot.y, m_place.y, (inner.bottom - inner.top) / (kNumberLeading * m_style.height), m_style);
-        inner.left = crisp(inner.left + widest(m_up, m_style) + kTick);
+        inner.left = crisp(inner.left + widest(m_up, m_style) + kTickGap);
         const double number = widest(ticksOf(m_plot.x, m_place.x, 1e9, m_style), m_style);
         m_beyond = number / 2;
         for (const PlotReference& reference : m_plot.references)
@@ -136,9 +136,9 @@ private:
         for (const PlotTick& tick : m_up) {
             const double y = m_place.pixel({m_place.x.first, tick.value}).y;
             line({inner.left, crisp(y)}, {inner.right, crisp(y)}, grid);
-            text(inner.left - kTick, y + m_style.ascent - m_style.height / 2, tick.label, TextAnchor::End);
+            text(inner.left - kTickGap, y + m_style.ascent - m_style.height / 2, tick.label, TextAnchor::End);
         }
-        baseline = inner.bottom + kTick + m_style.ascent;
+        baseline = inner.bottom + kTickGap + m_style.ascent;
         for (const PlotTick& tick : m_across) {
             const double x = m_place.pixel({tick.value, m_place.y.first}).x;
             line({crisp(x), inner.top}, {crisp(x), inner.bottom}, grid);
@@ -213,7 +213,7 @@ std::span<const PlotColour> plotSeries(bool dark) { return dark ? kOnDark : kOnL
 PlotDrawing drawPlots(const std::vector<LinePlot>& plots, double width, double height, const PlotStyle& style) {
     PlotDrawing drawing;
     PlotLegend legend(plots.front(), style);
-    const PlotBox inner = legend.takeFrom({kMargin, kMargin, width - kMargin, height - kMargin});
+    const PlotBox inner = legend.takeFrom({kPlotMargin, kPlotMargin, width - kPlotMargin, height - kPlotMargin});
     const bool beside = width >= kBesideFrom;
     const double across = (inner.right - inner.left) / (beside ? double(plots.size()) : 1.0);
     const double down = (inner.bottom - inner.top) / (beside ? 1.0 : double(plots.size()));
@@ -230,14 +230,14 @@ PlotDrawing drawPlots(const std::vector<LinePlot>& plots, double width, double h
 double neededHeight(const std::vector<LinePlot>& plots, double width, const PlotStyle& style) {
     const PlotLegend legend(plots.front(), style);
     const bool beside = width >= kBesideFrom;
-    const double inner = width - 2 * kMargin;
+    const double inner = width - 2 * kPlotMargin;
     const double across = legend.widthBeside(inner) / (beside ? double(plots.size()) : 1.0);
     double most = 0.0;
     for (const LinePlot& plot : plots) {
         const Words words(plot, across, style);
         most = std::max(most, words.above(style) + kLeastHeight + words.below);
     }
-    return legend.heightWith(beside ? most : most * double(plots.size()), inner) + 2 * kMargin;
+    return legend.heightWith(beside ? most : most * double(plots.size()), inner) + 2 * kPlotMargin;
 }
 
 std::vector<double> dashesOf(PlotStroke stroke) {

@@ -8,10 +8,10 @@ namespace {
 constexpr double kSymbol = 22.0;
 constexpr double kArea = 10.0;  // height
 constexpr double kWordGap = 5.0;
-constexpr double kGap = 14.0;
+constexpr double kLegendGap = 14.0;
 constexpr double kLeading = 4.0;
-constexpr double kBesideFrom = 560.0;  // width of the whole plot
-constexpr double kMostBeside = 0.35;   // of that width
+constexpr double kLegendBesideFrom = 560.0;  // width of the whole plot
+constexpr double kMostBeside = 0.35;         // of that width
 
 }  // namespace
 
@@ -51,7 +51,7 @@ void PlotLegend::add(Entry entry) {
     m_entries.push_back(std::move(entry));
 }
 
-double PlotLegend::widthOf(const Entry& entry) const { return kSymbol + kWordGap + m_style.width(entry.name) + kGap; }
+double PlotLegend::widthOf(const Entry& entry) const { return kSymbol + kWordGap + m_style.width(entry.name) + kLegendGap; }
 
 std::vector<PlotPoint> PlotLegend::offsets(double width) const {
     std::vector<PlotPoint> offsets;
@@ -65,14 +65,14 @@ std::vector<PlotPoint> PlotLegend::offsets(double width) const {
     return offsets;
 }
 
-bool PlotLegend::fitsBeside(double width) const { return width >= kBesideFrom && m_widest <= kMostBeside * width; }
+bool PlotLegend::fitsBeside(double width) const { return width >= kLegendBesideFrom && m_widest <= kMostBeside * width; }
 
 double PlotLegend::heightIn(double width) const {
     return m_entries.empty() ? 0.0 : kLeading + offsets(width).back().y + m_style.height + kLeading;
 }
 
 double PlotLegend::heightWith(double plots, double width) const {
-    return fitsBeside(width) ? std::max(plots, kGap / 2 + heightIn(0.0)) : plots + heightIn(width);
+    return fitsBeside(width) ? std::max(plots, kLegendGap / 2 + heightIn(0.0)) : plots + heightIn(width);
 }
 
 PlotBox PlotLegend::takeFrom(const PlotBox& place) {
@@ -82,8 +82,8 @@ PlotBox PlotLegend::takeFrom(const PlotBox& place) {
     m_beside = fitsBeside(width);
     if (m_beside) {
         rest.right = place.right - m_widest;
-        m_place.left = rest.right + kGap;
-        m_place.top += kGap / 2;
+        m_place.left = rest.right + kLegendGap;
+        m_place.top += kLegendGap / 2;
     } else {
         rest.bottom = place.bottom - heightIn(width);
         m_place.top = rest.bottom + kLeading;
@@ -93,7 +93,7 @@ PlotBox PlotLegend::takeFrom(const PlotBox& place) {
 
 void PlotLegend::draw(PlotDrawing& drawing, double end) const {
     const std::vector<PlotPoint> offsets = this->offsets(m_beside ? 0.0 : m_place.right - m_place.left);
-    const double left = m_beside ? std::min(m_place.left, end + kGap) : m_place.left;
+    const double left = m_beside ? std::min(m_place.left, end + kLegendGap) : m_place.left;
     for (size_t i = 0; i < m_entries.size(); ++i) {
         const Entry& entry = m_entries[i];
         const PlotPoint at{left + offsets[i].x, m_place.top + offsets[i].y};

@@ -12,7 +12,7 @@ namespace {
 // In units (DrawStyle::unit).
 constexpr float kFrameWidth = 1.0f;
 constexpr float kModelMargin = 40.0f;
-constexpr double kTick = 3.5;
+constexpr double kModelTick = 3.5;
 constexpr double kLongTick = 6.0;
 
 /// The map's border with ticks at φ below and at θ on the left, as world lines at those pixels for the viewing camera.
@@ -26,7 +26,7 @@ std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, co
     std::vector<LineSegment> lines;
     for (size_t i = 0; i < corners.size(); ++i) lines.push_back({corners[i], corners[(i + 1) % corners.size()], colour});
     for (int degrees = 0; degrees <= 360; degrees += 30) {
-        const double length = double(style.unit) * (degrees % 90 == 0 ? kLongTick : kTick);
+        const double length = double(style.unit) * (degrees % 90 == 0 ? kLongTick : kModelTick);
         lines.push_back({at(degrees / 360.0, -length / area.height), at(degrees / 360.0, 0.0), colour});
         if (degrees > 180) continue;
         lines.push_back({at(-length / area.width, 1.0 - degrees / 180.0), at(0.0, 1.0 - degrees / 180.0), colour});

@@ -236,7 +236,7 @@ TEST_F(CullbenchContract, listShowsStrategiesAndScenes) {
     EXPECT_THAT(strategies, testing::IsSupersetOf({"all", "backface", "frustum"}));
     EXPECT_THAT(scenes, testing::IsSupersetOf({"teapot", "sphere", "torus", "knot", "star", "bunny", "field", "mesh", "split"}));
     EXPECT_EQ(json::parse(cullbench({"list", "strategies", "--json"}).out).size(), 1u);
-    std::map<std::string, std::string> glRequirement;
+    std::map<std::string, std::string> asks;
     for (const json& strategy : root["strategies"]) asks[strategy["id"]] = strategy["asks"];
     EXPECT_EQ(asks["frustum-octree"], "nothing");
     EXPECT_EQ(asks["frustum-query"], "opengl");

@@ -1,44 +1,17 @@
 #include "tests/rules/source_rules.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <optional>
 #include <regex>
 #include <set>
+
+#include "tests/rules/text_files.h"
 
 namespace cullscope::rules {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-/// A line of a text file and its number.
-struct Line {
-    int number = 0;
-    std::string text;
-};
-
-std::vector<Line> linesOf(const fs::path& file) {
-    std::vector<Line> lines;
-    std::ifstream stream(file);
-    std::string text;
-    for (int number = 1; std::getline(stream, text); ++number) lines.push_back({number, text});
-    return lines;
-}
-
-std::vector<fs::path> filesBelow(const fs::path& folder, const std::set<std::string>& namesOrExtensions) {
-    std::vector<fs::path> files;
-    if (!fs::is_directory(folder)) return files;
-    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
-        const fs::path& path = entry.path();
-        const bool wanted =
-            namesOrExtensions.contains(path.extension().string()) || namesOrExtensions.contains(path.filename().string());
-        if (entry.is_regular_file() && wanted) files.push_back(path);
-    }
-    std::sort(files.begin(), files.end());
-    return files;
-}
 
 std::optional<size_t> levelIn(const std::vector<std::string>& order, std::string_view folder) {
     const auto found = std::find(order.begin(), order.end(), folder);
@@ -122,12 +95,6 @@ std::string wrongInApp(const Include& include) {
 /// The text of a CMake line without its comment.
 std::string withoutComment(const std::string& text) { return text.substr(0, text.find('#')); }
 
-std::vector<std::string> matches(const std::string& text, const std::regex& pattern) {
-    std::vector<std::string> found;
-    for (std::sregex_iterator match(text.begin(), text.end(), pattern), end; match != end; ++match) found.push_back((*match)[1]);
-    return found;
-}
-
 /// The errors in a line of a CMakeLists.txt in core or ui.
 std::vector<std::string> wrongLinks(const fs::path& file, const std::string& text) {
     static const std::regex kOwnTarget(R"(\bcullscope(?:::|_)(\w+))");
@@ -157,52 +124,6 @@ std::vector<std::string> wrongLinks(const fs::path& file, const std::string& tex
             wrong.push_back("OpenMesh is linked outside core/mesh: " + library);
     }
     return wrong;
-}
-
-constexpr size_t kLongestLine = 120;
-constexpr size_t kMostLinesOfReadme = 90;
-
-/// The number of UTF-8 characters of a line without its URLs, which cannot be broken.
-size_t lengthWithoutAddresses(const std::string& text) {
-    static const std::regex kAddress(R"(https?://[^\s)>]+)");
-    const std::string rest = std::regex_replace(text, kAddress, "");
-    return size_t(std::count_if(rest.begin(), rest.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
-/// The link targets in a line of a page; text in code is no link.
-std::vector<std::string> linkedFiles(const std::string& text) {
-    static const std::regex kCode("`[^`]*`");
-    static const std::regex kLink(R"(\]\(([^)\s#]+)[^)]*\))");
-    std::vector<std::string> files = matches(std::regex_replace(text, kCode, ""), kLink);
-    std::erase_if(files, [](const std::string& target) { return target.find("://") != std::string::npos; });
-    return files;
-}
-
-/// The error in a page's link to a file; empty where there is none.
-std::string wrongTarget(const fs::path& root, const fs::path& page, const std::string& target) {
-    const fs::path place = (page.parent_path() / target).lexically_normal();
-    if (!fs::exists(root / place)) return "links to nothing: " + target;
-    const bool inHelpWindow = *place.begin() == "docs" || place.generic_string().starts_with("resources/help/");
-    // README and CONTRIBUTING, at the top of the tree, are read only on a code hosting site.
-    if (page.has_parent_path() && !inHelpWindow) return "links to what the help window has not: " + target;
-    return "";
-}
-
-std::vector<Offence> offencesOfPage(const fs::path& root, const fs::path& page) {
-    const bool widthMatters = *page.begin() != "resources";
-    std::vector<Offence> offences;
-    bool inCode = false;
-    for (const Line& line : linesOf(root / page)) {
-        const size_t length = lengthWithoutAddresses(line.text);
-        if (widthMatters && length > kLongestLine)
-            offences.push_back({page, line.number, "has " + std::to_string(length) + " characters"});
-        if (line.text.starts_with("```")) inCode = !inCode;
-        if (inCode) continue;
-        for (const std::string& target : linkedFiles(line.text))
-            if (const std::string what = wrongTarget(root, page, target); !what.empty())
-                offences.push_back({page, line.number, what});
-    }
-    return offences;
 }
 
 }  // namespace
@@ -339,18 +260,6 @@ std::vector<Offence> topLevelOffences(const fs::path& root) {
         if (name.starts_with("build") || name == "compile_commands.json" || name == "CMakeUserPresets.json") continue;
         offences.push_back({name, 0, "has no place at the top of the tree"});
     }
-    return offences;
-}
-
-std::vector<Offence> pageOffences(const fs::path& root) {
-    std::vector<fs::path> pages{root / "README.md", root / "CONTRIBUTING.md"};
-    for (const char* folder : {"docs", "resources/help"})
-        std::ranges::copy(filesBelow(root / folder, {".md"}), std::back_inserter(pages));
-    std::vector<Offence> offences;
-    for (const fs::path& page : pages)
-        std::ranges::move(offencesOfPage(root, fs::relative(page, root)), std::back_inserter(offences));
-    if (const size_t lines = linesOf(root / "README.md").size(); lines > kMostLinesOfReadme)
-        offences.push_back({"README.md", 0, "has " + std::to_string(lines) + " lines"});
     return offences;
 }
 

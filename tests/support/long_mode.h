@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstdint>
 #include <cstdlib>
 #include <string>
 
@@ -9,6 +11,14 @@ namespace cullscope::test {
 inline bool longMode() {
     const char* value = std::getenv("CULLSCOPE_LONG");
     return value != nullptr && std::string(value) == "1";
+}
+
+/// How many views, rays or pairs a property test takes: all of them in a long run, else its sample; a quarter of that where
+/// CULLSCOPE_FEW=1, as under the sanitizers, which look for errors of memory in the same code and not for rare views.
+inline uint64_t howMany(uint64_t all, uint64_t sample) {
+    if (longMode()) return all;
+    const char* few = std::getenv("CULLSCOPE_FEW");
+    return few != nullptr && std::string(few) == "1" ? std::max<uint64_t>(1, sample / 4) : sample;
 }
 
 }  // namespace cullscope::test

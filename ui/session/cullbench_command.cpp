@@ -1,5 +1,6 @@
 #include "ui/session/cullbench_command.h"
 
+#include <QLocale>
 #include <QRegularExpression>
 #include <QStringList>
 #include <algorithm>

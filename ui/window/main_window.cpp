@@ -20,17 +20,10 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kDockWidth = 400;
-constexpr int kWideDockWidth = 480;
 constexpr int kNarrowestDock = 320;
-constexpr int kWideWindow = 1600;  // from this width on the side panel fits beside the views
 constexpr int kMenuMargins = 6;
 constexpr int kToolBarMargins = 18;
-constexpr int kStrategyPage = 0;
 constexpr int kScenePage = 1;
-constexpr const char* kExploreArrangement = "explore";
-constexpr const char* kCompareArrangement = "compare";
-constexpr const char* kLectureArrangement = "lecture";
 constexpr const char* kLanguageSetting = "language";
 constexpr const char* kAppearanceSetting = "appearance";
 
@@ -169,57 +162,6 @@ void MainWindow::addRailButton(QAction* action) {
 }
 
 void MainWindow::showRightRail() { m_rightRail->setVisible(m_floatingDocks->floating() || !m_dock->isVisibleTo(this)); }
-
-void MainWindow::arrange() {
-    const bool compare = m_session.viewCount() > 2;
-    const bool wide = width() >= kWideWindow;
-    m_side->setDocked(wide && !compare);
-    const bool otherWidth = std::exchange(m_arrangedWide, wide) != wide;
-    const bool otherArrangement = std::exchange(m_arrangedCompare, compare) != compare;
-    if (!otherWidth && !otherArrangement) return;
-    m_side->setOpenPage(wide && !compare ? kStrategyPage : -1);
-    if (otherArrangement) {
-        m_floatingDocks->setFloating(compare);
-        showRightRail();
-    }
-    resizeDocks({m_dock}, {wide ? kWideDockWidth : kDockWidth}, Qt::Horizontal);
-}
-
-QString MainWindow::arrangement() const {
-    if (m_lecture) return QLatin1String(kLectureArrangement);
-    return QLatin1String(m_session.viewCount() > 2 ? kCompareArrangement : kExploreArrangement);
-}
-
-bool MainWindow::restoreLayout(bool viewCount) {
-    const std::optional<WindowMemory::Layout> kept = m_memory->restore();
-    if (!kept) return false;
-    // The panels keep their restored state: do not rearrange them for the number of views.
-    m_arrangedCompare = kept->viewCount > 2;
-    m_floatingDocks->adopt(*m_arrangedCompare);
-    if (viewCount) m_session.setViewCount(kept->viewCount);
-    arrange();
-    showRightRail();
-    return true;
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-    if (m_keepsLayout) m_memory->save({arrangement(), m_session.viewCount()});
-    if (m_lecture) m_lecture->close();
-    QMainWindow::closeEvent(event);
-}
-
-void MainWindow::resetLayout() {
-    m_floatingDocks->setFloating(false);
-    m_memory->reset();
-    m_arrangedCompare.reset();
-    m_arrangedWide.reset();
-    arrange();
-}
-
-void MainWindow::resizeEvent(QResizeEvent* event) {
-    QMainWindow::resizeEvent(event);
-    arrange();
-}
 
 void MainWindow::makeStatusBar() {
     m_loading = new LoadingStrip(m_session.loader(), this);

@@ -75,6 +75,10 @@ protected:
     void dropEvent(QDropEvent* event) override;
 
 private:
+    static constexpr int kDockWidth = 400;
+    static constexpr int kStrategyPage = 0;
+    static constexpr const char* kLectureArrangement = "lecture";
+
     void makeCentre();
     void makeSide();
     void makeDocks();

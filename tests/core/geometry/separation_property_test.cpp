@@ -103,7 +103,7 @@ struct PairTally {
     }
 };
 
-uint64_t pairsToTest() { return longMode() ? 1'000'000 : 60'000; }
+uint64_t pairsToTest() { return howMany(1'000'000, 60'000); }
 
 /// Both directions for one pair, with a margin and without: objects that touch are never reported as separate, and objects that
 /// are apart by more than margin and rounding always are.

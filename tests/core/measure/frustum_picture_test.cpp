@@ -182,7 +182,7 @@ TEST(FrustumPicture, meshTurnedFlattenedAndTurnedFarFromItsZeroIsDrawnWhereItsFl
 
 TEST(FrustumPicture, noPixelOfACulledObjectIsMissing) {
     FrustumPicture property;
-    property.run(0, longMode() ? kAllViews : kSample);
+    property.run(0, howMany(kAllViews, kSample));
     for (size_t i = 0; i < kContestants.size(); ++i) {
         const Tally& t = property.tallies()[i];
         std::printf(

@@ -141,7 +141,7 @@ std::string wordsOf(const Strategy& strategy, const char* mesh, uint64_t seed) {
 TEST(LosslessPicture, noMeshLosesAPixel) {
     LosslessProperty property;
     const std::vector<NamedMesh> meshes = losslessMeshes(longMode());
-    const uint64_t views = longMode() ? kAllViews : kSample;
+    const uint64_t views = howMany(kAllViews, kSample);
     for (uint64_t first = 0, number = 0; first < views; first += kViewsPerScene, ++number) {
         const NamedMesh& mesh = meshes[number % meshes.size()];
         const uint64_t seed = 100 + number / meshes.size() + number % meshes.size() * 7;

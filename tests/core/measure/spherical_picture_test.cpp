@@ -127,7 +127,7 @@ private:
 
 TEST(SphericalPicture, horizonLosesNoPixelOfAStarShapedMesh) {
     HorizonPicture property;
-    property.run(longMode() ? kAllViews : kSample);
+    property.run(howMany(kAllViews, kSample));
     const Tally& t = property.tally();
     std::printf("long: spherical-horizon views %llu cut %llu within %llu around %llu covered %llu hidden %.1f%% missed %llu\n",
                 static_cast<unsigned long long>(t.views), static_cast<unsigned long long>(t.cut),

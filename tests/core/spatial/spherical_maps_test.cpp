@@ -46,7 +46,7 @@ void forPoints(const std::array<Vec3, 3>& corners, Random& random, int count, co
 
 TEST(SphericalTriangle, touchesEveryCellThatAPointOfItLiesIn) {
     Random random(21);
-    for (const MeshPointer& mesh : {awkwardTriangles(), randomTriangles(31, longMode() ? 20'000 : 2'000)})
+    for (const MeshPointer& mesh : {awkwardTriangles(), randomTriangles(31, uint32_t(howMany(20'000, 2'000)))})
         for (const SphericalGrid& grid : {SphericalGrid(), SphericalGrid(24, 12), SphericalGrid(5, 3)})
             for (size_t triangle = 0; triangle < mesh->triangleCount(); ++triangle) {
                 std::array<Vec3, 3> corners;

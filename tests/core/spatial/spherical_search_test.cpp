@@ -96,7 +96,7 @@ double distanceToEdges(const Ray& ray, const std::array<Vec3, 3>& corners) {
 
 TEST(SphericalSearch, findsWhatEmbreeFinds) {
     const std::vector<MeshPointer> meshes = mapTestMeshes();
-    const size_t rays = (longMode() ? 1'000'000 : 60'000) / meshes.size() + 1;
+    const size_t rays = howMany(1'000'000, 60'000) / meshes.size() + 1;
     Random random(51);
     uint64_t hits = 0, edges = 0, all = 0;
     for (const MeshPointer& mesh : meshes) {
@@ -133,7 +133,7 @@ TEST(SphericalSearch, findsWhatEmbreeFinds) {
 
 TEST(WalkedCells, areTheCellsOfTheRaysPoints) {
     Random random(52);
-    for (int i = 0; i < (longMode() ? 300'000 : 3'000); ++i) {
+    for (int i = 0; i < int(howMany(300'000, 3'000)); ++i) {
         const uint32_t columns = 4 + uint32_t(random.between(0.0, 400.0));
         const SphericalGrid grid(columns, 2 + uint32_t(random.between(0.0, 200.0)));
         Ray ray = anyRay(random, 1.0, false);

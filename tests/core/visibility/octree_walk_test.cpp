@@ -124,7 +124,7 @@ private:
 
 TEST(GroupWalkProperty, noVisibleObjectIsCulled) {
     WalkProperty property;
-    property.run(longMode() ? kAllViews : kSample);
+    property.run(howMany(kAllViews, kSample));
     const Tally& t = property.tally();
     std::printf(
         "long: group-walk-property views %llu objects %llu visible %llu culled-in-groups %llu culled-alone %llu kept-whole "

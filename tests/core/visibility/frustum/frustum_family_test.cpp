@@ -168,7 +168,7 @@ void print(const Tally& t) {
 
 TEST(FrustumFamily, noVisibleObjectIsCulledAndTighterTestsKeepTheirPromises) {
     FrustumFamily family;
-    family.run(longMode() ? kAllPairs : kSample);
+    family.run(howMany(kAllPairs, kSample));
     const Tally& t = family.tally();
     print(t);
 

@@ -49,7 +49,7 @@ double shareOutsideBoxes(const spherical::VisibleRegion& region, const Spherical
 }
 
 /// The map of a unit sphere, independent of the mesh's facets: hits are moved to the sphere itself.
-double shareLost(double latitude, Join join) {
+double shareLost(double latitude, spherical::Join join) {
     static const SphericalMaps maps(sphereMesh(2000), SphericalGrid(7200, 3600));
     const View view = lookingAt(atLatitude(latitude), Vec3(0.0), 20.0, {200, 200});
     std::array<spherical::CornerRay, 4> corners;
@@ -64,12 +64,13 @@ double shareLost(double latitude, Join join) {
 TEST(Spherical, case12CornerBoxLosesTheSharesThatAreKnown) {
     // Case 12: 0, 10 and 25 % of the rays at 3 R and 20°. At 75° the corners' box alone would lose 64 % and at 80° 81 %; there
     // the pole is in view, so that case 1 draws full rows.
-    EXPECT_NEAR(shareLost(0.0, Join::Chart), 0.0, 0.005);
-    EXPECT_NEAR(shareLost(45.0, Join::Chart), 0.10, 0.01);
-    EXPECT_NEAR(shareLost(60.0, Join::Chart), 0.25, 0.015);
-    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, Join::Chart), 0.0) << latitude;
+    EXPECT_NEAR(shareLost(0.0, spherical::Join::Chart), 0.0, 0.005);
+    EXPECT_NEAR(shareLost(45.0, spherical::Join::Chart), 0.10, 0.01);
+    EXPECT_NEAR(shareLost(60.0, spherical::Join::Chart), 0.25, 0.015);
+    for (const double latitude : {75.0, 80.0, 90.0}) EXPECT_EQ(shareLost(latitude, spherical::Join::Chart), 0.0) << latitude;
     // Great-circle arcs reach extremes between the corners.
-    for (const double latitude : {45.0, 60.0}) EXPECT_LT(shareLost(latitude, Join::Arcs), shareLost(latitude, Join::Chart));
+    for (const double latitude : {45.0, 60.0})
+        EXPECT_LT(shareLost(latitude, spherical::Join::Arcs), shareLost(latitude, spherical::Join::Chart));
 }
 
 TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {

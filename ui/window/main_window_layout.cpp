@@ -1,0 +1,66 @@
+// The arrangements of the main window: docks and side panel by its width and the number of views, and what is kept of them.
+#include "ui/window/main_window.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr int kWideDockWidth = 480;
+constexpr int kWideWindow = 1600;  // from this width on the side panel fits beside the views
+constexpr const char* kExploreArrangement = "explore";
+constexpr const char* kCompareArrangement = "compare";
+
+}  // namespace
+
+void MainWindow::arrange() {
+    const bool compare = m_session.viewCount() > 2;
+    const bool wide = width() >= kWideWindow;
+    m_side->setDocked(wide && !compare);
+    const bool otherWidth = std::exchange(m_arrangedWide, wide) != wide;
+    const bool otherArrangement = std::exchange(m_arrangedCompare, compare) != compare;
+    if (!otherWidth && !otherArrangement) return;
+    m_side->setOpenPage(wide && !compare ? kStrategyPage : -1);
+    if (otherArrangement) {
+        m_floatingDocks->setFloating(compare);
+        showRightRail();
+    }
+    resizeDocks({m_dock}, {wide ? kWideDockWidth : kDockWidth}, Qt::Horizontal);
+}
+
+QString MainWindow::arrangement() const {
+    if (m_lecture) return QLatin1String(kLectureArrangement);
+    return QLatin1String(m_session.viewCount() > 2 ? kCompareArrangement : kExploreArrangement);
+}
+
+bool MainWindow::restoreLayout(bool viewCount) {
+    const std::optional<WindowMemory::Layout> kept = m_memory->restore();
+    if (!kept) return false;
+    // The panels keep their restored state: do not rearrange them for the number of views.
+    m_arrangedCompare = kept->viewCount > 2;
+    m_floatingDocks->adopt(*m_arrangedCompare);
+    if (viewCount) m_session.setViewCount(kept->viewCount);
+    arrange();
+    showRightRail();
+    return true;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (m_keepsLayout) m_memory->save({arrangement(), m_session.viewCount()});
+    if (m_lecture) m_lecture->close();
+    QMainWindow::closeEvent(event);
+}
+
+void MainWindow::resetLayout() {
+    m_floatingDocks->setFloating(false);
+    m_memory->reset();
+    m_arrangedCompare.reset();
+    m_arrangedWide.reset();
+    arrange();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    arrange();
+}
+
+}  // namespace cullscope::ui
