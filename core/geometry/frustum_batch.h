@@ -88,10 +88,4 @@ private:
 void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
 void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
 
-/// The same, and which objects lie inside all planes; what is neither straddles.
-void classify(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
-              std::vector<uint64_t>& inside);
-void classify(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
-              std::vector<uint64_t>& inside);
-
 }  // namespace cullscope
