@@ -37,7 +37,7 @@ Viewport sizeFromText(const std::string& text) {
     return size;
 }
 
-std::vector<std::string> strategiesFromText(const std::string& text) {
+std::vector<std::string> strategyIds(const std::string& text) {
     std::vector<std::string> ids;
     for (const QString& id : QString::fromStdString(text).split(QLatin1Char(',')))
         ids.push_back(findStrategy(id.toStdString()).info.id);
@@ -69,7 +69,7 @@ CommandLine parse(int argc, char** argv) {
         std::exit(status == 0 ? 0 : int(ErrorKind::Usage));
     }
     if (!size.empty()) line.size = sizeFromText(size);
-    if (!strategies.empty()) line.strategies = strategiesFromText(strategies);
+    if (!strategies.empty()) line.strategies = strategyIds(strategies);
     return line;
 }
 

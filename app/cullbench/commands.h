@@ -49,8 +49,8 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 [[nodiscard]] Vec3 vectorFromText(const std::string& option, const std::string& text);
 
 /// Strategies from `-s A,B:key=value` and `-p [A.]key=value`. Throws Error(Usage).
-[[nodiscard]] std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
-                                                              const std::vector<std::string>& parameters);
+[[nodiscard]] std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
+                                                        const std::vector<std::string>& parameters);
 
 /// Throws Error(OpenGl) with one sentence where this OpenGL does not meet a strategy's requirement.
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);

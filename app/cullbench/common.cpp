@@ -11,8 +11,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
 #include "core/scene/camera.h"
-#include "core/visibility/strategy_request.h"
 #include "core/scene/hidden.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -105,20 +105,8 @@ Vec3 vectorFromText(const std::string& option, const std::string& text) {
     return vector;
 }
 
-std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& names,
-                                                const std::vector<std::string>& parameters) {
-    // A comma separates strategies and, as in scenes, the parameters of one: A:key=value,key=value,B.
-    std::vector<std::string> texts;
-    for (std::string name : names) {
-        std::ranges::replace(name, ',', ':');
-        const size_t equals = name.find('=');
-        if (!texts.empty() && equals != std::string::npos && equals < name.find(':'))
-            texts.back() += ":" + name;
-        else
-            texts.push_back(std::move(name));
-    }
-    std::vector<StrategyRequest> requests;
-    for (const std::string& text : texts) requests.push_back(strategyFromText(text));
+std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts, const std::vector<std::string>& parameters) {
+    std::vector<StrategyRequest> requests = strategiesFromText(texts);
     for (const std::string& parameter : parameters) apply(parameter, requests);
     return requests;
 }

@@ -4,8 +4,8 @@
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
-#include "core/gpu/context.h"
 #include "core/experiments/result_file.h"
+#include "core/gpu/context.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -19,17 +19,8 @@ struct MeasureOptions {
     bool noAccuracy = false;
 };
 
-/// The strategy's id with the parameters that are not at their defaults.
-std::string nameOf(const StrategyRequest& strategy) {
-    std::string name = strategy.id;
-    for (const ParameterDeclaration& parameter : strategy.parameters.declarations())
-        if (const ParameterValue& value = strategy.parameters.value(parameter.key); value != parameter.defaultValue)
-            name += " " + parameter.key + "=" + toText(value);
-    return name;
-}
-
-/// The culled share of the scene's triangles by cause, mean over the poses; empty for a strategy that culls by the frustum only,
-/// because the table contains that.
+/// Of the scene's triangles, mean over the poses; empty for a strategy that leaves nothing out for a cause but the frustum, of
+/// which the table says all.
 std::string culledByCause(const RunMeasurement& run, const Scene& scene) {
     std::array<double, kCauseCount> sums{};
     for (const FrameMeasurement& frame : run.frames)
@@ -78,23 +69,23 @@ void printTable(const MeasureResult& result, FILE* out) {
                 hole = std::max(hole, frame.accuracy->largestHolePixels);
             }
         fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>12.2f} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
-                   nameOf(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
+                   strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
                    fmt::format("{:.2f} [{:.2f},{:.2f}]", s.speedupVsAll, s.speedupVsAllCi95[0], s.speedupVsAllCi95[1]),
                    s.speedupVsBackface, s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
                    result.request.accuracy ? std::to_string(missed) : "-", result.request.accuracy ? std::to_string(hole) : "-");
     }
     for (const RunMeasurement& run : result.runs)
-        if (const std::string used = usedParts(run); !used.empty()) fmt::print(out, "{} used {}\n", nameOf(run.strategy), used);
+        if (const std::string used = usedParts(run); !used.empty())
+            fmt::print(out, "{} used {}\n", strategyLabel(run.strategy), used);
     for (const RunMeasurement& run : result.runs)
         if (const std::string culled = culledByCause(run, scene); !culled.empty())
-            fmt::print(out, "{} culled by cause: {}\n", nameOf(run.strategy), culled);
+            fmt::print(out, "{} culled by cause: {}\n", strategyLabel(run.strategy), culled);
 }
 
-MeasureRequest requestOf(const MeasureOptions& options, const OpenedScene& opened) {
+/// All but the scene and what depends on it.
+MeasureRequest requestOf(const MeasureOptions& options) {
     MeasureRequest request;
-    request.scene = opened.scene;
-    request.strategies = strategiesFromText(options.strategies, options.parameters);
-    request.path = cameraPath(options.path.empty() ? defaultPathName(*opened.scene) : options.path, *opened.scene);
+    request.strategies = strategiesOf(options.strategies, options.parameters);
     request.size = sizeFromText(options.size);
     request.windows = options.windows;
     request.upload = options.upload == "vbo" ? Upload::Vbo : Upload::VertexArray;
@@ -134,15 +125,15 @@ int statusOf(const MeasureResult& result) {
 }
 
 void run(const MeasureOptions& options, Context& context) {
-    // Errors in the arguments are reported before a long load.
-    (void)strategiesFromText(options.strategies, options.parameters);
-    (void)sizeFromText(options.size);
+    // What can be wrong with the words is said before a long load.
+    MeasureRequest request = requestOf(options);
     checkOutputs(options);
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const HeadlessContext gl;
-    for (const StrategyRequest& strategy : strategiesFromText(options.strategies, options.parameters))
-        requireAvailable(strategy, gl.info());
-    const MeasureResult result = measure(requestOf(options, opened), terminalProgress(context));
+    for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
+    request.scene = opened.scene;
+    request.path = cameraPath(options.path.empty() ? defaultPathName(*opened.scene) : options.path, *opened.scene);
+    const MeasureResult result = measure(request, terminalProgress(context));
     clearProgress();
     report(options, result);
     context.exitStatus = statusOf(result);

@@ -38,9 +38,8 @@ struct OverlayChoice {
     [[nodiscard]] bool needsTrace() const { return map || cullscope::needsTrace(look); }
 };
 
-/// Throws Error(Usage) for an unknown overlay (naming the known ones), for one that the strategy of this id does not have, and
-/// for one that cannot be combined with the others.
-[[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy);
+/// Throws Error(Usage) for a name that is no overlay, naming those that are, or that cannot be shown together with the others.
+[[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options);
 
 /// The content of the second picture below: other overlays, or the same from the opposite side.
 struct BelowChoice {

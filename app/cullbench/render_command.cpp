@@ -143,8 +143,8 @@ void addDepth(Renderer& renderer, Picture& picture, const ScenePointer& scene, c
 
 void run(const RenderOptions& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
-    const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
-    const OverlayChoice choice = overlaysOf(options.overlays, request.id);
+    const StrategyRequest request = strategiesOf({options.strategy}, options.parameters).front();
+    const OverlayChoice choice = overlaysOf(options.overlays);
     const std::optional<BelowChoice> below = belowOf(options.overlays, choice);
     DrawStyle style;
     style.background = colourFromText("--background", options.background, style.background);

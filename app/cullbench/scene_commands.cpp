@@ -74,7 +74,7 @@ std::optional<PlaneFigures> planeFigures(std::string_view id, const Scene& scene
 }
 
 void runInspect(const InspectOptions& options, const Context& context) {
-    const StrategyRequest request = strategiesFromText({options.strategy}, options.parameters).front();
+    const StrategyRequest request = strategiesOf({options.strategy}, options.parameters).front();
     const OpenedScene opened = openSceneForCommand(options.scene, context);
     const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
     strategy->build(*opened.scene, terminalProgress(context));

@@ -85,11 +85,9 @@ BatchKernel* sphereKernel(SimdLevel level) {
 }
 
 template <typename Batch>
-void runKernel(BatchKernel* kernel, const Batch& batch, const BatchFrustum& frustum, std::vector<uint64_t>& outside,
-               std::vector<uint64_t>* inside) {
+void runKernel(BatchKernel* kernel, const Batch& batch, const BatchFrustum& frustum, std::vector<uint64_t>& outside) {
     outside.resize(batch.wordCount());
-    if (inside != nullptr) inside->resize(batch.wordCount());
-    kernel(batch.blocks(), batch.blockCount(), frustum.planes(), outside.data(), inside == nullptr ? nullptr : inside->data());
+    kernel(batch.blocks(), batch.blockCount(), frustum.planes(), outside.data());
 }
 
 }  // namespace
@@ -142,21 +140,11 @@ BatchDistances BatchFrustum::distances(FrustumPlane plane, const Sphere& sphere)
 }
 
 void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside) {
-    runKernel(boxKernel(level), boxes, frustum, outside, nullptr);
+    runKernel(boxKernel(level), boxes, frustum, outside);
 }
 
 void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside) {
-    runKernel(sphereKernel(level), spheres, frustum, outside, nullptr);
-}
-
-void classify(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
-              std::vector<uint64_t>& inside) {
-    runKernel(boxKernel(level), boxes, frustum, outside, &inside);
-}
-
-void classify(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
-              std::vector<uint64_t>& inside) {
-    runKernel(sphereKernel(level), spheres, frustum, outside, &inside);
+    runKernel(sphereKernel(level), spheres, frustum, outside);
 }
 
 }  // namespace cullscope

@@ -90,10 +90,4 @@ private:
 void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
 void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
 
-/// The same, and also finds the objects inside all planes; an object that is neither straddles.
-void classify(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
-              std::vector<uint64_t>& inside);
-void classify(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
-              std::vector<uint64_t>& inside);
-
 }  // namespace cullscope

@@ -18,19 +18,17 @@ struct Avx2Lanes {
     static Vector min(Vector a, Vector b) { return _mm256_min_pd(a, b); }
     static Vector max(Vector a, Vector b) { return _mm256_max_pd(a, b); }
     static Mask less(Vector a, Vector b) { return _mm256_cmp_pd(a, b, _CMP_LT_OQ); }
-    static Mask all() { return _mm256_castsi256_pd(_mm256_set1_epi64x(-1)); }
-    static Mask both(Mask a, Mask b) { return _mm256_and_pd(a, b); }
     static uint64_t bits(Mask mask) { return static_cast<uint64_t>(_mm256_movemask_pd(mask)); }
 };
 
 }  // namespace
 
-void testBoxesAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    testAll<Avx2Lanes, Boxes<Avx2Lanes>>(blocks, blockCount, frustum, outside, inside);
+void testBoxesAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+    testBlocks<Avx2Lanes, Boxes<Avx2Lanes>>(blocks, blockCount, frustum, outside);
 }
 
-void testSpheresAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    testAll<Avx2Lanes, Spheres<Avx2Lanes>>(blocks, blockCount, frustum, outside, inside);
+void testSpheresAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+    testBlocks<Avx2Lanes, Spheres<Avx2Lanes>>(blocks, blockCount, frustum, outside);
 }
 
 }  // namespace cullscope

@@ -19,19 +19,17 @@ struct Avx512Lanes {
     static Vector min(Vector a, Vector b) { return _mm512_mask_min_pd(a, 0xFF, a, b); }
     static Vector max(Vector a, Vector b) { return _mm512_mask_max_pd(a, 0xFF, a, b); }
     static Mask less(Vector a, Vector b) { return _mm512_cmp_pd_mask(a, b, _CMP_LT_OQ); }
-    static Mask all() { return 0xFF; }
-    static Mask both(Mask a, Mask b) { return static_cast<Mask>(a & b); }
     static uint64_t bits(Mask mask) { return mask; }
 };
 
 }  // namespace
 
-void testBoxesAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    testAll<Avx512Lanes, Boxes<Avx512Lanes>>(blocks, blockCount, frustum, outside, inside);
+void testBoxesAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+    testBlocks<Avx512Lanes, Boxes<Avx512Lanes>>(blocks, blockCount, frustum, outside);
 }
 
-void testSpheresAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    testAll<Avx512Lanes, Spheres<Avx512Lanes>>(blocks, blockCount, frustum, outside, inside);
+void testSpheresAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+    testBlocks<Avx512Lanes, Spheres<Avx512Lanes>>(blocks, blockCount, frustum, outside);
 }
 
 }  // namespace cullscope

@@ -63,12 +63,7 @@ typename Lanes::Vector marginOf(const double* at, const BatchPlanes& frustum) {
     return Shape::magnitude(at, frustum) * Lanes::spread(frustum.marginOfMagnitude) + Lanes::spread(frustum.marginOfEye);
 }
 
-struct Bits {
-    uint64_t outside = 0;
-    uint64_t inside = 0;
-};
-
-/// Calls body(0) … body(kCount − 1), unrolled at every optimisation level, so that arrays indexed by it stay in registers.
+/// Calls body(0) … body(kCount − 1), written out at every level of optimisation, so that arrays indexed by it stay in registers.
 template <size_t kCount, typename Body>
 [[gnu::always_inline]] inline void repeat(const Body& body) {
     if constexpr (kCount > 0) {
@@ -77,9 +72,9 @@ template <size_t kCount, typename Body>
     }
 }
 
-/// Tests kVectors · kWidth consecutive objects, beginning with the first of a block.
-template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
-[[gnu::always_inline]] inline Bits testGroup(const double* block, const BatchPlanes& frustum) {
+/// Tests kVectors · kWidth objects that follow each other from the first of a block on.
+template <typename Lanes, typename Shape, size_t kVectors>
+[[gnu::always_inline]] inline uint64_t testGroup(const double* block, const BatchPlanes& frustum) {
     using Vector = typename Lanes::Vector;
     constexpr uint64_t kAll = ~uint64_t{0} >> (64 - kVectors * Lanes::kWidth);
     const auto at = [&](size_t vector) __attribute__((always_inline)) {
@@ -87,64 +82,46 @@ template <typename Lanes, typename Shape, bool kInside, size_t kVectors>
         return block + object / kBatchBlock * (Shape::kRows * kBatchBlock) + object % kBatchBlock;
     };
     Vector margin[kVectors], least[kVectors];
-    typename Lanes::Mask inside[kVectors];
     repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
         margin[v] = marginOf<Lanes, Shape>(at(v), frustum);
         least[v] = Lanes::spread(__builtin_huge_val());
-        inside[v] = Lanes::all();
     });
-    Bits bits;
-    for (size_t p = 0; p < 6; p += Lanes::kPlanesBetweenLooks) {
+    uint64_t bits = 0;
+    for (size_t p = 0; p < 6 && bits != kAll; p += Lanes::kPlanesBetweenLooks) {
         repeat<Lanes::kPlanesBetweenLooks>([&](size_t next) __attribute__((always_inline)) {
             const BatchPlane& plane = frustum.planes[p + next];
             repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
                 // Lanes::min returns its second operand where the first is NaN, so that a NaN distance does not count.
                 least[v] = Lanes::min(Shape::distance(at(v), plane), least[v]);
-                if constexpr (kInside) inside[v] = Lanes::both(inside[v], Lanes::less(margin[v], Shape::outer(at(v), plane)));
             });
         });
-        bits.outside = 0;
+        bits = 0;
         repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
-            // For spheres the radius is added to the smallest distance: rounding is monotonic, so that equals the smallest sum.
-            const auto outside = Lanes::less(Shape::withReach(least[v], at(v)), -margin[v]);
-            bits.outside |= Lanes::bits(outside) << (v * Lanes::kWidth);
+            // The least of the sums is the sum of the least, as rounding keeps the order.
+            bits |= Lanes::bits(Lanes::less(Shape::withReach(least[v], at(v)), -margin[v])) << (v * Lanes::kWidth);
         });
-        if (bits.outside == kAll) return bits;
     }
-    if constexpr (kInside)
-        repeat<kVectors>([&](size_t v)
-                             __attribute__((always_inline)) { bits.inside |= Lanes::bits(inside[v]) << (v * Lanes::kWidth); });
     return bits;
 }
 
-template <typename Lanes, typename Shape, bool kInside>
-void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
+template <typename Lanes, typename Shape>
+void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
     constexpr size_t kGroup = Lanes::kVectors * Lanes::kWidth;
     for (; blockCount > 0; ++outside) {
         const size_t wordBlocks = blockCount < 64 / kBatchBlock ? blockCount : 64 / kBatchBlock;
-        Bits word;
+        uint64_t word = 0;
         for (size_t object = 0; object < wordBlocks * kBatchBlock;) {
             const double* at = blocks + object / kBatchBlock * (Shape::kRows * kBatchBlock) + object % kBatchBlock;
             const bool whole = kGroup <= kBatchBlock || wordBlocks * kBatchBlock - object >= kGroup;
-            const Bits bits = whole ? testGroup<Lanes, Shape, kInside, Lanes::kVectors>(at, frustum)
-                                    : testGroup<Lanes, Shape, kInside, kBatchBlock / Lanes::kWidth>(at, frustum);
-            word.outside |= bits.outside << object;
-            word.inside |= bits.inside << object;
+            word |= (whole ? testGroup<Lanes, Shape, Lanes::kVectors>(at, frustum)
+                           : testGroup<Lanes, Shape, kBatchBlock / Lanes::kWidth>(at, frustum))
+                    << object;
             object += whole ? kGroup : kBatchBlock;
         }
-        *outside = word.outside;
-        if constexpr (kInside) *inside++ = word.inside;
+        *outside = word;
         blocks += wordBlocks * Shape::kRows * kBatchBlock;
         blockCount -= wordBlocks;
     }
-}
-
-template <typename Lanes, typename Shape>
-void testAll(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    if (inside == nullptr)
-        testBlocks<Lanes, Shape, false>(blocks, blockCount, frustum, outside, nullptr);
-    else
-        testBlocks<Lanes, Shape, true>(blocks, blockCount, frustum, outside, inside);
 }
 
 }  // namespace

@@ -34,9 +34,8 @@ struct BatchPlanes {
     double marginOfEye;
 };
 
-/// Tests whole blocks and writes one bit for each object, 64 in a word; bits beyond the blocks are 0. `inside` may be null.
-using BatchKernel = void(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
-                         uint64_t* inside);
+/// Writes one bit an object, 64 a word, for whole blocks; bits beyond them are 0.
+using BatchKernel = void(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside);
 
 BatchKernel testBoxesScalar, testBoxesAvx2, testBoxesAvx512;
 BatchKernel testSpheresScalar, testSpheresAvx2, testSpheresAvx512;

@@ -17,8 +17,6 @@ struct ScalarLanes {
     static Vector min(Vector a, Vector b) { return a < b ? a : b; }
     static Vector max(Vector a, Vector b) { return a > b ? a : b; }
     static Mask less(Vector a, Vector b) { return a < b; }
-    static Mask all() { return true; }
-    static Mask both(Mask a, Mask b) { return a && b; }
     static uint64_t bits(Mask mask) { return mask ? 1 : 0; }
 };
 
@@ -30,12 +28,12 @@ BatchDistances distances(const double* block, const BatchPlanes& frustum, size_t
 
 }  // namespace
 
-void testBoxesScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    testAll<ScalarLanes, Boxes<ScalarLanes>>(blocks, blockCount, frustum, outside, inside);
+void testBoxesScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+    testBlocks<ScalarLanes, Boxes<ScalarLanes>>(blocks, blockCount, frustum, outside);
 }
 
-void testSpheresScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, uint64_t* inside) {
-    testAll<ScalarLanes, Spheres<ScalarLanes>>(blocks, blockCount, frustum, outside, inside);
+void testSpheresScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+    testBlocks<ScalarLanes, Spheres<ScalarLanes>>(blocks, blockCount, frustum, outside);
 }
 
 BatchDistances boxDistances(const double* block, const BatchPlanes& frustum, size_t plane) {

@@ -21,12 +21,6 @@ struct Accuracy {
     [[nodiscard]] double missedPixelRate() const {
         return coveredPixels == 0 ? 0.0 : double(missedPixels) / double(coveredPixels);
     }
-    [[nodiscard]] double falselyCulledShare() const {
-        return visibleTriangles == 0 ? 0.0 : double(falselyCulledTriangles) / double(visibleTriangles);
-    }
-    [[nodiscard]] double needlesslyDrawnShare() const {
-        return submittedTriangles == 0 ? 0.0 : double(needlesslyDrawnTriangles) / double(submittedTriangles);
-    }
 };
 
 /// Compares by depth sample; `depth` are the samples of the strategy's picture (Framebuffer::readDepth), `list` is what it drew.

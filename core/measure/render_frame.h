@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mutex>
+
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/renderer.h"
 #include "core/visibility/strategy.h"
@@ -12,8 +14,8 @@ struct FrameResult {
     double frameMilliseconds = 0.0;  ///< cull + draw, until the GPU has finished
 };
 
-/// Culls, draws into `target` and waits for the GPU.
+/// Culls, draws into `target` and waits for the GPU. `culling`, where it holds a lock, is given back between culling and drawing.
 FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view,
-                        Framebuffer& target, const DrawStyle& style = {});
+                        Framebuffer& target, const DrawStyle& style = {}, std::unique_lock<std::mutex> culling = {});
 
 }  // namespace cullscope

@@ -1,8 +1,19 @@
 #include "core/visibility/strategy_request.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace cullscope {
+namespace {
+
+std::string written(const StrategyRequest& strategy, char separator) {
+    std::string text = strategy.id;
+    for (const std::string& parameter : changedParameters(strategy.parameters)) text += separator + parameter;
+    return text;
+}
+
+}  // namespace
 
 std::pair<std::string, std::string> keyAndValue(std::string_view text) {
     const size_t equals = text.find('=');
@@ -27,12 +38,31 @@ StrategyRequest strategyFromText(std::string_view text) {
     return request;
 }
 
-std::string strategyText(const StrategyRequest& strategy) {
-    std::string text = strategy.id;
-    for (const ParameterDeclaration& parameter : strategy.parameters.declarations())
-        if (const ParameterValue& value = strategy.parameters.value(parameter.key); value != parameter.defaultValue)
-            text += ":" + parameter.key + "=" + toText(value);
-    return text;
+std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& texts) {
+    std::vector<std::string> strategies;
+    for (std::string text : texts) {
+        std::ranges::replace(text, ',', ':');
+        const size_t equals = text.find('=');
+        if (!strategies.empty() && equals != std::string::npos && equals < text.find(':'))
+            strategies.back() += ":" + text;
+        else
+            strategies.push_back(std::move(text));
+    }
+    std::vector<StrategyRequest> requests;
+    for (const std::string& strategy : strategies) requests.push_back(strategyFromText(strategy));
+    return requests;
 }
+
+std::vector<std::string> changedParameters(const ParameterSet& parameters) {
+    std::vector<std::string> changed;
+    for (const ParameterDeclaration& parameter : parameters.declarations())
+        if (const ParameterValue& value = parameters.value(parameter.key); value != parameter.defaultValue)
+            changed.push_back(parameter.key + "=" + toText(value));
+    return changed;
+}
+
+std::string strategyText(const StrategyRequest& strategy) { return written(strategy, ':'); }
+
+std::string strategyLabel(const StrategyRequest& strategy) { return written(strategy, ' '); }
 
 }  // namespace cullscope

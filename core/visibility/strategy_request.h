@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/visibility/registry.h"
 
@@ -18,10 +19,20 @@ struct StrategyRequest {
 /// naming an unknown id or key and the known ones.
 [[nodiscard]] StrategyRequest strategyFromText(std::string_view text);
 
-/// The inverse: writes only the parameters that are not at their defaults.
+/// Several, each with commas in place of colons where one likes, as in scenes. A text that begins with "key=value" goes on with
+/// the one before, so that a list taken apart at its commas is read, too: "A:key=value,key=value,B".
+[[nodiscard]] std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& texts);
+
+/// "key=value" of each parameter that is not at its default.
+[[nodiscard]] std::vector<std::string> changedParameters(const ParameterSet& parameters);
+
+/// `strategyFromText` backwards: only what is not at its default is written.
 [[nodiscard]] std::string strategyText(const StrategyRequest& strategy);
 
-/// Splits "key=value". Throws Error(Usage) where there is no '=' or no key before it.
+/// The same for tables and plots: `id key=value key=value`.
+[[nodiscard]] std::string strategyLabel(const StrategyRequest& strategy);
+
+/// "key=value" in its parts. Throws Error(Usage) where there is no '=' or nothing before it.
 [[nodiscard]] std::pair<std::string, std::string> keyAndValue(std::string_view text);
 
 }  // namespace cullscope

@@ -1,36 +1,23 @@
 // cullbench render --overlay: content, camera, and refused combinations.
 
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-#include <unistd.h>
-
-#include <filesystem>
-
 #include "core/image/picture_file.h"
-#include "tests/support/process.h"
+#include "tests/support/cullbench_contract.h"
 
 namespace overlay_test {
 namespace {
 
 using cullscope::readPicture;
+using cullscope::test::cullbench;
 using cullscope::test::ProcessResult;
-using cullscope::test::runProcess;
 using testing::HasSubstr;
 
-class CullbenchOverlay : public testing::Test {
+class CullbenchOverlay : public cullscope::test::CullbenchContract {
 protected:
-    void SetUp() override {
-        m_folder = std::filesystem::temp_directory_path() / ("cullbench-overlay-" + std::to_string(getpid()));
-        std::filesystem::create_directories(m_folder);
-    }
-    void TearDown() override { std::filesystem::remove_all(m_folder); }
-
-    [[nodiscard]] std::string file(const std::string& name) const { return (m_folder / name).string(); }
     [[nodiscard]] ProcessResult render(const std::string& scene, const std::string& strategy, const std::string& name,
                                        const std::vector<std::string>& more) const {
-        std::vector<std::string> command{CULLBENCH, "render", scene, "-s", strategy, "--size", "160x120", "-o", file(name)};
-        command.insert(command.end(), more.begin(), more.end());
-        return runProcess(command);
+        std::vector<std::string> arguments{"render", scene, "-s", strategy, "--size", "160x120", "-o", file(name)};
+        arguments.insert(arguments.end(), more.begin(), more.end());
+        return cullbench(arguments);
     }
     /// A frustum in the scene's field, seen from above.
     [[nodiscard]] std::vector<uint8_t> observed(const std::string& name, const std::vector<std::string>& overlays) const {
@@ -45,21 +32,16 @@ protected:
         EXPECT_EQ(result.exitStatus, 0) << result.err;
         return readPicture(file(name)).rgba;
     }
-
-private:
-    std::filesystem::path m_folder;
 };
 
 void expectRefusal(const ProcessResult& result, const std::string& mentions) {
-    EXPECT_EQ(result.exitStatus, 2) << result.err;
-    EXPECT_THAT(result.err, HasSubstr(mentions));
-    EXPECT_EQ(result.out, "");
+    cullscope::test::expectRefusal(result, 2, mentions);
 }
 
 TEST_F(CullbenchOverlay, unknownOrUnavailableOneIsRefused) {
     const std::string sphere = "sphere:triangles=200";
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, boxes, frustum");
-    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "\"frustum\" has no such overlay");
+    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "There is no overlay \"tree\"");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "index-map"}), "\"frustum\" has no index map");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "bands"}), "\"frustum\" has no contour bands");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "kernel"}), "\"frustum\" has no quadtree and no inner kernel");

@@ -17,10 +17,11 @@ inline ProcessResult cullbench(std::vector<std::string> arguments, const std::ve
     return runProcess(arguments, environment, interruptAfter);
 }
 
+/// A folder for the files of one case.
 class CullbenchContract : public testing::Test {
 protected:
     void SetUp() override {
-        m_folder = std::filesystem::temp_directory_path() / ("cullbench-contract-" + std::to_string(getpid()));
+        m_folder = std::filesystem::temp_directory_path() / ("cullbench-test-" + std::to_string(getpid()));
         std::filesystem::create_directories(m_folder);
     }
     void TearDown() override { std::filesystem::remove_all(m_folder); }

@@ -1,9 +1,7 @@
 #include "ui/jobs/built_strategy.h"
 
 #include <algorithm>
-#include <chrono>
 
-#include "core/gpu/context.h"
 #include "core/image/overlays.h"
 
 namespace cullscope::ui {
@@ -33,15 +31,7 @@ ViewLook shownLook(BuiltStrategy& built, const View& view, ViewLook look) {
 
 FrameResult renderShared(Renderer& renderer, const SceneBuffers& buffers, BuiltStrategy& built, const View& view,
                          Framebuffer& target, const DrawStyle& style) {
-    std::unique_lock lock(built.mutex);
-    const auto start = std::chrono::steady_clock::now();
-    FrameResult result;
-    result.verdict = built.strategy->cull(view, nullptr, &renderer);
-    lock.unlock();
-    renderer.draw(buffers, view, result.verdict.drawList, target, style);
-    waitForGpu();
-    result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    return result;
+    return renderFrame(renderer, buffers, *built.strategy, view, target, style, std::unique_lock(built.mutex));
 }
 
 }  // namespace cullscope::ui

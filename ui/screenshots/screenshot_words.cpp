@@ -3,7 +3,7 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "core/visibility/registry.h"
+#include "core/visibility/strategy_request.h"
 #include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -13,11 +13,8 @@ namespace cullscope::ui {
 QString strategyText(const Session& session, int view) {
     const StrategySlot& slot = session.slot(session.culledBy(view));
     QString text = translated(findStrategy(slot.id()).info.name);
-    for (const ParameterDeclaration& declaration : slot.parameters().declarations()) {
-        const ParameterValue& value = slot.parameters().value(declaration.key);
-        if (!(value == declaration.defaultValue))
-            text += QLatin1Char(' ') + QString::fromStdString(declaration.key + "=" + toText(value));
-    }
+    for (const std::string& parameter : changedParameters(slot.parameters()))
+        text += QLatin1Char(' ') + QString::fromStdString(parameter);
     return text;
 }
 

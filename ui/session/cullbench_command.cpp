@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/visibility/strategy_request.h"
 #include "ui/session/session_state.h"
 
 namespace cullscope::ui {
@@ -81,11 +82,8 @@ QStringList cullbenchArguments(const PictureRequest& request, const QString& out
     words << QStringLiteral("render") << QString::fromStdString(withAbsoluteFiles(request.scene)) << QStringLiteral("-s")
           << QString::fromStdString(request.strategy);
     if (!request.hidden.empty()) words << QStringLiteral("--hide=") + QString::fromStdString(request.hidden);
-    for (const ParameterDeclaration& declaration : request.parameters.declarations()) {
-        const ParameterValue& value = request.parameters.value(declaration.key);
-        if (value == declaration.defaultValue) continue;
-        words << QStringLiteral("-p") << QString::fromStdString(declaration.key + "=" + toText(value));
-    }
+    for (const std::string& parameter : changedParameters(request.parameters))
+        words << QStringLiteral("-p") << QString::fromStdString(parameter);
     words << cameraWords(QString(), request.camera);
     if (request.observer && !(*request.observer == request.camera))
         words << cameraWords(QStringLiteral("view-"), *request.observer);

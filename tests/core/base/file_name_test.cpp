@@ -4,7 +4,7 @@
 
 #include <fstream>
 
-#include "core/base/error.h"
+#include "tests/support/refusal.h"
 
 namespace cullscope::file_name_test {
 namespace {
@@ -23,13 +23,7 @@ protected:
     }
     void touch(const std::string& name) const { std::ofstream(m_folder / name) << "taken"; }
     [[nodiscard]] std::string refusal(std::string_view pattern) const {
-        try {
-            (void)nextFileName(m_folder, pattern, "bunny", "frustum");
-        } catch (const Error& error) {
-            EXPECT_EQ(error.kind(), ErrorKind::Usage);
-            return error.what();
-        }
-        return {};
+        return test::refusalOf([&] { (void)nextFileName(m_folder, pattern, "bunny", "frustum"); }, ErrorKind::Usage);
     }
     [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
 

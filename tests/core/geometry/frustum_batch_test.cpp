@@ -14,17 +14,24 @@ using Exact = long double;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-struct Bits {
-    std::vector<uint64_t> outside, inside;
-
-    bool operator==(const Bits&) const = default;
-};
-
 template <typename Batch>
-Bits verdicts(const Batch& batch, const BatchFrustum& frustum, SimdLevel level) {
-    Bits bits;
-    classify(batch, frustum, level, bits.outside, bits.inside);
-    return bits;
+std::vector<uint64_t> outsideOf(const Batch& batch, const BatchFrustum& frustum, SimdLevel level) {
+    std::vector<uint64_t> outside;
+    findOutside(batch, frustum, level, outside);
+    return outside;
+}
+
+/// What a single object's distances say.
+template <typename Object>
+Containment byDistances(const BatchFrustum& frustum, const Object& object) {
+    bool outside = false, inside = true;
+    for (size_t p = 0; p < 6; ++p) {
+        const BatchDistances distances = frustum.distances(FrustumPlane(p), object);
+        outside = outside || distances.farthestInside < -distances.margin;
+        inside = inside && distances.farthestOutside > distances.margin;
+    }
+    if (outside) return Containment::Outside;
+    return inside ? Containment::Inside : Containment::Straddles;
 }
 
 bool bit(const std::vector<uint64_t>& words, size_t i) { return (words[i / 64] >> (i % 64) & 1) != 0; }
@@ -33,12 +40,11 @@ bool bit(const std::vector<uint64_t>& words, size_t i) { return (words[i / 64] >
 template <typename Batch, typename Object>
 Containment verdict(const Object& object, const Frustum& frustum, const Vec3& eye) {
     const Batch batch(std::span(&object, 1));
-    const Bits bits = verdicts(batch, BatchFrustum(frustum, eye), SimdLevel::Scalar);
+    const BatchFrustum batchFrustum(frustum, eye);
+    const Containment verdict = byDistances(batchFrustum, object);
     for (const SimdLevel level : availableSimdLevels())
-        EXPECT_EQ(verdicts(batch, BatchFrustum(frustum, eye), level), bits) << simdLevelName(level);
-    EXPECT_FALSE(bit(bits.outside, 0) && bit(bits.inside, 0));
-    if (bit(bits.outside, 0)) return Containment::Outside;
-    return bit(bits.inside, 0) ? Containment::Inside : Containment::Straddles;
+        EXPECT_EQ(bit(outsideOf(batch, batchFrustum, level), 0), verdict == Containment::Outside) << simdLevelName(level);
+    return verdict;
 }
 
 Containment boxVerdict(const Box3& box, const Frustum& frustum, const Vec3& eye = Vec3(0.0)) {
@@ -100,30 +106,19 @@ Vec3 spoilt(Random& random, const Vec3& value) {
     return {spoilt(random, value.x), spoilt(random, value.y), spoilt(random, value.z)};
 }
 
-/// Asserts that all levels give the same bits as the scalar one, and that the tests of single objects agree; returns the bits.
+/// Asserts that every level leaves out exactly the objects that their own distances have outside; returns the verdicts.
 template <typename Batch, typename Object>
-Bits agreedVerdicts(const std::vector<Object>& objects, const BatchFrustum& frustum) {
-    const Batch batch(objects);
-    const Bits bits = verdicts(batch, frustum, SimdLevel::Scalar);
-    for (const SimdLevel level : availableSimdLevels()) {
-        EXPECT_EQ(verdicts(batch, frustum, level), bits) << simdLevelName(level) << ", " << objects.size() << " objects";
-        std::vector<uint64_t> outside;
-        findOutside(batch, frustum, level, outside);
-        EXPECT_EQ(outside, bits.outside) << simdLevelName(level) << ", " << objects.size() << " objects";
-    }
+std::vector<Containment> agreedVerdicts(const std::vector<Object>& objects, const BatchFrustum& frustum) {
+    std::vector<Containment> verdicts;
+    std::vector<uint64_t> outside((objects.size() + 63) / 64, 0);
     for (size_t i = 0; i < objects.size(); ++i) {
-        bool outside = false, inside = true;
-        for (size_t p = 0; p < 6; ++p) {
-            const BatchDistances distances = frustum.distances(FrustumPlane(p), objects[i]);
-            outside = outside || distances.farthestInside < -distances.margin;
-            inside = inside && distances.farthestOutside > distances.margin;
-        }
-        EXPECT_EQ(bit(bits.outside, i), outside) << i;
-        EXPECT_EQ(bit(bits.inside, i), inside && !outside) << i;
+        verdicts.push_back(byDistances(frustum, objects[i]));
+        if (verdicts[i] == Containment::Outside) outside[i / 64] |= uint64_t{1} << (i % 64);
     }
-    for (size_t i = objects.size(); i < bits.outside.size() * 64; ++i)
-        EXPECT_FALSE(bit(bits.outside, i) || bit(bits.inside, i)) << "beyond the last object";
-    return bits;
+    const Batch batch(objects);
+    for (const SimdLevel level : availableSimdLevels())
+        EXPECT_EQ(outsideOf(batch, frustum, level), outside) << simdLevelName(level) << ", " << objects.size() << " objects";
+    return verdicts;
 }
 
 /// The distances of a box's or sphere's points farthest inside and outside, exact for doubles in practice.
@@ -163,7 +158,8 @@ struct Counts {
 /// Asserts that a result holds exactly with half the margin to spare, and that an object that is outside or inside by four
 /// margins is classified so.
 template <typename Object>
-void expectExact(const Object& object, const Frustum& frustum, const Vec3& eye, bool outside, bool inside, Counts& counts) {
+void expectExact(const Object& object, const Frustum& frustum, const Vec3& eye, Containment verdict, Counts& counts) {
+    const bool outside = verdict == Containment::Outside, inside = verdict == Containment::Inside;
     const BatchFrustum batchFrustum(frustum, eye);
     const Exact margin = Exact(leastMargin(around(object), eye));
     Exact least = Exact(kInfinity), leastOuter = Exact(kInfinity);
@@ -203,11 +199,11 @@ TEST(FrustumBatch, levelsAgreeAndVerdictsHoldExactly) {
             boxes.push_back(randomBox(random, frustum, eye));
             spheres.push_back(randomSphere(random, frustum, eye));
         }
-        const Bits ofBoxes = agreedVerdicts<BoxBatch>(boxes, BatchFrustum(frustum, eye));
-        const Bits ofSpheres = agreedVerdicts<SphereBatch>(spheres, BatchFrustum(frustum, eye));
+        const auto ofBoxes = agreedVerdicts<BoxBatch>(boxes, BatchFrustum(frustum, eye));
+        const auto ofSpheres = agreedVerdicts<SphereBatch>(spheres, BatchFrustum(frustum, eye));
         for (size_t i = 0; i < boxes.size(); ++i) {
-            expectExact(boxes[i], frustum, eye, bit(ofBoxes.outside, i), bit(ofBoxes.inside, i), boxCounts);
-            expectExact(spheres[i], frustum, eye, bit(ofSpheres.outside, i), bit(ofSpheres.inside, i), sphereCounts);
+            expectExact(boxes[i], frustum, eye, ofBoxes[i], boxCounts);
+            expectExact(spheres[i], frustum, eye, ofSpheres[i], sphereCounts);
         }
         ASSERT_FALSE(HasFailure()) << "round " << round;
     }
@@ -254,8 +250,9 @@ TEST(FrustumBatch, nothingIsSaidBeyondTheLastObject) {
         ASSERT_EQ(BoxBatch(boxes).wordCount(), (size_t(size) + 63) / 64);
         // All objects outside, so that every early exit is taken.
         const Vec3 behind = eye - frustum.forward * 100.0;
-        const Bits bits = agreedVerdicts<BoxBatch>(std::vector<Box3>(size_t(size), {behind, behind}), BatchFrustum(frustum, eye));
-        for (size_t i = 0; i < size_t(size); ++i) EXPECT_TRUE(bit(bits.outside, i)) << i << " of " << size;
+        const std::vector<Box3> all(size_t(size), {behind, behind});
+        const auto verdicts = agreedVerdicts<BoxBatch>(all, BatchFrustum(frustum, eye));
+        EXPECT_EQ(std::ranges::count(verdicts, Containment::Outside), size);
     }
 }
 
@@ -270,15 +267,15 @@ TEST(FrustumBatch, undecidableObjectStraddlesAndItsNeighboursDoNot) {
                                   {Vec3(-kInfinity, 4, 40), Vec3(5, 5, 50)},
                                   {Vec3(4, 4, 1e302), Vec3(5, 5, 1e305)},
                                   behind};
-    const Bits ofBoxes = agreedVerdicts<BoxBatch>(boxes, BatchFrustum(standardFrustum(), Vec3(0.0)));
-    EXPECT_EQ(ofBoxes.outside, std::vector<uint64_t>{1u << 1 | 1u << 8});
-    EXPECT_EQ(ofBoxes.inside, std::vector<uint64_t>{0});
+    std::vector<Containment> onlyBehind(boxes.size(), Containment::Straddles);
+    onlyBehind[1] = onlyBehind[8] = Containment::Outside;
+    EXPECT_EQ(agreedVerdicts<BoxBatch>(boxes, BatchFrustum(standardFrustum(), Vec3(0.0))), onlyBehind);
 
     const std::vector<Sphere> spheres{{Vec3(0, 0, 50), -1.0},       {Vec3(0, 0, 50), 1.0},  {Vec3(kNaN, 0, 50), 1.0},
                                       {Vec3(0, 0, kInfinity), 1.0}, {Vec3(0, 0, 50), kNaN}, {Vec3(0, 0, 50), kInfinity}};
-    const Bits ofSpheres = agreedVerdicts<SphereBatch>(spheres, BatchFrustum(standardFrustum(), Vec3(0.0)));
-    EXPECT_EQ(ofSpheres.outside, std::vector<uint64_t>{1u << 1});
-    EXPECT_EQ(ofSpheres.inside, std::vector<uint64_t>{0});
+    std::vector<Containment> onlySecond(spheres.size(), Containment::Straddles);
+    onlySecond[1] = Containment::Outside;
+    EXPECT_EQ(agreedVerdicts<SphereBatch>(spheres, BatchFrustum(standardFrustum(), Vec3(0.0))), onlySecond);
 
     for (const Vec3& eye : {Vec3(0, kNaN, 0), Vec3(0, 0, -kInfinity), Vec3(1e307, 0, 0)})
         EXPECT_EQ(boxVerdict(behind, standardFrustum(), eye), Containment::Straddles);

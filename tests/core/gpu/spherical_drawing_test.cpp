@@ -5,6 +5,7 @@
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "tests/support/gl_environment.h"
+#include "tests/support/spherical_meshes.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::spherical_drawing_test {
@@ -20,17 +21,6 @@ Vec3 direction(double thetaDegrees, double phiDegrees) {
 }
 
 Vec3f corner(double theta, double phi, double radius = 1.0) { return Vec3f(radius * direction(theta, phi)); }
-
-MeshPointer triangles(const std::vector<std::array<Vec3f, 3>>& all) {
-    std::vector<Vec3f> positions;
-    std::vector<uint32_t> indices;
-    for (const auto& triangle : all)
-        for (const Vec3f& each : triangle) {
-            indices.push_back(uint32_t(positions.size()));
-            positions.push_back(each);
-        }
-    return meshOf(std::move(positions), std::move(indices));
-}
 
 View anyView(const Viewport& size) { return {Camera{}, size}; }
 
@@ -68,7 +58,7 @@ Map drawn(const MeshPointer& mesh, const Vec3& centre = Vec3(0.0), const DrawLis
 }
 
 TEST(SphericalDrawing, triangleOverTheSeamIsDrawnOnBothSides) {
-    const Map map = drawn(triangles({{corner(80, 340), corner(100, 340), corner(90, 20)}}));
+    const Map map = drawn(looseTriangles({{corner(80, 340), corner(100, 340), corner(90, 20)}}));
     for (const int phi : {342, 350, 359, 0, 5, 15}) EXPECT_TRUE(map.covered(90, phi)) << phi;
     for (int phi = 21; phi < 339; ++phi)
         for (int theta = 0; theta < 180; ++theta) ASSERT_FALSE(map.covered(theta, phi)) << theta << " " << phi;
@@ -81,7 +71,7 @@ TEST(SphericalDrawing, triangleOverTheSeamIsDrawnOnBothSides) {
 TEST(SphericalDrawing, triangleOverAPoleCoversIt) {
     for (const bool south : {false, true}) {
         const auto theta = [&](double degrees) { return south ? 180.0 - degrees : degrees; };
-        const Map map = drawn(triangles({{corner(theta(30), 10), corner(theta(20), 140), corner(theta(25), 250)}}));
+        const Map map = drawn(looseTriangles({{corner(theta(30), 10), corner(theta(20), 140), corner(theta(25), 250)}}));
         for (int phi = 0; phi < 360; ++phi) {
             for (int row = 0; row < 8; ++row) ASSERT_TRUE(map.covered(south ? 179 - row : row, phi)) << row << " " << phi;
             for (int row = 31; row < 150; ++row) ASSERT_FALSE(map.covered(south ? 179 - row : row, phi)) << row << " " << phi;
@@ -90,9 +80,9 @@ TEST(SphericalDrawing, triangleOverAPoleCoversIt) {
 }
 
 TEST(SphericalDrawing, cornerOrEdgeAtAPoleStaysSharp) {
-    // A quarter of the cap around the pole, and a half whose border is a line over the pole.
-    const Map quarter = drawn(triangles({{Vec3f(0, 0, 1), corner(20, 30), corner(20, 120)}}));
-    const Map half = drawn(triangles({{corner(20, 30), corner(20, 210), corner(20, 120)}}));
+    // A quarter of the cap around the pole, and a half that ends in a line over it.
+    const Map quarter = drawn(looseTriangles({{Vec3f(0, 0, 1), corner(20, 30), corner(20, 120)}}));
+    const Map half = drawn(looseTriangles({{corner(20, 30), corner(20, 210), corner(20, 120)}}));
     for (const Map& map : {quarter, half}) {
         for (int phi = 32; phi < 119; ++phi) ASSERT_TRUE(map.covered(3, phi)) << phi;
         for (int phi = 215; phi < 360; ++phi) ASSERT_FALSE(map.covered(3, phi)) << phi;
@@ -102,8 +92,8 @@ TEST(SphericalDrawing, cornerOrEdgeAtAPoleStaysSharp) {
 }
 
 TEST(SphericalDrawing, edgeIsAGreatCircleArc) {
-    // Between two corners at 60° from the pole and 120° apart the great circle rises to 40.9°.
-    const Map map = drawn(triangles({{corner(60, 100), corner(60, 220), corner(95, 160)}}));
+    // Between two corners at 60° from the pole and 120° apart the great circle climbs to 40.9°.
+    const Map map = drawn(looseTriangles({{corner(60, 100), corner(60, 220), corner(95, 160)}}));
     const double top = std::atan(std::tan(60 * kDegree) * std::cos(60 * kDegree)) / kDegree;
     EXPECT_TRUE(map.covered(int(top) + 1, 160));
     EXPECT_FALSE(map.covered(int(top) - 1, 160));
@@ -113,7 +103,7 @@ TEST(SphericalDrawing, fartherOutHidesNearerToTheCentre) {
     const std::array<Vec3f, 3> near{corner(80, 80, 0.4), corner(100, 80, 0.4), corner(90, 110, 0.4)};
     const std::array<Vec3f, 3> far{corner(80, 85, 1.8), corner(100, 85, 1.8), corner(90, 105, 1.8)};
     for (const bool nearFirst : {true, false}) {
-        const Map map = drawn(nearFirst ? triangles({near, far}) : triangles({far, near}));
+        const Map map = drawn(nearFirst ? looseTriangles({near, far}) : looseTriangles({far, near}));
         EXPECT_GT(map.at(90, 92)[1], map.at(90, 92)[0]) << "farther out is green";
         EXPECT_GT(map.at(90, 82)[0], map.at(90, 82)[1]) << "beside it, what lies inside";
         EXPECT_TRUE(std::ranges::all_of(map.depth, [](float depth) { return depth == 0.0f; })) << "left depth";
@@ -151,7 +141,7 @@ TEST(SphericalDrawing, everyDirectionShowsWhatItsRayMeets) {
         }
         return least >= -margin || most <= margin;
     };
-    const Map map = drawn(triangles(all));
+    const Map map = drawn(looseTriangles(all));
     size_t covered = 0;
     for (int theta = 0; theta < 180; ++theta)
         for (int phi = 0; phi < 360; ++phi) {
@@ -169,8 +159,8 @@ TEST(SphericalDrawing, everyDirectionShowsWhatItsRayMeets) {
 }
 
 TEST(SphericalDrawing, onlyTheListIsDrawn) {
-    const MeshPointer mesh =
-        triangles({{corner(80, 80), corner(100, 80), corner(90, 110)}, {corner(80, 180), corner(100, 180), corner(90, 210)}});
+    const MeshPointer mesh = looseTriangles(
+        {{corner(80, 80), corner(100, 80), corner(90, 110)}, {corner(80, 180), corner(100, 180), corner(90, 210)}});
     const DrawList second{Facing::TwoSided, {{0, 3, 3}}};
     EXPECT_FALSE(drawn(mesh, Vec3(0.0), &second).covered(90, 90));
     EXPECT_TRUE(drawn(mesh, Vec3(0.0), &second).covered(90, 190));

@@ -6,6 +6,7 @@
 #include "core/image/overlays.h"
 #include "core/image/view_picture.h"
 #include "tests/support/hand_made_map.h"
+#include "tests/support/line_distance.h"
 #include "tests/support/lossless_map.h"
 
 namespace cullscope::test::overlays_kernel_test {
@@ -19,17 +20,6 @@ OverlayContext contextOf(const LosslessMap& seen, const View& viewing) {
 
 View viewFrom(const Vec3& eye) {
     return {Camera{eye, Vec3(0.0), {0.1, 0.9, 0.2}, Angle::fromDegrees(45), 0.05, 100.0}, {640, 480}};
-}
-
-double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
-    double least = 1e300;
-    for (const LineSegment& line : lines) {
-        const Vec3 along = line.to - line.from;
-        const double squared = glm::dot(along, along);
-        const double t = squared > 0.0 ? std::clamp(glm::dot(place - line.from, along) / squared, 0.0, 1.0) : 0.0;
-        least = std::min(least, glm::distance(place, line.from + t * along));
-    }
-    return least;
 }
 
 TEST(KernelOverlay, gridStaysWithinTheKernel) {

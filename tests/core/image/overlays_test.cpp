@@ -7,6 +7,7 @@
 #include "core/gpu/colour.h"
 #include "core/image/view_picture.h"
 #include "tests/support/hand_made_map.h"
+#include "tests/support/line_distance.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::overlays_test {
@@ -46,18 +47,6 @@ struct Seen {
 };
 
 constexpr double kPixel = 0.02;  ///< size of a pixel in the world, at the object
-
-/// The distance of a place from the nearest of the lines.
-double distanceTo(const std::vector<LineSegment>& lines, const Vec3& place) {
-    double least = 1e300;
-    for (const LineSegment& line : lines) {
-        const Vec3 along = line.to - line.from;
-        const double squared = glm::dot(along, along);
-        const double t = squared > 0.0 ? std::clamp(glm::dot(place - line.from, along) / squared, 0.0, 1.0) : 0.0;
-        least = std::min(least, glm::distance(place, line.from + t * along));
-    }
-    return least;
-}
 
 TEST(SphereOverlay, circlesAreGreatCircles) {
     spherical::MapSnapshot map = sphereMap();

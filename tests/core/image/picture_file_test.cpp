@@ -10,7 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "core/base/error.h"
+#include "tests/support/refusal.h"
 
 namespace cullscope::picture_file_test {
 namespace {
@@ -90,16 +90,6 @@ std::string textOf(const std::filesystem::path& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-std::string refusal(const std::function<void()>& work, ErrorKind kind) {
-    try {
-        work();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), kind) << error.what();
-        return error.what();
-    }
-    return {};
-}
-
 TEST_P(PictureFile, metadataComesBackWhole) {
     Picture picture = opaquePicture();
     picture.metadata = {{"cullscope:scene", "field:mesh=/home/길/a,b.obj,n=3"},
@@ -129,7 +119,8 @@ TEST_P(PictureFile, descriptionTooLongForTheFormatIsRefused) {
     if (ending == "png" || ending == "exr") {
         EXPECT_EQ(writtenAndRead(picture, ending).metadata, picture.metadata);
     } else {
-        EXPECT_THAT(refusal([&] { writePicture(file("a." + ending), picture); }, ErrorKind::Usage), HasSubstr("Write a .png"));
+        EXPECT_THAT(test::refusalOf([&] { writePicture(file("a." + ending), picture); }, ErrorKind::Usage),
+                    HasSubstr("Write a .png"));
         EXPECT_EQ(filesWritten(), 0u);
         // The longest accepted text is read back completely.
         picture.metadata = {{"cullscope:session", std::string(kMostDescriptionBytes - 24, 'x')}};
@@ -141,12 +132,14 @@ TEST_P(PictureFile, unwritablePlaceLeavesNoFile) {
     const std::string ending = GetParam();
     const Picture picture = opaquePicture();
     std::filesystem::create_symlink("/dev/full", file("full." + ending));
-    EXPECT_THAT(refusal([&] { writePicture(file("full." + ending), picture); }, ErrorKind::Usage), HasSubstr("no space is left"));
+    EXPECT_THAT(test::refusalOf([&] { writePicture(file("full." + ending), picture); }, ErrorKind::Usage),
+                HasSubstr("no space is left"));
     EXPECT_TRUE(std::filesystem::is_character_file("/dev/full"));
     std::ofstream(file("file")) << "not a folder";
-    EXPECT_THAT(refusal([&] { writePicture(file("file") / ("a." + ending), picture); }, ErrorKind::Usage),
+    EXPECT_THAT(test::refusalOf([&] { writePicture(file("file") / ("a." + ending), picture); }, ErrorKind::Usage),
                 HasSubstr("no folder"));
-    EXPECT_THAT(refusal([&] { writePicture(file("none") / ("a." + ending), picture); }, ErrorKind::Usage), HasSubstr("no such"));
+    EXPECT_THAT(test::refusalOf([&] { writePicture(file("none") / ("a." + ending), picture); }, ErrorKind::Usage),
+                HasSubstr("no such"));
     EXPECT_EQ(filesWritten(), 2u);
 }
 
@@ -161,7 +154,7 @@ TEST_P(PictureFile, diskWithRoomForAPartKeepsTheOldFile) {
     for (const rlim_t room : {rlim_t{1}, rlim_t{65'536}, whole / 2, whole - 1}) {
         SCOPED_TRACE(room);
         const NearlyFullDisk disk(room);
-        const std::string sentence = refusal([&] { writePicture(path, picture); }, ErrorKind::Usage);
+        const std::string sentence = test::refusalOf([&] { writePicture(path, picture); }, ErrorKind::Usage);
         EXPECT_THAT(sentence, testing::StartsWith(path.string() + " cannot be written: "));
         EXPECT_THAT(sentence, testing::EndsWith("Choose another place or free some space."));
         EXPECT_EQ(textOf(path), "old");
@@ -196,12 +189,12 @@ TEST_P(PictureFile, damagedOrAbsentFileIsRefused) {
     const std::string name = std::string("a.") + GetParam();
     writePicture(file(name), opaquePicture());
     std::filesystem::resize_file(file(name), std::filesystem::file_size(file(name)) / 3);
-    EXPECT_THAT(refusal([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
+    EXPECT_THAT(test::refusalOf([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
     std::ofstream(file(name)) << "this is text";
-    EXPECT_THAT(refusal([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
+    EXPECT_THAT(test::refusalOf([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
     std::ofstream(file(name), std::ios::trunc).close();
-    EXPECT_THAT(refusal([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
-    EXPECT_THAT(refusal([&] { (void)readPicture(file("absent.png")); }, ErrorKind::Input), HasSubstr("absent.png"));
+    EXPECT_THAT(test::refusalOf([&] { (void)readPicture(file(name)); }, ErrorKind::Input), HasSubstr(name));
+    EXPECT_THAT(test::refusalOf([&] { (void)readPicture(file("absent.png")); }, ErrorKind::Input), HasSubstr("absent.png"));
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, PictureFile, testing::Values("png", "jpg", "tif", "exr"),
@@ -282,7 +275,7 @@ TEST_F(PictureFile, lowestRowOfTheFileComesFirst) {
 
 TEST_F(PictureFile, unknownEndingIsRefused) {
     for (const char* name : {"a.xyz", "a", "a.bmp", ".png"})
-        EXPECT_THAT(refusal([&] { writePicture(file(name), opaquePicture()); }, ErrorKind::Usage),
+        EXPECT_THAT(test::refusalOf([&] { writePicture(file(name), opaquePicture()); }, ErrorKind::Usage),
                     HasSubstr("choose one of these endings"))
             << name;
     EXPECT_EQ(filesWritten(), 0u);

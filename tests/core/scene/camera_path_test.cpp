@@ -4,9 +4,9 @@
 #include <fstream>
 #include <numeric>
 
-#include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/scene/scene_source.h"
+#include "tests/support/refusal.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::camera_path_test {
@@ -34,15 +34,10 @@ private:
 /// The error sentence for a path file, without the file's name at its start.
 std::string refusal(const std::string& content) {
     const TemporaryFile file(content);
-    try {
-        (void)readCameraPath(file.path());
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::Input);
-        const std::string sentence = error.what();
-        EXPECT_TRUE(sentence.starts_with(file.path().string())) << sentence;
-        return sentence.substr(file.path().string().size());
-    }
-    return {};
+    const std::string sentence = refusalOf([&] { (void)readCameraPath(file.path()); }, ErrorKind::Input);
+    if (sentence.empty()) return {};
+    EXPECT_TRUE(sentence.starts_with(file.path().string())) << sentence;
+    return sentence.substr(file.path().string().size());
 }
 
 TEST(CameraPathFile, roundTripLosesNothing) {

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <fstream>
 
-#include "core/base/error.h"
+#include "tests/support/refusal.h"
 
 namespace cullscope::scene_source_test {
 namespace {
@@ -34,13 +34,7 @@ private:
 };
 
 std::string refusal(std::string_view specification, ErrorKind kind = ErrorKind::Usage) {
-    try {
-        (void)openScene(specification);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), kind) << specification;
-        return error.what();
-    }
-    return {};
+    return test::refusalOf([&] { (void)openScene(specification); }, kind);
 }
 
 TEST(SceneSource, badSpecificationIsRefused) {

@@ -1,9 +1,9 @@
 #include "core/scene/split_scene.h"
 
-#include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
+#include "tests/support/refusal.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::split_scene_test {
@@ -64,13 +64,7 @@ TEST(SplitScene, moreObjectsThanASceneMayHaveAreRefused) {
 }
 
 std::string refusal(std::string_view specification) {
-    try {
-        (void)openScene(specification);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::Usage) << specification;
-        return error.what();
-    }
-    return {};
+    return refusalOf([&] { (void)openScene(specification); }, ErrorKind::Usage);
 }
 
 TEST(SplitScene, badSpecificationIsRefused) {

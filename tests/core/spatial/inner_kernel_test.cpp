@@ -9,6 +9,7 @@
 
 #include "core/geometry/triangle.h"
 #include "core/mesh/parametric.h"
+#include "tests/support/lossless_scenes.h"
 #include "tests/support/spherical_meshes.h"
 #include "tests/support/test_scenes.h"
 
@@ -18,21 +19,6 @@ namespace {
 using State = InnerKernel::State;
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-/// A mesh with every corner moved and the winding of some triangles reversed.
-template <typename Move, typename Turned>
-MeshPointer changed(const TriangleMesh& mesh, const Move& move, const Turned& turned) {
-    std::vector<Vec3f> positions;
-    for (const Vec3f& position : mesh.positions()) positions.push_back(Vec3f(move(Vec3(position))));
-    std::vector<uint32_t> indices(mesh.indices().begin(), mesh.indices().end());
-    for (size_t i = 0; i + 2 < indices.size(); i += 3)
-        if (turned(i / 3)) std::swap(indices[i + 1], indices[i + 2]);
-    return meshOf(std::move(positions), std::move(indices));
-}
-
-constexpr auto kStay = [](const Vec3& p) { return p; };
-constexpr auto kNone = [](size_t) { return false; };
-constexpr auto kEvery = [](size_t) { return true; };
 
 auto scaledBy(const Vec3& factor, const Vec3& shift = Vec3(0.0)) {
     return [=](const Vec3& p) { return factor * p + shift; };

@@ -1,6 +1,6 @@
 #include "core/visibility/parameters.h"
 
-#include "core/base/error.h"
+#include "tests/support/refusal.h"
 
 namespace cullscope::parameters_test {
 namespace {
@@ -29,14 +29,9 @@ std::vector<ParameterDeclaration> declarations() {
 std::string refusal(std::string_view key, std::string_view text) {
     ParameterSet set(declarations());
     const ParameterSet before = set;
-    try {
-        set.setFromText(key, text);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::Usage);
-        EXPECT_EQ(set, before) << "a refused value changed the set";
-        return error.what();
-    }
-    return {};
+    const std::string sentence = test::refusalOf([&] { set.setFromText(key, text); }, ErrorKind::Usage);
+    EXPECT_TRUE(sentence.empty() || set == before) << "a refused value changed the set";
+    return sentence;
 }
 
 TEST(ParameterSet, startsWithTheDefaults) {

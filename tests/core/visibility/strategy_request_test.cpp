@@ -2,19 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "core/base/error.h"
+#include "tests/support/refusal.h"
 
 namespace cullscope::test::strategy_request_test {
 namespace {
 
 std::string refusal(const std::string& text) {
-    try {
-        (void)strategyFromText(text);
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::Usage);
-        return error.what();
-    }
-    return "";
+    return refusalOf([&] { (void)strategyFromText(text); }, ErrorKind::Usage);
 }
 
 TEST(StrategyText, parametersAreReadAndWritten) {
@@ -28,6 +22,24 @@ TEST(StrategyText, parametersAreReadAndWritten) {
 TEST(StrategyText, defaultsAreNotWritten) {
     EXPECT_EQ(strategyText(strategyFromText("all")), "all");
     EXPECT_EQ(strategyText(strategyFromText("frustum:facing=auto")), "frustum");
+}
+
+TEST(StrategyText, labelIsTheSameToBeRead) {
+    EXPECT_EQ(strategyLabel(strategyFromText("all")), "all");
+    EXPECT_EQ(strategyLabel(strategyFromText("frustum:facing=two-sided:box=length")), "frustum facing=two-sided box=length");
+}
+
+TEST(StrategyText, listTakenApartAtItsCommasIsRead) {
+    using Texts = std::vector<std::string>;
+    const auto readAndWritten = [](const Texts& texts) {
+        Texts written;
+        for (const StrategyRequest& strategy : strategiesFromText(texts)) written.push_back(strategyText(strategy));
+        return written;
+    };
+    EXPECT_EQ(readAndWritten({"all", "frustum:facing=two-sided", "box=length", "backface"}),
+              (Texts{"all", "frustum:facing=two-sided:box=length", "backface"}));
+    EXPECT_EQ(readAndWritten({"frustum:facing=two-sided,box=length"}), (Texts{"frustum:facing=two-sided:box=length"}));
+    EXPECT_EQ(readAndWritten({}), Texts{});
 }
 
 TEST(StrategyText, whatIsUnknownIsRefused) {
