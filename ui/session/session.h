@@ -190,7 +190,6 @@ private:
     };
 
     void makeGraphics();
-    void makeViews();
     void makeView(int view);
     void tellRepairs();
     void showScene(const ScenePointer& scene);
@@ -232,7 +231,6 @@ private:
     int m_viewCount = 2;
     int m_activeView = 1;
     std::optional<Pick> m_pick;
-    JobNumbers m_picks;
     QTimer m_rest;
     std::vector<ViewMeter::Subject> m_underWay;  ///< what the meter measures now
     bool m_measuring = true;

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "core/scene/camera.h"
-#include "ui/jobs/gpu_thread.h"
-#include "ui/jobs/job_numbers.h"
+#include "ui/jobs/gpu_jobs.h"
 #include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
@@ -28,8 +27,7 @@ public:
     ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);
-    void cancel();
-    [[nodiscard]] bool busy() const { return m_busy; }
+    void cancel() { m_jobs.cancel(); }
     /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
     [[nodiscard]] size_t referencesComputed();
 
@@ -40,18 +38,12 @@ private:
     struct Bench;  ///< what lives on the GPU thread
     struct Job;    ///< one request and how far it is
 
-    void step(const std::shared_ptr<Job>& job);
-    /// False: that was the last of it.
-    [[nodiscard]] bool measureNext(Job& job);
-    /// Whether OpenGL still has what the job measures.
-    [[nodiscard]] bool held(const Job& job) const;
-    void fail(const Job& job, const Message& message);
-    void deliver(uint64_t job, int view, const ViewMetrics& figures);
+    void measureNext(Job& job, GpuJobs::Step& step);
+    void deliver(GpuJobs::Step& step, int view, const ViewMetrics& figures);
 
     GpuThread& m_gpu;
-    JobNumbers m_jobs;
-    bool m_busy = false;
     std::shared_ptr<Bench> m_bench;
+    GpuJobs m_jobs;
 };
 
 }  // namespace cullscope::ui
