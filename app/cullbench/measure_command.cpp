@@ -19,14 +19,7 @@ struct MeasureOptions {
     bool noAccuracy = false;
 };
 
-/// With the parameters that are not as by default.
-std::string nameOf(const StrategyRequest& strategy) {
-    std::string name = strategy.id;
-    for (const ParameterDeclaration& parameter : strategy.parameters.declarations())
-        if (const ParameterValue& value = strategy.parameters.value(parameter.key); value != parameter.defaultValue)
-            name += " " + parameter.key + "=" + toText(value);
-    return name;
-}
+std::string nameOf(const StrategyRequest& strategy) { return strategyText(strategy, " "); }
 
 /// Of the scene's triangles, mean over the poses; empty for a strategy that leaves nothing out for a cause but the frustum, of
 /// which the table says all.
@@ -71,17 +64,12 @@ void printTable(const MeasureResult& result, FILE* out) {
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
         const Summary& s = run.summary;
-        uint64_t missed = 0, hole = 0;
-        for (const FrameMeasurement& frame : run.frames)
-            if (frame.accuracy) {
-                missed += frame.accuracy->missedPixels;
-                hole = std::max(hole, frame.accuracy->largestHolePixels);
-            }
+        const std::optional<Losses> losses = run.losses();
         fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>12.2f} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
                    nameOf(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
                    fmt::format("{:.2f} [{:.2f},{:.2f}]", s.speedupVsAll, s.speedupVsAllCi95[0], s.speedupVsAllCi95[1]),
                    s.speedupVsBackface, s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
-                   result.request.accuracy ? std::to_string(missed) : "-", result.request.accuracy ? std::to_string(hole) : "-");
+                   losses ? std::to_string(losses->missedPixels) : "-", losses ? std::to_string(losses->largestHolePixels) : "-");
     }
     for (const RunMeasurement& run : result.runs)
         if (const std::string used = usedParts(run); !used.empty()) fmt::print(out, "{} used {}\n", nameOf(run.strategy), used);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ using PictureMetadata = std::vector<std::pair<std::string, std::string>>;
 
 /// What one picture shows, and what is known of it.
 struct PictureSubject {
-    std::string scene;   ///< a specification
+    std::string scene;  ///< a specification
+    std::vector<std::filesystem::path> modelFolders;
     std::string hidden;  ///< objects left out, as in "3,7-9"; empty: none
     std::string strategy;
     ParameterSet parameters;
@@ -25,6 +27,7 @@ struct PictureSubject {
     Camera viewing;  ///< the same, or an observer's
     Viewport cullingSize, size;
     ViewLook look;
+    DrawStyle style;
     std::optional<MapColouring> map;  ///< the index map in place of the scene
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
@@ -33,7 +36,8 @@ struct PictureSubject {
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is
-/// not known, and an observer's camera where nobody observes, is left out. Numbers read back as the very same.
+/// not known, and an observer's camera where nobody observes, is left out, as are model folders and style. Numbers read back as
+/// the very same.
 [[nodiscard]] PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix = "cullscope:");
 
 /// "cullscope:version", "cullscope:commit" and "cullscope:gl_renderer" of the program that drew.

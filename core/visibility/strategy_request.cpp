@@ -27,11 +27,17 @@ StrategyRequest strategyFromText(std::string_view text) {
     return request;
 }
 
-std::string strategyText(const StrategyRequest& strategy) {
+std::vector<std::string> changedParameters(const ParameterSet& parameters) {
+    std::vector<std::string> changed;
+    for (const ParameterDeclaration& parameter : parameters.declarations())
+        if (const ParameterValue& value = parameters.value(parameter.key); value != parameter.defaultValue)
+            changed.push_back(parameter.key + "=" + toText(value));
+    return changed;
+}
+
+std::string strategyText(const StrategyRequest& strategy, std::string_view separator) {
     std::string text = strategy.id;
-    for (const ParameterDeclaration& parameter : strategy.parameters.declarations())
-        if (const ParameterValue& value = strategy.parameters.value(parameter.key); value != parameter.defaultValue)
-            text += ":" + parameter.key + "=" + toText(value);
+    for (const std::string& parameter : changedParameters(strategy.parameters)) text.append(separator).append(parameter);
     return text;
 }
 

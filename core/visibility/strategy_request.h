@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/visibility/registry.h"
 
@@ -18,8 +19,11 @@ struct StrategyRequest {
 /// is unknown and what there is.
 [[nodiscard]] StrategyRequest strategyFromText(std::string_view text);
 
-/// The same backwards: only what is not at its default is written.
-[[nodiscard]] std::string strategyText(const StrategyRequest& strategy);
+/// "key=value" for every parameter that is not at its default, in the order of the declarations.
+[[nodiscard]] std::vector<std::string> changedParameters(const ParameterSet& parameters);
+
+/// The same backwards: only what is not at its default is written. In tables and plots `separator` is " ".
+[[nodiscard]] std::string strategyText(const StrategyRequest& strategy, std::string_view separator = ":");
 
 /// "key=value" in its parts. Throws Error(Usage) where there is no '=' or nothing before it.
 [[nodiscard]] std::pair<std::string, std::string> keyAndValue(std::string_view text);

@@ -7,7 +7,7 @@
 namespace cullscope::ui {
 
 /// The strategy that a view shows, with its id and the parameters that are not at their defaults.
-[[nodiscard]] QString strategyText(const Session& session, int view);
+[[nodiscard]] QString shownStrategy(const Session& session, int view);
 
 /// The line below a screenshot of the active view, or of all: scene, strategy and figures, and at which size those were measured.
 [[nodiscard]] QString madeCaption(Session& session, bool grid);

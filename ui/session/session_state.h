@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/image/picture_metadata.h"
 #include "ui/session/camera_bookmarks.h"
 #include "ui/session/session.h"
 
@@ -45,6 +46,9 @@ struct SessionState {
 /// the same already is not touched. Throws Error(Usage) for a strategy or parameter that there is none of, before anything
 /// changes.
 void applyState(Session& session, const SessionState& state);
+
+/// What a view's picture shows, or would show; without figures. `request`: what is drawn; none: there is nothing to draw yet.
+[[nodiscard]] PictureSubject pictureSubject(const Session& session, int view, const std::optional<ViewRequest>& request);
 
 /// A specification with its files by absolute paths; words such as `bunny`, and an empty one, stay.
 [[nodiscard]] std::string withAbsoluteFiles(const std::string& specification);

@@ -30,14 +30,7 @@ PoseFigures poseFigures(const FrameMeasurement& frame, const MeasureResult& resu
 
 }  // namespace
 
-QString runLabel(const StrategyRequest& strategy) {
-    QString label = QString::fromStdString(strategy.id);
-    for (const ParameterDeclaration& declaration : strategy.parameters.declarations()) {
-        const ParameterValue& value = strategy.parameters.value(declaration.key);
-        if (value != declaration.defaultValue) label += QString::fromStdString(" " + declaration.key + "=" + toText(value));
-    }
-    return label;
-}
+QString runLabel(const StrategyRequest& strategy) { return QString::fromStdString(strategyText(strategy, " ")); }
 
 std::vector<RunFigures> runFigures(const MeasureResult& result) {
     std::vector<RunFigures> all;

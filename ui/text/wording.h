@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/visibility/strategy.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope::ui {
 
@@ -13,6 +13,8 @@ namespace cullscope::ui {
 /// What the word means, one sentence.
 [[nodiscard]] QString promiseSentence(Promise promise);
 [[nodiscard]] QString facingWord(Facing facing);
+/// "Frustum", or "Frustum box=length" where a parameter is not at its default.
+[[nodiscard]] QString strategyWords(const StrategyRequest& strategy);
 /// "A", "B".
 [[nodiscard]] QString viewLetter(int view);
 

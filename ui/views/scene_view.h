@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/session/cullbench_command.h"
+#include "core/image/picture_metadata.h"
 #include "ui/session/session.h"
 #include "ui/views/orientation_gizmo.h"
 #include "ui/views/picture_layout.h"
@@ -41,7 +41,7 @@ public:
     /// The picture of the present camera and strategy as it is drawn, without what is painted over it.
     [[nodiscard]] QImage picture() const;
     /// Everything that the picture depends on; only with a scene.
-    [[nodiscard]] PictureRequest request() const;
+    [[nodiscard]] PictureSubject subject() const;
     /// How many pictures were drawn so far: a view that is not dirty is not drawn.
     [[nodiscard]] size_t drawnPictures() const { return m_session.pictures() ? m_session.pictures()->drawn(m_view) : 0; }
     /// What is painted over the picture.
