@@ -1,8 +1,5 @@
 #include "app/cullbench/overlays.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 
 #include "app/cullbench/commands.h"
@@ -13,8 +10,6 @@ namespace cullscope::cullbench {
 namespace {
 
 constexpr const char* kOverlays = "verdicts, boxes, frustum, bands, kernel, index-map, spherical-model";
-/// Of strategies that have such a structure; none of today's has.
-constexpr std::array kOfOtherStrategies{"tree"};
 constexpr const char* kStrategiesWithMaps = "spherical, spherical-horizon, spherical-lossless";
 constexpr const char* kStrategiesWithBands = "spherical, spherical-horizon";
 constexpr const char* kStrategiesWithCells = "spherical-lossless";
@@ -141,16 +136,10 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command.add_flag("--drawn-only", options.drawnOnly, "with --overlay verdicts: leave out what was culled");
 }
 
-OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy) {
+OverlayChoice overlaysOf(const OverlayOptions& options) {
     OverlayChoice choice;
-    for (const std::string& name : options.names) {
-        if (std::find(kOfOtherStrategies.begin(), kOfOtherStrategies.end(), name) != kOfOtherStrategies.end())
-            throwUsage(CULLSCOPE_TR("--overlay %1: the strategy \"%2\" has no such overlay. It has: %3."),
-                       {name, strategy, kOverlays});
-        if (!add(name, choice))
-            throwUsage(CULLSCOPE_TR("There is no overlay \"%1\". Known: %2."),
-                       {name, fmt::format("{}, {}", kOverlays, fmt::join(kOfOtherStrategies, ", "))});
-    }
+    for (const std::string& name : options.names)
+        if (!add(name, choice)) throwUsage(CULLSCOPE_TR("There is no overlay \"%1\". Known: %2."), {name, kOverlays});
     requireAlone(choice, options.names);
     choice.look.culledToo = !options.drawnOnly;
     if (options.drawnOnly && choice.look.colouring != Colouring::Verdicts)

@@ -38,9 +38,8 @@ struct OverlayChoice {
     [[nodiscard]] bool needsTrace() const { return map || cullscope::needsTrace(look); }
 };
 
-/// Throws Error(Usage) for a name that is no overlay, naming those that are, that the strategy of this id does not have, or that
-/// cannot be shown together with the others.
-[[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options, const std::string& strategy);
+/// Throws Error(Usage) for a name that is no overlay, naming those that are, or that cannot be shown together with the others.
+[[nodiscard]] OverlayChoice overlaysOf(const OverlayOptions& options);
 
 /// What stands below the picture: another choice, or the same seen from behind.
 struct BelowChoice {

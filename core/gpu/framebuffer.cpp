@@ -52,18 +52,4 @@ std::vector<float> Framebuffer::readDepth() const {
     return depth;
 }
 
-void Framebuffer::showIn(unsigned framebuffer) const {
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, m_framebuffer);
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-    glBlitFramebuffer(0, 0, size().width, size().height, 0, 0, size().width, size().height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-}
-
-void fillFramebuffer(unsigned framebuffer, const Vec3f& colour) {
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-    glClearColor(colour.x, colour.y, colour.z, 1.0f);
-    glClear(GL_COLOR_BUFFER_BIT);
-    glClearColor(0, 0, 0, 0);
-}
-
 }  // namespace cullscope

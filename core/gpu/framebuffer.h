@@ -28,15 +28,10 @@ public:
     [[nodiscard]] const Viewport& size() const { return m_tile.size; }
     [[nodiscard]] const PictureTile& tile() const { return m_tile; }
     [[nodiscard]] unsigned id() const { return m_framebuffer; }
-    [[nodiscard]] unsigned colourTexture() const { return m_colour; }
     [[nodiscard]] unsigned depthTexture() const { return m_depth; }
 
     [[nodiscard]] std::vector<uint8_t> readColour() const;  ///< RGBA, width · height · 4 bytes
     [[nodiscard]] std::vector<float> readDepth() const;     ///< width · height samples
-
-    /// Copies the colours into another framebuffer, such as a window's, lower left corner on lower left corner; leaves that one
-    /// bound.
-    void showIn(unsigned framebuffer) const;
 
 private:
     PictureTile m_tile;
@@ -44,8 +39,5 @@ private:
     unsigned m_colour = 0;
     unsigned m_depth = 0;
 };
-
-/// Fills a framebuffer that is not ours, such as a window's, with one opaque colour; leaves it bound.
-void fillFramebuffer(unsigned framebuffer, const Vec3f& colour);
 
 }  // namespace cullscope

@@ -59,7 +59,6 @@ void expectRefusal(const ProcessResult& result, const std::string& mentions) {
 TEST_F(CullbenchOverlay, unknownOrUnavailableOneIsRefused) {
     const std::string sphere = "sphere:triangles=200";
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "verdict"}), "Known: verdicts, boxes, frustum");
-    expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "tree"}), "\"frustum\" has no such overlay");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "index-map"}), "\"frustum\" has no index map");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "bands"}), "\"frustum\" has no contour bands");
     expectRefusal(render(sphere, "frustum", "a.png", {"--overlay", "kernel"}), "\"frustum\" has no quadtree and no inner kernel");

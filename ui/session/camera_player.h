@@ -20,15 +20,9 @@ public:
     /// Plays from the first pose. A path without poses, or no scene: nothing happens.
     void play(CameraPath path);
     void pause();
-    /// Goes on from the present pose; at the end of a path that does not loop, from the first.
+    /// Goes on from the present pose; at the end of the path, from the first.
     void resume();
     void stop();
-    /// Pauses, and goes so many poses on or back; at the ends round about where the path loops, else no farther.
-    void step(int poses);
-    /// Shows a pose; playing goes on from there.
-    void seek(int pose);
-    void setLoop(bool loop) { m_loop = loop; }
-    [[nodiscard]] bool loop() const { return m_loop; }
     /// 1: 30 poses a second where drawing is that fast.
     void setSpeed(double speed);
     [[nodiscard]] double speed() const { return m_speed; }
@@ -43,7 +37,7 @@ signals:
     void poseChanged(int pose);
     /// active(), playing()
     void stateChanged();
-    /// A path that does not loop has shown its last pose.
+    /// The path has shown its last pose.
     void finished();
 
 protected:
@@ -54,7 +48,6 @@ private:
     void advance();
     void setPlaying(bool playing);
     [[nodiscard]] bool shown() const;
-    [[nodiscard]] int poseAfter(int poses) const;
 
     Session& m_session;
     CameraPath m_path;
@@ -62,7 +55,6 @@ private:
     Camera m_given;  ///< what the session made of the present pose
     int m_pose = 0;
     double m_speed = 1.0;
-    bool m_loop = false;
     bool m_playing = false;
     bool m_moving = false;  ///< the camera moves by us
 };

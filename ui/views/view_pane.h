@@ -21,7 +21,6 @@ public:
     [[nodiscard]] int view() const { return m_view; }
     [[nodiscard]] SceneView& picture() { return *m_picture; }
     [[nodiscard]] ViewHeader& header() { return *m_header; }
-    [[nodiscard]] BudgetBar& budget() { return *m_budget; }
     /// What the chip says; empty: no chip.
     [[nodiscard]] QString chipText() const;
     /// Among many views pictures that fit the window are of 4 by 3: eight of them are 320 × 240 on the least screen.

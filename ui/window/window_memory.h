@@ -24,11 +24,8 @@ public:
     void save(const Layout& layout);
     /// Gives the window its place and docks back. None: nothing was kept, and the window is as it was.
     [[nodiscard]] std::optional<Layout> restore();
-    /// The docks as at the first start, and nothing kept. The window's place and the folder stay.
+    /// The docks as at the first start, and nothing kept. The window's place stays.
     void reset();
-
-    [[nodiscard]] QString folder() const;
-    void setFolder(const QString& folder);
 
 private:
     QMainWindow& m_window;
