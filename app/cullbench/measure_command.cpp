@@ -62,17 +62,12 @@ void printTable(const MeasureResult& result, FILE* out) {
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
         const Summary& s = run.summary;
-        uint64_t missed = 0, hole = 0;
-        for (const FrameMeasurement& frame : run.frames)
-            if (frame.accuracy) {
-                missed += frame.accuracy->missedPixels;
-                hole = std::max(hole, frame.accuracy->largestHolePixels);
-            }
+        const std::optional<Losses> losses = run.losses();
         fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>12.2f} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
                    strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
                    fmt::format("{:.2f} [{:.2f},{:.2f}]", s.speedupVsAll, s.speedupVsAllCi95[0], s.speedupVsAllCi95[1]),
                    s.speedupVsBackface, s.culledFraction * 100, s.cullShare * 1000.0 / s.fpsOverall,
-                   result.request.accuracy ? std::to_string(missed) : "-", result.request.accuracy ? std::to_string(hole) : "-");
+                   losses ? std::to_string(losses->missedPixels) : "-", losses ? std::to_string(losses->largestHolePixels) : "-");
     }
     for (const RunMeasurement& run : result.runs)
         if (const std::string used = usedParts(run); !used.empty())

@@ -58,7 +58,7 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
 
 /// The content of the picture, for its metadata.
 PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& strategy, const OverlayChoice& choice,
-                         const View& culling, const View& viewing, const Verdict& verdict) {
+                         const View& culling, const View& viewing, const DrawStyle& style, const Verdict& verdict) {
     PictureSubject subject;
     subject.scene = options.scene.specification;
     subject.hidden = options.scene.hide;
@@ -69,6 +69,7 @@ PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& st
     subject.cullingSize = culling.viewport();
     subject.size = viewing.viewport();
     subject.look = choice.look;
+    subject.style = style;
     subject.map = choice.map;
     subject.submittedTriangles = verdict.consideredTriangles;
     return subject;
@@ -171,7 +172,7 @@ void run(const RenderOptions& options, const Context& context) {
     }
     const auto& [verdict, states, rgba, sphere] = drawn;
     const Viewport whole{size.width, below ? 2 * size.height : size.height};
-    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, view, viewingView, verdict));
+    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, view, viewingView, style, verdict));
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
     Picture picture{whole, rgba, std::move(metadata)};
     if (keepsDepth(options.output) && !choice.replacesScene() && !below)

@@ -4,9 +4,9 @@
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
+#include "core/experiments/paper_tables.h"
 #include "core/gpu/context.h"
 #include "core/image/line_plot.h"
-#include "core/experiments/paper_tables.h"
 
 namespace cullscope::cullbench {
 namespace {

@@ -1,9 +1,16 @@
 #include "core/base/error.h"
 
 #include <cerrno>
+#include <new>
 #include <system_error>
 
 namespace cullscope {
+
+Message sentenceOf(const std::exception& failure, const char* other, const char* noMemory) {
+    if (const auto* error = dynamic_cast<const Error*>(&failure)) return error->message();
+    if (noMemory != nullptr && dynamic_cast<const std::bad_alloc*>(&failure) != nullptr) return {noMemory, {}};
+    return {other, {failure.what()}};
+}
 
 std::string systemReason(int errorNumber) {
     switch (errorNumber) {

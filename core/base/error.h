@@ -31,6 +31,10 @@ private:
 /// Meant as an argument of a Message; a user interface translates arguments that are marked texts.
 [[nodiscard]] std::string systemReason(int errorNumber);
 
+/// What the user is told of a failure: an Error's own message, else `other` with the exception's words in its place %1; where
+/// memory is wanting `noMemory`, if there is one. Both are marked for translation.
+[[nodiscard]] Message sentenceOf(const std::exception& failure, const char* other, const char* noMemory = nullptr);
+
 [[noreturn]] void throwUsage(std::string_view text, std::vector<std::string> arguments = {});
 [[noreturn]] void throwInput(std::string_view text, std::vector<std::string> arguments = {});
 [[noreturn]] void throwOpenGl(std::string_view text, std::vector<std::string> arguments = {});

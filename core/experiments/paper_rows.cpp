@@ -1,22 +1,16 @@
 #include "core/experiments/paper_rows.h"
 
-#include <algorithm>
-
-#include "core/visibility/strategy_request.h"
 #include "core/measure/statistics.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope {
 namespace {
 
 void addLosses(PaperCells& cells, const RunMeasurement& run) {
-    double missed = 0.0, hole = 0.0;
-    for (const FrameMeasurement& frame : run.frames) {
-        if (!frame.accuracy) return;
-        missed += double(frame.accuracy->missedPixels);
-        hole = std::max(hole, double(frame.accuracy->largestHolePixels));
-    }
-    cells["missed_pixels"] = missed;
-    cells["largest_hole_px"] = hole;
+    const std::optional<Losses> losses = run.losses();
+    if (!losses) return;
+    cells["missed_pixels"] = double(losses->missedPixels);
+    cells["largest_hole_px"] = double(losses->largestHolePixels);
     if (run.summary.missedPixelRate) cells["missed_pixel_rate"] = *run.summary.missedPixelRate;
 }
 

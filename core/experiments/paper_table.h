@@ -7,8 +7,8 @@
 
 #include "core/base/message.h"
 #include "core/gpu/context.h"
-#include "core/measure/meter.h"
 #include "core/image/line_plot.h"
+#include "core/measure/meter.h"
 #include "core/measure/statistics.h"
 
 namespace cullscope {

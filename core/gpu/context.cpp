@@ -1,8 +1,8 @@
 #include "core/gpu/context.h"
 
-#include <array>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
+#include <array>
 
 #include <optional>
 #include <vector>
@@ -118,7 +118,6 @@ GlInfo requireOpenGl45() {
     info.version = text(GL_VERSION);
     if (info.version.empty())
         throwOpenGl(CULLSCOPE_TR("There is no OpenGL context here: install a graphics driver with OpenGL 4.5, or Mesa."));
-    info.vendor = text(GL_VENDOR);
     info.renderer = text(GL_RENDERER);
     glGetIntegerv(GL_MAJOR_VERSION, &info.major);
     glGetIntegerv(GL_MINOR_VERSION, &info.minor);

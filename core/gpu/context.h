@@ -7,7 +7,6 @@ namespace cullscope {
 
 /// What the current OpenGL context reports about itself.
 struct GlInfo {
-    std::string vendor;
     std::string renderer;
     std::string version;
     int major = 0;

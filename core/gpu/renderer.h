@@ -5,10 +5,10 @@
 #include <optional>
 #include <span>
 
+#include "core/frame/draw_list.h"
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/scene_buffers.h"
 #include "core/scene/camera.h"
-#include "core/frame/draw_list.h"
 
 namespace cullscope {
 

@@ -9,16 +9,8 @@ std::string text(double number) { return toText(ParameterValue(number)); }
 std::string text(const Vec3& v) { return text(v.x) + "," + text(v.y) + "," + text(v.z); }
 
 std::string overlays(const ViewLook& look) {
-    if (look.sphericalModel) return "spherical-model";
     std::string names;
-    const auto add = [&](bool shown, const char* name) {
-        if (shown) names += (names.empty() ? "" : ",") + std::string(name);
-    };
-    add(look.colouring == Colouring::Verdicts, "verdicts");
-    add(look.boxes, "boxes");
-    add(look.frustum, "frustum");
-    add(look.bands, "bands");
-    add(look.kernel, "kernel");
+    for (const char* id : overlayIds(look)) names += (names.empty() ? "" : ",") + std::string(id);
     return names;
 }
 

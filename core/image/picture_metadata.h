@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ using PictureMetadata = std::vector<std::pair<std::string, std::string>>;
 
 /// The content of a picture and the figures measured for it.
 struct PictureSubject {
-    std::string scene;   ///< a specification
+    std::string scene;  ///< a specification
+    std::vector<std::filesystem::path> modelFolders;
     std::string hidden;  ///< objects left out, as in "3,7-9"; empty: none
     std::string strategy;
     ParameterSet parameters;
@@ -25,6 +27,7 @@ struct PictureSubject {
     Camera viewing;  ///< the culling camera, or an observer's
     Viewport cullingSize, size;
     ViewLook look;
+    DrawStyle style;
     std::optional<MapColouring> map;  ///< the index map in place of the scene
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
@@ -32,9 +35,9 @@ struct PictureSubject {
     std::optional<Viewport> figuresSize;  ///< the size at which the last two were measured
 };
 
-/// All parameters that reproduce the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" after the prefix.
-/// Values that are not known are left out, and the observer's camera where it is the culling camera. Numbers are written with
-/// enough digits to read back exactly.
+/// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is
+/// not known, and an observer's camera where nobody observes, is left out, as are model folders and style. Numbers read back as
+/// the very same.
 [[nodiscard]] PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix = "cullscope:");
 
 /// "cullscope:version", "cullscope:commit" and "cullscope:gl_renderer" of the program that drew the picture.

@@ -63,6 +63,21 @@ std::vector<OverlayLines> boxesOf(const OverlayContext& context, const Structure
 
 const char* boxColouringId(BoxColouring colouring) { return colouring == BoxColouring::Plane ? "plane" : "verdict"; }
 
+std::vector<const char*> overlayIds(const ViewLook& look) {
+    // In its place nothing else is seen.
+    if (look.sphericalModel) return {"spherical-model"};
+    std::vector<const char*> ids;
+    const auto add = [&](bool shown, const char* id) {
+        if (shown) ids.push_back(id);
+    };
+    add(look.colouring == Colouring::Verdicts, "verdicts");
+    add(look.boxes, "boxes");
+    add(look.frustum, "frustum");
+    add(look.bands, "bands");
+    add(look.kernel, "kernel");
+    return ids;
+}
+
 VerdictPalette verdictPalette(const Vec3f& background) {
     const bool light = isLight(background);
     VerdictPalette palette;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/visibility/triangle_states.h"
 #include "core/visibility/strategy.h"
+#include "core/visibility/triangle_states.h"
 
 namespace cullscope {
 
@@ -32,6 +32,8 @@ struct ViewLook {
     [[nodiscard]] bool byPlane() const { return boxes && boxColouring == BoxColouring::Plane; }
     bool operator==(const ViewLook&) const = default;
 };
+/// "verdicts", "boxes", … for all that a look shows: as in files and on the command line.
+[[nodiscard]] std::vector<const char*> overlayIds(const ViewLook& look);
 
 /// The verdicts' colours (desktop.md) by TriangleState, for light and dark backgrounds (chosen by the background's luminance).
 [[nodiscard]] std::array<PaletteEntry, kTriangleStateCount> verdictPalette(const Vec3f& background);

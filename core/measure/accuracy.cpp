@@ -95,7 +95,7 @@ Accuracy compare(const Reference& reference, const std::vector<float>& depth, co
     Accuracy accuracy;
     accuracy.coveredPixels = reference.coveredPixels;
     for (size_t i = 0; i < depth.size(); ++i)
-        if (depth[i] > reference.depth[i]) ++accuracy.extraPixels;
+        if (pixelDifference(reference.depth[i], depth[i]) == PixelDifference::Extra) ++accuracy.extraPixels;
     std::vector<uint8_t> mask = missedMask(reference, depth);
     accuracy.missedPixels = static_cast<uint64_t>(std::count(mask.begin(), mask.end(), uint8_t{1}));
     if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
@@ -111,7 +111,8 @@ Accuracy compare(const Reference& reference, const std::vector<float>& depth, co
 
 std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth) {
     std::vector<uint8_t> mask(depth.size());
-    for (size_t i = 0; i < depth.size(); ++i) mask[i] = depth[i] < reference.depth[i] ? 1 : 0;
+    for (size_t i = 0; i < depth.size(); ++i)
+        mask[i] = pixelDifference(reference.depth[i], depth[i]) == PixelDifference::Missed ? 1 : 0;
     return mask;
 }
 
@@ -150,7 +151,8 @@ uint64_t missedBeyondSnapping(const Reference& reference, const std::vector<floa
     uint64_t beyond = 0;
     const auto width = static_cast<size_t>(reference.size.width);
     for (size_t pixel = 0; pixel < depth.size(); ++pixel) {
-        if (!(depth[pixel] < reference.depth[pixel]) || reference.triangle[pixel] == 0) continue;
+        const bool missed = pixelDifference(reference.depth[pixel], depth[pixel]) == PixelDifference::Missed;
+        if (!missed || reference.triangle[pixel] == 0) continue;
         const auto triangle = rasterised(scene, view, reference.triangle[pixel] - 1);
         const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
         const double gap = double(reference.depth[pixel]) - double(depth[pixel]);

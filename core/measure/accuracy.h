@@ -23,7 +23,17 @@ struct Accuracy {
     }
 };
 
-/// Compares by depth sample; `depth` are the samples of the strategy's picture (Framebuffer::readDepth), `list` is what it drew.
+/// What a depth sample of a picture is beside that of the truth.
+enum class PixelDifference : uint8_t {
+    None,
+    Extra,  ///< the picture shows a nearer surface
+    Missed  ///< the picture shows a farther surface, or none
+};
+[[nodiscard]] inline PixelDifference pixelDifference(float truth, float depth) {
+    return depth < truth ? PixelDifference::Missed : depth > truth ? PixelDifference::Extra : PixelDifference::None;
+}
+
+/// Compares by depth sample; `depth` is what the strategy's picture has (Framebuffer::readDepth), `list` what it drew.
 [[nodiscard]] Accuracy compare(const Reference& reference, const std::vector<float>& depth, const DrawList& list,
                                const Scene& scene);
 

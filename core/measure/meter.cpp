@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/renderer.h"
-#include "core/measure/statistics.h"
 #include "core/measure/accuracy.h"
+#include "core/measure/statistics.h"
 
 namespace cullscope {
 namespace {
@@ -201,13 +201,10 @@ private:
         if (frames.empty()) return summary;
         std::vector<double> times;
         double cull = 0.0, considered = 0.0;
-        uint64_t missed = 0, covered = 0;
         for (const FrameMeasurement& frame : frames) {
             times.push_back(frame.frameMilliseconds);
             cull += frame.cullMilliseconds;
             considered += double(frame.consideredTriangles);
-            if (frame.accuracy) missed += frame.accuracy->missedPixels;
-            if (frame.accuracy) covered += frame.accuracy->coveredPixels;
             summary.fpsMean += 1000.0 / frame.frameMilliseconds / double(frames.size());
         }
         const double total = std::accumulate(times.begin(), times.end(), 0.0);
@@ -220,7 +217,8 @@ private:
         summary.cullShare = cull / total;
         const double triangles = double(m_request.scene->triangleCount());
         summary.culledFraction = triangles > 0 ? 1.0 - considered / double(frames.size()) / triangles : 0.0;
-        if (frames.front().accuracy) summary.missedPixelRate = covered > 0 ? double(missed) / double(covered) : 0.0;
+        if (const std::optional<Losses> lost = contestant.run.losses())
+            summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
         const RatioEstimate all = speedupOver("all", contestant);
         summary.speedupVsAll = all.mean;
         summary.speedupVsAllCi95 = all.ci95;
@@ -242,6 +240,22 @@ private:
 };
 
 }  // namespace
+
+std::optional<Losses> RunMeasurement::losses() const {
+    if (frames.empty() || !frames.front().accuracy) return std::nullopt;
+    Losses losses;
+    uint64_t most = 0;
+    for (const FrameMeasurement& frame : frames) {
+        losses.coveredPixels += frame.accuracy->coveredPixels;
+        losses.missedPixels += frame.accuracy->missedPixels;
+        losses.missedBeyondSnapping += frame.missedBeyondSnapping;
+        losses.largestHolePixels = std::max(losses.largestHolePixels, frame.accuracy->largestHolePixels);
+        if (frame.accuracy->missedPixels <= most) continue;
+        most = frame.accuracy->missedPixels;
+        losses.worstPose = frame.pose;
+    }
+    return losses;
+}
 
 bool RunMeasurement::promiseBroken() const {
     if (promise == Promise::Approximate) return false;

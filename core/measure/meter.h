@@ -51,6 +51,15 @@ struct FrameMeasurement {
     uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
 };
 
+/// What a strategy lost over the poses of a path.
+struct Losses {
+    uint64_t coveredPixels = 0;  ///< of the reference
+    uint64_t missedPixels = 0;
+    uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
+    uint64_t largestHolePixels = 0;
+    std::optional<size_t> worstPose;  ///< with the most missed pixels; none where nothing is missed
+};
+
 struct Summary {
     double fpsOverall = 0.0;  ///< poses / total time
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
@@ -74,8 +83,9 @@ struct RunMeasurement {
     std::vector<FrameMeasurement> frames;
     Summary summary;
 
-    /// Whether a conservative or exact strategy lost a pixel (beyond the raster's snapping, where the reference has another
-    /// facing rule).
+    /// None where it was not measured.
+    [[nodiscard]] std::optional<Losses> losses() const;
+    /// A conservative or exact strategy that lost a pixel (beyond the raster's snapping, where the reference draws other faces).
     [[nodiscard]] bool promiseBroken() const;
 };
 

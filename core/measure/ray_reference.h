@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/scene/camera.h"
 #include "core/frame/draw_list.h"
+#include "core/scene/camera.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {

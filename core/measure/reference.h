@@ -3,9 +3,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/frame/draw_list.h"
 #include "core/gpu/renderer.h"
 #include "core/scene/camera.h"
-#include "core/frame/draw_list.h"
 #include "core/scene/scene.h"
 #include "core/visibility/triangle_states.h"
 

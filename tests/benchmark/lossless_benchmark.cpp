@@ -3,10 +3,10 @@
 #include <numeric>
 
 #include "core/measure/meter.h"
+#include "core/measure/statistics.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
 #include "core/visibility/registry.h"
-#include "core/measure/statistics.h"
 
 namespace cullscope::benchmark {
 

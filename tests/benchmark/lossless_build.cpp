@@ -8,13 +8,13 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/error.h"
-#include "core/measure/meter.h"
 #include "core/image/line_plot.h"
+#include "core/measure/meter.h"
+#include "core/measure/statistics.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "tests/benchmark/lossless_benchmark.h"
-#include "core/measure/statistics.h"
 
 namespace cullscope::benchmark {
 namespace {

@@ -5,8 +5,8 @@
 
 #include "core/base/atomic_file.h"
 #include "core/gpu/context.h"
-#include "core/measure/render_frame.h"
 #include "core/image/line_plot.h"
+#include "core/measure/render_frame.h"
 #include "core/spatial/cell_tree.h"
 #include "core/visibility/registry.h"
 #include "tests/benchmark/lossless_benchmark.h"

@@ -167,11 +167,9 @@ TEST_F(Playing, showsEveryPoseOnceInOrder) {
     player.stop();
 }
 
-TEST_F(Playing, loopsUntilItIsStopped) {
-    player.setLoop(true);
-    player.play(orbit(session, "orbit:3"));
+TEST_F(Playing, escapeStopsIt) {
+    player.play(orbit(session, "orbit:1000"));
     ASSERT_TRUE(waitUntil([&] { return poses.size() >= 8; }));
-    EXPECT_EQ((std::vector<int>(poses.begin(), poses.begin() + 8)), (std::vector<int>{0, 1, 2, 0, 1, 2, 0, 1}));
     press(Qt::Key_Space);
     EXPECT_TRUE(player.active());
     press(Qt::Key_Escape);
@@ -180,24 +178,6 @@ TEST_F(Playing, loopsUntilItIsStopped) {
     const size_t count = poses.size();
     QTest::qWait(50);
     EXPECT_EQ(poses.size(), count);
-}
-
-TEST_F(Playing, stepsAndSeeksWithinThePath) {
-    player.play(orbit(session, "orbit:5"));
-    player.step(1);
-    EXPECT_FALSE(player.playing());
-    EXPECT_EQ(player.pose(), 1);
-    player.step(-3);
-    EXPECT_EQ(player.pose(), 0);
-    player.seek(99);
-    EXPECT_EQ(player.pose(), 4);
-    player.step(1);
-    EXPECT_EQ(player.pose(), 4);
-    player.setLoop(true);
-    player.step(1);
-    EXPECT_EQ(player.pose(), 0);
-    player.step(-11);
-    EXPECT_EQ(player.pose(), 4);
 }
 
 TEST_F(Playing, aHandOnTheCameraPauses) {
@@ -217,8 +197,6 @@ TEST_F(Playing, aHandOnTheCameraPauses) {
 TEST_F(Playing, nothingToPlayIsNotPlayed) {
     player.play({});
     EXPECT_FALSE(player.active());
-    player.step(1);
-    player.seek(1);
     player.resume();
     EXPECT_TRUE(poses.empty());
 }

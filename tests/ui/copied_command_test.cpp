@@ -43,7 +43,7 @@ struct CopiedCommand : ::testing::Test {
 
     void expectSame(const SceneView& view) {
         const QImage drawn = pixelsAlone(view.picture(), QImage::Format_RGB888);
-        EXPECT_EQ(cullbenchPicture(view.request()), drawn) << cullbenchCommand(view.request()).toStdString();
+        EXPECT_EQ(cullbenchPicture(view.subject()), drawn) << cullbenchCommand(view.subject()).toStdString();
         int covered = 0;
         for (int y = 0; y < drawn.height(); ++y)
             for (int x = 0; x < drawn.width(); ++x) covered += drawn.pixel(x, y) != drawn.pixel(0, 0) ? 1 : 0;
@@ -99,7 +99,7 @@ TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     session.observe(1, 0);
     session.slot(0).choose("spherical");
     change(1, [](ViewSetup& setup) { setup.look = {.boxes = true, .bands = true}; });
-    EXPECT_TRUE(second.request().look.boxes && second.request().look.bands);
+    EXPECT_TRUE(second.subject().look.boxes && second.subject().look.bands);
     expectSame(second);
     change(1, [](ViewSetup& setup) {
         setup.look.sphericalModel = true;
@@ -109,7 +109,7 @@ TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     // A strategy without bands shows none, and the command has no option for them.
     session.slot(0).choose("frustum");
     change(1, [](ViewSetup& setup) { setup.look.sphericalModel = false; });
-    EXPECT_FALSE(second.request().look.bands);
+    EXPECT_FALSE(second.subject().look.bands);
 }
 
 TEST_F(CopiedCommand, repeatsAViewWithHiddenObjects) {
@@ -117,7 +117,7 @@ TEST_F(CopiedCommand, repeatsAViewWithHiddenObjects) {
     for (const size_t object : {1, 3, 4, 5, 20}) hidden[object] = true;
     session.setHidden(hidden);
     settle();
-    EXPECT_EQ(first.request().hidden, "1,3-5,20");
+    EXPECT_EQ(first.subject().hidden, "1,3-5,20");
     expectSame(first);
 }
 

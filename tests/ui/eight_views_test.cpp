@@ -32,20 +32,20 @@ TEST_F(EightViews, picturesAreExactly320By240OnTheLeastScreenInEveryLanguage) {
     }
 }
 
-/// The metrics of a strategy at one camera, measured by `cullbench measure`.
-QJsonObject measured(const PictureRequest& request, const QString& strategies) {
+/// What `cullbench measure` says of a strategy at one camera.
+QJsonObject measured(const PictureSubject& picture, const QString& strategies) {
     const QTemporaryDir folder;
     const QString path = folder.filePath(QStringLiteral("path.json")), json = folder.filePath(QStringLiteral("out.json"));
     writeCameraPath(path.toStdString(), {"pose",
-                                         request.camera.fovy,
-                                         request.camera.nearDistance,
-                                         request.camera.farDistance,
-                                         {{request.camera.eye, request.camera.target, request.camera.up}}});
+                                         picture.culling.fovy,
+                                         picture.culling.nearDistance,
+                                         picture.culling.farDistance,
+                                         {{picture.culling.eye, picture.culling.target, picture.culling.up}}});
     QProcess cullbench;
     cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH),
-                    {QStringLiteral("measure"), QString::fromStdString(request.scene), QStringLiteral("-s"), strategies,
+                    {QStringLiteral("measure"), QString::fromStdString(picture.scene), QStringLiteral("-s"), strategies,
                      QStringLiteral("--path"), path, QStringLiteral("--size"),
-                     QStringLiteral("%1x%2").arg(request.size.width).arg(request.size.height), QStringLiteral("--repeat"),
+                     QStringLiteral("%1x%2").arg(picture.size.width).arg(picture.size.height), QStringLiteral("--repeat"),
                      QStringLiteral("1"), QStringLiteral("--json"), json});
     EXPECT_TRUE(cullbench.waitForFinished(kPatience));
     QFile file(json);
@@ -59,7 +59,7 @@ TEST_F(EightViews, figuresOfAFixedSizeStayWhateverTheWindowAndEqualCullbenchs) {
     setSizes(Viewport{640, 480});
     session.slot(0).choose("frustum");
     settle();
-    const QJsonObject result = measured(picture(0).request(), QStringLiteral("frustum,backface"));
+    const QJsonObject result = measured(picture(0).subject(), QStringLiteral("frustum,backface"));
     const QJsonArray runs = result[QStringLiteral("runs")].toArray();
     const auto frame = [&](const char* strategy) {
         for (const auto& run : runs)
@@ -145,7 +145,7 @@ TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) 
         EXPECT_TRUE(picture(view).pictureIsCurrent());
     }
     for (int view = 0; view < 8; ++view)
-        EXPECT_EQ(pixelsAlone(shown(view), QImage::Format_RGB888), cullbenchPicture(picture(view).request())) << "view " << view;
+        EXPECT_EQ(pixelsAlone(shown(view), QImage::Format_RGB888), cullbenchPicture(picture(view).subject())) << "view " << view;
 }
 
 TEST_F(EightViews, theActiveViewComesFirstAndNoViewStarves) {

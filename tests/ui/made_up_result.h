@@ -1,7 +1,7 @@
 #pragma once
 
-#include "tests/support/small_experiment.h"
 #include "core/measure/accuracy.h"
+#include "tests/support/small_experiment.h"
 
 namespace cullscope::ui {
 

@@ -183,10 +183,10 @@ TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {
     const View view(session.camera(), {160, 120});
     const ViewLook wanted{.kernel = true};
     EXPECT_TRUE(shownLook(*session.slot(1).built(), view, wanted).kernel);
-    PictureRequest request;
-    request.scene = "bunny";
-    request.look = wanted;
-    EXPECT_TRUE(cullbenchArguments(request, {}).join(QLatin1Char(' ')).contains(QStringLiteral("--overlay kernel")));
+    PictureSubject picture;
+    picture.scene = "bunny";
+    picture.look = wanted;
+    EXPECT_TRUE(cullbenchArguments(picture, {}).join(QLatin1Char(' ')).contains(QStringLiteral("--overlay kernel")));
     session.slot(1).choose("spherical");
     settle();
     EXPECT_FALSE(shownLook(*session.slot(1).built(), view, wanted).kernel);

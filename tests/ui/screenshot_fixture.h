@@ -5,7 +5,9 @@
 #include <QDir>
 #include <QSettings>
 #include <QTemporaryDir>
+#include <map>
 
+#include "core/image/picture_file.h"
 #include "tests/ui/test_scene.h"
 #include "ui/dialogs/screenshot_taker.h"
 
@@ -20,6 +22,12 @@ inline ScreenshotOptions bare() {
     ScreenshotOptions options;
     options.overlays = options.legend = options.caption = false;
     return options;
+}
+
+/// All pairs that a picture's file has, names with "cullscope:".
+inline std::map<std::string, std::string> metadataOf(const QString& file) {
+    const PictureMetadata pairs = readPicture(file.toStdString()).metadata;
+    return {pairs.begin(), pairs.end()};
 }
 
 inline PictureExtras noExtras(int) { return {}; }

@@ -254,7 +254,7 @@ TEST_F(ScreenshotTest, eightViewsAreTwoRowsOfFourUnderHeadlines) {
     }
     const QString file = taken(options);
     EXPECT_EQ(image(file).size(), QSize(1920, 1080));
-    EXPECT_EQ(readScreenshot(file.toStdString()).metadata.at("cullscope:view_H:strategy"), session.slot(7).id());
+    EXPECT_EQ(metadataOf(file).at("cullscope:view_H:strategy"), session.slot(7).id());
 }
 
 }  // namespace

@@ -31,7 +31,6 @@ TEST_F(Memory, theWindowComesBackAsItWasLeft) {
         first.window.resize(512, 384);
         first.window.addDockWidget(Qt::LeftDockWidgetArea, &first.dock);
         first.memory->save(layout);
-        first.memory->setFolder(QStringLiteral("/models"));
     }
     SomeWindow next;
     EXPECT_EQ(next.memory->restore(), layout);
@@ -39,7 +38,6 @@ TEST_F(Memory, theWindowComesBackAsItWasLeft) {
     EXPECT_EQ(next.window.dockWidgetArea(&next.dock), Qt::LeftDockWidgetArea);
     next.memory->reset();
     EXPECT_EQ(next.window.dockWidgetArea(&next.dock), Qt::RightDockWidgetArea);
-    EXPECT_EQ(next.memory->folder(), QStringLiteral("/models"));
     SomeWindow last;
     EXPECT_FALSE(last.memory->restore().has_value());
     EXPECT_EQ(last.window.dockWidgetArea(&last.dock), Qt::RightDockWidgetArea);

@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 
 #include "tests/ui/shown_window.h"
+#include "ui/session/cullbench_command.h"
 
 namespace cullscope::ui::window_views_test {
 namespace {
@@ -154,7 +155,7 @@ TEST_F(Window, theCopiedCommandDrawsTheSamePicture) {
         const QString file = folder.filePath(QStringLiteral("view.png"));
         QProcess cullbench;
         cullbench.setWorkingDirectory(folder.path());
-        cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(picture(0).request(), file));
+        cullbench.start(QStringLiteral(CULLSCOPE_CULLBENCH), cullbenchArguments(picture(0).subject(), file));
         ASSERT_TRUE(cullbench.waitForFinished(kPatience));
         ASSERT_EQ(cullbench.exitCode(), 0) << cullbench.readAllStandardError().toStdString();
         EXPECT_EQ(pixelsAlone(QImage(file), QImage::Format_RGB888), picture(0).picture().convertToFormat(QImage::Format_RGB888));

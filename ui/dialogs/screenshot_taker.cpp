@@ -4,6 +4,7 @@
 #include "core/image/picture_file.h"
 #include "ui/dialogs/screenshot_dialog.h"
 #include "ui/jobs/picture_tiles.h"
+#include "ui/session/session_file.h"
 
 namespace cullscope::ui {
 
@@ -48,7 +49,7 @@ void ScreenshotTaker::take(const ScreenshotSettings& settings) {
     try {
         const std::filesystem::path path = screenshotPath(m_session, settings);
         ScreenshotPlan plan = planScreenshot(m_session, settings.options, m_extras, keepsDepth(path));
-        plan.metadata.emplace_back("cullscope:session", m_sessionText());
+        plan.metadata.emplace_back(kSessionMetadata, m_sessionText());
         m_waiting.push_back({std::move(plan), settings});
     } catch (const Error& error) {
         emit failed(error.message());

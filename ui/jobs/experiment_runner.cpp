@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <new>
 
 #include "core/base/error.h"
 #include "core/visibility/registry.h"
@@ -40,31 +39,28 @@ Message experimentLoss() {
             {}};
 }
 
-/// Returns an empty message if the user stopped the experiment.
-Message sentenceOf(const std::exception& exception) {
-    if (const auto* error = dynamic_cast<const Error*>(&exception))
-        return error->kind() == ErrorKind::Interrupted ? Message() : error->message();
-    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr)
-        return {QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."), {}};
-    return {QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"), {exception.what()}};
+bool stoppedByUser(const std::exception& exception) {
+    const auto* error = dynamic_cast<const Error*>(&exception);
+    return error != nullptr && error->kind() == ErrorKind::Interrupted;
 }
 
 }  // namespace
+
+Message experimentFailure(const std::exception& failure) {
+    return sentenceOf(failure, QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"),
+                      QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."));
+}
 
 ExperimentRunner::ExperimentRunner(QObject* parent, GpuThread::Options gpu) : QObject(parent), m_gpuOptions(std::move(gpu)) {
     m_poll.setInterval(kInterval);
     connect(&m_poll, &QTimer::timeout, this, &ExperimentRunner::showBoard);
 }
 
-ExperimentRunner::~ExperimentRunner() {
-    m_stop.request_stop();
-    m_jobs.invalidate();
-    m_gpu.reset();
-}
+ExperimentRunner::~ExperimentRunner() { m_stop.request_stop(); }
 
 void ExperimentRunner::start(const Request& request) {
     m_stop.request_stop();
-    const uint64_t job = m_jobs.begin();
+    m_jobs.cancel();
     try {
         if (!m_gpu) m_gpu = std::make_unique<GpuThread>(m_gpuOptions);
     } catch (const Error& error) {
@@ -76,11 +72,9 @@ void ExperimentRunner::start(const Request& request) {
     m_stop = std::stop_source();
     m_board = std::make_shared<Board>();
     m_running = true;
-    ++m_underWay;
-    m_gpu->post([this, job, &gpu = *m_gpu, measured = measureRequest(request), stop = m_stop.get_token(), board = m_board] {
-        Outcome outcome = run(measured, gpu, stop, *board);
-        QMetaObject::invokeMethod(
-            this, [this, job, outcome = std::move(outcome)] { deliver(job, outcome); }, Qt::QueuedConnection);
+    m_jobs.start(*m_gpu, [this, &gpu = *m_gpu, measured = measureRequest(request), stop = m_stop.get_token(),
+                          board = m_board](GpuJobs::Step& step) {
+        step.deliver([this, outcome = run(measured, gpu, stop, *board)] { deliver(outcome); });
     });
     m_poll.start();
     emit started();
@@ -124,8 +118,7 @@ ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, G
         return {measure(request, progress, afterPose), {}};
     } catch (const std::exception& error) {
         if (gpu.lost()) return {known, experimentLoss()};
-        const Message failure = sentenceOf(error);
-        return failure.empty() ? Outcome{nothing, {}} : Outcome{std::nullopt, failure};
+        return stoppedByUser(error) ? Outcome{nothing, {}} : Outcome{std::nullopt, experimentFailure(error)};
     }
 }
 
@@ -145,15 +138,14 @@ void ExperimentRunner::showBoard() {
     if (snapshot && m_running && board == m_board) emit partial(*snapshot);
 }
 
-void ExperimentRunner::deliver(uint64_t job, const Outcome& outcome) {
-    // The thread has no work left: joining it takes no time and frees its memory.
-    if (--m_underWay == 0) m_gpu.reset();
-    if (!m_jobs.isCurrent(job)) return;
+void ExperimentRunner::deliver(const Outcome& outcome) {
+    // The thread has nothing left to do: joining it takes no time, and its memory is free again.
+    m_gpu.reset();
     m_running = false;
     m_poll.stop();
     if (outcome.result) emit finished(*outcome.result);
-    // A slot connected to `finished` may have started another experiment.
-    if (!outcome.failure.empty() && m_jobs.isCurrent(job)) emit failed(outcome.failure);
+    // Whoever heard of the result may have started another.
+    if (!outcome.failure.empty() && !m_running) emit failed(outcome.failure);
 }
 
 }  // namespace cullscope::ui

@@ -9,13 +9,15 @@
 
 #include "core/base/message.h"
 #include "core/measure/meter.h"
-#include "ui/jobs/gpu_thread.h"
-#include "ui/jobs/job_numbers.h"
+#include "ui/jobs/gpu_jobs.h"
 
 namespace cullscope::ui {
 
-/// Measures strategies over a camera path in the background, on an OpenGL thread of its own that exists while there is work. Runs
-/// one experiment at a time; a newer one replaces an older one. Call it on the window's thread.
+/// What the user is told of an experiment that cannot be run.
+[[nodiscard]] Message experimentFailure(const std::exception& failure);
+
+/// Measures strategies over a camera path beside the window, on an OpenGL thread of its own that lives as long as it has work:
+/// one experiment at a time, a newer one takes the place of an older one. Used on the window's thread.
 class ExperimentRunner : public QObject {
     Q_OBJECT
 
@@ -70,16 +72,15 @@ private:
 
     [[nodiscard]] static Outcome run(const MeasureRequest& request, GpuThread& gpu, const std::stop_token& stop, Board& board);
     void showBoard();
-    void deliver(uint64_t job, const Outcome& outcome);
+    void deliver(const Outcome& outcome);
 
-    JobNumbers m_jobs;
     bool m_running = false;
-    int m_underWay = 0;  ///< experiments that are posted and not done, cancelled ones included
     std::stop_source m_stop;
     std::shared_ptr<Board> m_board;
     QTimer m_poll;
     GpuThread::Options m_gpuOptions;
     std::unique_ptr<GpuThread> m_gpu;
+    GpuJobs m_jobs;
 };
 
 }  // namespace cullscope::ui

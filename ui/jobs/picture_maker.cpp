@@ -1,7 +1,6 @@
 #include "ui/jobs/picture_maker.h"
 
 #include <QCoreApplication>
-#include <new>
 
 #include "core/base/error.h"
 
@@ -17,14 +16,10 @@ template <typename Draw>
 ViewPicturePointer guarded(Message& failure, const Draw& draw) {
     try {
         return draw();
-    } catch (const Error& error) {
-        failure = error.message();
-    } catch (const std::bad_alloc&) {
-        failure = {
-            QT_TRANSLATE_NOOP("core", "There is not enough memory to draw this view. Make the picture or the scene smaller."),
-            {}};
     } catch (const std::exception& error) {
-        failure = {QT_TRANSLATE_NOOP("core", "This view cannot be drawn: %1"), {error.what()}};
+        failure = sentenceOf(
+            error, QT_TRANSLATE_NOOP("core", "This view cannot be drawn: %1"),
+            QT_TRANSLATE_NOOP("core", "There is not enough memory to draw this view. Make the picture or the scene smaller."));
     }
     return nullptr;
 }
@@ -42,14 +37,14 @@ PictureMaker::PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent
 }
 
 PictureMaker::~PictureMaker() {
-    m_jobs.invalidate();
-    // Destroy OpenGL objects on the GPU thread.
+    m_jobs.cancel();
+    m_picks.cancel();
+    // What lives on the GPU thread ends there.
     m_gpu.run([this] { *m_drawer = ViewPictureDrawer(); });
 }
 
 void PictureMaker::forget() {
-    m_jobs.invalidate();
-    m_drawing = false;
+    m_jobs.cancel();
     for (ViewState& state : m_views) {
         state.picture = nullptr;
         state.given.reset();
@@ -67,7 +62,7 @@ bool PictureMaker::isCurrent(int view) const {
 }
 
 bool PictureMaker::busy() const {
-    if (m_drawing) return true;
+    if (m_jobs.busy()) return true;
     for (int view = 0; view < int(m_views.size()); ++view)
         if (wants(view)) return true;
     return false;
@@ -79,8 +74,8 @@ void PictureMaker::update(int first) {
 }
 
 void PictureMaker::schedule() {
-    if (m_drawing || std::exchange(m_scheduled, true)) return;
-    // Queued, so that several changes during one event lead to one picture.
+    if (m_jobs.busy() || std::exchange(m_scheduled, true)) return;
+    // Many changes of one event are one wish.
     QMetaObject::invokeMethod(
         this,
         [this] {
@@ -101,36 +96,22 @@ int PictureMaker::nextView() const {
 }
 
 void PictureMaker::drawNext() {
-    if (m_drawing) return;
+    if (m_jobs.busy()) return;
     const int view = nextView();
     if (view < 0) return;
     m_turnsOfFirst = view == m_first ? m_turnsOfFirst + 1 : 0;
     if (view != m_first) m_cursor = view + 1;
-    m_drawing = true;
-    const uint64_t job = m_jobs.begin();
-    m_gpu.post(
-        [this, job, view, request = *m_wish(view), drawer = m_drawer] {
-            if (!m_jobs.isCurrent(job)) return;
-            Message failure;
-            ViewPicturePointer picture;
-            if (m_gpu.holds(request.buffers)) picture = guarded(failure, [&] { return drawer->draw(request); });
-            const bool held = m_gpu.holds(request.buffers);
-            QMetaObject::invokeMethod(
-                this,
-                [this, job, view, request, picture, failure, held] {
-                    if (!m_jobs.isCurrent(job)) return;
-                    if (held)
-                        finish(view, request, picture, failure);
-                    else
-                        passOver(view, request);
-                },
-                Qt::QueuedConnection);
-        },
-        Urgency::Picture);
+    const ViewRequest request = *m_wish(view);
+    const auto draw = [this, view, request, drawer = m_drawer](GpuJobs::Step& step) {
+        Message failure;
+        const ViewPicturePointer picture = guarded(failure, [&] { return drawer->draw(request); });
+        step.deliver([this, view, request, picture, failure] { finish(view, request, picture, failure); });
+    };
+    const auto lost = [this, view, request] { passOver(view, request); };
+    m_jobs.start(m_gpu, draw, {.buffers = {request.buffers}, .lost = lost, .urgency = Urgency::Picture});
 }
 
 void PictureMaker::finish(int view, const ViewRequest& request, const ViewPicturePointer& picture, const Message& failure) {
-    m_drawing = false;
     ViewState& state = m_views[size_t(view)];
     state.given = request;
     state.picture = picture;
@@ -144,28 +125,23 @@ void PictureMaker::finish(int view, const ViewRequest& request, const ViewPictur
 }
 
 void PictureMaker::passOver(int view, const ViewRequest& request) {
-    m_drawing = false;
-    // The picture before stays; the new buffers after the upload to the new context make a new request.
+    // The picture stays until the scene is in the new context, which makes another wish.
     m_views[size_t(view)].given = request;
     schedule();
 }
 
 void PictureMaker::pick(const ViewRequest& request, int x, int y,
                         std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found) {
-    m_gpu.post(
-        [this, request, x, y, found = std::move(found), drawer = m_drawer] {
-            if (!m_gpu.holds(request.buffers)) return;
-            std::optional<ViewPictureDrawer::Picked> picked;
-            Message failure;  // not reported: drawing the view fails in the same way and reports it
-            (void)guarded(failure, [&]() -> ViewPicturePointer {
-                picked = drawer->pick(request, x, y);
-                return nullptr;
-            });
-            if (!m_gpu.holds(request.buffers)) return;
-            QMetaObject::invokeMethod(
-                this, [found, picked] { found(picked); }, Qt::QueuedConnection);
-        },
-        Urgency::Picture);
+    const auto lookUp = [request, x, y, found = std::move(found), drawer = m_drawer](GpuJobs::Step& step) {
+        std::optional<ViewPictureDrawer::Picked> picked;
+        Message failure;  // the same that drawing the view meets, and tells
+        (void)guarded(failure, [&]() -> ViewPicturePointer {
+            picked = drawer->pick(request, x, y);
+            return nullptr;
+        });
+        step.deliver([found, picked] { found(picked); });
+    };
+    m_picks.start(m_gpu, lookUp, {.buffers = {request.buffers}, .urgency = Urgency::Picture});
 }
 
 ViewPicturePointer PictureMaker::drawNow(const ViewRequest& request) {

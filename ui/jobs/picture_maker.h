@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/jobs/job_numbers.h"
+#include "ui/jobs/gpu_jobs.h"
 #include "ui/jobs/view_picture.h"
 
 namespace cullscope::ui {
@@ -39,10 +39,11 @@ public:
     /// Draws a picture out of turn and waits for it. Throws what core throws, and Error(OpenGl) if the context was lost.
     [[nodiscard]] ViewPicturePointer drawNow(const ViewRequest& request);
 
-    /// Looks up what the picture of a request shows at a pixel (y upward). `found` is called on the thread that owns this object,
-    /// and is not called if the GPU thread lost its context.
+    /// Looks up what a request's picture shows at a pixel (y upward); `found` is called here, not on the GPU thread, and not at
+    /// all where the thread lost its context, another pick was asked for, or this one was cancelled.
     void pick(const ViewRequest& request, int x, int y,
               std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found);
+    void cancelPick() { m_picks.cancel(); }
 
 signals:
     void pictureMade(int view);
@@ -67,12 +68,11 @@ private:
     Wish m_wish;
     std::shared_ptr<ViewPictureDrawer> m_drawer;
     std::vector<ViewState> m_views;
-    JobNumbers m_jobs;
     int m_first = 0;
     int m_turnsOfFirst = 0;  ///< turns of m_first since another view had one
     int m_cursor = 0;        ///< the view at which the search for the next turn of the others begins
     bool m_scheduled = false;
-    bool m_drawing = false;
+    GpuJobs m_jobs, m_picks;
 };
 
 }  // namespace cullscope::ui

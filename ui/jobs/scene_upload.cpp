@@ -11,18 +11,10 @@ SceneUpload::SceneUpload(GpuThread& gpu, Uploader uploader, QObject* parent)
     connect(&gpu, &GpuThread::contextLost, this, &SceneUpload::contextLost);
 }
 
-SceneUpload::~SceneUpload() {
-    m_jobs.invalidate();
-    m_ways = {};
-    // Calls queued for this object hold buffers, which must be freed while the GPU thread exists.
-    m_gpu.run([] {});
-    QCoreApplication::removePostedEvents(this);
-}
-
 void SceneUpload::setScene(const ScenePointer& scene) {
     const bool sameMeshes = m_scene && scene && m_scene->meshes() == scene->meshes();
     const std::array<Way, 2> before = m_ways;
-    m_job = m_jobs.begin();
+    m_jobs.cancel();
     m_scene = scene;
     m_ways = {};
     m_failure = {};
@@ -45,25 +37,16 @@ SceneBuffersPointer SceneUpload::make(const ScenePointer& scene, Upload upload, 
 }
 
 void SceneUpload::post(Upload upload, const SceneBuffersPointer& before) {
-    m_gpu.post([this, job = m_job, scene = m_scene, upload, before] {
-        if (!m_jobs.isCurrent(job)) return;
+    m_jobs.add(m_gpu, [this, scene = m_scene, upload, before](GpuJobs::Step& step) {
         SceneBuffersPointer buffers;
         Message failure;
         try {
             buffers = make(scene, upload, before);
-        } catch (const Error& error) {
-            failure = error.message();
         } catch (const std::exception& error) {
-            failure = {QT_TRANSLATE_NOOP("core", "The scene cannot be given to OpenGL: %1"), {error.what()}};
+            failure = sentenceOf(error, QT_TRANSLATE_NOOP("core", "The scene cannot be given to OpenGL: %1"));
         }
-        // The context was lost during the upload: contextLost starts it again.
-        if (m_gpu.losing()) return;
-        QMetaObject::invokeMethod(
-            this,
-            [this, job, upload, buffers, failure] {
-                if (m_jobs.isCurrent(job)) take(upload, buffers, failure);
-            },
-            Qt::QueuedConnection);
+        // Uploaded into nothing: it begins anew as soon as the loss is known here.
+        if (!m_gpu.losing()) step.deliver([this, upload, buffers, failure] { take(upload, buffers, failure); });
     });
 }
 
@@ -79,7 +62,7 @@ void SceneUpload::take(Upload upload, const SceneBuffersPointer& buffers, const 
 
 void SceneUpload::contextLost(bool replaced) {
     if (!m_scene) return;
-    m_job = m_jobs.begin();
+    m_jobs.cancel();
     if (!replaced) {
         m_failure = lossMessage(false);
         emit changed();

@@ -5,8 +5,7 @@
 #include <functional>
 #include <memory>
 
-#include "ui/jobs/gpu_thread.h"
-#include "ui/jobs/job_numbers.h"
+#include "ui/jobs/gpu_jobs.h"
 
 namespace cullscope::ui {
 
@@ -22,7 +21,6 @@ public:
     using Uploader = std::function<SceneBuffersPointer(GpuThread&, const ScenePointer&)>;
 
     SceneUpload(GpuThread& gpu, Uploader uploader, QObject* parent = nullptr);
-    ~SceneUpload() override;
 
     void setScene(const ScenePointer& scene);
     /// Uploads the scene in this way too, unless that is done or in progress.
@@ -53,8 +51,7 @@ private:
     ScenePointer m_scene;
     std::array<Way, 2> m_ways;
     Message m_failure;
-    JobNumbers m_jobs;
-    uint64_t m_job = 0;
+    GpuJobs m_jobs;
 };
 
 }  // namespace cullscope::ui

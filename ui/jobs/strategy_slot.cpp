@@ -69,14 +69,12 @@ void StrategySlot::start() {
                     emit builtChanged();
                     if (std::exchange(m_again, false)) start();
                 };
-            } catch (const Error& error) {
-                return [this, message = error.message()] {
-                    emit failed(message);
-                    if (std::exchange(m_again, false)) start();
-                };
             } catch (const std::exception& error) {
-                return [this, id, what = std::string(error.what())] {
-                    emit failed({QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"), {id, what}});
+                const auto* known = dynamic_cast<const Error*>(&error);
+                const Message other{QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"),
+                                    {id, error.what()}};
+                return [this, message = known ? known->message() : other] {
+                    emit failed(message);
                     if (std::exchange(m_again, false)) start();
                 };
             }

@@ -14,9 +14,6 @@ namespace {
 constexpr int kMarkReach = 2;  // marks of 5 × 5 pixels, so that one pixel in 300,000 can be seen
 constexpr QRgb kAddedColour = 0xff3168f5;
 
-constexpr uint8_t kAdded = 1;
-constexpr uint8_t kMissed = 2;
-
 QRgb missedColour(const DrawStyle& style) {
     const Vec3f colour = verdictPalette(style.background)[size_t(TriangleState::WronglyCulled)].colour;
     return qRgb(int(std::lround(colour.x * 255.0f)), int(std::lround(colour.y * 255.0f)), int(std::lround(colour.z * 255.0f)));
@@ -30,18 +27,19 @@ void grow(QImage& marks, int x, int y, int reach, QRgb colour) {
     }
 }
 
-/// Marks the pixels at which `colour` shows a farther or a nearer surface than `other`; missed pixels are painted last, on top.
-void markDifferences(ViewPicture& picture, const std::vector<uint8_t>& differences, int reach) {
+/// Marks what `colour` shows farther away or nearer than `other`; the missed ones lie on top.
+void markDifferences(ViewPicture& picture, const std::vector<PixelDifference>& differences, int reach) {
     const Viewport& size = picture.request.size;
     picture.marks = newImage(size, QImage::Format_ARGB32_Premultiplied);
     picture.marks.fill(Qt::transparent);
     const QRgb missed = missedColour(picture.request.style);
-    for (const uint8_t difference : {kAdded, kMissed})
+    for (const PixelDifference difference : {PixelDifference::Extra, PixelDifference::Missed})
         for (size_t i = 0; i < differences.size(); ++i) {
             if (differences[i] != difference) continue;
-            ++(difference == kMissed ? picture.missed : picture.added);
+            const bool lost = difference == PixelDifference::Missed;
+            ++(lost ? picture.missed : picture.added);
             const int y = size.height - 1 - int(i / size_t(size.width));
-            grow(picture.marks, int(i % size_t(size.width)), y, reach, difference == kMissed ? missed : kAddedColour);
+            grow(picture.marks, int(i % size_t(size.width)), y, reach, lost ? missed : kAddedColour);
         }
 }
 
@@ -102,8 +100,8 @@ void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
     renderer.draw(*request.buffers, m_viewing, *m_beside, target, request.style);
     copyTile(target.readColour(), target.tile(), m_picture->other);
     const std::vector<float> truth = target.readDepth();
-    std::vector<uint8_t> differences(mine.size());
-    for (size_t i = 0; i < mine.size(); ++i) differences[i] = mine[i] < truth[i] ? kMissed : mine[i] > truth[i] ? kAdded : 0;
+    std::vector<PixelDifference> differences(mine.size());
+    for (size_t i = 0; i < mine.size(); ++i) differences[i] = pixelDifference(truth[i], mine[i]);
     copyTile(differences, target.tile(), m_differences, request.size.width);
 }
 

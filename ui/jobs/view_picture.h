@@ -8,6 +8,7 @@
 
 #include "core/gpu/renderer.h"
 #include "core/image/plane_colours.h"
+#include "core/measure/accuracy.h"
 #include "ui/jobs/built_strategy.h"
 #include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/view_setup.h"
@@ -75,8 +76,8 @@ private:
     Trace m_trace;
     Verdict m_verdict;
     TriangleStatesPointer m_states;
-    std::optional<DrawList> m_beside;    ///< draw list of the truth or of the other view
-    std::vector<uint8_t> m_differences;  ///< by pixel: 0 equal, else kAdded or kMissed
+    std::optional<DrawList> m_beside;  ///< of the truth or the other view
+    std::vector<PixelDifference> m_differences;
 };
 
 /// Draws on the thread whose context is current. Throws what core throws.

@@ -3,8 +3,8 @@
 #include <QFont>
 #include <QLocale>
 
-#include "ui/text/translated.h"
 #include "core/measure/statistics.h"
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 

@@ -11,8 +11,8 @@
 namespace cullscope::ui {
 
 /// Shows one sentence over the lower edge of a widget until the user closes it or another sentence replaces it. Information also
-/// disappears after six seconds (setInformationTime), or at the next click or key press in the window. The bar never blocks the user and is in no
-/// layout: the widget below keeps its size.
+/// disappears after six seconds (setInformationTime), or at the next click or key press in the window. The bar never blocks the
+/// user and is in no layout: the widget below keeps its size.
 class MessageBar : public QFrame {
     Q_OBJECT
 

@@ -1,10 +1,10 @@
 #include "ui/panels/plane_legend.h"
 
 #include "core/frame/cause.h"
-#include "ui/text/translated.h"
-#include "ui/text/wording.h"
 #include "ui/look/plane_swatch.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui {
 

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "core/visibility/trace.h"
-#include "ui/text/translated.h"
 #include "ui/look/plane_swatch.h"
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 

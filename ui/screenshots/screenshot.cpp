@@ -14,16 +14,13 @@ constexpr double kDrawingShare = 0.7;  // fraction of the progress; painting and
 
 /// Runs `work` and returns the sentence of the error that it throws; empty: it succeeded.
 template <typename Work>
-Message sentenceOf(const Work& work) {
+Message failureOf(const Work& work) {
     try {
         work();
         return {};
-    } catch (const Error& error) {
-        return error.message();
-    } catch (const std::bad_alloc&) {
-        return {QT_TRANSLATE_NOOP("core", "There is no memory for this picture: choose a smaller size."), {}};
     } catch (const std::exception& error) {
-        return {QT_TRANSLATE_NOOP("core", "The picture cannot be made: %1."), {error.what()}};
+        return sentenceOf(error, QT_TRANSLATE_NOOP("core", "The picture cannot be made: %1."),
+                          QT_TRANSLATE_NOOP("core", "There is no memory for this picture: choose a smaller size."));
     }
 }
 
@@ -59,29 +56,17 @@ Screenshot::Screenshot(GpuThread& gpu, ScreenshotPlan plan, std::filesystem::pat
 
 Screenshot::~Screenshot() {
     cancel();
-    // A running step may post one more, which then finds the job cancelled: wait for both.
-    m_gpu.run([] {});
-    // Destroy OpenGL objects on the GPU thread.
+    // What lives on the GPU thread ends there.
     m_gpu.run([this] { *m_drawing = Drawing(); });
 }
 
 void Screenshot::cancel() {
-    m_jobs.invalidate();
+    m_jobs.cancel();
     m_background.cancel();
 }
 
 void Screenshot::start() {
-    const uint64_t job = m_jobs.begin();
-    m_gpu.post([this, job] { step(job); });
-}
-
-void Screenshot::deliver(uint64_t job, std::function<void()> news) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, job, news = std::move(news)] {
-            if (m_jobs.isCurrent(job)) news();
-        },
-        Qt::QueuedConnection);
+    m_jobs.start(m_gpu, [this](GpuJobs::Step& step) { draw(step); });
 }
 
 bool Screenshot::drawNext() {
@@ -91,21 +76,20 @@ bool Screenshot::drawNext() {
     return more;
 }
 
-void Screenshot::step(uint64_t job) {
-    if (!m_jobs.isCurrent(job)) return;
+void Screenshot::draw(GpuJobs::Step& step) {
     bool more = false;
-    const Message failure = sentenceOf([&] { more = drawNext(); });
-    if (!failure.empty()) return deliver(job, [this, failure] { emit failed(failure); });
+    const Message failure = failureOf([&] { more = drawNext(); });
+    if (!failure.empty()) return step.deliver([this, failure] { emit failed(failure); });
     const double share = kDrawingShare * double(m_drawing->stepsDone) / double(m_drawing->steps);
-    deliver(job, [this, share] { emit progressed(share); });
-    if (more) return m_gpu.post([this, job] { step(job); });
+    step.deliver([this, share] { emit progressed(share); });
+    if (more) return step.again();
     m_drawing->renderer.reset();
-    deliver(job, [this, pictures = std::make_shared<Pictures>(std::move(m_drawing->pictures))] { write(pictures); });
+    step.deliver([this, pictures = std::make_shared<Pictures>(std::move(m_drawing->pictures))] { write(pictures); });
 }
 
 void Screenshot::write(const std::shared_ptr<Pictures>& pictures) {
     m_background.start([this, plan = m_plan, path = m_path, pictures](const std::stop_token& stop) {
-        const Message failure = sentenceOf([&] {
+        const Message failure = failureOf([&] {
             const Picture picture = screenshotPicture(plan, std::move(*pictures));
             if (!stop.stop_requested()) writePicture(path, picture, plan.style.background);
         });
@@ -115,18 +99,6 @@ void Screenshot::write(const std::shared_ptr<Pictures>& pictures) {
             emit done(QString::fromStdString(path.string()));
         };
     });
-}
-
-ScreenshotContent readScreenshot(const std::filesystem::path& path) {
-    ScreenshotContent content;
-    for (auto& [name, text] : readPicture(path).metadata) content.metadata.emplace(name, text);
-    const auto text = [&](const char* name) {
-        const auto found = content.metadata.find(name);
-        return found == content.metadata.end() ? std::string() : found->second;
-    };
-    content.session = text("cullscope:session");
-    content.options = screenshotOptionsFromText(text("cullscope:screenshot"));
-    return content;
 }
 
 }  // namespace cullscope::ui

@@ -2,9 +2,9 @@
 
 #include <QObject>
 #include <filesystem>
-#include <map>
 
 #include "ui/jobs/background.h"
+#include "ui/jobs/gpu_jobs.h"
 #include "ui/screenshots/screenshot_plan.h"
 
 namespace cullscope::ui {
@@ -35,26 +35,15 @@ private:
 
     /// Draws one tile; returns false if it was the last one. Throws what core throws, and Error(OpenGl) if the context was lost.
     [[nodiscard]] bool drawNext();
-    void step(uint64_t job);
-    void deliver(uint64_t job, std::function<void()> news);
+    void draw(GpuJobs::Step& step);
     void write(const std::shared_ptr<Pictures>& pictures);
 
     GpuThread& m_gpu;
     ScreenshotPlan m_plan;
     std::filesystem::path m_path;
-    JobNumbers m_jobs;
     std::shared_ptr<Drawing> m_drawing;
     Background m_background;
+    GpuJobs m_jobs;
 };
-
-/// The metadata of a picture about the session that it shows.
-struct ScreenshotContent {
-    std::string session;  ///< JSON of the session's state; empty: another program made the file
-    ScreenshotOptions options;
-    std::map<std::string, std::string> metadata;  ///< all pairs, also those whose names begin with "cullscope:"
-};
-
-/// Reads the metadata of a picture. Throws Error(Input) if the file is not a readable picture.
-[[nodiscard]] ScreenshotContent readScreenshot(const std::filesystem::path& path);
 
 }  // namespace cullscope::ui

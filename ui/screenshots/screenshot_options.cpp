@@ -11,8 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr std::array kBackgrounds{std::pair{"as shown", ScreenshotOptions::Background::AsShown}, std::pair{"white", ScreenshotOptions::Background::White},
-                                  std::pair{"black", ScreenshotOptions::Background::Black}, std::pair{"transparent", ScreenshotOptions::Background::Transparent}};
+constexpr std::array kBackgrounds{std::pair{"as shown", ScreenshotOptions::Background::AsShown},
+                                  std::pair{"white", ScreenshotOptions::Background::White},
+                                  std::pair{"black", ScreenshotOptions::Background::Black},
+                                  std::pair{"transparent", ScreenshotOptions::Background::Transparent}};
 
 void read(const Json& json, const char* key, bool& value) {
     if (json.contains(key) && json[key].is_boolean()) value = json[key].get<bool>();

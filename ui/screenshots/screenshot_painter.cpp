@@ -2,8 +2,8 @@
 
 #include "core/gpu/colour.h"
 #include "ui/jobs/picture_tiles.h"
-#include "ui/views/picture_painter.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/views/picture_painter.h"
 
 namespace cullscope::ui {
 

@@ -6,7 +6,6 @@
 
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
-#include "core/scene/hidden.h"
 #include "core/visibility/registry.h"
 #include "ui/look/appearance.h"
 #include "ui/models/metrics_words.h"
@@ -67,17 +66,8 @@ Viewport cullingSize(const Session& session, int view, const ViewRequest& shown,
 }
 
 PictureSubject subjectOf(const Session& session, int view, const ViewRequest& request) {
-    const StrategySlot& slot = session.slot(session.culledBy(view));
-    PictureSubject subject;
-    subject.scene = withAbsoluteFiles(session.opened()->specification);
-    subject.hidden = hiddenToText(session.hidden());
-    subject.strategy = slot.id();
-    subject.parameters = slot.parameters();
-    subject.culling = request.culling;
-    subject.viewing = request.viewing;
-    subject.cullingSize = request.cullingSize;
-    subject.size = request.size;
-    subject.look = request.look;
+    PictureSubject subject = pictureSubject(session, view, request);
+    subject.scene = withAbsoluteFiles(subject.scene);
     const ViewMetrics& figures = session.figures(view);
     if (figures.state != ViewMetrics::State::Ready) return subject;
     subject.missedPixels = figures.accuracy.missedPixels;
@@ -122,7 +112,7 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
     part.extras = scaled(extras(part.view), shown.size, size, unit);
     part.subject = subjectOf(session, part.view, part.request);
     part.words = QStringLiteral("%1  %2 · %3")
-                     .arg(viewLetter(part.view), strategyText(session, part.view), metricsLine(session.figures(part.view)));
+                     .arg(viewLetter(part.view), shownStrategy(session, part.view), metricsLine(session.figures(part.view)));
 }
 
 void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "core/image/picture_metadata.h"
+#include "ui/jobs/tiled_picture.h"
 #include "ui/screenshots/screenshot_options.h"
 #include "ui/session/session.h"
-#include "ui/jobs/tiled_picture.h"
 #include "ui/views/picture_painter.h"
 
 namespace cullscope::ui {

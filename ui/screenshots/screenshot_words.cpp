@@ -3,19 +3,14 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "core/visibility/strategy_request.h"
 #include "ui/models/metrics_words.h"
-#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
 
-QString strategyText(const Session& session, int view) {
+QString shownStrategy(const Session& session, int view) {
     const StrategySlot& slot = session.slot(session.culledBy(view));
-    QString text = translated(findStrategy(slot.id()).info.name);
-    for (const std::string& parameter : changedParameters(slot.parameters()))
-        text += QLatin1Char(' ') + QString::fromStdString(parameter);
-    return text;
+    return strategyWords({slot.id(), slot.parameters()});
 }
 
 QString madeCaption(Session& session, bool grid) {
@@ -23,7 +18,7 @@ QString madeCaption(Session& session, bool grid) {
     const int view = session.activeView();
     QStringList parts{QString::fromStdString(session.opened()->scene->name())};
     const ViewMetrics& figures = session.figures(view);
-    if (!grid) parts << strategyText(session, view) << metricsLine(figures);
+    if (!grid) parts << shownStrategy(session, view) << metricsLine(figures);
     if (figures.state == ViewMetrics::State::Ready)
         parts << QCoreApplication::translate("Screenshot", "figures at %1 × %2 pixels")
                      .arg(figures.size.width)

@@ -6,8 +6,8 @@
 
 namespace cullscope::ui {
 
-/// The name of the strategy that a view shows, with its id and the parameters that differ from their defaults.
-[[nodiscard]] QString strategyText(const Session& session, int view);
+/// The strategy that a view shows, with its id and the parameters that are not at their defaults.
+[[nodiscard]] QString shownStrategy(const Session& session, int view);
 
 /// The default caption of the active view or of all shown views: scene, strategy and metrics, with the picture size that these
 /// were measured at.

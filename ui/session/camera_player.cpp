@@ -45,7 +45,7 @@ void CameraPlayer::pause() { setPlaying(false); }
 void CameraPlayer::resume() {
     if (!active() || m_playing) return;
     setPlaying(true);
-    show(m_pose + 1 == int(m_path.poses.size()) && !m_loop ? 0 : m_pose);
+    show(m_pose + 1 == int(m_path.poses.size()) ? 0 : m_pose);
 }
 
 void CameraPlayer::stop() {
@@ -58,16 +58,6 @@ void CameraPlayer::stop() {
     emit stateChanged();
 }
 
-void CameraPlayer::step(int poses) {
-    if (!active()) return;
-    pause();
-    show(poseAfter(poses));
-}
-
-void CameraPlayer::seek(int pose) {
-    if (active()) show(std::clamp(pose, 0, int(m_path.poses.size()) - 1));
-}
-
 void CameraPlayer::setSpeed(double speed) {
     m_speed = std::clamp(speed, kSlowest, kFastest);
     m_pause.setInterval(int(std::ceil(1000.0 / (kPosesPerSecond * m_speed))));
@@ -78,12 +68,6 @@ void CameraPlayer::setPlaying(bool playing) {
     m_playing = playing;
     if (!playing) m_pause.stop();
     emit stateChanged();
-}
-
-int CameraPlayer::poseAfter(int poses) const {
-    const int count = int(m_path.poses.size());
-    if (m_loop) return ((m_pose + poses % count) + count) % count;
-    return std::clamp(m_pose + std::clamp(poses, -count, count), 0, count - 1);
 }
 
 void CameraPlayer::show(int pose) {
@@ -110,7 +94,7 @@ bool CameraPlayer::shown() const {
 
 void CameraPlayer::advance() {
     if (!m_playing || m_pause.isActive() || !shown()) return;
-    if (m_loop || m_pose + 1 < int(m_path.poses.size())) return show(poseAfter(1));
+    if (m_pose + 1 < int(m_path.poses.size())) return show(m_pose + 1);
     setPlaying(false);
     emit finished();
 }

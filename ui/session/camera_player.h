@@ -20,16 +20,10 @@ public:
     /// Plays from the first pose. Does nothing if the path has no poses or no scene is open.
     void play(CameraPath path);
     void pause();
-    /// Continues from the present pose; from the first pose at the end of a path that does not loop.
+    /// Goes on from the present pose; at the end of the path, from the first.
     void resume();
     void stop();
-    /// Pauses, and moves that many poses forward (negative: back). A path that loops wraps around; another one stops at its ends.
-    void step(int poses);
-    /// Shows a pose; playing continues from it.
-    void seek(int pose);
-    void setLoop(bool loop) { m_loop = loop; }
-    [[nodiscard]] bool loop() const { return m_loop; }
-    /// Speed 1 is 30 poses a second if drawing is that fast.
+    /// 1: 30 poses a second where drawing is that fast.
     void setSpeed(double speed);
     [[nodiscard]] double speed() const { return m_speed; }
 
@@ -43,7 +37,7 @@ signals:
     void poseChanged(int pose);
     /// active() or playing() changed.
     void stateChanged();
-    /// Emitted after the last pose of a path that does not loop.
+    /// The path has shown its last pose.
     void finished();
 
 protected:
@@ -54,7 +48,6 @@ private:
     void advance();
     void setPlaying(bool playing);
     [[nodiscard]] bool shown() const;
-    [[nodiscard]] int poseAfter(int poses) const;
 
     Session& m_session;
     CameraPath m_path;
@@ -62,7 +55,6 @@ private:
     Camera m_given;  ///< the session's camera after the present pose was set
     int m_pose = 0;
     double m_speed = 1.0;
-    bool m_loop = false;
     bool m_playing = false;
     bool m_moving = false;  ///< the player itself is moving the camera
 };

@@ -2,7 +2,6 @@
 
 #include <QLocale>
 #include <QRegularExpression>
-#include <QStringList>
 #include <algorithm>
 #include <cmath>
 
@@ -52,53 +51,47 @@ QStringList cameraWords(const QString& prefix, const Camera& camera) {
 
 QStringList lookWords(const ViewLook& look) {
     QStringList words;
-    const auto add = [&](bool shown, const QString& name) {
-        if (shown) words << QStringLiteral("--overlay") << name;
-    };
-    // The model in spherical coordinates replaces the whole picture: no other overlay is visible.
-    if (look.sphericalModel) return {QStringLiteral("--overlay"), QStringLiteral("spherical-model")};
-    const bool verdicts = look.colouring == Colouring::Verdicts;
-    add(verdicts, QStringLiteral("verdicts"));
-    add(look.boxes, QStringLiteral("boxes"));
-    add(look.frustum, QStringLiteral("frustum"));
-    add(look.bands, QStringLiteral("bands"));
-    add(look.kernel, QStringLiteral("kernel"));
+    for (const char* overlay : overlayIds(look)) words << QStringLiteral("--overlay") << QString::fromLatin1(overlay);
+    if (look.sphericalModel) return words;
     if (look.byPlane()) words << QStringLiteral("--box-colouring") << QString::fromLatin1(boxColouringId(look.boxColouring));
-    if (verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
+    if (look.colouring == Colouring::Verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
     return words;
-}
-
-QString sizeWord(const QString& option, const Viewport& size) {
-    return QStringLiteral("--%1=%2x%3").arg(option).arg(size.width).arg(size.height);
 }
 
 }  // namespace
 
-QStringList cullbenchArguments(const PictureRequest& request, const QString& output) {
+QStringList sceneWords(const QString& command, const std::string& scene, const std::vector<std::filesystem::path>& modelFolders) {
     QStringList words;
-    for (const std::filesystem::path& folder : request.modelFolders)
+    for (const std::filesystem::path& folder : modelFolders)
         words << QStringLiteral("--models")
               << QString::fromStdString(std::filesystem::absolute(folder).lexically_normal().string());
-    words << QStringLiteral("render") << QString::fromStdString(withAbsoluteFiles(request.scene)) << QStringLiteral("-s")
-          << QString::fromStdString(request.strategy);
-    if (!request.hidden.empty()) words << QStringLiteral("--hide=") + QString::fromStdString(request.hidden);
-    for (const std::string& parameter : changedParameters(request.parameters))
+    return words << command << QString::fromStdString(withAbsoluteFiles(scene));
+}
+
+QStringList cullbenchArguments(const PictureSubject& picture, const QString& output) {
+    QStringList words = sceneWords(QStringLiteral("render"), picture.scene, picture.modelFolders);
+    words << QStringLiteral("-s") << QString::fromStdString(picture.strategy);
+    if (!picture.hidden.empty()) words << QStringLiteral("--hide=") + QString::fromStdString(picture.hidden);
+    for (const std::string& parameter : changedParameters(picture.parameters))
         words << QStringLiteral("-p") << QString::fromStdString(parameter);
-    words << cameraWords(QString(), request.camera);
-    if (request.observer && !(*request.observer == request.camera))
-        words << cameraWords(QStringLiteral("view-"), *request.observer);
-    words << sizeWord(QStringLiteral("size"), request.size);
-    if (request.cullingSize && !(*request.cullingSize == request.size))
-        words << sizeWord(QStringLiteral("culling-size"), *request.cullingSize);
-    words << lookWords(request.look) << QStringLiteral("--background=") + hex(request.style.background)
-          << QStringLiteral("--surface=") + hex(request.style.surface) << QStringLiteral("-o") << output;
+    words << cameraWords(QString(), picture.culling);
+    if (!(picture.viewing == picture.culling)) words << cameraWords(QStringLiteral("view-"), picture.viewing);
+    words << QStringLiteral("--size=") + QString::fromStdString(sizeText(picture.size));
+    if (!(picture.cullingSize == picture.size))
+        words << QStringLiteral("--culling-size=") + QString::fromStdString(sizeText(picture.cullingSize));
+    words << lookWords(picture.look) << QStringLiteral("--background=") + hex(picture.style.background)
+          << QStringLiteral("--surface=") + hex(picture.style.surface) << QStringLiteral("-o") << output;
     return words;
 }
 
-QString cullbenchCommand(const PictureRequest& request) {
+QString shellLine(const QStringList& arguments) {
     QStringList words{QStringLiteral("cullbench")};
-    for (const QString& word : cullbenchArguments(request, QStringLiteral("view.png"))) words << quoted(word);
+    for (const QString& word : arguments) words << quoted(word);
     return words.join(QLatin1Char(' '));
+}
+
+QString cullbenchCommand(const PictureSubject& picture) {
+    return shellLine(cullbenchArguments(picture, QStringLiteral("view.png")));
 }
 
 }  // namespace cullscope::ui

@@ -1,8 +1,6 @@
 #include "ui/session/paper_runner.h"
 
-#include <QCoreApplication>
 #include <algorithm>
-#include <new>
 
 #include "core/base/error.h"
 
@@ -13,13 +11,6 @@ namespace {
 constexpr int kShownInterval = 50;  // ms
 constexpr double kOpened = 0.05;    // part of a setting's progress that the opening of its scene takes
 const QString kMeasuring = QStringLiteral("measuring");
-
-Message sentenceOf(const std::exception& exception) {
-    if (const auto* error = dynamic_cast<const Error*>(&exception)) return error->message();
-    if (dynamic_cast<const std::bad_alloc*>(&exception) != nullptr)
-        return {QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."), {}};
-    return {QT_TRANSLATE_NOOP("core", "The experiment cannot be run: %1"), {exception.what()}};
-}
 
 }  // namespace
 
@@ -100,7 +91,7 @@ void PaperRunner::openScene() {
                 showSetting();
             };
         } catch (const std::exception& error) {
-            return [this, message = sentenceOf(error)] { fail(message); };
+            return [this, message = experimentFailure(error)] { fail(message); };
         }
     });
 }
@@ -167,7 +158,7 @@ void PaperRunner::addRows(std::function<void(PaperTable& table, const Progress& 
                     settingDone();
                 };
             } catch (const std::exception& error) {
-                return [this, message = sentenceOf(error)] { fail(message); };
+                return [this, message = experimentFailure(error)] { fail(message); };
             }
         });
 }

@@ -55,7 +55,6 @@ Session::Session(Options options, QObject* parent)
 Session::~Session() {
     m_loader.blockSignals(true);
     m_loader.cancel();
-    m_picks.invalidate();
     if (m_meter) m_meter->cancel();
     for (ViewState& view : m_views) view.figures = {};
     // Finish work and deliveries of the GPU thread while that thread exists.
@@ -300,7 +299,7 @@ void Session::update() {
 // ---- Picking
 
 void Session::setPick(const std::optional<Pick>& pick) {
-    m_picks.invalidate();
+    if (m_pictures) m_pictures->cancelPick();
     if (pick == m_pick) return;
     m_pick = pick;
     emit pickChanged();
@@ -309,18 +308,16 @@ void Session::setPick(const std::optional<Pick>& pick) {
 void Session::pickAt(int view, int x, int y) {
     const std::optional<ViewRequest> request = viewRequest(view);
     if (!request) return;
-    const uint64_t job = m_picks.begin();
-    m_pictures->pick(*request, x, y,
-                     [this, job, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
-                         // A scene that was changed in between numbers its triangles differently.
-                         if (!m_picks.isCurrent(job) || m_scene != request.buffers->scenePointer()) return;
-                         if (!picked) return setPick(std::nullopt);
-                         const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
-                         const uint32_t object = objectOf(instance);
-                         const uint64_t within = picked->triangle - m_scene->firstTriangle(instance);
-                         setPick(Pick{object, m_opened->scene->firstTriangle(object) + within, picked->point});
-                         emit pickedInPicture(view);
-                     });
+    m_pictures->pick(*request, x, y, [this, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
+        // A scene that changed meanwhile numbers its triangles in another way.
+        if (m_scene != request.buffers->scenePointer()) return;
+        if (!picked) return setPick(std::nullopt);
+        const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
+        const uint32_t object = objectOf(instance);
+        const uint64_t within = picked->triangle - m_scene->firstTriangle(instance);
+        setPick(Pick{object, m_opened->scene->firstTriangle(object) + within, picked->point});
+        emit pickedInPicture(view);
+    });
 }
 
 }  // namespace cullscope::ui

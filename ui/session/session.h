@@ -193,7 +193,6 @@ private:
     };
 
     void makeGraphics();
-    void makeViews();
     void makeView(int view);
     void tellRepairs();
     void showScene(const ScenePointer& scene);
@@ -236,7 +235,6 @@ private:
     int m_viewCount = 2;
     int m_activeView = 1;
     std::optional<Pick> m_pick;
-    JobNumbers m_picks;
     QTimer m_rest;
     std::vector<ViewMeter::Subject> m_underWay;  ///< subjects that the meter is measuring
     bool m_measuring = true;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <algorithm>
 
+#include "core/scene/hidden.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope::ui {
@@ -71,6 +72,23 @@ void applyState(Session& session, const SessionState& state) {
     applySetups(session, state);
     session.setChosenNear(state.chosenNear);
     session.setCamera(state.camera);
+}
+
+PictureSubject pictureSubject(const Session& session, int view, const std::optional<ViewRequest>& request) {
+    const StrategySlot& slot = session.slot(session.culledBy(view));
+    PictureSubject subject;
+    subject.scene = session.opened()->specification;
+    subject.modelFolders = session.sceneSource().modelFolders;
+    subject.hidden = hiddenToText(session.hidden());
+    subject.strategy = slot.id();
+    subject.parameters = slot.parameters();
+    subject.culling = session.cullingCamera(view);
+    subject.viewing = session.viewingCamera(view);
+    subject.size = request ? request->size : session.renderSize(view);
+    subject.cullingSize = request ? request->cullingSize : subject.size;
+    subject.look = request ? request->look : session.setup(view).look;
+    subject.style = request ? request->style : session.drawStyle();
+    return subject;
 }
 
 std::string withAbsoluteFiles(const std::string& specification) {

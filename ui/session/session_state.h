@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/image/picture_metadata.h"
 #include "ui/session/camera_bookmarks.h"
 #include "ui/session/session.h"
 
@@ -45,7 +46,10 @@ struct SessionState {
 /// already are not set. Throws Error(Usage) for an unknown strategy or parameter, before any change.
 void applyState(Session& session, const SessionState& state);
 
-/// A specification with absolute file paths; generator names such as `bunny`, and an empty specification, are unchanged.
+/// What a view's picture shows, or would show; without figures. `request`: what is drawn; none: there is nothing to draw yet.
+[[nodiscard]] PictureSubject pictureSubject(const Session& session, int view, const std::optional<ViewRequest>& request);
+
+/// A specification with its files by absolute paths; words such as `bunny`, and an empty one, stay.
 [[nodiscard]] std::string withAbsoluteFiles(const std::string& specification);
 
 /// The view's parameters as a ParameterSet of its strategy. Throws Error(Usage) naming an unknown strategy or parameter.

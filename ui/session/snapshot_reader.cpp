@@ -62,13 +62,6 @@ SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(pare
         connect(&session, signal, this, &SnapshotReader::check);
 }
 
-SnapshotReader::~SnapshotReader() {
-    m_background.cancel();
-    m_asked.invalidate();
-    // Posted work uses this object: wait until it has ended.
-    if (m_session.gpu()) m_session.gpu()->run([] {});
-}
-
 void SnapshotReader::readFor(QWidget* widget) {
     m_readers.push_back(widget);
     widget->installEventFilter(this);
@@ -137,23 +130,12 @@ void SnapshotReader::start() {
 }
 
 void SnapshotReader::startOnGpuThread(const Request& request, const std::shared_ptr<const StructureSnapshot>& known) {
-    const uint64_t job = m_asked.begin();
-    m_culling = true;
-    GpuThread* gpu = m_session.gpu();
-    gpu->post([this, job, gpu, request, known] {
-        if (!m_asked.isCurrent(job)) return;
-        // Results of a lost context are invalid; the cull is repeated with the buffers of the new context.
-        const bool held = !gpu->lost();
-        SnapshotReadingPointer reading = held ? readingOf(request, known, &gpu->renderer()) : nullptr;
-        if (gpu->lost()) reading = nullptr;
-        QMetaObject::invokeMethod(
-            this,
-            [this, job, request, reading = std::move(reading)]() mutable {
-                if (!m_asked.isCurrent(job)) return;
-                m_culling = false;
-                if (reading) take(request, std::move(reading));
-            },
-            Qt::QueuedConnection);
+    GpuThread& gpu = *m_session.gpu();
+    m_gpuJobs.start(gpu, [this, &gpu, request, known](GpuJobs::Step& step) {
+        // What a lost context answers is worth nothing; it is asked again with the buffers of the new one.
+        if (gpu.lost()) return;
+        const SnapshotReadingPointer reading = readingOf(request, known, &gpu.renderer());
+        if (!gpu.lost()) step.deliver([this, request, reading] { take(request, reading); });
     });
 }
 

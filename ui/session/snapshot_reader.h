@@ -22,7 +22,6 @@ class SnapshotReader : public QObject {
 
 public:
     explicit SnapshotReader(Session& session, QObject* parent = nullptr);
-    ~SnapshotReader() override;
 
     /// Registers a widget: the reader works while the widget is visible.
     void readFor(QWidget* widget);
@@ -64,7 +63,7 @@ private:
     void check();
     void start();
     void startOnGpuThread(const Request& request, const std::shared_ptr<const StructureSnapshot>& known);
-    [[nodiscard]] bool busy() const { return m_background.busy() || m_culling; }
+    [[nodiscard]] bool busy() const { return m_background.busy() || m_gpuJobs.busy(); }
     void take(const Request& request, SnapshotReadingPointer reading);
 
     Session& m_session;
@@ -74,8 +73,7 @@ private:
     size_t m_begun = 0;
     QTimer m_pause;
     Background m_background;
-    JobNumbers m_asked;
-    bool m_culling = false;  ///< a cull on the GPU thread is in progress
+    GpuJobs m_gpuJobs;
 };
 
 }  // namespace cullscope::ui

@@ -162,7 +162,6 @@ struct ViewMeter::Bench {
 };
 
 struct ViewMeter::Job {
-    uint64_t number = 0;
     Rounds rounds;
     std::vector<Subject> subjects;
     std::vector<ViewMetrics> figures;
@@ -206,9 +205,7 @@ ViewMeter::ViewMeter(GpuThread& gpu, const Rounds& rounds, QObject* parent)
 
 ViewMeter::~ViewMeter() {
     cancel();
-    // A running step may post one more, which then finds the job cancelled: wait for both.
-    m_gpu.run([] {});
-    // Destroy OpenGL objects on the GPU thread.
+    // What lives on the GPU thread ends there.
     m_gpu.run([this] { *m_bench = Bench(); });
 }
 
@@ -218,72 +215,42 @@ size_t ViewMeter::referencesComputed() {
     return count;
 }
 
-void ViewMeter::cancel() {
-    m_jobs.invalidate();
-    m_busy = false;
-}
-
-void ViewMeter::deliver(uint64_t job, int view, const ViewMetrics& figures) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, job, view, figures] {
-            if (!m_jobs.isCurrent(job)) return;
-            if (figures.timed || figures.state == ViewMetrics::State::Failed) m_busy = false;
-            emit measured(view, figures);
-        },
-        Qt::QueuedConnection);
+void ViewMeter::deliver(GpuJobs::Step& step, int view, const ViewMetrics& figures) {
+    step.deliver([this, view, figures] { emit measured(view, figures); });
 }
 
 void ViewMeter::measure(std::vector<Subject> subjects) {
+    // What the loss of the context ends is asked for again with the buffers of the new one.
+    std::vector<SceneBuffersPointer> buffers;
+    for (const Subject& subject : subjects) buffers.push_back(subject.what.buffers);
     auto job = std::make_shared<Job>();
-    job->number = m_jobs.begin();
-    job->rounds = m_rounds;
     job->subjects = std::move(subjects);
-    m_busy = true;
-    m_gpu.post([this, job, bench = m_bench] {
-        bench->forgetOthers(job->subjects);
-        step(job);
-    });
+    job->rounds = m_rounds;
+    const auto work = [this, job](GpuJobs::Step& step) {
+        try {
+            measureNext(*job, step);
+        } catch (const std::exception& error) {
+            const Message message = sentenceOf(error, QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"));
+            for (const Subject& subject : job->subjects) deliver(step, subject.view, failure(message, subject.what));
+        }
+    };
+    m_jobs.start(m_gpu, work, {.buffers = std::move(buffers)});
 }
 
-bool ViewMeter::held(const Job& job) const {
-    return std::all_of(job.subjects.begin(), job.subjects.end(),
-                       [this](const Subject& subject) { return m_gpu.holds(subject.what.buffers); });
-}
-
-void ViewMeter::step(const std::shared_ptr<Job>& job) {
-    // After a context loss the session requests the metrics again with the buffers of the new context.
-    if (!m_jobs.isCurrent(job->number) || !held(*job)) return;
-    try {
-        if (measureNext(*job)) m_gpu.post([this, job, bench = m_bench] { step(job); });
-    } catch (const Error& error) {
-        fail(*job, error.message());
-    } catch (const std::exception& error) {
-        fail(*job, {QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"), {error.what()}});
-    }
-}
-
-bool ViewMeter::measureNext(Job& job) {
+void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
+    if (job.figures.empty()) m_bench->forgetOthers(job.subjects);
     if (job.figures.size() < job.subjects.size()) {
         const Subject& subject = job.subjects[job.figures.size()];
         job.figures.push_back(m_bench->accuracy(subject.what));
-        if (!held(job)) return false;
-        deliver(job.number, subject.view, job.figures.back());
+        deliver(step, subject.view, job.figures.back());
         if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench);
-        return true;
+        return step.again();
     }
-    if (job.timeOne(*m_bench)) return true;
-    if (!held(job)) return false;
+    if (job.timeOne(*m_bench)) return step.again();
     for (size_t i = 0; i < job.subjects.size(); ++i) {
         fillTimes(job.figures[i], job.runners[job.places[i].first], job.runners[job.places[i].second]);
-        deliver(job.number, job.subjects[i].view, job.figures[i]);
+        deliver(step, job.subjects[i].view, job.figures[i]);
     }
-    return false;
-}
-
-void ViewMeter::fail(const Job& job, const Message& message) {
-    if (!held(job)) return;
-    for (const Subject& subject : job.subjects) deliver(job.number, subject.view, failure(message, subject.what));
 }
 
 }  // namespace cullscope::ui

@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "core/scene/camera.h"
-#include "ui/jobs/gpu_thread.h"
-#include "ui/jobs/job_numbers.h"
+#include "ui/jobs/gpu_jobs.h"
 #include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
@@ -34,9 +33,8 @@ public:
     ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);
-    void cancel();
-    [[nodiscard]] bool busy() const { return m_busy; }
-    /// The number of references computed so far; waits for the thread. For tests: the truth must not be computed twice.
+    void cancel() { m_jobs.cancel(); }
+    /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
     [[nodiscard]] size_t referencesComputed();
 
 signals:
@@ -46,19 +44,13 @@ private:
     struct Bench;  ///< objects that live on the GPU thread
     struct Job;    ///< one request and its progress
 
-    void step(const std::shared_ptr<Job>& job);
-    /// Measures one step; returns false if it was the last one.
-    [[nodiscard]] bool measureNext(Job& job);
-    /// Whether the buffers that the job measures belong to the present context.
-    [[nodiscard]] bool held(const Job& job) const;
-    void fail(const Job& job, const Message& message);
-    void deliver(uint64_t job, int view, const ViewMetrics& figures);
+    void measureNext(Job& job, GpuJobs::Step& step);
+    void deliver(GpuJobs::Step& step, int view, const ViewMetrics& figures);
 
     GpuThread& m_gpu;
     Rounds m_rounds;
-    JobNumbers m_jobs;
-    bool m_busy = false;
     std::shared_ptr<Bench> m_bench;
+    GpuJobs m_jobs;
 };
 
 }  // namespace cullscope::ui

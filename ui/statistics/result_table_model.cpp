@@ -3,9 +3,7 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "core/visibility/registry.h"
 #include "ui/statistics/run_figures.h"
-#include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -14,33 +12,20 @@ namespace {
 
 constexpr double kMillion = 1e6;
 
-/// The translated name with the parameters: "Frustum", "Frustum box=length".
-QString nameOf(const StrategyRequest& strategy) {
-    const QString label = runLabel(strategy);
-    return translated(findStrategy(strategy.id).info.name) + label.mid(int(strategy.id.size()));
-}
-
 ResultRow emptyRow(const StrategyRequest& strategy, Promise promise) {
     ResultRow row;
-    row.name = nameOf(strategy);
+    row.name = strategyWords(strategy);
     row.id = QString::fromStdString(strategy.id);
     row.promise = promise;
     return row;
 }
 
 void addLosses(ResultRow& row, const RunMeasurement& run) {
-    if (!run.summary.missedPixelRate) return;
-    row.missedPixels = 0;
-    if (run.facing != run.referenceFacing) row.missedBeyondSnapping = 0;
-    uint64_t most = 0;
-    for (const FrameMeasurement& frame : run.frames) {
-        if (!frame.accuracy) continue;
-        *row.missedPixels += frame.accuracy->missedPixels;
-        if (row.missedBeyondSnapping) *row.missedBeyondSnapping += frame.missedBeyondSnapping;
-        if (frame.accuracy->missedPixels <= most) continue;
-        most = frame.accuracy->missedPixels;
-        row.worstPose = frame.pose;
-    }
+    const std::optional<Losses> losses = run.losses();
+    if (!losses || !run.summary.missedPixelRate) return;
+    row.missedPixels = losses->missedPixels;
+    if (run.facing != run.referenceFacing) row.missedBeyondSnapping = losses->missedBeyondSnapping;
+    row.worstPose = losses->worstPose;
     row.missedPpm = kMillion * *run.summary.missedPixelRate;
 }
 

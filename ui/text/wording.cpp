@@ -4,6 +4,7 @@
 #include <QLocale>
 #include <cmath>
 
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 
@@ -34,6 +35,12 @@ QString promiseSentence(Promise promise) {
 QString facingWord(Facing facing) {
     return facing == Facing::Front ? QCoreApplication::translate("Wording", "front faces only")
                                    : QCoreApplication::translate("Wording", "both sides");
+}
+
+QString strategyWords(const StrategyRequest& strategy) {
+    QString words = translated(findStrategy(strategy.id).info.name);
+    for (const std::string& parameter : changedParameters(strategy.parameters)) words += QString::fromStdString(" " + parameter);
+    return words;
 }
 
 QString viewLetter(int view) { return QString(QChar(u'A' + view)); }

@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "core/visibility/strategy.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope::ui {
 
@@ -13,7 +13,9 @@ namespace cullscope::ui {
 /// The meaning of that word, in one sentence.
 [[nodiscard]] QString promiseSentence(Promise promise);
 [[nodiscard]] QString facingWord(Facing facing);
-/// The letter of a view: "A", "B" and so on.
+/// "Frustum", or "Frustum box=length" where a parameter is not at its default.
+[[nodiscard]] QString strategyWords(const StrategyRequest& strategy);
+/// "A", "B".
 [[nodiscard]] QString viewLetter(int view);
 
 /// A ratio with two significant digits: "0.97", "3.1", "15".

@@ -6,9 +6,9 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr double kReach = 34.0;       // length of an axis in a picture wider than kRoomy
-constexpr double kSmallReach = 20.0;  // length in a narrower picture
-constexpr double kBallShare = 0.26;   // radius of an axis end as a fraction of the length
+constexpr double kAxisReach = 34.0;   // from the middle to an end, in a picture of more than kRoomy
+constexpr double kSmallReach = 20.0;  // in a smaller one
+constexpr double kBallShare = 0.26;   // of the reach
 constexpr double kGizmoMargin = 6.0;
 constexpr double kRoomy = 360.0;  // width of a picture
 
@@ -19,7 +19,7 @@ constexpr std::array kNames{"X", "Y", "Z"};
 }  // namespace
 
 OrientationGizmo::OrientationGizmo(const View& camera, const QRectF& picture) {
-    const double reach = picture.width() > kRoomy ? kReach : kSmallReach;
+    const double reach = picture.width() > kRoomy ? kAxisReach : kSmallReach;
     m_ball = kBallShare * reach;
     const double away = kGizmoMargin + reach + m_ball;
     m_middle = picture.bottomLeft() + QPointF(away, -away);

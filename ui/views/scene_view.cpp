@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "core/measure/accuracy.h"
-#include "core/scene/hidden.h"
 #include "core/visibility/registry.h"
+#include "ui/session/session_state.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 #include "ui/views/pick_painter.h"
@@ -97,24 +97,11 @@ QImage SceneView::picture() const {
     return (pictureIsCurrent() ? m_session.picture(m_view) : m_session.pictures()->drawNow(*wanted))->colour;
 }
 
-PictureRequest SceneView::request() const {
-    const StrategySlot& slot = m_session.slot(m_session.culledBy(m_view));
-    PictureRequest request;
-    request.scene = m_session.opened()->specification;
-    request.modelFolders = m_session.sceneSource().modelFolders;
-    request.strategy = slot.id();
-    request.parameters = slot.parameters();
-    request.hidden = hiddenToText(m_session.hidden());
-    request.camera = m_session.cullingCamera(m_view);
-    request.observer = m_session.viewingCamera(m_view);
-    request.size = renderSize();
-    request.look = m_session.setup(m_view).look;
-    request.style = m_session.drawStyle();
-    if (const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view)) {
-        request.cullingSize = wanted->cullingSize;
-        request.look = shownLook(*wanted->strategy, View(wanted->culling, wanted->cullingSize), wanted->look);
-    }
-    return request;
+PictureSubject SceneView::subject() const {
+    const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view);
+    PictureSubject subject = pictureSubject(m_session, m_view, wanted);
+    if (wanted) subject.look = shownLook(*wanted->strategy, View(wanted->culling, wanted->cullingSize), wanted->look);
+    return subject;
 }
 
 PictureExtras SceneView::extras() const {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/session/cullbench_command.h"
+#include "core/image/picture_metadata.h"
 #include "ui/session/session.h"
 #include "ui/views/orientation_gizmo.h"
 #include "ui/views/picture_layout.h"
@@ -40,9 +40,9 @@ public:
     [[nodiscard]] View camera() const;
     /// The picture of the present camera and strategy, without overlays.
     [[nodiscard]] QImage picture() const;
-    /// All inputs of the picture. Needs a scene.
-    [[nodiscard]] PictureRequest request() const;
-    /// The number of pictures drawn so far; an unchanged view is not drawn again.
+    /// Everything that the picture depends on; only with a scene.
+    [[nodiscard]] PictureSubject subject() const;
+    /// How many pictures were drawn so far: a view that is not dirty is not drawn.
     [[nodiscard]] size_t drawnPictures() const { return m_session.pictures() ? m_session.pictures()->drawn(m_view) : 0; }
     /// The overlays of the picture.
     [[nodiscard]] PictureExtras extras() const;

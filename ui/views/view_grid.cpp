@@ -6,7 +6,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kGap = 2;  // pixels between two views
+constexpr int kGridGap = 2;  // pixels between two views
 
 }  // namespace
 
@@ -38,9 +38,9 @@ void ViewGrid::take(ViewPane* pane) {
 }
 
 QRect ViewGrid::cell(int place, int columns, int rows) const {
-    const int across = (width() - kGap * (columns - 1)) / columns;
-    const int down = (height() - kGap * (rows - 1)) / rows;
-    return {place % columns * (across + kGap), place / columns * (down + kGap), across, down};
+    const int across = (width() - kGridGap * (columns - 1)) / columns;
+    const int down = (height() - kGridGap * (rows - 1)) / rows;
+    return {place % columns * (across + kGridGap), place / columns * (down + kGridGap), across, down};
 }
 
 void ViewGrid::moveLoupes(int view, const std::optional<QPointF>& place) {

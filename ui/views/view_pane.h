@@ -21,8 +21,7 @@ public:
     [[nodiscard]] int view() const { return m_view; }
     [[nodiscard]] SceneView& picture() { return *m_picture; }
     [[nodiscard]] ViewHeader& header() { return *m_header; }
-    [[nodiscard]] BudgetBar& budget() { return *m_budget; }
-    /// The text of the chip; empty: there is no chip.
+    /// What the chip says; empty: no chip.
     [[nodiscard]] QString chipText() const;
     /// In compare mode pictures that are fitted to the window have an aspect ratio of 4 : 3: eight of them are 320 × 240 on the
     /// least screen.

@@ -47,7 +47,6 @@ public:
 
     [[nodiscard]] ViewGrid& views() { return *m_views; }
     [[nodiscard]] SidePanel& side() { return *m_side; }
-    [[nodiscard]] ViewCommands& viewCommands() { return *m_viewCommands; }
     [[nodiscard]] WindowActions& actions() { return *m_actions; }
     [[nodiscard]] MessageBar& message() { return *m_message; }
     [[nodiscard]] StrategyPanel& strategyPanel() { return *m_strategy; }

@@ -86,7 +86,6 @@ void SidePanel::setOpenPage(int page) {
     }
     arrange();
     if (page >= 0 && !m_docked) m_pages->currentWidget()->setFocus(Qt::OtherFocusReason);
-    emit openPageChanged(page);
 }
 
 void SidePanel::arrange() {

@@ -34,9 +34,6 @@ public:
     void setOpenPage(int page);
     [[nodiscard]] QToolButton& button(int page) { return *m_buttons[size_t(page)]; }
 
-signals:
-    void openPageChanged(int page);
-
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;

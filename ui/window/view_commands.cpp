@@ -4,6 +4,7 @@
 #include <QGuiApplication>
 
 #include "ui/dialogs/size_dialog.h"
+#include "ui/session/cullbench_command.h"
 #include "ui/window/placed_panels.h"
 
 namespace cullscope::ui {
@@ -118,7 +119,7 @@ void ViewCommands::fillMenu(QMenu& menu, int view) {
     menu.addAction(tr("Copy the picture"), this, [this, view] { copyPicture(view, true); });
     menu.addAction(tr("Copy the picture without what lies over it"), this, [this, view] { copyPicture(view, false); });
     menu.addAction(tr("Copy the cullbench command"), this,
-                   [&pane] { QGuiApplication::clipboard()->setText(cullbenchCommand(pane.picture().request())); });
+                   [&pane] { QGuiApplication::clipboard()->setText(cullbenchCommand(pane.picture().subject())); });
     menu.addSeparator();
     menu.addActions({m_actions.nextLoss, m_actions.loupe});
     menu.addSeparator();

@@ -3,9 +3,9 @@
 #include <QRegularExpression>
 
 #include "core/scene/scene_source.h"
+#include "ui/look/tinted_icon.h"
 #include "ui/text/language.h"
 #include "ui/text/translated.h"
-#include "ui/look/tinted_icon.h"
 
 namespace cullscope::ui {
 

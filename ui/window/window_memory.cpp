@@ -12,7 +12,6 @@ constexpr const char* kGeometry = "window/geometry";
 constexpr const char* kDocks = "window/docks";
 constexpr const char* kArrangement = "window/arrangement";
 constexpr const char* kViewCount = "window/view_count";
-constexpr const char* kFolder = "folder";
 
 }  // namespace
 
@@ -38,9 +37,5 @@ void WindowMemory::reset() {
     m_settings.remove(QLatin1String(kGroup));
     m_window.restoreState(m_first, kVersion);
 }
-
-QString WindowMemory::folder() const { return m_settings.value(QLatin1String(kFolder)).toString(); }
-
-void WindowMemory::setFolder(const QString& folder) { m_settings.setValue(QLatin1String(kFolder), folder); }
 
 }  // namespace cullscope::ui

@@ -24,11 +24,8 @@ public:
     void save(const Layout& layout);
     /// Restores the window's geometry and docks. None: nothing is stored, and the window is unchanged.
     [[nodiscard]] std::optional<Layout> restore();
-    /// Restores the docks of the first start and deletes the stored state. The window's position and the folder stay.
+    /// The docks as at the first start, and nothing kept. The window's place stays.
     void reset();
-
-    [[nodiscard]] QString folder() const;
-    void setFolder(const QString& folder);
 
 private:
     QMainWindow& m_window;

@@ -165,7 +165,7 @@ TEST(FirstWindow, anotherLanguageWhileSteppingKeepsTheState) {
     const Camera kept = session.viewingCamera(session.activeView());
     actions.play->trigger();
     ASSERT_TRUE(desktop.window.paths().player().active());
-    desktop.window.paths().player().step(-1);
+    desktop.window.paths().player().pause();
     const int pose = desktop.window.paths().player().pose();
     expectTheSameInEveryLanguage(desktop, "between two poses");
     EXPECT_TRUE(desktop.window.paths().player().active());
