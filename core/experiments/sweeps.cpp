@@ -4,21 +4,21 @@
 
 namespace cullscope {
 
-const std::vector<ParameterSweep>& fronts() {
-    static const std::vector<ParameterSweep> kFronts{
+const std::vector<ParameterSweep>& builtInSweeps() {
+    static const std::vector<ParameterSweep> kSweeps{
         {"spherical", "rows", {"45", "90", "180", "360"}},
         {"spherical", "band", {"2.5", "5", "10", "20"}},
         {"spherical-lossless", "level", {"4", "5", "6", "7", "8", "0"}, "0"},
     };
-    return kFronts;
+    return kSweeps;
 }
 
-std::vector<StrategyRequest> contestants(const std::vector<ParameterSweep>& chosen) {
+std::vector<StrategyRequest> requestsOf(const std::vector<ParameterSweep>& chosen) {
     std::vector<StrategyRequest> requests;
-    for (const ParameterSweep& front : chosen)
-        for (const std::string& value : front.values) {
-            StrategyRequest request{front.strategy, ParameterSet(findStrategy(front.strategy).info.parameters)};
-            request.parameters.setFromText(front.key, value);
+    for (const ParameterSweep& sweep : chosen)
+        for (const std::string& value : sweep.values) {
+            StrategyRequest request{sweep.strategy, ParameterSet(findStrategy(sweep.strategy).info.parameters)};
+            request.parameters.setFromText(sweep.key, value);
             const bool known = std::any_of(requests.begin(), requests.end(), [&](const StrategyRequest& other) {
                 return other.id == request.id && other.parameters == request.parameters;
             });

@@ -17,9 +17,9 @@ struct ParameterSweep {
 };
 
 /// The built-in sweeps.
-[[nodiscard]] const std::vector<ParameterSweep>& fronts();
+[[nodiscard]] const std::vector<ParameterSweep>& builtInSweeps();
 
 /// The strategies with parameters that the sweeps need measured; each once, also where several sweeps contain it.
-[[nodiscard]] std::vector<StrategyRequest> contestants(const std::vector<ParameterSweep>& chosen);
+[[nodiscard]] std::vector<StrategyRequest> requestsOf(const std::vector<ParameterSweep>& chosen);
 
 }  // namespace cullscope

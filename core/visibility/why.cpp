@@ -24,12 +24,12 @@ Message planeSentence(const TraceEvent& test) {
                     "Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3."),
                 {plane, distance, bound}};
     if (test.containment == Containment::Inside)
-        return {CULLSCOPE_TR("Tested against the %1: all of the bounds lie snapshot, the farthest point by %2."),
+        return {CULLSCOPE_TR("Tested against the %1: all of the bounds lie inside, the farthest point by %2."),
                 {plane, distance}};
     if (test.distance < 0.0)
-        return {CULLSCOPE_TR("Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as snapshot."),
+        return {CULLSCOPE_TR("Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside."),
                 {plane, distance, bound}};
-    return {CULLSCOPE_TR("Tested against the %1: the bounds reach %2 to the snapshot."), {plane, distance}};
+    return {CULLSCOPE_TR("Tested against the %1: the bounds reach %2 to the inside."), {plane, distance}};
 }
 
 WhyStep step(const TraceEvent& event) {

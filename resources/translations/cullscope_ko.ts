@@ -137,7 +137,7 @@
     </message>
     <message>
         <source>Triangles at %1 × %2 pixels:</source>
-        <comment>heading of the legend's counts</comment>
+        <comment>heading of the legend&apos;s counts</comment>
         <translation>%1 × %2 픽셀에서의 삼각형 수:</translation>
     </message>
     <message>
@@ -158,7 +158,7 @@
     </message>
     <message>
         <source>Only what the strategy submits is drawn: choose All triangles for the whole model.</source>
-        <translation>전략이 제출한 것만 그려집니다. 모델 전체를 보려면 '모든 삼각형'을 선택하세요.</translation>
+        <translation>전략이 제출한 것만 그려집니다. 모델 전체를 보려면 &apos;모든 삼각형&apos;을 선택하세요.</translation>
     </message>
 </context>
 <context>
@@ -196,7 +196,7 @@
         <translation>판정 색에서 제외된 것도 표시</translation>
     </message>
     <message>
-        <source>The culling camera's frustum</source>
+        <source>The culling camera&apos;s frustum</source>
         <translation>컬링 카메라의 절두체</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>버퍼 객체</translation>
     </message>
     <message>
-        <source>Vertex arrays of the program's memory</source>
+        <source>Vertex arrays of the program&apos;s memory</source>
         <translation>프로그램 메모리의 정점 배열</translation>
     </message>
     <message>
@@ -336,7 +336,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 놓침 %3</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>OpenGL: %1</translation>
     </message>
     <message>
-        <source>Of the missed, beyond the raster's snapping to 1/256 pixel: %1</source>
+        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
         <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
     </message>
 </context>
@@ -431,11 +431,11 @@
         <translation>여기에는 OpenGL 컨텍스트가 없습니다. OpenGL 4.5를 지원하는 그래픽 드라이버나 Mesa를 설치하세요.</translation>
     </message>
     <message>
-        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa's software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa&apos;s software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>OpenGL 4.5가 필요한데 이 컴퓨터에는 %1(%2)이 있습니다. 그래픽 드라이버를 업데이트하거나 LIBGL_ALWAYS_SOFTWARE=1로 Mesa의 소프트웨어 OpenGL을 쓰세요.</translation>
     </message>
     <message>
-        <source>No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU's driver.</source>
+        <source>No OpenGL 4.5 context without a display: EGL&apos;s surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU&apos;s driver.</source>
         <translation>화면 없이 OpenGL 4.5 컨텍스트를 만들 수 없습니다. EGL의 surfaceless와 device 플랫폼을 모두 시도했습니다. libegl1과 Mesa(libgl1-mesa-dri) 또는 GPU 드라이버를 설치하세요.</translation>
     </message>
     <message>
@@ -447,7 +447,7 @@
         <translation>그래픽 드라이버가 셰이더를 거부합니다: %1</translation>
     </message>
     <message>
-        <source>Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
+        <source>Client vertex arrays need OpenGL&apos;s compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
         <translation>클라이언트 정점 배열에는 OpenGL 호환 프로파일이 필요하지만 이 드라이버는 제공하지 않습니다. 버퍼 객체(vbo)를 쓰세요.</translation>
     </message>
     <message>
@@ -519,12 +519,12 @@
         <translation>%1 파일 %2행이 %3 MB보다 깁니다. 텍스트 형식의 메시 파일인지 확인하세요.</translation>
     </message>
     <message>
-        <source>%1 is compressed with xz. Unpack it first: xz -dk "%1".</source>
-        <translation>%1 파일은 xz로 압축되어 있습니다. 먼저 푸세요: xz -dk "%1".</translation>
+        <source>%1 is compressed with xz. Unpack it first: xz -dk &quot;%1&quot;.</source>
+        <translation>%1 파일은 xz로 압축되어 있습니다. 먼저 푸세요: xz -dk &quot;%1&quot;.</translation>
     </message>
     <message>
-        <source>%1 is compressed with gzip. Unpack it first: gzip -dk "%1".</source>
-        <translation>%1 파일은 gzip으로 압축되어 있습니다. 먼저 푸세요: gzip -dk "%1".</translation>
+        <source>%1 is compressed with gzip. Unpack it first: gzip -dk &quot;%1&quot;.</source>
+        <translation>%1 파일은 gzip으로 압축되어 있습니다. 먼저 푸세요: gzip -dk &quot;%1&quot;.</translation>
     </message>
     <message>
         <source>%1 is an archive or compressed. Unpack it first.</source>
@@ -583,8 +583,8 @@
         <translation>%1 파일의 한 물체에 꼭짓점이 2,147,483,647개보다 많습니다. 물체를 나누세요.</translation>
     </message>
     <message>
-        <source>%1: the object "%2" is smaller than 1e-30. Scale it up.</source>
-        <translation>%1: 물체 "%2"이(가) 1e-30보다 작습니다. 크기를 키우세요.</translation>
+        <source>%1: the object &quot;%2&quot; is smaller than 1e-30. Scale it up.</source>
+        <translation>%1: 물체 &quot;%2&quot;이(가) 1e-30보다 작습니다. 크기를 키우세요.</translation>
     </message>
     <message>
         <source>%1 holds no faces. Export the mesh with its faces, not only points or lines.</source>
@@ -615,28 +615,28 @@
         <translation>%1 파일 %2행: 꼭짓점이나 법선의 좌표가 3개 중 %3개뿐입니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" is not a number. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: "%3"은(는) 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: &quot;%3&quot; is not a number. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: &quot;%3&quot;은(는) 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" is not a corner of a face. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: "%3"은(는) 면의 꼭짓점이 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: &quot;%3&quot; is not a corner of a face. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: &quot;%3&quot;은(는) 면의 꼭짓점이 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
         <source>%1, line %2: the PLY header has no end_header. Fetch or export the file again.</source>
         <translation>%1 파일 %2행: PLY 헤더에 end_header가 없습니다. 파일을 다시 받거나 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" cannot be understood in a PLY header. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: PLY 헤더의 "%3"을(를) 이해할 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: &quot;%3&quot; cannot be understood in a PLY header. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: PLY 헤더의 &quot;%3&quot;을(를) 이해할 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of "%4", but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
-        <translation>%1 파일 %2행은 "%4" %3개를 약속하지만 헤더 뒤에 %5바이트뿐입니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
+        <source>%1, line %2 promises %3 of &quot;%4&quot;, but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
+        <translation>%1 파일 %2행은 &quot;%4&quot; %3개를 약속하지만 헤더 뒤에 %5바이트뿐입니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of "%4", which have no properties. Export the file again.</source>
-        <translation>%1 파일 %2행은 속성이 없는 "%4" %3개를 약속합니다. 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2 promises %3 of &quot;%4&quot;, which have no properties. Export the file again.</source>
+        <translation>%1 파일 %2행은 속성이 없는 &quot;%4&quot; %3개를 약속합니다. 파일을 다시 내보내세요.</translation>
     </message>
     <message>
         <source>Lines passed over because their keyword is unknown: %1, first line %2.</source>
@@ -679,12 +679,12 @@
         <translation>%1 파일 %2행: 꼭짓점에 x, y, z가 없습니다. 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>%1 ends at byte %2, within number %3 of the %4 of "%5" that it promises. The file was cut off: fetch it again.</source>
-        <translation>%1 파일은 약속한 "%5" %4개 중 %3번째 안인 %2바이트에서 끝납니다. 파일이 잘렸으니 다시 받으세요.</translation>
+        <source>%1 ends at byte %2, within number %3 of the %4 of &quot;%5&quot; that it promises. The file was cut off: fetch it again.</source>
+        <translation>%1 파일은 약속한 &quot;%5&quot; %4개 중 %3번째 안인 %2바이트에서 끝납니다. 파일이 잘렸으니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, byte %2: number %3 of "%4" promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
-        <translation>%1 파일 %2바이트: "%4"의 %3번째가 길이 %5의 목록을 약속하지만 %6바이트만 남았습니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
+        <source>%1, byte %2: number %3 of &quot;%4&quot; promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
+        <translation>%1 파일 %2바이트: &quot;%4&quot;의 %3번째가 길이 %5의 목록을 약속하지만 %6바이트만 남았습니다. 파일이 잘렸거나 바뀌었으니 다시 받으세요.</translation>
     </message>
     <message>
         <source>%1, line %2: a list cannot have %3 values. Correct the line or export the file again.</source>
@@ -707,15 +707,15 @@
         <translation>%1 파일 80바이트는 삼각형 %2개를 약속하지만 파일에는 %3개 자리뿐입니다. STL이 아니거나 잘린 파일이니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" cannot stand here in an STL file. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: STL 파일의 이 자리에 "%3"이(가) 올 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: &quot;%3&quot; cannot stand here in an STL file. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: STL 파일의 이 자리에 &quot;%3&quot;이(가) 올 수 없습니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
         <source>Simplifying the mesh</source>
         <translation>메시 단순화 중</translation>
     </message>
     <message>
-        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine's. Ask for fewer triangles.</source>
+        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine&apos;s. Ask for fewer triangles.</source>
         <translation>메시를 그만큼의 삼각형으로 바꾸려면 이 컴퓨터 메모리의 4분의 3이 넘는 약 %1 MB가 필요합니다. 삼각형 수를 줄이세요.</translation>
     </message>
     <message>
@@ -727,12 +727,12 @@
         <translation>메시를 삼각형 %1개로, 또는 %1개에서 바꿀 수 없습니다. 삼각형을 하나 이상 지정하세요.</translation>
     </message>
     <message>
-        <source>The mesh "%1" has no surface that could be simplified or subdivided.</source>
-        <translation>메시 "%1"에는 단순화하거나 세분할 면이 없습니다.</translation>
+        <source>The mesh &quot;%1&quot; has no surface that could be simplified or subdivided.</source>
+        <translation>메시 &quot;%1&quot;에는 단순화하거나 세분할 면이 없습니다.</translation>
     </message>
     <message>
-        <source>The mesh "%1" cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
-        <translation>메시 "%1"을(를) 삼각형 %2개로 바꿀 수 없습니다. 조각들은 %3개까지만 줄일 수 있습니다. 그 이상을 지정하세요.</translation>
+        <source>The mesh &quot;%1&quot; cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
+        <translation>메시 &quot;%1&quot;을(를) 삼각형 %2개로 바꿀 수 없습니다. 조각들은 %3개까지만 줄일 수 있습니다. 그 이상을 지정하세요.</translation>
     </message>
     <message>
         <source>Writing the file</source>
@@ -751,19 +751,19 @@
         <translation>%1 파일은 약속한 내용이 다 나오기 전 %2행에서 끝납니다. 파일이 잘렸으니 다시 받으세요.</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" is not a number that can stand here. Correct the line or export the file again.</source>
-        <translation>%1 파일 %2행: "%3"은(는) 이 자리에 올 수 있는 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
+        <source>%1, line %2: &quot;%3&quot; is not a number that can stand here. Correct the line or export the file again.</source>
+        <translation>%1 파일 %2행: &quot;%3&quot;은(는) 이 자리에 올 수 있는 수가 아닙니다. 행을 고치거나 파일을 다시 내보내세요.</translation>
     </message>
     <message>
-        <source>The camera's eye, target and up must be finite numbers.</source>
+        <source>The camera&apos;s eye, target and up must be finite numbers.</source>
         <translation>카메라의 눈, 목표, 위쪽은 유한한 수여야 합니다.</translation>
     </message>
     <message>
-        <source>The camera's eye and target are the same point: move one of them.</source>
+        <source>The camera&apos;s eye and target are the same point: move one of them.</source>
         <translation>카메라의 눈과 목표가 같은 점입니다. 하나를 옮기세요.</translation>
     </message>
     <message>
-        <source>The camera's up vector is zero: give it a direction.</source>
+        <source>The camera&apos;s up vector is zero: give it a direction.</source>
         <translation>카메라의 위쪽 벡터가 0입니다. 방향을 지정하세요.</translation>
     </message>
     <message>
@@ -783,16 +783,16 @@
         <translation>경로 %1에는 콜론 뒤에 1~1000000의 자세 수가 필요합니다.</translation>
     </message>
     <message>
-        <source>%1: pose %2: "%3" must be three numbers.</source>
-        <translation>%1: 자세 %2: "%3"은(는) 수 세 개여야 합니다.</translation>
+        <source>%1: pose %2: &quot;%3&quot; must be three numbers.</source>
+        <translation>%1: 자세 %2: &quot;%3&quot;은(는) 수 세 개여야 합니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a number.</source>
-        <translation>%1: "%2"은(는) 수여야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be a number.</source>
+        <translation>%1: &quot;%2&quot;은(는) 수여야 합니다.</translation>
     </message>
     <message>
-        <source>"%1" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
-        <translation>"%1"은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</translation>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
+        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</translation>
     </message>
     <message>
         <source>%1 cannot be opened: check the name and that you may read it.</source>
@@ -803,15 +803,15 @@
         <translation>%1 파일은 JSON이 아닙니다. %2바이트에서 끊깁니다. 카메라 경로에는 fovy_deg, near, far, poses 필드가 있습니다.</translation>
     </message>
     <message>
-        <source>%1: a camera path needs a list "poses" with at least one pose.</source>
-        <translation>%1: 카메라 경로에는 자세가 하나 이상인 "poses" 목록이 필요합니다.</translation>
+        <source>%1: a camera path needs a list &quot;poses&quot; with at least one pose.</source>
+        <translation>%1: 카메라 경로에는 자세가 하나 이상인 &quot;poses&quot; 목록이 필요합니다.</translation>
     </message>
     <message>
         <source>%1: pose %2: %3</source>
         <translation>%1: 자세 %2: %3</translation>
     </message>
     <message>
-        <source>N poses on a circle at three times the scene's radius, 15 degrees above it</source>
+        <source>N poses on a circle at three times the scene&apos;s radius, 15 degrees above it</source>
         <translation>장면 반지름의 세 배 거리, 15도 위의 원을 따르는 N개 자세</translation>
     </message>
     <message>
@@ -827,12 +827,12 @@
         <translation>%1: %2=%3은(는) %4과(와) %5 사이의 수가 아닙니다.</translation>
     </message>
     <message>
-        <source>%1 has no parameter "%2". It has: %3.</source>
-        <translation>%1에는 매개변수 "%2"이(가) 없습니다. 있는 것: %3.</translation>
+        <source>%1 has no parameter &quot;%2&quot;. It has: %3.</source>
+        <translation>%1에는 매개변수 &quot;%2&quot;이(가) 없습니다. 있는 것: %3.</translation>
     </message>
     <message>
-        <source>%1: "%2" is not of the form key=value.</source>
-        <translation>%1: "%2"은(는) key=value 꼴이 아닙니다.</translation>
+        <source>%1: &quot;%2&quot; is not of the form key=value.</source>
+        <translation>%1: &quot;%2&quot;은(는) key=value 꼴이 아닙니다.</translation>
     </message>
     <message>
         <source>No bunny is installed here. Install the package glmark2-data, or name a folder that holds bunny.obj with --models DIR or CULLSCOPE_MODELS.</source>
@@ -843,7 +843,7 @@
         <translation>mesh:에 파일이 없습니다. mesh:FILE,triangles=N처럼 쓰세요.</translation>
     </message>
     <message>
-        <source>how many triangles, to the nearest that the shape's grid allows</source>
+        <source>how many triangles, to the nearest that the shape&apos;s grid allows</source>
         <translation>삼각형 수(형상의 격자가 허용하는 가장 가까운 수)</translation>
     </message>
     <message>
@@ -851,7 +851,7 @@
         <translation>설치된 모델 파일의 스탠퍼드 토끼</translation>
     </message>
     <message>
-        <source>Newell's teapot, tessellated from its 32 Bézier patches</source>
+        <source>Newell&apos;s teapot, tessellated from its 32 Bézier patches</source>
         <translation>베지에 패치 32개로 만든 뉴얼의 찻주전자</translation>
     </message>
     <message>
@@ -899,8 +899,8 @@
         <translation>장면이 지정되지 않았습니다. 메시 파일이나 bunny, sphere:triangles=1e5 같은 생성기를 지정하세요.</translation>
     </message>
     <message>
-        <source>"%1" is neither a file nor a generator. Generators: %2.</source>
-        <translation>"%1"은(는) 파일도 생성기도 아닙니다. 생성기: %2.</translation>
+        <source>&quot;%1&quot; is neither a file nor a generator. Generators: %2.</source>
+        <translation>&quot;%1&quot;은(는) 파일도 생성기도 아닙니다. 생성기: %2.</translation>
     </message>
     <message>
         <source>All triangles</source>
@@ -971,12 +971,12 @@
         <translation>%1=%2: %1은(는) %3과(와) %4 사이의 수입니다.</translation>
     </message>
     <message>
-        <source>There is no parameter "%1" here. Known: %2.</source>
-        <translation>여기에는 매개변수 "%1"이(가) 없습니다. 알려진 것: %2.</translation>
+        <source>There is no parameter &quot;%1&quot; here. Known: %2.</source>
+        <translation>여기에는 매개변수 &quot;%1&quot;이(가) 없습니다. 알려진 것: %2.</translation>
     </message>
     <message>
-        <source>There is no strategy "%1". Known: %2.</source>
-        <translation>전략 "%1"이(가) 없습니다. 알려진 것: %2.</translation>
+        <source>There is no strategy &quot;%1&quot;. Known: %2.</source>
+        <translation>전략 &quot;%1&quot;이(가) 없습니다. 알려진 것: %2.</translation>
     </message>
     <message>
         <source>outside the frustum</source>
@@ -1087,44 +1087,44 @@
         <translation>실험을 실행할 수 없습니다: %1</translation>
     </message>
     <message>
-        <source>%1: "%2": %3</source>
-        <translation>%1: "%2": %3</translation>
+        <source>%1: &quot;%2&quot;: %3</source>
+        <translation>%1: &quot;%2&quot;: %3</translation>
     </message>
     <message>
-        <source>%1: "%2" must be one of these words: %3.</source>
-        <translation>%1: "%2"은(는) 다음 낱말 중 하나여야 합니다: %3.</translation>
+        <source>%1: &quot;%2&quot; must be one of these words: %3.</source>
+        <translation>%1: &quot;%2&quot;은(는) 다음 낱말 중 하나여야 합니다: %3.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a group of fields in braces.</source>
-        <translation>%1: "%2"은(는) 중괄호로 묶인 필드여야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be a group of fields in braces.</source>
+        <translation>%1: &quot;%2&quot;은(는) 중괄호로 묶인 필드여야 합니다.</translation>
     </message>
     <message>
-        <source>%1: the field "%2" is missing.</source>
-        <translation>%1: "%2" 필드가 없습니다.</translation>
+        <source>%1: the field &quot;%2&quot; is missing.</source>
+        <translation>%1: &quot;%2&quot; 필드가 없습니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a list of 1 to %3 entries.</source>
-        <translation>%1: "%2"은(는) 1개에서 %3개까지의 항목으로 된 목록이어야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be a list of 1 to %3 entries.</source>
+        <translation>%1: &quot;%2&quot;은(는) 1개에서 %3개까지의 항목으로 된 목록이어야 합니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a number between %3 and %4.</source>
-        <translation>%1: "%2"은(는) %3에서 %4 사이의 수여야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be a number between %3 and %4.</source>
+        <translation>%1: &quot;%2&quot;은(는) %3에서 %4 사이의 수여야 합니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a whole number between %3 and %4.</source>
-        <translation>%1: "%2"은(는) %3에서 %4 사이의 정수여야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be a whole number between %3 and %4.</source>
+        <translation>%1: &quot;%2&quot;은(는) %3에서 %4 사이의 정수여야 합니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be true or false.</source>
-        <translation>%1: "%2"은(는) true 또는 false여야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be true or false.</source>
+        <translation>%1: &quot;%2&quot;은(는) true 또는 false여야 합니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a text in quotes.</source>
-        <translation>%1: "%2"은(는) 따옴표로 묶인 글이어야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be a text in quotes.</source>
+        <translation>%1: &quot;%2&quot;은(는) 따옴표로 묶인 글이어야 합니다.</translation>
     </message>
     <message>
-        <source>%1: "%2" must be three numbers.</source>
-        <translation>%1: "%2"은(는) 세 개의 수여야 합니다.</translation>
+        <source>%1: &quot;%2&quot; must be three numbers.</source>
+        <translation>%1: &quot;%2&quot;은(는) 세 개의 수여야 합니다.</translation>
     </message>
     <message>
         <source>There is not enough memory to draw this view. Make the picture or the scene smaller.</source>
@@ -1199,7 +1199,7 @@
         <translation>저장할 장면이 아직 없습니다. 먼저 장면을 여십시오.</translation>
     </message>
     <message>
-        <source>The name of the scene's file is no UTF-8, which a session needs: rename the file.</source>
+        <source>The name of the scene&apos;s file is no UTF-8, which a session needs: rename the file.</source>
         <translation>장면 파일의 이름이 세션에 필요한 UTF-8이 아닙니다. 파일 이름을 바꾸십시오.</translation>
     </message>
     <message>
@@ -1251,24 +1251,24 @@
         <translation>잘못 제거됨</translation>
     </message>
     <message>
-        <source>The mesh "%1" would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
-        <translation>메시 "%1"이(가) %2개 조각으로 나뉩니다. 객체는 최대 %3개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
+        <source>The mesh &quot;%1&quot; would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
+        <translation>메시 &quot;%1&quot;이(가) %2개 조각으로 나뉩니다. 객체는 최대 %3개까지 가능합니다. by=clusters로 조각마다 삼각형을 더 많이 주어 나누세요.</translation>
     </message>
     <message>
         <source>Splitting the mesh</source>
         <translation>메시를 나누는 중</translation>
     </message>
     <message>
-        <source>"%1" in "%2" is neither an object's number nor a range. Hidden objects are written as in 3,7-9.</source>
-        <translation>"%2"의 "%1"은(는) 객체 번호도 범위도 아닙니다. 숨길 객체는 3,7-9처럼 씁니다.</translation>
+        <source>&quot;%1&quot; in &quot;%2&quot; is neither an object&apos;s number nor a range. Hidden objects are written as in 3,7-9.</source>
+        <translation>&quot;%2&quot;의 &quot;%1&quot;은(는) 객체 번호도 범위도 아닙니다. 숨길 객체는 3,7-9처럼 씁니다.</translation>
     </message>
     <message>
         <source>There is no object %1 to hide: the scene has %2 objects, counted from 0.</source>
         <translation>숨길 객체 %1이(가) 없습니다. 장면의 객체는 %2개이며 0부터 셉니다.</translation>
     </message>
     <message>
-        <source>"%1" has %2 triangles, too many to be one mesh.</source>
-        <translation>"%1"의 삼각형은 %2개로, 메시 하나로 만들기에는 너무 많습니다.</translation>
+        <source>&quot;%1&quot; has %2 triangles, too many to be one mesh.</source>
+        <translation>&quot;%1&quot;의 삼각형은 %2개로, 메시 하나로 만들기에는 너무 많습니다.</translation>
     </message>
     <message>
         <source>split: by=%1 is unknown. Write by=components or by=clusters.</source>
@@ -1331,18 +1331,6 @@
         <translation>%1 검사: 경계의 가장 가까운 점도 바깥으로 %2 떨어져 있어 허용 한계 %3을(를) 넘습니다.</translation>
     </message>
     <message>
-        <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
-        <translation>%1 검사: 경계 전체가 안쪽에 있으며, 가장 깊은 점은 %2 안쪽입니다.</translation>
-    </message>
-    <message>
-        <source>Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.</source>
-        <translation>%1 검사: 경계가 바깥으로 %2 벗어나 있지만 허용 한계 %3 이내이므로 안쪽으로 봅니다.</translation>
-    </message>
-    <message>
-        <source>Tested against the %1: the bounds reach %2 to the inside.</source>
-        <translation>%1 검사: 경계가 안쪽으로 %2까지 들어옵니다.</translation>
-    </message>
-    <message>
         <source>The strategy leaves the object out: %1.</source>
         <translation>전략이 물체를 제외합니다: %1.</translation>
     </message>
@@ -1351,8 +1339,8 @@
         <translation>전략이 물체를 남깁니다.</translation>
     </message>
     <message>
-        <source>The object "%1" is tested as one box with %2 triangles.</source>
-        <translation>물체 "%1"은(는) 삼각형 %2개를 담은 상자 하나로 검사됩니다.</translation>
+        <source>The object &quot;%1&quot; is tested as one box with %2 triangles.</source>
+        <translation>물체 &quot;%1&quot;은(는) 삼각형 %2개를 담은 상자 하나로 검사됩니다.</translation>
     </message>
     <message>
         <source>OpenGL draws the triangle: both sides count.</source>
@@ -1419,19 +1407,19 @@
         <translation>다른 실험이 진행 중입니다. 끝날 때까지 기다리거나 취소하십시오.</translation>
     </message>
     <message>
-        <source>The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client vertex arrays or a smaller scene.</source>
+        <source>The graphics memory does not hold this strategy&apos;s order of the triangles (%1 bytes): use client vertex arrays or a smaller scene.</source>
         <translation>그래픽 메모리가 이 전략의 삼각형 순서(%1바이트)를 담지 못합니다. 클라이언트 정점 배열을 쓰거나 더 작은 장면을 여십시오.</translation>
     </message>
     <message>
-        <source>The numbers of the triangles in this strategy's order need %1 bytes in one buffer and this OpenGL gives %2: choose a strategy that keeps the mesh's order, or a part of the scene.</source>
+        <source>The numbers of the triangles in this strategy&apos;s order need %1 bytes in one buffer and this OpenGL gives %2: choose a strategy that keeps the mesh&apos;s order, or a part of the scene.</source>
         <translation>이 전략의 순서로 된 삼각형 번호는 한 버퍼에 %1바이트가 필요한데 이 OpenGL은 %2바이트까지 줍니다. 메시의 순서를 지키는 전략이나 장면의 일부를 고르십시오.</translation>
     </message>
     <message>
-        <source>The paper's text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the bunny that is installed.</source>
+        <source>The paper&apos;s text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the bunny that is installed.</source>
         <translation>논문 본문은 144,046면, 표 2는 144,078면이라고 합니다. 여기서는 설치된 토끼를 세분하여 144,046면을 측정합니다.</translation>
     </message>
     <message>
-        <source>The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the gain is smaller: both ratios are given.</source>
+        <source>The paper compares with drawing every face, back faces too. Against OpenGL&apos;s own back-face culling the gain is smaller: both ratios are given.</source>
         <translation>논문은 뒷면까지 모든 면을 그리는 경우와 비교합니다. OpenGL 자체의 후면 선별과 비교하면 이득이 더 작습니다. 두 비율을 모두 보입니다.</translation>
     </message>
     <message>
@@ -1439,7 +1427,7 @@
         <translation>논문은 잃어버린 픽셀을 세지 않습니다. 여기서는 모든 그림을 정확한 그림과 비교합니다.</translation>
     </message>
     <message>
-        <source>The paper's machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per second.</source>
+        <source>The paper&apos;s machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per second.</source>
         <translation>논문의 컴퓨터는 2.33 GHz Xeon과 Quadro FX 5500입니다. 초당 프레임 수가 아니라 비율을 비교하십시오.</translation>
     </message>
     <message>
@@ -1463,11 +1451,11 @@
         <translation>세 자료구조의 크기</translation>
     </message>
     <message>
-        <source>The paper's formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
+        <source>The paper&apos;s formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
         <translation>논문의 식(면마다 실수 4개, 칸과 면마다 실수 2개, 칸마다 정수 4개)으로는 논문의 크기가 나오지 않습니다. 색인 맵은 74.7 GB가 됩니다.</translation>
     </message>
     <message>
-        <source>In the paper's table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
+        <source>In the paper&apos;s table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
         <translation>논문의 표에는 내용이 잘못된 열에 있습니다. 개수, 시작, 참조는 메모리 접근 맵의 것입니다.</translation>
     </message>
     <message>
@@ -1483,7 +1471,7 @@
         <translation>논문: MB</translation>
     </message>
     <message>
-        <source>paper's formula: MB</source>
+        <source>paper&apos;s formula: MB</source>
         <translation>논문의 식: MB</translation>
     </message>
     <message>
@@ -1607,16 +1595,16 @@
         <translation>논문: fps 평균</translation>
     </message>
     <message>
-        <source>The paper has "10 or more" views and does not say which: here 12, evenly around the object at three radii, all of it in view. spherical-horizon is not the paper's: it is the same idea made right.</source>
-        <translation>논문은 시점이 "10개 이상"이라고만 하고 어느 것인지 말하지 않습니다. 여기서는 반지름의 세 배 거리에서 물체 둘레에 고르게 놓인 12개이며 물체 전체가 보입니다. spherical-horizon은 논문의 것이 아니라 같은 생각을 바로잡은 것입니다.</translation>
+        <source>The paper has &quot;10 or more&quot; views and does not say which: here 12, evenly around the object at three radii, all of it in view. spherical-horizon is not the paper&apos;s: it is the same idea made right.</source>
+        <translation>논문은 시점이 &quot;10개 이상&quot;이라고만 하고 어느 것인지 말하지 않습니다. 여기서는 반지름의 세 배 거리에서 물체 둘레에 고르게 놓인 12개이며 물체 전체가 보입니다. spherical-horizon은 논문의 것이 아니라 같은 생각을 바로잡은 것입니다.</translation>
     </message>
     <message>
-        <source>There is no colouring of the index map "%1". Known: %2.</source>
-        <translation>색인 맵의 색칠 방식 "%1"은(는) 없습니다. 있는 것: %2.</translation>
+        <source>There is no colouring of the index map &quot;%1&quot;. Known: %2.</source>
+        <translation>색인 맵의 색칠 방식 &quot;%1&quot;은(는) 없습니다. 있는 것: %2.</translation>
     </message>
     <message>
-        <source>There is no experiment "%1". Known: %2.</source>
-        <translation>"%1" 실험은 없습니다. 있는 것: %2.</translation>
+        <source>There is no experiment &quot;%1&quot;. Known: %2.</source>
+        <translation>&quot;%1&quot; 실험은 없습니다. 있는 것: %2.</translation>
     </message>
     <message>
         <source>12 close views with a pole of the spherical map in them, 9.4 % of the faces in the frustum</source>
@@ -1627,7 +1615,7 @@
         <translation>구면 맵의 한 덩어리를 보는 가까운 시점 12개, 면의 11.4 %가 절두체 안</translation>
     </message>
     <message>
-        <source>12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum</source>
+        <source>12 close views of a clump that the map&apos;s seam splits, 18.3 % of the faces in the frustum</source>
         <translation>구면 맵의 이음선이 나누는 덩어리를 보는 가까운 시점 12개, 면의 18.3 %가 절두체 안</translation>
     </message>
     <message>
@@ -1659,7 +1647,7 @@
         <translation>네 교차점을 이어 가시 영역을 만드는 방법.</translation>
     </message>
     <message>
-        <source>straight on the map, so that the extremes are the hits'</source>
+        <source>straight on the map, so that the extremes are the hits&apos;</source>
         <translation>맵에서 직선으로. 영역의 끝이 교차점과 같습니다</translation>
     </message>
     <message>
@@ -1691,19 +1679,19 @@
         <translation>전략이 물체의 일부를 그립니다. 나머지는 제외합니다: %1.</translation>
     </message>
     <message>
-        <source>The object "%1" is tested as one bounding sphere with %2 triangles.</source>
-        <translation>물체 "%1"은(는) 삼각형 %2개가 든 경계구 하나로 검사합니다.</translation>
+        <source>The object &quot;%1&quot; is tested as one bounding sphere with %2 triangles.</source>
+        <translation>물체 &quot;%1&quot;은(는) 삼각형 %2개가 든 경계구 하나로 검사합니다.</translation>
     </message>
     <message>
-        <source>Its centroid lies in the map's row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
+        <source>Its centroid lies in the map&apos;s row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
         <translation>무게중심이 맵의 행 %1, 열 %2에 있습니다: 고도각 %3°–%4°, 방위각 %5°–%6°.</translation>
     </message>
     <message>
-        <source>The cell lies in the visible region's boxes (case %1).</source>
+        <source>The cell lies in the visible region&apos;s boxes (case %1).</source>
         <translation>셀이 가시 영역의 상자 안에 있습니다(경우 %1).</translation>
     </message>
     <message>
-        <source>The cell lies outside the visible region's boxes (case %1).</source>
+        <source>The cell lies outside the visible region&apos;s boxes (case %1).</source>
         <translation>셀이 가시 영역의 상자 밖에 있습니다(경우 %1).</translation>
     </message>
     <message>
@@ -1727,7 +1715,7 @@
         <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. 모든 삼각형이 앞쪽 지평선 아래에 있습니다(그곳의 기울기 %4).</translation>
     </message>
     <message>
-        <source>The object's bounding sphere: %1.</source>
+        <source>The object&apos;s bounding sphere: %1.</source>
         <translation>물체의 경계구: %1.</translation>
     </message>
     <message>
@@ -1751,8 +1739,8 @@
         <translation>셀의 경계</translation>
     </message>
     <message>
-        <source>There is no layout of the map "%1". Known: %2.</source>
-        <translation>"%1"이라는 맵 배치는 없습니다. 있는 것: %2.</translation>
+        <source>There is no layout of the map &quot;%1&quot;. Known: %2.</source>
+        <translation>&quot;%1&quot;이라는 맵 배치는 없습니다. 있는 것: %2.</translation>
     </message>
     <message>
         <source>filled</source>
@@ -1799,7 +1787,7 @@
         <translation>구좌표, 무손실</translation>
     </message>
     <message>
-        <source>Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by the horizon of the solid's inner kernel: loses nothing on any mesh.</source>
+        <source>Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by the horizon of the solid&apos;s inner kernel: loses nothing on any mesh.</source>
         <translation>방향 맵의 셀을 큰 것에서 작은 것으로 절두체, 법선 원뿔, 입체 내부 커널의 지평선으로 검사합니다. 어떤 메시에서도 아무것도 잃지 않습니다.</translation>
     </message>
     <message>
@@ -1823,7 +1811,7 @@
         <translation>모든 삼각형이 등을 돌린 셀을 제외할지 여부(앞면만 그릴 때).</translation>
     </message>
     <message>
-        <source>Whether cells behind the solid's inner kernel are left out (where the mesh is closed).</source>
+        <source>Whether cells behind the solid&apos;s inner kernel are left out (where the mesh is closed).</source>
         <translation>입체의 내부 커널 뒤에 있는 셀을 제외할지 여부(메시가 닫혀 있을 때).</translation>
     </message>
     <message>
@@ -1843,15 +1831,15 @@
         <translation>어떤 검사도 이 셀을 제외하지 않았으므로 삼각형을 그립니다.</translation>
     </message>
     <message>
-        <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's snapping could undo.</source>
+        <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture&apos;s snapping could undo.</source>
         <translation>셀의 모든 법선이 눈을 등진 원뿔 안에 있으며, 그 정도가 그림의 격자 맞춤으로 뒤집힐 수 있는 것보다 큽니다.</translation>
     </message>
     <message>
-        <source>All sight lines to the cell pass through the solid's inner kernel first.</source>
+        <source>All sight lines to the cell pass through the solid&apos;s inner kernel first.</source>
         <translation>셀에 이르는 모든 시선이 먼저 입체의 내부 커널을 지납니다.</translation>
     </message>
     <message>
-        <source>The box around the cell's triangles lies outside one plane of the frustum.</source>
+        <source>The box around the cell&apos;s triangles lies outside one plane of the frustum.</source>
         <translation>셀의 삼각형을 둘러싼 상자가 절두체의 한 평면 밖에 있습니다.</translation>
     </message>
     <message>
@@ -1859,11 +1847,11 @@
         <translation>법선 원뿔을 쓰지 않습니다: 삼각형의 양면을 그리거나 검사가 꺼져 있습니다.</translation>
     </message>
     <message>
-        <source>The kernel's horizon is not used: %1.</source>
+        <source>The kernel&apos;s horizon is not used: %1.</source>
         <translation>커널의 지평선을 쓰지 않습니다: %1.</translation>
     </message>
     <message>
-        <source>The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
+        <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
         <translation>여기서는 커널의 지평선을 쓰지 않습니다: 근평면이 경계구를 자르거나, 물체가 그림에서 너무 작거나, 검사가 꺼져 있습니다.</translation>
     </message>
     <message>
@@ -1879,7 +1867,7 @@
         <translation>전략이 물체의 일부를 그립니다. 삼각형 %1개는 제외합니다: %2.</translation>
     </message>
     <message>
-        <source>OpenGL's selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
+        <source>OpenGL&apos;s selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
         <translation>OpenGL의 선택 모드는 코어 프로필에서 없어졌고 이 OpenGL에는 호환 프로필이 없습니다. 차폐 질의로 물어보십시오.</translation>
     </message>
     <message>
@@ -1891,12 +1879,12 @@
         <translation>양면인 행(실선)은 논문처럼 모든 면의 앞뒤를 그리므로 all과 비교하십시오. 앞면인 행(파선)은 뒷면을 OpenGL에 맡기므로 backface와 비교하십시오.</translation>
     </message>
     <message>
-        <source>The paper's method is frustum-select; frustum tests the same boxes on the processor. The paper's largest speed-up is its 33 fps over its 0.83.</source>
+        <source>The paper&apos;s method is frustum-select; frustum tests the same boxes on the processor. The paper&apos;s largest speed-up is its 33 fps over its 0.83.</source>
         <translation>논문의 방법은 frustum-select이고, frustum은 같은 상자를 프로세서에서 검사합니다. 논문의 최대 배속은 33 fps를 0.83으로 나눈 값입니다.</translation>
     </message>
     <message>
-        <source>A few views with little in them raise the mean of the frames per second; "fps, all views" is views over their total time.</source>
-        <translation>보이는 것이 적은 몇 시점이 초당 프레임 수의 평균을 끌어올립니다. "fps, 모든 시점"은 시점 수를 총시간으로 나눈 값입니다.</translation>
+        <source>A few views with little in them raise the mean of the frames per second; &quot;fps, all views&quot; is views over their total time.</source>
+        <translation>보이는 것이 적은 몇 시점이 초당 프레임 수의 평균을 끌어올립니다. &quot;fps, 모든 시점&quot;은 시점 수를 총시간으로 나눈 값입니다.</translation>
     </message>
     <message>
         <source>Culling saves work on triangles, not on pixels: where pixels take much of the frame, as in a software OpenGL, the gain is small.</source>
@@ -1907,7 +1895,7 @@
         <translation>경로가 토끼를 뚫고 지나는 곳에서는 양면 그림에 그 안쪽이 보이지만 backface는 그것을 그리지 않습니다. 그것이 backface가 놓친 픽셀입니다.</translation>
     </message>
     <message>
-        <source>The paper's machine was a Pentium III at 866 MHz with a GeForce3 Ti 200: compare the ratios, not the frames per second. The paper counts no lost pixels.</source>
+        <source>The paper&apos;s machine was a Pentium III at 866 MHz with a GeForce3 Ti 200: compare the ratios, not the frames per second. The paper counts no lost pixels.</source>
         <translation>논문의 기계는 GeForce3 Ti 200을 단 866 MHz Pentium III였습니다. 초당 프레임 수가 아니라 비율을 비교하십시오. 논문은 잃은 픽셀을 세지 않습니다.</translation>
     </message>
     <message>
@@ -1983,12 +1971,12 @@
         <translation>양면</translation>
     </message>
     <message>
-        <source>"%1" is not of the form key=value.</source>
-        <translation>"%1"은(는) key=value 형식이 아닙니다.</translation>
+        <source>&quot;%1&quot; is not of the form key=value.</source>
+        <translation>&quot;%1&quot;은(는) key=value 형식이 아닙니다.</translation>
     </message>
     <message>
-        <source>The strategy "%1" has no parameters.</source>
-        <translation>전략 "%1"에는 매개변수가 없습니다.</translation>
+        <source>The strategy &quot;%1&quot; has no parameters.</source>
+        <translation>전략 &quot;%1&quot;에는 매개변수가 없습니다.</translation>
     </message>
     <message>
         <source>boxes</source>
@@ -2003,7 +1991,7 @@
         <translation>선택 모드 절두체 컬링</translation>
     </message>
     <message>
-        <source>Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view.</source>
+        <source>Draws the objects&apos; boxes in OpenGL&apos;s selection mode: the hit records name the objects in view.</source>
         <translation>물체의 상자를 OpenGL 선택 모드로 그립니다. 히트 레코드가 시야 안의 물체를 알려 줍니다.</translation>
     </message>
     <message>
@@ -2015,11 +2003,11 @@
         <translation>질의 절두체 컬링</translation>
     </message>
     <message>
-        <source>Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
+        <source>Draws the objects&apos; boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
         <translation>물체의 상자를 보이지 않게 그리고 상자마다 차폐 질의를 합니다. 샘플을 덮는 것이 시야 안에 있습니다.</translation>
     </message>
     <message>
-        <source>the mesh's own box, turned with the object, by its corner farthest inside</source>
+        <source>the mesh&apos;s own box, turned with the object, by its corner farthest inside</source>
         <translation>물체와 함께 돌린 메시 자체의 상자를 가장 안쪽 꼭짓점으로</translation>
     </message>
     <message>
@@ -2031,12 +2019,12 @@
         <translation>물체 상자의 옥트리로 그룹을 통째로 제외하고 나머지를 가까운 것부터 그립니다.</translation>
     </message>
     <message>
-        <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum's edges.</source>
+        <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum&apos;s edges.</source>
         <translation>여러 평면이 자르는 것을 분리축으로도 검사할지 여부. 절두체 모서리 옆에 있는 것까지 제외합니다.</translation>
     </message>
     <message>
-        <source>"%1" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: "frustum-query" asks the same without it.</source>
-        <translation>"%1"은(는) OpenGL 선택 모드로 그리는데, 이 모드는 코어 프로필에서 없어졌고 이 OpenGL(%2)에는 호환 프로필이 없습니다. "frustum-query"가 그것 없이 같은 것을 묻습니다.</translation>
+        <source>&quot;%1&quot; draws in OpenGL&apos;s selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: &quot;frustum-query&quot; asks the same without it.</source>
+        <translation>&quot;%1&quot;은(는) OpenGL 선택 모드로 그리는데, 이 모드는 코어 프로필에서 없어졌고 이 OpenGL(%2)에는 호환 프로필이 없습니다. &quot;frustum-query&quot;가 그것 없이 같은 것을 묻습니다.</translation>
     </message>
     <message>
         <source>This strategy asks OpenGL what is visible, and there is no OpenGL context here.</source>
@@ -2062,6 +2050,18 @@
         <source>It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum.</source>
         <translation>물체 %1개의 그룹에 있으며 그 상자를 먼저 검사했습니다. 한 축이 상자를 절두체와 갈라놓습니다.</translation>
     </message>
+    <message>
+        <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
+        <translation>%1 검사: 경계 전체가 안쪽에 있으며, 가장 깊은 점은 %2 안쪽입니다.</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.</source>
+        <translation>%1 검사: 경계가 바깥으로 %2 벗어나 있지만 허용 한계 %3 이내이므로 안쪽으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds reach %2 to the inside.</source>
+        <translation>%1 검사: 경계가 안쪽으로 %2까지 들어옵니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2083,7 +2083,7 @@ OpenGL %2
 %3</translation>
     </message>
     <message>
-        <source>Cullscope's own sources are under the MIT licence.</source>
+        <source>Cullscope&apos;s own sources are under the MIT licence.</source>
         <translation>Cullscope 자체의 소스는 MIT 라이선스를 따릅니다.</translation>
     </message>
     <message>
@@ -2364,126 +2364,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::MetricsModel</name>
-    <message>
-        <source>Speed against backface</source>
-        <translation>backface 대비 속도</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>프레임</translation>
-    </message>
-    <message>
-        <source>Frames per second</source>
-        <translation>초당 프레임</translation>
-    </message>
-    <message>
-        <source>Culling</source>
-        <translation>컬링</translation>
-    </message>
-    <message>
-        <source>Submitted triangles</source>
-        <translation>제출한 삼각형</translation>
-    </message>
-    <message>
-        <source>Visible triangles</source>
-        <translation>보이는 삼각형</translation>
-    </message>
-    <message>
-        <source>Missed pixels</source>
-        <translation>놓친 픽셀</translation>
-    </message>
-    <message>
-        <source>Largest hole</source>
-        <translation>가장 큰 구멍</translation>
-    </message>
-    <message>
-        <source>Covered pixels</source>
-        <translation>덮인 픽셀</translation>
-    </message>
-    <message>
-        <source>Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera</source>
-        <translation>같은 카메라에서 번갈아 잰 backface 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
-    </message>
-    <message>
-        <source>Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted</source>
-        <translation>컬링하고 뷰 자체의 그림에 그려 OpenGL이 끝날 때까지의 시간(창에 표시하는 시간은 제외)</translation>
-    </message>
-    <message>
-        <source>1 / (cull + draw)</source>
-        <translation>1 / (컬링 + 그리기)</translation>
-    </message>
-    <message>
-        <source>Time in which the strategy decides what to draw</source>
-        <translation>전략이 무엇을 그릴지 정하는 데 걸린 시간</translation>
-    </message>
-    <message>
-        <source>Triangles given to OpenGL</source>
-        <translation>OpenGL에 넘긴 삼각형</translation>
-    </message>
-    <message>
-        <source>Triangles that truly show in at least one pixel</source>
-        <translation>적어도 한 픽셀에서 실제로 보이는 삼각형</translation>
-    </message>
-    <message>
-        <source>Submitted triangles that show in no pixel</source>
-        <translation>제출했지만 어느 픽셀에도 보이지 않는 삼각형</translation>
-    </message>
-    <message>
-        <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
-        <translation>참값에는 면이 있으나 이 그림에는 더 먼 면이 있거나 아무것도 없는 픽셀</translation>
-    </message>
-    <message>
-        <source>Pixels of the largest connected group of missed pixels</source>
-        <translation>놓친 픽셀이 이어진 가장 큰 무리의 픽셀 수</translation>
-    </message>
-    <message>
-        <source>Pixels in which the truth has a surface</source>
-        <translation>참값에 면이 있는 픽셀</translation>
-    </message>
-    <message>
-        <source>– beyond snapping</source>
-        <translation>– 맞춤을 넘는 것</translation>
-    </message>
-    <message>
-        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
-    </message>
-    <message>
-        <source>Submitted in vain</source>
-        <translation>헛되이 제출</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::MetricsPanel</name>
-    <message>
-        <source>Figures</source>
-        <translation>수치</translation>
-    </message>
-    <message>
-        <source>Software OpenGL: not the times of a graphics card</source>
-        <translation>소프트웨어 OpenGL: 그래픽 카드의 시간이 아님</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::FrontWords</name>
-    <message>
-        <source>auto</source>
-        <comment>a parameter's value that a strategy chooses</comment>
-        <translation>자동</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <extracomment>A strategy and the parameter that is varied, as in "spherical by rows".</extracomment>
-        <translation>%1, %2별</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>what is varied, its values</comment>
-        <translation>%1: %2</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::GenerateDialog</name>
     <message>
         <source>Generate a scene: %1</source>
@@ -2507,93 +2387,6 @@ OpenGL %2
     <message>
         <source>First page</source>
         <translation>첫 페이지</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::StructureModel</name>
-    <message>
-        <source>Node %1</source>
-        <comment>of a tree of boxes</comment>
-        <translation>노드 %1</translation>
-    </message>
-    <message>
-        <source>kept</source>
-        <comment>a box that holds others</comment>
-        <translation>유지</translation>
-    </message>
-    <message>
-        <source>submitted</source>
-        <translation>제출됨</translation>
-    </message>
-    <message>
-        <source>Object</source>
-        <translation>물체</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>삼각형</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>판정</translation>
-    </message>
-    <message>
-        <source>Rejected by</source>
-        <translation>탈락시킨 평면</translation>
-    </message>
-    <message>
-        <source>1 object</source>
-        <comment>a group of one</comment>
-        <translation>물체 1개</translation>
-    </message>
-    <message>
-        <source>%1 objects</source>
-        <comment>a group of so many</comment>
-        <translation>물체 %1개</translation>
-    </message>
-    <message>
-        <source>%1: %2 triangles</source>
-        <comment>an object or a group</comment>
-        <translation>%1: 삼각형 %2개</translation>
-    </message>
-    <message>
-        <source>no single plane</source>
-        <comment>has a group outside</comment>
-        <translation>한 평면이 아님</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::StructurePanel</name>
-    <message>
-        <source>Inside the strategy</source>
-        <translation>전략의 내부</translation>
-    </message>
-    <message>
-        <source>Bands</source>
-        <translation>띠</translation>
-    </message>
-    <message>
-        <source>Tree</source>
-        <translation>트리</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>이유</translation>
-    </message>
-    <message>
-        <source>Losses</source>
-        <translation>손실</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::StructureTree</name>
-    <message>
-        <source>Boxes that the strategy tests</source>
-        <translation>전략이 검사하는 상자</translation>
-    </message>
-    <message>
-        <source>This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they decided about each.</source>
-        <translation>이 전략은 상자를 검사하지 않습니다. 경계를 검사하거나 트리를 내려가는 전략은 상자마다 내린 판정을 여기에 보여 줍니다.</translation>
     </message>
 </context>
 <context>
@@ -2723,7 +2516,7 @@ OpenGL %2
         <translation>클릭</translation>
     </message>
     <message>
-        <source>select triangle and object; on an axis' end: look from there</source>
+        <source>select triangle and object; on an axis&apos; end: look from there</source>
         <translation>삼각형과 물체 선택, 축 끝에서는 그 방향에서 보기</translation>
     </message>
     <message>
@@ -2912,7 +2705,7 @@ OpenGL %2
         <translation>%1: 활성 뷰에서 삼각형 %2개</translation>
     </message>
     <message>
-        <source>Next: choose another strategy in the view's menu and compare the figures over the pictures.</source>
+        <source>Next: choose another strategy in the view&apos;s menu and compare the figures over the pictures.</source>
         <translation>다음: 뷰의 메뉴에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
     </message>
 </context>
@@ -2967,7 +2760,7 @@ OpenGL %2
         <translation>이 뷰에서 덮인 픽셀 %1개 중 0개를 잃었습니다. 뷰 하나로는 약 %1개 중 3개(%2 %)보다 드문 손실을 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Beyond what the raster's snapping of edges explains: %1.</source>
+        <source>Beyond what the raster&apos;s snapping of edges explains: %1.</source>
         <translation>래스터의 가장자리 맞춤으로 설명되지 않는 픽셀: %1.</translation>
     </message>
     <message>
@@ -3172,7 +2965,7 @@ OpenGL %2
         <translation>모서리 광선 %1, %2: 물체를 지나칩니다. 구에 들어가는 점을 씁니다.</translation>
     </message>
     <message>
-        <source>Corner ray %1, %2: misses the sphere; its place is the sphere's nearest point.</source>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
         <translation>모서리 광선 %1, %2: 구를 빗나갑니다. 구에서 가장 가까운 점을 씁니다.</translation>
     </message>
     <message>
@@ -3275,7 +3068,7 @@ OpenGL %2
         <translation>순회가 끝난 레벨</translation>
     </message>
     <message>
-        <source>R of the kernel, of the sphere's</source>
+        <source>R of the kernel, of the sphere&apos;s</source>
         <translation>커널의 R, 구의 R에 대한 비율</translation>
     </message>
     <message>
@@ -3297,6 +3090,108 @@ OpenGL %2
     <message>
         <source>Close this message</source>
         <translation>이 알림 닫기</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MetricsModel</name>
+    <message>
+        <source>Speed against backface</source>
+        <translation>backface 대비 속도</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>프레임</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>초당 프레임</translation>
+    </message>
+    <message>
+        <source>Culling</source>
+        <translation>컬링</translation>
+    </message>
+    <message>
+        <source>Submitted triangles</source>
+        <translation>제출한 삼각형</translation>
+    </message>
+    <message>
+        <source>Visible triangles</source>
+        <translation>보이는 삼각형</translation>
+    </message>
+    <message>
+        <source>Missed pixels</source>
+        <translation>놓친 픽셀</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>가장 큰 구멍</translation>
+    </message>
+    <message>
+        <source>Covered pixels</source>
+        <translation>덮인 픽셀</translation>
+    </message>
+    <message>
+        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>같은 카메라에서 번갈아 잰 backface 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
+    </message>
+    <message>
+        <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
+        <translation>컬링하고 뷰 자체의 그림에 그려 OpenGL이 끝날 때까지의 시간(창에 표시하는 시간은 제외)</translation>
+    </message>
+    <message>
+        <source>1 / (cull + draw)</source>
+        <translation>1 / (컬링 + 그리기)</translation>
+    </message>
+    <message>
+        <source>Time in which the strategy decides what to draw</source>
+        <translation>전략이 무엇을 그릴지 정하는 데 걸린 시간</translation>
+    </message>
+    <message>
+        <source>Triangles given to OpenGL</source>
+        <translation>OpenGL에 넘긴 삼각형</translation>
+    </message>
+    <message>
+        <source>Triangles that truly show in at least one pixel</source>
+        <translation>적어도 한 픽셀에서 실제로 보이는 삼각형</translation>
+    </message>
+    <message>
+        <source>Submitted triangles that show in no pixel</source>
+        <translation>제출했지만 어느 픽셀에도 보이지 않는 삼각형</translation>
+    </message>
+    <message>
+        <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
+        <translation>참값에는 면이 있으나 이 그림에는 더 먼 면이 있거나 아무것도 없는 픽셀</translation>
+    </message>
+    <message>
+        <source>Pixels of the largest connected group of missed pixels</source>
+        <translation>놓친 픽셀이 이어진 가장 큰 무리의 픽셀 수</translation>
+    </message>
+    <message>
+        <source>Pixels in which the truth has a surface</source>
+        <translation>참값에 면이 있는 픽셀</translation>
+    </message>
+    <message>
+        <source>– beyond snapping</source>
+        <translation>– 맞춤을 넘는 것</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
+    </message>
+    <message>
+        <source>Submitted in vain</source>
+        <translation>헛되이 제출</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MetricsPanel</name>
+    <message>
+        <source>Figures</source>
+        <translation>수치</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>소프트웨어 OpenGL: 그래픽 카드의 시간이 아님</translation>
     </message>
 </context>
 <context>
@@ -3616,7 +3511,7 @@ OpenGL %2
         <translation>닫기(&amp;L)</translation>
     </message>
     <message>
-        <source>Reproduce a paper's table</source>
+        <source>Reproduce a paper&apos;s table</source>
         <translation>논문의 표 재현</translation>
     </message>
     <message>
@@ -3624,7 +3519,7 @@ OpenGL %2
         <translation>표</translation>
     </message>
     <message>
-        <source>The paper's numbers beside ours</source>
+        <source>The paper&apos;s numbers beside ours</source>
         <translation>논문의 수치와 우리의 수치</translation>
     </message>
     <message>
@@ -3715,11 +3610,11 @@ view</source>
         <translation>전략, 그리고 기본값이 아닌 매개변수</translation>
     </message>
     <message>
-        <source>Frame time of backface divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <source>Frame time of backface divided by this strategy&apos;s: the mean over the views and its 95 % interval</source>
         <translation>backface의 프레임 시간을 이 전략의 시간으로 나눈 값: 시점 평균과 95 % 구간</translation>
     </message>
     <message>
-        <source>Frame time of all divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <source>Frame time of all divided by this strategy&apos;s: the mean over the views and its 95 % interval</source>
         <translation>all의 프레임 시간을 이 전략의 시간으로 나눈 값: 시점 평균과 95 % 구간</translation>
     </message>
     <message>
@@ -3731,11 +3626,11 @@ view</source>
         <translation>가장 느린 시점과 가장 빠른 시점에서</translation>
     </message>
     <message>
-        <source>Share of the frame's time that goes into deciding what to draw</source>
+        <source>Share of the frame&apos;s time that goes into deciding what to draw</source>
         <translation>프레임 시간 중 무엇을 그릴지 정하는 데 드는 몫</translation>
     </message>
     <message>
-        <source>Share of the scene's triangles given to OpenGL, mean over the views</source>
+        <source>Share of the scene&apos;s triangles given to OpenGL, mean over the views</source>
         <translation>장면의 삼각형 중 OpenGL에 넘긴 몫, 시점 평균</translation>
     </message>
     <message>
@@ -3755,7 +3650,7 @@ view</source>
         <translation>픽셀을 잃었습니다: 보장이 깨졌습니다.</translation>
     </message>
     <message>
-        <source>%1 of them beyond the raster's snapping to 1/256 pixel</source>
+        <source>%1 of them beyond the raster&apos;s snapping to 1/256 pixel</source>
         <translation>그중 %1개는 래스터가 1/256픽셀로 맞추는 것을 넘음</translation>
     </message>
     <message>
@@ -3765,7 +3660,7 @@ snapping</source>
 넘는 것</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
     </message>
 </context>
@@ -3978,7 +3873,7 @@ snapping</source>
         <translation>깊이와 삼각형 번호는 뷰 하나일 때만 저장됩니다.</translation>
     </message>
     <message>
-        <source>This format keeps no transparency: the window's background takes its place.</source>
+        <source>This format keeps no transparency: the window&apos;s background takes its place.</source>
         <translation>이 형식은 투명도를 저장하지 않습니다: 창의 배경이 대신합니다.</translation>
     </message>
     <message>
@@ -4084,12 +3979,12 @@ snapping</source>
         <translation>아직 측정한 것이 없습니다. 위에서 카메라 경로를 고르고 시작을 누르십시오.</translation>
     </message>
     <message>
-        <source>The views' figures appear here as soon as they are measured.</source>
+        <source>The views&apos; figures appear here as soon as they are measured.</source>
         <translation>뷰들을 측정하는 대로 수치가 여기에 나타납니다.</translation>
     </message>
     <message>
         <source>%1 · %2 × %3 · %4 of %5 poses</source>
-        <extracomment>A camera path, the size of the picture, and how many of the path's poses were measured.</extracomment>
+        <extracomment>A camera path, the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
         <translation>%1 · %2 × %3 · 자세 %5개 중 %4개</translation>
     </message>
     <message>
@@ -4189,6 +4084,111 @@ snapping</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::StructureModel</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a tree of boxes</comment>
+        <translation>노드 %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <comment>a box that holds others</comment>
+        <translation>유지</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>제출됨</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>판정</translation>
+    </message>
+    <message>
+        <source>Rejected by</source>
+        <translation>탈락시킨 평면</translation>
+    </message>
+    <message>
+        <source>1 object</source>
+        <comment>a group of one</comment>
+        <translation>물체 1개</translation>
+    </message>
+    <message>
+        <source>%1 objects</source>
+        <comment>a group of so many</comment>
+        <translation>물체 %1개</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <comment>an object or a group</comment>
+        <translation>%1: 삼각형 %2개</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <comment>has a group outside</comment>
+        <translation>한 평면이 아님</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StructurePanel</name>
+    <message>
+        <source>Inside the strategy</source>
+        <translation>전략의 내부</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>띠</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>트리</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>이유</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>손실</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StructureTree</name>
+    <message>
+        <source>Boxes that the strategy tests</source>
+        <translation>전략이 검사하는 상자</translation>
+    </message>
+    <message>
+        <source>This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they decided about each.</source>
+        <translation>이 전략은 상자를 검사하지 않습니다. 경계를 검사하거나 트리를 내려가는 전략은 상자마다 내린 판정을 여기에 보여 줍니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SweepWords</name>
+    <message>
+        <source>auto</source>
+        <comment>a parameter&apos;s value that a strategy chooses</comment>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <extracomment>A strategy and the parameter that is varied, as in &quot;spherical by rows&quot;.</extracomment>
+        <translation>%1, %2별</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what is varied, its values</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::TimeBar</name>
     <message>
         <source>Time of a frame</source>
@@ -4196,7 +4196,7 @@ snapping</source>
     </message>
     <message>
         <source>%1 = %2 cull + %3 draw</source>
-        <extracomment>A frame's time: total = culling + drawing</extracomment>
+        <extracomment>A frame&apos;s time: total = culling + drawing</extracomment>
         <translation>%1 = 컬링 %2 + 그리기 %3</translation>
     </message>
     <message>
@@ -4386,7 +4386,7 @@ snapping</source>
         <translation>선택한 삼각형이 그려졌거나 빠진 이유</translation>
     </message>
     <message>
-        <source>The strategy's decisions are being read…</source>
+        <source>The strategy&apos;s decisions are being read…</source>
         <translation>전략의 판정을 읽는 중…</translation>
     </message>
     <message>
@@ -4408,7 +4408,7 @@ snapping</source>
         <translation>그림에 보입니다.</translation>
     </message>
     <message>
-        <source>It was drawn in vain: other triangles lie before all of it, or it covers no pixel's middle.</source>
+        <source>It was drawn in vain: other triangles lie before all of it, or it covers no pixel&apos;s middle.</source>
         <translation>헛되이 그려졌습니다. 다른 삼각형이 모두 가리거나, 어느 픽셀의 중심도 덮지 않습니다.</translation>
     </message>
     <message>
@@ -4671,7 +4671,7 @@ snapping</source>
         <translation>절두체(&amp;R)</translation>
     </message>
     <message>
-        <source>Show the culling camera's frustum in the active view</source>
+        <source>Show the culling camera&apos;s frustum in the active view</source>
         <translation>활성 뷰에 컬링 카메라의 절두체를 표시합니다</translation>
     </message>
     <message>
@@ -4687,7 +4687,7 @@ snapping</source>
         <translation>나란히: 참값 | 전략(&amp;T)</translation>
     </message>
     <message>
-        <source>Put the truth beside the strategy's picture; drag the line</source>
+        <source>Put the truth beside the strategy&apos;s picture; drag the line</source>
         <translation>전략의 그림 옆에 참값을 놓습니다. 선을 끌어 보십시오</translation>
     </message>
     <message>
@@ -4719,7 +4719,7 @@ snapping</source>
         <translation>기록(&amp;R)</translation>
     </message>
     <message>
-        <source>Record the camera's moves as a path</source>
+        <source>Record the camera&apos;s moves as a path</source>
         <translation>카메라의 움직임을 경로로 기록합니다</translation>
     </message>
     <message>
@@ -4775,11 +4775,11 @@ snapping</source>
         <translation>뷰, 패널, 수치의 뜻</translation>
     </message>
     <message>
-        <source>Repro&amp;duce a paper's table…</source>
+        <source>Repro&amp;duce a paper&apos;s table…</source>
         <translation>논문의 표 재현(&amp;D)…</translation>
     </message>
     <message>
-        <source>Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours</source>
+        <source>Measure what a paper&apos;s table shows, in the paper&apos;s windows, and put its numbers beside ours</source>
         <translation>논문의 표를 논문과 같은 창에서 측정하여 수치를 나란히 놓습니다</translation>
     </message>
     <message>
@@ -4799,7 +4799,7 @@ snapping</source>
         <translation>뷰가 모델을 구좌표로 표시하는 동안에는 쓸 수 없습니다. 카메라가 보는 것이 놓일 자리가 없습니다</translation>
     </message>
     <message>
-        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines from the axis are each band's S</source>
+        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
         <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다. 축에서 뻗은 가는 선은 각 띠의 S입니다</translation>
     </message>
     <message>
@@ -4807,7 +4807,7 @@ snapping</source>
         <translation>내부 커널과 지평선(&amp;K)</translation>
     </message>
     <message>
-        <source>Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
+        <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
         <translation>활성 뷰에 입체의 내부 커널과 컬링 카메라가 본 그 윤곽을 표시합니다. 그 뒤에 있는 것은 무손실 구좌표 전략이 제외합니다</translation>
     </message>
     <message>
@@ -4815,7 +4815,7 @@ snapping</source>
         <translation>제외한 평면별 상자(&amp;P)</translation>
     </message>
     <message>
-        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes have the same colours</source>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
         <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
     </message>
 </context>

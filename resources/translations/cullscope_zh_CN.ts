@@ -137,7 +137,7 @@
     </message>
     <message>
         <source>Triangles at %1 × %2 pixels:</source>
-        <comment>heading of the legend's counts</comment>
+        <comment>heading of the legend&apos;s counts</comment>
         <translation>%1 × %2 像素下的三角形数：</translation>
     </message>
     <message>
@@ -196,7 +196,7 @@
         <translation>按判定着色时也显示被剔除的部分</translation>
     </message>
     <message>
-        <source>The culling camera's frustum</source>
+        <source>The culling camera&apos;s frustum</source>
         <translation>剔除相机的视锥体</translation>
     </message>
     <message>
@@ -256,7 +256,7 @@
         <translation>缓冲区对象</translation>
     </message>
     <message>
-        <source>Vertex arrays of the program's memory</source>
+        <source>Vertex arrays of the program&apos;s memory</source>
         <translation>程序内存中的顶点数组</translation>
     </message>
     <message>
@@ -336,7 +336,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 丢失 %3</translation>
     </message>
     <message>
@@ -364,7 +364,7 @@
         <translation>OpenGL：%1</translation>
     </message>
     <message>
-        <source>Of the missed, beyond the raster's snapping to 1/256 pixel: %1</source>
+        <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
         <translation>丢失像素中无法用光栅 1/256 像素对齐解释的：%1</translation>
     </message>
 </context>
@@ -431,11 +431,11 @@
         <translation>这里没有 OpenGL 上下文：请安装支持 OpenGL 4.5 的显卡驱动或 Mesa。</translation>
     </message>
     <message>
-        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa's software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
+        <source>OpenGL 4.5 is needed and this machine has %1 (%2): update the graphics driver, or use Mesa&apos;s software OpenGL with LIBGL_ALWAYS_SOFTWARE=1.</source>
         <translation>需要 OpenGL 4.5，而本机为 %1（%2）：请更新显卡驱动，或设置 LIBGL_ALWAYS_SOFTWARE=1 使用 Mesa 的软件 OpenGL。</translation>
     </message>
     <message>
-        <source>No OpenGL 4.5 context without a display: EGL's surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU's driver.</source>
+        <source>No OpenGL 4.5 context without a display: EGL&apos;s surfaceless and device platforms were both tried. Install libegl1 with Mesa (libgl1-mesa-dri) or the GPU&apos;s driver.</source>
         <translation>无法在没有显示器的情况下创建 OpenGL 4.5 上下文：已尝试 EGL 的 surfaceless 和 device 平台。请安装 libegl1 以及 Mesa（libgl1-mesa-dri）或 GPU 驱动。</translation>
     </message>
     <message>
@@ -447,7 +447,7 @@
         <translation>显卡驱动拒绝了着色器：%1</translation>
     </message>
     <message>
-        <source>Client vertex arrays need OpenGL's compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
+        <source>Client vertex arrays need OpenGL&apos;s compatibility profile, which this driver does not give: use buffer objects (vbo).</source>
         <translation>客户端顶点数组需要 OpenGL 兼容配置，而此驱动不提供：请使用缓冲对象（vbo）。</translation>
     </message>
     <message>
@@ -519,12 +519,12 @@
         <translation>%1 第 %2 行超过 %3 MB。请确认该文件是文本格式的网格。</translation>
     </message>
     <message>
-        <source>%1 is compressed with xz. Unpack it first: xz -dk "%1".</source>
-        <translation>%1 经 xz 压缩。请先解压：xz -dk "%1"。</translation>
+        <source>%1 is compressed with xz. Unpack it first: xz -dk &quot;%1&quot;.</source>
+        <translation>%1 经 xz 压缩。请先解压：xz -dk &quot;%1&quot;。</translation>
     </message>
     <message>
-        <source>%1 is compressed with gzip. Unpack it first: gzip -dk "%1".</source>
-        <translation>%1 经 gzip 压缩。请先解压：gzip -dk "%1"。</translation>
+        <source>%1 is compressed with gzip. Unpack it first: gzip -dk &quot;%1&quot;.</source>
+        <translation>%1 经 gzip 压缩。请先解压：gzip -dk &quot;%1&quot;。</translation>
     </message>
     <message>
         <source>%1 is an archive or compressed. Unpack it first.</source>
@@ -583,7 +583,7 @@
         <translation>%1 中有一个物体的顶点超过 2,147,483,647 个。请拆分该物体。</translation>
     </message>
     <message>
-        <source>%1: the object "%2" is smaller than 1e-30. Scale it up.</source>
+        <source>%1: the object &quot;%2&quot; is smaller than 1e-30. Scale it up.</source>
         <translation>%1：物体“%2”小于 1e-30。请将其放大。</translation>
     </message>
     <message>
@@ -615,11 +615,11 @@
         <translation>%1 第 %2 行：顶点或法线的 3 个坐标只有 %3 个。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" is not a number. Correct the line or export the file again.</source>
+        <source>%1, line %2: &quot;%3&quot; is not a number. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是数字。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" is not a corner of a face. Correct the line or export the file again.</source>
+        <source>%1, line %2: &quot;%3&quot; is not a corner of a face. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是面的顶点。请改正该行或重新导出文件。</translation>
     </message>
     <message>
@@ -627,15 +627,15 @@
         <translation>%1 第 %2 行：PLY 文件头没有 end_header。请重新获取或导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" cannot be understood in a PLY header. Correct the line or export the file again.</source>
+        <source>%1, line %2: &quot;%3&quot; cannot be understood in a PLY header. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：无法理解 PLY 文件头中的“%3”。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of "%4", but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
+        <source>%1, line %2 promises %3 of &quot;%4&quot;, but only %5 bytes follow the header. The file was cut off or changed: fetch it again.</source>
         <translation>%1 第 %2 行声明有 %3 个“%4”，但文件头之后只有 %5 字节。文件被截断或改动：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, line %2 promises %3 of "%4", which have no properties. Export the file again.</source>
+        <source>%1, line %2 promises %3 of &quot;%4&quot;, which have no properties. Export the file again.</source>
         <translation>%1 第 %2 行声明有 %3 个“%4”，但它们没有属性。请重新导出文件。</translation>
     </message>
     <message>
@@ -679,11 +679,11 @@
         <translation>%1 第 %2 行：顶点没有 x、y 和 z。请重新导出文件。</translation>
     </message>
     <message>
-        <source>%1 ends at byte %2, within number %3 of the %4 of "%5" that it promises. The file was cut off: fetch it again.</source>
+        <source>%1 ends at byte %2, within number %3 of the %4 of &quot;%5&quot; that it promises. The file was cut off: fetch it again.</source>
         <translation>%1 在第 %2 字节处结束，位于所声明的 %4 个“%5”中的第 %3 个之内。文件被截断：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, byte %2: number %3 of "%4" promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
+        <source>%1, byte %2: number %3 of &quot;%4&quot; promises a list of %5, but %6 bytes are left. The file was cut off or changed: fetch it again.</source>
         <translation>%1 第 %2 字节：第 %3 个“%4”声明了长度为 %5 的列表，但只剩 %6 字节。文件被截断或改动：请重新获取。</translation>
     </message>
     <message>
@@ -707,7 +707,7 @@
         <translation>%1 第 80 字节声明有 %2 个三角形，但文件只容得下 %3 个。该文件不是 STL 或被截断：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" cannot stand here in an STL file. Correct the line or export the file again.</source>
+        <source>%1, line %2: &quot;%3&quot; cannot stand here in an STL file. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不应出现在 STL 文件的此处。请改正该行或重新导出文件。</translation>
     </message>
     <message>
@@ -715,7 +715,7 @@
         <translation>正在简化网格</translation>
     </message>
     <message>
-        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine's. Ask for fewer triangles.</source>
+        <source>Changing the mesh to so many triangles needs about %1 MB of memory, more than three quarters of this machine&apos;s. Ask for fewer triangles.</source>
         <translation>将网格改为这么多三角形约需 %1 MB 内存，超过本机内存的四分之三。请减少三角形数。</translation>
     </message>
     <message>
@@ -727,11 +727,11 @@
         <translation>网格的三角形数不能为 %1。请至少指定一个三角形。</translation>
     </message>
     <message>
-        <source>The mesh "%1" has no surface that could be simplified or subdivided.</source>
+        <source>The mesh &quot;%1&quot; has no surface that could be simplified or subdivided.</source>
         <translation>网格“%1”没有可简化或细分的表面。</translation>
     </message>
     <message>
-        <source>The mesh "%1" cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
+        <source>The mesh &quot;%1&quot; cannot be changed to %2 triangles: its pieces hold together only down to %3. Ask for at least that many.</source>
         <translation>网格“%1”无法改为 %2 个三角形：其各部分最少只能减到 %3 个。请至少指定这么多。</translation>
     </message>
     <message>
@@ -751,19 +751,19 @@
         <translation>%1 在第 %2 行之后结束，内容不完整。文件被截断：请重新获取。</translation>
     </message>
     <message>
-        <source>%1, line %2: "%3" is not a number that can stand here. Correct the line or export the file again.</source>
+        <source>%1, line %2: &quot;%3&quot; is not a number that can stand here. Correct the line or export the file again.</source>
         <translation>%1 第 %2 行：“%3”不是此处允许的数字。请改正该行或重新导出文件。</translation>
     </message>
     <message>
-        <source>The camera's eye, target and up must be finite numbers.</source>
+        <source>The camera&apos;s eye, target and up must be finite numbers.</source>
         <translation>相机的视点、目标和上方向必须是有限数。</translation>
     </message>
     <message>
-        <source>The camera's eye and target are the same point: move one of them.</source>
+        <source>The camera&apos;s eye and target are the same point: move one of them.</source>
         <translation>相机的视点和目标是同一点：请移动其中一个。</translation>
     </message>
     <message>
-        <source>The camera's up vector is zero: give it a direction.</source>
+        <source>The camera&apos;s up vector is zero: give it a direction.</source>
         <translation>相机的上方向向量为零：请给它一个方向。</translation>
     </message>
     <message>
@@ -783,15 +783,15 @@
         <translation>路径 %1 的冒号后需要 1 到 1000000 之间的姿态数。</translation>
     </message>
     <message>
-        <source>%1: pose %2: "%3" must be three numbers.</source>
+        <source>%1: pose %2: &quot;%3&quot; must be three numbers.</source>
         <translation>%1：姿态 %2：“%3”必须是三个数。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a number.</source>
+        <source>%1: &quot;%2&quot; must be a number.</source>
         <translation>%1：“%2”必须是数字。</translation>
     </message>
     <message>
-        <source>"%1" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
         <translation>“%1”既不是相机路径文件，也不是内置路径。内置路径：orbit:N、fibonacci:N、walk:N、case-1、case-2、case-3。</translation>
     </message>
     <message>
@@ -803,7 +803,7 @@
         <translation>%1 不是 JSON：在第 %2 字节处中断。相机路径包含字段 fovy_deg、near、far 和 poses。</translation>
     </message>
     <message>
-        <source>%1: a camera path needs a list "poses" with at least one pose.</source>
+        <source>%1: a camera path needs a list &quot;poses&quot; with at least one pose.</source>
         <translation>%1：相机路径需要至少含一个姿态的列表“poses”。</translation>
     </message>
     <message>
@@ -811,7 +811,7 @@
         <translation>%1：姿态 %2：%3</translation>
     </message>
     <message>
-        <source>N poses on a circle at three times the scene's radius, 15 degrees above it</source>
+        <source>N poses on a circle at three times the scene&apos;s radius, 15 degrees above it</source>
         <translation>位于场景半径三倍处、高出 15 度的圆上的 N 个姿态</translation>
     </message>
     <message>
@@ -827,11 +827,11 @@
         <translation>%1：%2=%3 不是 %4 到 %5 之间的数。</translation>
     </message>
     <message>
-        <source>%1 has no parameter "%2". It has: %3.</source>
+        <source>%1 has no parameter &quot;%2&quot;. It has: %3.</source>
         <translation>%1 没有参数“%2”。可用参数：%3。</translation>
     </message>
     <message>
-        <source>%1: "%2" is not of the form key=value.</source>
+        <source>%1: &quot;%2&quot; is not of the form key=value.</source>
         <translation>%1：“%2”不是 key=value 的形式。</translation>
     </message>
     <message>
@@ -843,7 +843,7 @@
         <translation>mesh: 未指定文件。请写成 mesh:FILE,triangles=N。</translation>
     </message>
     <message>
-        <source>how many triangles, to the nearest that the shape's grid allows</source>
+        <source>how many triangles, to the nearest that the shape&apos;s grid allows</source>
         <translation>三角形数（取形状网格允许的最接近值）</translation>
     </message>
     <message>
@@ -851,7 +851,7 @@
         <translation>斯坦福兔子，来自已安装的模型文件</translation>
     </message>
     <message>
-        <source>Newell's teapot, tessellated from its 32 Bézier patches</source>
+        <source>Newell&apos;s teapot, tessellated from its 32 Bézier patches</source>
         <translation>纽厄尔茶壶，由 32 个贝塞尔面片细分而成</translation>
     </message>
     <message>
@@ -899,7 +899,7 @@
         <translation>未指定场景。请给出网格文件或生成器，例如 bunny 或 sphere:triangles=1e5。</translation>
     </message>
     <message>
-        <source>"%1" is neither a file nor a generator. Generators: %2.</source>
+        <source>&quot;%1&quot; is neither a file nor a generator. Generators: %2.</source>
         <translation>“%1”既不是文件也不是生成器。生成器：%2。</translation>
     </message>
     <message>
@@ -971,11 +971,11 @@
         <translation>%1=%2：%1 是 %3 到 %4 之间的数。</translation>
     </message>
     <message>
-        <source>There is no parameter "%1" here. Known: %2.</source>
+        <source>There is no parameter &quot;%1&quot; here. Known: %2.</source>
         <translation>这里没有参数“%1”。已知：%2。</translation>
     </message>
     <message>
-        <source>There is no strategy "%1". Known: %2.</source>
+        <source>There is no strategy &quot;%1&quot;. Known: %2.</source>
         <translation>没有策略“%1”。已知：%2。</translation>
     </message>
     <message>
@@ -1087,43 +1087,43 @@
         <translation>无法运行实验：%1</translation>
     </message>
     <message>
-        <source>%1: "%2": %3</source>
+        <source>%1: &quot;%2&quot;: %3</source>
         <translation>%1：“%2”：%3</translation>
     </message>
     <message>
-        <source>%1: "%2" must be one of these words: %3.</source>
+        <source>%1: &quot;%2&quot; must be one of these words: %3.</source>
         <translation>%1：“%2”必须是以下词之一：%3。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a group of fields in braces.</source>
+        <source>%1: &quot;%2&quot; must be a group of fields in braces.</source>
         <translation>%1：“%2”必须是花括号中的一组字段。</translation>
     </message>
     <message>
-        <source>%1: the field "%2" is missing.</source>
+        <source>%1: the field &quot;%2&quot; is missing.</source>
         <translation>%1：缺少字段“%2”。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a list of 1 to %3 entries.</source>
+        <source>%1: &quot;%2&quot; must be a list of 1 to %3 entries.</source>
         <translation>%1：“%2”必须是含 1 到 %3 项的列表。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a number between %3 and %4.</source>
+        <source>%1: &quot;%2&quot; must be a number between %3 and %4.</source>
         <translation>%1：“%2”必须是 %3 到 %4 之间的数。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a whole number between %3 and %4.</source>
+        <source>%1: &quot;%2&quot; must be a whole number between %3 and %4.</source>
         <translation>%1：“%2”必须是 %3 到 %4 之间的整数。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be true or false.</source>
+        <source>%1: &quot;%2&quot; must be true or false.</source>
         <translation>%1：“%2”必须是 true 或 false。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be a text in quotes.</source>
+        <source>%1: &quot;%2&quot; must be a text in quotes.</source>
         <translation>%1：“%2”必须是引号中的文字。</translation>
     </message>
     <message>
-        <source>%1: "%2" must be three numbers.</source>
+        <source>%1: &quot;%2&quot; must be three numbers.</source>
         <translation>%1：“%2”必须是三个数。</translation>
     </message>
     <message>
@@ -1199,7 +1199,7 @@
         <translation>还没有可保存的场景：请先打开一个。</translation>
     </message>
     <message>
-        <source>The name of the scene's file is no UTF-8, which a session needs: rename the file.</source>
+        <source>The name of the scene&apos;s file is no UTF-8, which a session needs: rename the file.</source>
         <translation>场景文件的名称不是会话所需的 UTF-8：请重命名该文件。</translation>
     </message>
     <message>
@@ -1251,7 +1251,7 @@
         <translation>误剔除</translation>
     </message>
     <message>
-        <source>The mesh "%1" would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
+        <source>The mesh &quot;%1&quot; would fall into %2 parts; at most %3 can be objects. Split it by=clusters with more triangles each.</source>
         <translation>网格“%1”会分成 %2 块，而对象最多 %3 个。请用 by=clusters 并给每块更多三角形来拆分。</translation>
     </message>
     <message>
@@ -1259,7 +1259,7 @@
         <translation>正在拆分网格</translation>
     </message>
     <message>
-        <source>"%1" in "%2" is neither an object's number nor a range. Hidden objects are written as in 3,7-9.</source>
+        <source>&quot;%1&quot; in &quot;%2&quot; is neither an object&apos;s number nor a range. Hidden objects are written as in 3,7-9.</source>
         <translation>“%2”中的“%1”既不是对象编号也不是范围。要隐藏的对象写成 3,7-9 的样子。</translation>
     </message>
     <message>
@@ -1267,7 +1267,7 @@
         <translation>没有可隐藏的对象 %1：场景有 %2 个对象，从 0 数起。</translation>
     </message>
     <message>
-        <source>"%1" has %2 triangles, too many to be one mesh.</source>
+        <source>&quot;%1&quot; has %2 triangles, too many to be one mesh.</source>
         <translation>“%1”有 %2 个三角形，太多，不能成为一个网格。</translation>
     </message>
     <message>
@@ -1331,18 +1331,6 @@
         <translation>针对%1的测试：包围体的最近点也在外侧 %2 处，超过界限 %3。</translation>
     </message>
     <message>
-        <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
-        <translation>针对%1的测试：整个包围体都在内侧，最深的点在内侧 %2 处。</translation>
-    </message>
-    <message>
-        <source>Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.</source>
-        <translation>针对%1的测试：包围体在外侧 %2 处，但未超过界限 %3，视为内侧。</translation>
-    </message>
-    <message>
-        <source>Tested against the %1: the bounds reach %2 to the inside.</source>
-        <translation>针对%1的测试：包围体伸入内侧 %2。</translation>
-    </message>
-    <message>
         <source>The strategy leaves the object out: %1.</source>
         <translation>策略略去该对象：%1。</translation>
     </message>
@@ -1351,7 +1339,7 @@
         <translation>策略保留该对象。</translation>
     </message>
     <message>
-        <source>The object "%1" is tested as one box with %2 triangles.</source>
+        <source>The object &quot;%1&quot; is tested as one box with %2 triangles.</source>
         <translation>对象“%1”作为一个包含 %2 个三角形的包围盒进行测试。</translation>
     </message>
     <message>
@@ -1419,19 +1407,19 @@
         <translation>另一个实验正在进行：请等它结束，或取消它。</translation>
     </message>
     <message>
-        <source>The graphics memory does not hold this strategy's order of the triangles (%1 bytes): use client vertex arrays or a smaller scene.</source>
+        <source>The graphics memory does not hold this strategy&apos;s order of the triangles (%1 bytes): use client vertex arrays or a smaller scene.</source>
         <translation>显存容不下该策略的三角形次序（%1 字节）：请使用客户端顶点数组或更小的场景。</translation>
     </message>
     <message>
-        <source>The numbers of the triangles in this strategy's order need %1 bytes in one buffer and this OpenGL gives %2: choose a strategy that keeps the mesh's order, or a part of the scene.</source>
+        <source>The numbers of the triangles in this strategy&apos;s order need %1 bytes in one buffer and this OpenGL gives %2: choose a strategy that keeps the mesh&apos;s order, or a part of the scene.</source>
         <translation>按该策略次序的三角形编号在一个缓冲区中需要 %1 字节，而此 OpenGL 只提供 %2：请选择保持网格次序的策略，或场景的一部分。</translation>
     </message>
     <message>
-        <source>The paper's text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the bunny that is installed.</source>
+        <source>The paper&apos;s text has 144,046 faces, its Table 2 has 144,078: 144,046 are measured here, by subdividing the bunny that is installed.</source>
         <translation>论文正文写 144,046 个面，表 2 写 144,078 个：这里把已安装的兔子细分为 144,046 个面来测量。</translation>
     </message>
     <message>
-        <source>The paper compares with drawing every face, back faces too. Against OpenGL's own back-face culling the gain is smaller: both ratios are given.</source>
+        <source>The paper compares with drawing every face, back faces too. Against OpenGL&apos;s own back-face culling the gain is smaller: both ratios are given.</source>
         <translation>论文与绘制所有面（包括背面）相比较。与 OpenGL 自身的背面剔除相比，收益较小：两个比值都给出。</translation>
     </message>
     <message>
@@ -1439,7 +1427,7 @@
         <translation>论文没有统计丢失的像素；这里每幅图像都与精确图像比较。</translation>
     </message>
     <message>
-        <source>The paper's machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per second.</source>
+        <source>The paper&apos;s machine was a Xeon at 2.33 GHz with a Quadro FX 5500: compare the ratios, not the frames per second.</source>
         <translation>论文所用机器为 2.33 GHz 的 Xeon 和 Quadro FX 5500：请比较比值，而不是每秒帧数。</translation>
     </message>
     <message>
@@ -1463,11 +1451,11 @@
         <translation>三种结构的大小</translation>
     </message>
     <message>
-        <source>The paper's formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
+        <source>The paper&apos;s formulas (4 floats a face; 2 floats a cell and face; 4 integers a cell) do not give its sizes: its index map would take 74.7 GB.</source>
         <translation>论文的公式（每个面 4 个浮点数；每个格子和面 2 个浮点数；每个格子 4 个整数）得不出它给的大小：索引图会占 74.7 GB。</translation>
     </message>
     <message>
-        <source>In the paper's table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
+        <source>In the paper&apos;s table the contents stand in the wrong columns: count, start and reference belong to the memory access map.</source>
         <translation>论文的表中内容放错了列：个数、起点和引用属于内存访问图。</translation>
     </message>
     <message>
@@ -1483,7 +1471,7 @@
         <translation>论文：MB</translation>
     </message>
     <message>
-        <source>paper's formula: MB</source>
+        <source>paper&apos;s formula: MB</source>
         <translation>论文公式：MB</translation>
     </message>
     <message>
@@ -1607,15 +1595,15 @@
         <translation>论文：fps 平均</translation>
     </message>
     <message>
-        <source>The paper has "10 or more" views and does not say which: here 12, evenly around the object at three radii, all of it in view. spherical-horizon is not the paper's: it is the same idea made right.</source>
+        <source>The paper has &quot;10 or more&quot; views and does not say which: here 12, evenly around the object at three radii, all of it in view. spherical-horizon is not the paper&apos;s: it is the same idea made right.</source>
         <translation>论文只说视点“10 个以上”，没有说明是哪些：这里为 12 个，在三倍半径处均匀环绕物体，物体全部可见。spherical-horizon 不是论文的方法，而是同一思想的正确做法。</translation>
     </message>
     <message>
-        <source>There is no colouring of the index map "%1". Known: %2.</source>
+        <source>There is no colouring of the index map &quot;%1&quot;. Known: %2.</source>
         <translation>没有索引图着色方式“%1”。已有：%2。</translation>
     </message>
     <message>
-        <source>There is no experiment "%1". Known: %2.</source>
+        <source>There is no experiment &quot;%1&quot;. Known: %2.</source>
         <translation>没有实验“%1”。已知：%2。</translation>
     </message>
     <message>
@@ -1627,7 +1615,7 @@
         <translation>12 个近景，球面图上为一整块，11.4 % 的面在视锥体内</translation>
     </message>
     <message>
-        <source>12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum</source>
+        <source>12 close views of a clump that the map&apos;s seam splits, 18.3 % of the faces in the frustum</source>
         <translation>12 个近景，球面图上的一块被接缝分开，18.3 % 的面在视锥体内</translation>
     </message>
     <message>
@@ -1659,7 +1647,7 @@
         <translation>四个交点如何连成可见区域。</translation>
     </message>
     <message>
-        <source>straight on the map, so that the extremes are the hits'</source>
+        <source>straight on the map, so that the extremes are the hits&apos;</source>
         <translation>在图上连直线，极值即交点的极值</translation>
     </message>
     <message>
@@ -1691,19 +1679,19 @@
         <translation>该策略绘制对象的一部分；其余省去：%1。</translation>
     </message>
     <message>
-        <source>The object "%1" is tested as one bounding sphere with %2 triangles.</source>
+        <source>The object &quot;%1&quot; is tested as one bounding sphere with %2 triangles.</source>
         <translation>对象“%1”作为一个含 %2 个三角形的包围球来检验。</translation>
     </message>
     <message>
-        <source>Its centroid lies in the map's row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
+        <source>Its centroid lies in the map&apos;s row %1, column %2: zenith angle %3° to %4°, azimuth %5° to %6°.</source>
         <translation>其重心在图的第 %1 行第 %2 列：天顶角 %3° 至 %4°，方位角 %5° 至 %6°。</translation>
     </message>
     <message>
-        <source>The cell lies in the visible region's boxes (case %1).</source>
+        <source>The cell lies in the visible region&apos;s boxes (case %1).</source>
         <translation>单元在可见区域的盒内（情形 %1）。</translation>
     </message>
     <message>
-        <source>The cell lies outside the visible region's boxes (case %1).</source>
+        <source>The cell lies outside the visible region&apos;s boxes (case %1).</source>
         <translation>单元在可见区域的盒外（情形 %1）。</translation>
     </message>
     <message>
@@ -1727,7 +1715,7 @@
         <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其所有三角形都低于前方的地平线（该处斜率 %4）。</translation>
     </message>
     <message>
-        <source>The object's bounding sphere: %1.</source>
+        <source>The object&apos;s bounding sphere: %1.</source>
         <translation>对象的包围球：%1。</translation>
     </message>
     <message>
@@ -1751,7 +1739,7 @@
         <translation>单元的边界</translation>
     </message>
     <message>
-        <source>There is no layout of the map "%1". Known: %2.</source>
+        <source>There is no layout of the map &quot;%1&quot;. Known: %2.</source>
         <translation>没有名为“%1”的图布局。可用：%2。</translation>
     </message>
     <message>
@@ -1799,7 +1787,7 @@
         <translation>球坐标，无损</translation>
     </message>
     <message>
-        <source>Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by the horizon of the solid's inner kernel: loses nothing on any mesh.</source>
+        <source>Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by the horizon of the solid&apos;s inner kernel: loses nothing on any mesh.</source>
         <translation>由大到小测试方向图的单元：与视锥体比较，用法线锥，并用实体内核的地平线；在任何网格上都不丢失内容。</translation>
     </message>
     <message>
@@ -1823,7 +1811,7 @@
         <translation>是否略去所有三角形都背向的单元（仅绘制正面时）。</translation>
     </message>
     <message>
-        <source>Whether cells behind the solid's inner kernel are left out (where the mesh is closed).</source>
+        <source>Whether cells behind the solid&apos;s inner kernel are left out (where the mesh is closed).</source>
         <translation>是否略去实体内核之后的单元（网格封闭时）。</translation>
     </message>
     <message>
@@ -1843,15 +1831,15 @@
         <translation>没有测试略去该单元：绘制其三角形。</translation>
     </message>
     <message>
-        <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's snapping could undo.</source>
+        <source>All normals of the cell lie in a cone that is turned away from the eye, by more than the picture&apos;s snapping could undo.</source>
         <translation>该单元的所有法线都位于背向视点的锥内，其程度超过图像取整所能改变的范围。</translation>
     </message>
     <message>
-        <source>All sight lines to the cell pass through the solid's inner kernel first.</source>
+        <source>All sight lines to the cell pass through the solid&apos;s inner kernel first.</source>
         <translation>到该单元的所有视线都先穿过实体的内核。</translation>
     </message>
     <message>
-        <source>The box around the cell's triangles lies outside one plane of the frustum.</source>
+        <source>The box around the cell&apos;s triangles lies outside one plane of the frustum.</source>
         <translation>该单元三角形的包围盒位于视锥体某一平面之外。</translation>
     </message>
     <message>
@@ -1859,11 +1847,11 @@
         <translation>未使用法线锥：绘制三角形的两面，或该测试已关闭。</translation>
     </message>
     <message>
-        <source>The kernel's horizon is not used: %1.</source>
+        <source>The kernel&apos;s horizon is not used: %1.</source>
         <translation>未使用核的地平线：%1。</translation>
     </message>
     <message>
-        <source>The kernel's horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
+        <source>The kernel&apos;s horizon is not used here: the near plane cuts the bounding sphere, the object is too small in the picture, or the test is switched off.</source>
         <translation>此处未使用核的地平线：近平面切过包围球，对象在图像中太小，或该测试已关闭。</translation>
     </message>
     <message>
@@ -1879,7 +1867,7 @@
         <translation>策略绘制该对象的一部分；其中 %1 个三角形被略去：%2。</translation>
     </message>
     <message>
-        <source>OpenGL's selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
+        <source>OpenGL&apos;s selection mode was removed from the core profile, and this OpenGL gives no compatibility profile: ask by occlusion queries.</source>
         <translation>OpenGL 的选择模式已从核心配置文件中移除，而此 OpenGL 不提供兼容配置文件：请改用遮挡查询。</translation>
     </message>
     <message>
@@ -1891,11 +1879,11 @@
         <translation>双面的行（实线）与论文一样绘制每个面的两侧，应与 all 比较；正面的行（虚线）把背面留给 OpenGL，应与 backface 比较。</translation>
     </message>
     <message>
-        <source>The paper's method is frustum-select; frustum tests the same boxes on the processor. The paper's largest speed-up is its 33 fps over its 0.83.</source>
+        <source>The paper&apos;s method is frustum-select; frustum tests the same boxes on the processor. The paper&apos;s largest speed-up is its 33 fps over its 0.83.</source>
         <translation>论文的方法是 frustum-select；frustum 在处理器上测试同样的包围盒。论文的最大加速比为 33 fps 除以 0.83。</translation>
     </message>
     <message>
-        <source>A few views with little in them raise the mean of the frames per second; "fps, all views" is views over their total time.</source>
+        <source>A few views with little in them raise the mean of the frames per second; &quot;fps, all views&quot; is views over their total time.</source>
         <translation>少数内容很少的视点会抬高每秒帧数的平均值；“fps，全部视点”是视点数除以总时间。</translation>
     </message>
     <message>
@@ -1907,7 +1895,7 @@
         <translation>路径穿过兔子时，双面的图像会显示其内侧，而 backface 不绘制它：这就是它丢失的像素。</translation>
     </message>
     <message>
-        <source>The paper's machine was a Pentium III at 866 MHz with a GeForce3 Ti 200: compare the ratios, not the frames per second. The paper counts no lost pixels.</source>
+        <source>The paper&apos;s machine was a Pentium III at 866 MHz with a GeForce3 Ti 200: compare the ratios, not the frames per second. The paper counts no lost pixels.</source>
         <translation>论文的机器是 866 MHz 的 Pentium III 和 GeForce3 Ti 200：请比较比值，而不是每秒帧数。论文没有统计丢失的像素。</translation>
     </message>
     <message>
@@ -1983,11 +1971,11 @@
         <translation>双面</translation>
     </message>
     <message>
-        <source>"%1" is not of the form key=value.</source>
+        <source>&quot;%1&quot; is not of the form key=value.</source>
         <translation>“%1”不是 key=value 的形式。</translation>
     </message>
     <message>
-        <source>The strategy "%1" has no parameters.</source>
+        <source>The strategy &quot;%1&quot; has no parameters.</source>
         <translation>策略“%1”没有参数。</translation>
     </message>
     <message>
@@ -2003,7 +1991,7 @@
         <translation>选择模式视锥体剔除</translation>
     </message>
     <message>
-        <source>Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view.</source>
+        <source>Draws the objects&apos; boxes in OpenGL&apos;s selection mode: the hit records name the objects in view.</source>
         <translation>以 OpenGL 选择模式绘制对象的盒：命中记录给出视野内的对象。</translation>
     </message>
     <message>
@@ -2015,11 +2003,11 @@
         <translation>查询式视锥体剔除</translation>
     </message>
     <message>
-        <source>Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
+        <source>Draws the objects&apos; boxes unseen, with an occlusion query each: those that cover a sample are in view.</source>
         <translation>不可见地绘制对象的盒，每个盒一次遮挡查询：覆盖采样点的即在视野内。</translation>
     </message>
     <message>
-        <source>the mesh's own box, turned with the object, by its corner farthest inside</source>
+        <source>the mesh&apos;s own box, turned with the object, by its corner farthest inside</source>
         <translation>网格自身的盒随对象旋转，以其最靠内的角点判断</translation>
     </message>
     <message>
@@ -2031,11 +2019,11 @@
         <translation>用对象盒的八叉树整组剔除，其余由近及远绘制。</translation>
     </message>
     <message>
-        <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum's edges.</source>
+        <source>Whether what several planes cut is tested by separating axes too, which leaves out what lies beside the frustum&apos;s edges.</source>
         <translation>是否对被多个平面切割者再用分离轴测试，从而剔除位于视锥体棱边旁的对象。</translation>
     </message>
     <message>
-        <source>"%1" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: "frustum-query" asks the same without it.</source>
+        <source>&quot;%1&quot; draws in OpenGL&apos;s selection mode, which was removed from the core profile, and this OpenGL (%2) gives no compatibility profile: &quot;frustum-query&quot; asks the same without it.</source>
         <translation>“%1”使用 OpenGL 的选择模式，该模式已从核心配置文件中移除，而此 OpenGL（%2）不提供兼容配置文件：“frustum-query”无需它即可作同样的询问。</translation>
     </message>
     <message>
@@ -2062,6 +2050,18 @@
         <source>It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum.</source>
         <translation>它属于一个 %1 个对象的组，该组的盒先被测试：有一根轴将其与视锥体分开。</translation>
     </message>
+    <message>
+        <source>Tested against the %1: all of the bounds lie inside, the farthest point by %2.</source>
+        <translation>针对%1的测试：整个包围体都在内侧，最深的点在内侧 %2 处。</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.</source>
+        <translation>针对%1的测试：包围体在外侧 %2 处，但未超过界限 %3，视为内侧。</translation>
+    </message>
+    <message>
+        <source>Tested against the %1: the bounds reach %2 to the inside.</source>
+        <translation>针对%1的测试：包围体伸入内侧 %2。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2083,7 +2083,7 @@ OpenGL %2
 %3</translation>
     </message>
     <message>
-        <source>Cullscope's own sources are under the MIT licence.</source>
+        <source>Cullscope&apos;s own sources are under the MIT licence.</source>
         <translation>Cullscope 自身的源代码采用 MIT 许可证。</translation>
     </message>
     <message>
@@ -2364,126 +2364,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::MetricsModel</name>
-    <message>
-        <source>Speed against backface</source>
-        <translation>相对 backface 的速度</translation>
-    </message>
-    <message>
-        <source>Frame</source>
-        <translation>帧</translation>
-    </message>
-    <message>
-        <source>Frames per second</source>
-        <translation>每秒帧数</translation>
-    </message>
-    <message>
-        <source>Culling</source>
-        <translation>剔除</translation>
-    </message>
-    <message>
-        <source>Submitted triangles</source>
-        <translation>提交的三角形</translation>
-    </message>
-    <message>
-        <source>Visible triangles</source>
-        <translation>可见的三角形</translation>
-    </message>
-    <message>
-        <source>Missed pixels</source>
-        <translation>丢失的像素</translation>
-    </message>
-    <message>
-        <source>Largest hole</source>
-        <translation>最大的空洞</translation>
-    </message>
-    <message>
-        <source>Covered pixels</source>
-        <translation>覆盖的像素</translation>
-    </message>
-    <message>
-        <source>Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera</source>
-        <translation>在同一相机下交替测量：backface 策略的帧时间除以本策略的帧时间</translation>
-    </message>
-    <message>
-        <source>Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted</source>
-        <translation>剔除并绘制到视图自身的图像，直到 OpenGL 完成为止；不含窗口显示的时间</translation>
-    </message>
-    <message>
-        <source>1 / (cull + draw)</source>
-        <translation>1 /（剔除 + 绘制）</translation>
-    </message>
-    <message>
-        <source>Time in which the strategy decides what to draw</source>
-        <translation>策略决定绘制内容所用的时间</translation>
-    </message>
-    <message>
-        <source>Triangles given to OpenGL</source>
-        <translation>交给 OpenGL 的三角形</translation>
-    </message>
-    <message>
-        <source>Triangles that truly show in at least one pixel</source>
-        <translation>至少在一个像素中真实可见的三角形</translation>
-    </message>
-    <message>
-        <source>Submitted triangles that show in no pixel</source>
-        <translation>已提交但在任何像素中都不可见的三角形</translation>
-    </message>
-    <message>
-        <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
-        <translation>真实结果中有表面，而此图像中是更远的表面或什么也没有的像素</translation>
-    </message>
-    <message>
-        <source>Pixels of the largest connected group of missed pixels</source>
-        <translation>丢失像素中最大连通块的像素数</translation>
-    </message>
-    <message>
-        <source>Pixels in which the truth has a surface</source>
-        <translation>真实结果中有表面的像素</translation>
-    </message>
-    <message>
-        <source>– beyond snapping</source>
-        <translation>– 超出对齐误差</translation>
-    </message>
-    <message>
-        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
-    </message>
-    <message>
-        <source>Submitted in vain</source>
-        <translation>徒劳提交</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::MetricsPanel</name>
-    <message>
-        <source>Figures</source>
-        <translation>数据</translation>
-    </message>
-    <message>
-        <source>Software OpenGL: not the times of a graphics card</source>
-        <translation>软件 OpenGL：并非显卡的时间</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::FrontWords</name>
-    <message>
-        <source>auto</source>
-        <comment>a parameter's value that a strategy chooses</comment>
-        <translation>自动</translation>
-    </message>
-    <message>
-        <source>%1 by %2</source>
-        <extracomment>A strategy and the parameter that is varied, as in "spherical by rows".</extracomment>
-        <translation>%1，按 %2</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>what is varied, its values</comment>
-        <translation>%1：%2</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::GenerateDialog</name>
     <message>
         <source>Generate a scene: %1</source>
@@ -2507,93 +2387,6 @@ OpenGL %2
     <message>
         <source>First page</source>
         <translation>首页</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::StructureModel</name>
-    <message>
-        <source>Node %1</source>
-        <comment>of a tree of boxes</comment>
-        <translation>节点 %1</translation>
-    </message>
-    <message>
-        <source>kept</source>
-        <comment>a box that holds others</comment>
-        <translation>保留</translation>
-    </message>
-    <message>
-        <source>submitted</source>
-        <translation>已提交</translation>
-    </message>
-    <message>
-        <source>Object</source>
-        <translation>物体</translation>
-    </message>
-    <message>
-        <source>Triangles</source>
-        <translation>三角形</translation>
-    </message>
-    <message>
-        <source>Verdict</source>
-        <translation>判定</translation>
-    </message>
-    <message>
-        <source>Rejected by</source>
-        <translation>被何平面排除</translation>
-    </message>
-    <message>
-        <source>1 object</source>
-        <comment>a group of one</comment>
-        <translation>1 个对象</translation>
-    </message>
-    <message>
-        <source>%1 objects</source>
-        <comment>a group of so many</comment>
-        <translation>%1 个对象</translation>
-    </message>
-    <message>
-        <source>%1: %2 triangles</source>
-        <comment>an object or a group</comment>
-        <translation>%1：%2 个三角形</translation>
-    </message>
-    <message>
-        <source>no single plane</source>
-        <comment>has a group outside</comment>
-        <translation>非单个平面</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::StructurePanel</name>
-    <message>
-        <source>Inside the strategy</source>
-        <translation>策略内部</translation>
-    </message>
-    <message>
-        <source>Bands</source>
-        <translation>环带</translation>
-    </message>
-    <message>
-        <source>Tree</source>
-        <translation>树</translation>
-    </message>
-    <message>
-        <source>Why</source>
-        <translation>原因</translation>
-    </message>
-    <message>
-        <source>Losses</source>
-        <translation>丢失</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::StructureTree</name>
-    <message>
-        <source>Boxes that the strategy tests</source>
-        <translation>策略测试的包围盒</translation>
-    </message>
-    <message>
-        <source>This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they decided about each.</source>
-        <translation>该策略不测试包围盒。测试包围体或遍历树的策略会在此列出它们以及对每个的判定。</translation>
     </message>
 </context>
 <context>
@@ -2723,7 +2516,7 @@ OpenGL %2
         <translation>单击</translation>
     </message>
     <message>
-        <source>select triangle and object; on an axis' end: look from there</source>
+        <source>select triangle and object; on an axis&apos; end: look from there</source>
         <translation>选中三角形和物体；点在坐标轴端点上则从该方向观察</translation>
     </message>
     <message>
@@ -2912,7 +2705,7 @@ OpenGL %2
         <translation>%1：活动视图中 %2 个三角形</translation>
     </message>
     <message>
-        <source>Next: choose another strategy in the view's menu and compare the figures over the pictures.</source>
+        <source>Next: choose another strategy in the view&apos;s menu and compare the figures over the pictures.</source>
         <translation>下一步：在视图的菜单中选择另一种策略，比较图像上方的数据。</translation>
     </message>
 </context>
@@ -2967,7 +2760,7 @@ OpenGL %2
         <translation>此视图 %1 个覆盖像素中丢失 0 个。仅凭一个视图无法发现低于约 %1 分之 3(&lt; %2 %)的丢失。</translation>
     </message>
     <message>
-        <source>Beyond what the raster's snapping of edges explains: %1.</source>
+        <source>Beyond what the raster&apos;s snapping of edges explains: %1.</source>
         <translation>其中无法用光栅边缘对齐解释的：%1。</translation>
     </message>
     <message>
@@ -3172,7 +2965,7 @@ OpenGL %2
         <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
     </message>
     <message>
-        <source>Corner ray %1, %2: misses the sphere; its place is the sphere's nearest point.</source>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
         <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
     </message>
     <message>
@@ -3275,7 +3068,7 @@ OpenGL %2
         <translation>遍历结束的层级</translation>
     </message>
     <message>
-        <source>R of the kernel, of the sphere's</source>
+        <source>R of the kernel, of the sphere&apos;s</source>
         <translation>核的 R，占球半径的比例</translation>
     </message>
     <message>
@@ -3297,6 +3090,108 @@ OpenGL %2
     <message>
         <source>Close this message</source>
         <translation>关闭此消息</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MetricsModel</name>
+    <message>
+        <source>Speed against backface</source>
+        <translation>相对 backface 的速度</translation>
+    </message>
+    <message>
+        <source>Frame</source>
+        <translation>帧</translation>
+    </message>
+    <message>
+        <source>Frames per second</source>
+        <translation>每秒帧数</translation>
+    </message>
+    <message>
+        <source>Culling</source>
+        <translation>剔除</translation>
+    </message>
+    <message>
+        <source>Submitted triangles</source>
+        <translation>提交的三角形</translation>
+    </message>
+    <message>
+        <source>Visible triangles</source>
+        <translation>可见的三角形</translation>
+    </message>
+    <message>
+        <source>Missed pixels</source>
+        <translation>丢失的像素</translation>
+    </message>
+    <message>
+        <source>Largest hole</source>
+        <translation>最大的空洞</translation>
+    </message>
+    <message>
+        <source>Covered pixels</source>
+        <translation>覆盖的像素</translation>
+    </message>
+    <message>
+        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>在同一相机下交替测量：backface 策略的帧时间除以本策略的帧时间</translation>
+    </message>
+    <message>
+        <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
+        <translation>剔除并绘制到视图自身的图像，直到 OpenGL 完成为止；不含窗口显示的时间</translation>
+    </message>
+    <message>
+        <source>1 / (cull + draw)</source>
+        <translation>1 /（剔除 + 绘制）</translation>
+    </message>
+    <message>
+        <source>Time in which the strategy decides what to draw</source>
+        <translation>策略决定绘制内容所用的时间</translation>
+    </message>
+    <message>
+        <source>Triangles given to OpenGL</source>
+        <translation>交给 OpenGL 的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles that truly show in at least one pixel</source>
+        <translation>至少在一个像素中真实可见的三角形</translation>
+    </message>
+    <message>
+        <source>Submitted triangles that show in no pixel</source>
+        <translation>已提交但在任何像素中都不可见的三角形</translation>
+    </message>
+    <message>
+        <source>Pixels in which the truth has a surface and this picture a farther one or none</source>
+        <translation>真实结果中有表面，而此图像中是更远的表面或什么也没有的像素</translation>
+    </message>
+    <message>
+        <source>Pixels of the largest connected group of missed pixels</source>
+        <translation>丢失像素中最大连通块的像素数</translation>
+    </message>
+    <message>
+        <source>Pixels in which the truth has a surface</source>
+        <translation>真实结果中有表面的像素</translation>
+    </message>
+    <message>
+        <source>– beyond snapping</source>
+        <translation>– 超出对齐误差</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
+    </message>
+    <message>
+        <source>Submitted in vain</source>
+        <translation>徒劳提交</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::MetricsPanel</name>
+    <message>
+        <source>Figures</source>
+        <translation>数据</translation>
+    </message>
+    <message>
+        <source>Software OpenGL: not the times of a graphics card</source>
+        <translation>软件 OpenGL：并非显卡的时间</translation>
     </message>
 </context>
 <context>
@@ -3616,7 +3511,7 @@ OpenGL %2
         <translation>关闭(&amp;L)</translation>
     </message>
     <message>
-        <source>Reproduce a paper's table</source>
+        <source>Reproduce a paper&apos;s table</source>
         <translation>重现论文的表</translation>
     </message>
     <message>
@@ -3624,7 +3519,7 @@ OpenGL %2
         <translation>表</translation>
     </message>
     <message>
-        <source>The paper's numbers beside ours</source>
+        <source>The paper&apos;s numbers beside ours</source>
         <translation>论文的数字与我们的数字</translation>
     </message>
     <message>
@@ -3715,11 +3610,11 @@ view</source>
         <translation>策略，以及非默认值的参数</translation>
     </message>
     <message>
-        <source>Frame time of backface divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <source>Frame time of backface divided by this strategy&apos;s: the mean over the views and its 95 % interval</source>
         <translation>backface 的帧时间除以此策略的帧时间：各视角的平均值及其 95 % 区间</translation>
     </message>
     <message>
-        <source>Frame time of all divided by this strategy's: the mean over the views and its 95 % interval</source>
+        <source>Frame time of all divided by this strategy&apos;s: the mean over the views and its 95 % interval</source>
         <translation>all 的帧时间除以此策略的帧时间：各视角的平均值及其 95 % 区间</translation>
     </message>
     <message>
@@ -3731,11 +3626,11 @@ view</source>
         <translation>在最慢和最快的视角中</translation>
     </message>
     <message>
-        <source>Share of the frame's time that goes into deciding what to draw</source>
+        <source>Share of the frame&apos;s time that goes into deciding what to draw</source>
         <translation>帧时间中用于决定绘制内容的份额</translation>
     </message>
     <message>
-        <source>Share of the scene's triangles given to OpenGL, mean over the views</source>
+        <source>Share of the scene&apos;s triangles given to OpenGL, mean over the views</source>
         <translation>场景三角形中交给 OpenGL 的份额，各视角平均</translation>
     </message>
     <message>
@@ -3755,7 +3650,7 @@ view</source>
         <translation>丢失了像素：承诺未兑现。</translation>
     </message>
     <message>
-        <source>%1 of them beyond the raster's snapping to 1/256 pixel</source>
+        <source>%1 of them beyond the raster&apos;s snapping to 1/256 pixel</source>
         <translation>其中 %1 个超出光栅对 1/256 像素的对齐</translation>
     </message>
     <message>
@@ -3765,7 +3660,7 @@ snapping</source>
 对齐误差</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
     </message>
 </context>
@@ -3978,7 +3873,7 @@ snapping</source>
         <translation>仅单个视图会保存深度和三角形编号。</translation>
     </message>
     <message>
-        <source>This format keeps no transparency: the window's background takes its place.</source>
+        <source>This format keeps no transparency: the window&apos;s background takes its place.</source>
         <translation>此格式不保存透明度：以窗口背景代替。</translation>
     </message>
     <message>
@@ -4084,12 +3979,12 @@ snapping</source>
         <translation>尚未测量。请在上方选择相机路径并按“开始”。</translation>
     </message>
     <message>
-        <source>The views' figures appear here as soon as they are measured.</source>
+        <source>The views&apos; figures appear here as soon as they are measured.</source>
         <translation>测量完成后，各视图的数值显示在此处。</translation>
     </message>
     <message>
         <source>%1 · %2 × %3 · %4 of %5 poses</source>
-        <extracomment>A camera path, the size of the picture, and how many of the path's poses were measured.</extracomment>
+        <extracomment>A camera path, the size of the picture, and how many of the path&apos;s poses were measured.</extracomment>
         <translation>%1 · %2 × %3 · %5 个姿态中的 %4 个</translation>
     </message>
     <message>
@@ -4189,6 +4084,111 @@ snapping</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::StructureModel</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a tree of boxes</comment>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>kept</source>
+        <comment>a box that holds others</comment>
+        <translation>保留</translation>
+    </message>
+    <message>
+        <source>submitted</source>
+        <translation>已提交</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>判定</translation>
+    </message>
+    <message>
+        <source>Rejected by</source>
+        <translation>被何平面排除</translation>
+    </message>
+    <message>
+        <source>1 object</source>
+        <comment>a group of one</comment>
+        <translation>1 个对象</translation>
+    </message>
+    <message>
+        <source>%1 objects</source>
+        <comment>a group of so many</comment>
+        <translation>%1 个对象</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles</source>
+        <comment>an object or a group</comment>
+        <translation>%1：%2 个三角形</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <comment>has a group outside</comment>
+        <translation>非单个平面</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StructurePanel</name>
+    <message>
+        <source>Inside the strategy</source>
+        <translation>策略内部</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>环带</translation>
+    </message>
+    <message>
+        <source>Tree</source>
+        <translation>树</translation>
+    </message>
+    <message>
+        <source>Why</source>
+        <translation>原因</translation>
+    </message>
+    <message>
+        <source>Losses</source>
+        <translation>丢失</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::StructureTree</name>
+    <message>
+        <source>Boxes that the strategy tests</source>
+        <translation>策略测试的包围盒</translation>
+    </message>
+    <message>
+        <source>This strategy tests no boxes. Strategies that test bounds or descend a tree list them here, with what they decided about each.</source>
+        <translation>该策略不测试包围盒。测试包围体或遍历树的策略会在此列出它们以及对每个的判定。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::SweepWords</name>
+    <message>
+        <source>auto</source>
+        <comment>a parameter&apos;s value that a strategy chooses</comment>
+        <translation>自动</translation>
+    </message>
+    <message>
+        <source>%1 by %2</source>
+        <extracomment>A strategy and the parameter that is varied, as in &quot;spherical by rows&quot;.</extracomment>
+        <translation>%1，按 %2</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>what is varied, its values</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::TimeBar</name>
     <message>
         <source>Time of a frame</source>
@@ -4196,7 +4196,7 @@ snapping</source>
     </message>
     <message>
         <source>%1 = %2 cull + %3 draw</source>
-        <extracomment>A frame's time: total = culling + drawing</extracomment>
+        <extracomment>A frame&apos;s time: total = culling + drawing</extracomment>
         <translation>%1 = 剔除 %2 + 绘制 %3</translation>
     </message>
     <message>
@@ -4386,7 +4386,7 @@ snapping</source>
         <translation>所选三角形被绘制或剔除的原因</translation>
     </message>
     <message>
-        <source>The strategy's decisions are being read…</source>
+        <source>The strategy&apos;s decisions are being read…</source>
         <translation>正在读取策略的判定…</translation>
     </message>
     <message>
@@ -4408,7 +4408,7 @@ snapping</source>
         <translation>它在图像中可见。</translation>
     </message>
     <message>
-        <source>It was drawn in vain: other triangles lie before all of it, or it covers no pixel's middle.</source>
+        <source>It was drawn in vain: other triangles lie before all of it, or it covers no pixel&apos;s middle.</source>
         <translation>它被徒劳绘制：其他三角形完全遮住了它，或它没有覆盖任何像素的中心。</translation>
     </message>
     <message>
@@ -4671,7 +4671,7 @@ snapping</source>
         <translation>视锥体(&amp;R)</translation>
     </message>
     <message>
-        <source>Show the culling camera's frustum in the active view</source>
+        <source>Show the culling camera&apos;s frustum in the active view</source>
         <translation>在活动视图中显示剔除相机的视锥体</translation>
     </message>
     <message>
@@ -4687,7 +4687,7 @@ snapping</source>
         <translation>对比：真值 | 策略(&amp;T)</translation>
     </message>
     <message>
-        <source>Put the truth beside the strategy's picture; drag the line</source>
+        <source>Put the truth beside the strategy&apos;s picture; drag the line</source>
         <translation>将真值放在策略图像旁边；拖动分界线</translation>
     </message>
     <message>
@@ -4719,7 +4719,7 @@ snapping</source>
         <translation>录制(&amp;R)</translation>
     </message>
     <message>
-        <source>Record the camera's moves as a path</source>
+        <source>Record the camera&apos;s moves as a path</source>
         <translation>将相机的移动录制为路径</translation>
     </message>
     <message>
@@ -4775,11 +4775,11 @@ snapping</source>
         <translation>视图、面板和数值的含义</translation>
     </message>
     <message>
-        <source>Repro&amp;duce a paper's table…</source>
+        <source>Repro&amp;duce a paper&apos;s table…</source>
         <translation>重现论文的表(&amp;D)…</translation>
     </message>
     <message>
-        <source>Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours</source>
+        <source>Measure what a paper&apos;s table shows, in the paper&apos;s windows, and put its numbers beside ours</source>
         <translation>按论文的窗口测量论文表中的内容，并把它的数字与我们的并列</translation>
     </message>
     <message>
@@ -4799,7 +4799,7 @@ snapping</source>
         <translation>视图以球坐标显示模型时不可用：相机所见的内容在其中没有位置</translation>
     </message>
     <message>
-        <source>Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines from the axis are each band's S</source>
+        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
         <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带；从轴引出的细线是各环带的 S</translation>
     </message>
     <message>
@@ -4807,7 +4807,7 @@ snapping</source>
         <translation>内核与地平线(&amp;K)</translation>
     </message>
     <message>
-        <source>Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
+        <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
         <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略略去</translation>
     </message>
     <message>
@@ -4815,7 +4815,7 @@ snapping</source>
         <translation>按剔除平面着色的盒(&amp;P)</translation>
     </message>
     <message>
-        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes have the same colours</source>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
         <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
     </message>
 </context>

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "ui/panels/wheel_guard.h"
 #include "ui/statistics/flow_layout.h"
-#include "ui/statistics/run_fronts.h"
+#include "ui/statistics/run_sweeps.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
@@ -144,9 +144,9 @@ void ExperimentBar::setUpSweeps() {
     m_sweep->setPopupMode(QToolButton::InstantPopup);
     m_sweep->setFocusPolicy(Qt::StrongFocus);
     m_sweep->setMenu(m_sweeps);
-    m_sweeps->addAction({}, this, [this] { start(fronts()); });
+    m_sweeps->addAction({}, this, [this] { start(builtInSweeps()); });
     m_sweeps->addSeparator();
-    for (const ParameterSweep& front : fronts()) m_sweeps->addAction({}, this, [this, front] { start({front}); });
+    for (const ParameterSweep& sweep : builtInSweeps()) m_sweeps->addAction({}, this, [this, sweep] { start({sweep}); });
 }
 
 CameraPath ExperimentBar::chosenPath() const {
@@ -157,7 +157,7 @@ CameraPath ExperimentBar::chosenPath() const {
     return cameraPath(name.toStdString(), *m_scene);
 }
 
-void ExperimentBar::start(const std::vector<ParameterSweep>& fronts) {
+void ExperimentBar::start(const std::vector<ParameterSweep>& sweeps) {
     if (!m_scene || m_running) return;
     ExperimentSettings settings;
     try {
@@ -169,7 +169,7 @@ void ExperimentBar::start(const std::vector<ParameterSweep>& fronts) {
     const QSize size = m_size->currentData().toSize();
     settings.size = {size.width(), size.height()};
     settings.repetitions = m_repetitions->value();
-    settings.fronts = fronts;
+    settings.sweeps = sweeps;
     emit startRequested(settings);
 }
 
@@ -215,7 +215,7 @@ void ExperimentBar::retranslate() {
     const QList<QAction*> sweeps = m_sweeps->actions();
     sweeps.front()->setText(tr("All of these", "sweeps over parameters"));
     // + 2: the action for all sweeps and the separator come first.
-    for (size_t i = 0; i < fronts().size(); ++i) sweeps[qsizetype(i) + 2]->setText(frontWords(fronts()[i]));
+    for (size_t i = 0; i < builtInSweeps().size(); ++i) sweeps[qsizetype(i) + 2]->setText(sweepWords(builtInSweeps()[i]));
     m_progress->setAccessibleName(tr("Progress of the experiment"));
     setUpSizes();
     fillPaths();

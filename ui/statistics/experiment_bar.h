@@ -21,7 +21,7 @@ struct ExperimentSettings {
     CameraPath path;
     Viewport size;
     int repetitions = 0;                 ///< of each frame; 0: until the median is steady
-    std::vector<ParameterSweep> fronts;  ///< sweeps to measure; empty: the shown views' strategies
+    std::vector<ParameterSweep> sweeps;  ///< sweeps to measure; empty: the shown views' strategies
 };
 
 /// Sets up, starts and cancels an experiment: camera path, picture size, repetitions, and what is measured: the shown views'
@@ -44,7 +44,7 @@ public:
     void setProgress(double share, const QString& stage);
 
     /// Emits `startRequested`, or `failed` if the path cannot be made.
-    void start(const std::vector<ParameterSweep>& fronts = {});
+    void start(const std::vector<ParameterSweep>& sweeps = {});
     /// The menu of parameter sweeps: all of them, then each one.
     [[nodiscard]] QMenu& sweeps() { return *m_sweeps; }
 

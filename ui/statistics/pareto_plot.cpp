@@ -24,7 +24,7 @@ void ParetoPlot::setRuns(const std::vector<RunFigures>& runs) {
     std::copy_if(runs.begin(), runs.end(), std::back_inserter(m_runs),
                  [](const RunFigures& run) { return run.missedPpm.has_value(); });
     m_lossUnknown = m_runs.empty() && !runs.empty();
-    m_fronts = runFronts(m_runs);
+    m_sweepLines = runSweeps(m_runs);
     contentsChanged();
 }
 
@@ -66,18 +66,18 @@ QString ParetoPlot::zeroLabel() const {
     return tr("0 (< 3/%1)").arg(views);
 }
 
-const RunFront* ParetoPlot::frontOf(size_t run) const {
-    const auto found = std::find_if(m_fronts.begin(), m_fronts.end(), [&](const RunFront& front) {
-        return std::find(front.runs.begin(), front.runs.end(), run) != front.runs.end();
+const RunSweep* ParetoPlot::sweepOf(size_t run) const {
+    const auto found = std::find_if(m_sweepLines.begin(), m_sweepLines.end(), [&](const RunSweep& sweep) {
+        return std::find(sweep.runs.begin(), sweep.runs.end(), run) != sweep.runs.end();
     });
-    return found == m_fronts.end() ? nullptr : &*found;
+    return found == m_sweepLines.end() ? nullptr : &*found;
 }
 
 QString ParetoPlot::shortLabel(size_t run) const {
     QStringList values;
-    for (const RunFront& front : m_fronts)
-        for (size_t i = 0; i < front.runs.size(); ++i)
-            if (front.runs[i] == run) values << front.values[qsizetype(i)];
+    for (const RunSweep& sweep : m_sweepLines)
+        for (size_t i = 0; i < sweep.runs.size(); ++i)
+            if (sweep.runs[i] == run) values << sweep.values[qsizetype(i)];
     if (!values.isEmpty()) return values.join(QStringLiteral(" · "));
     // Ids are shorter; they do where they tell the runs apart.
     const auto same =
@@ -87,11 +87,11 @@ QString ParetoPlot::shortLabel(size_t run) const {
 
 std::vector<QColor> ParetoPlot::runColours(const PlotColours& colours) const {
     std::vector<QColor> ofRuns;
-    size_t single = m_fronts.size();
+    size_t single = m_sweepLines.size();
     for (size_t run = 0; run < m_runs.size(); ++run) {
-        const RunFront* front = frontOf(run);
-        if (front)
-            ofRuns.push_back(colours.series(size_t(front - m_fronts.data())));
+        const RunSweep* sweep = sweepOf(run);
+        if (sweep)
+            ofRuns.push_back(colours.series(size_t(sweep - m_sweepLines.data())));
         else
             ofRuns.push_back(m_runs[run].baseline() ? colours.faintText : colours.series(single++));
     }
@@ -108,11 +108,12 @@ PlotAxis ParetoPlot::lossAxis() const {
     return axis;
 }
 
-void ParetoPlot::addFronts(LinePlot& plot, const PlotColours& colours) const {
-    for (size_t number = 0; number < m_fronts.size(); ++number) {
+void ParetoPlot::addSweeps(LinePlot& plot, const PlotColours& colours) const {
+    for (size_t number = 0; number < m_sweepLines.size(); ++number) {
         std::vector<PlotPoint> points;
-        for (const size_t run : m_fronts[number].runs) points.push_back({m_runs[run].speedup, height(*m_runs[run].missedPpm)});
-        const std::string name = frontName(m_fronts[number].id, m_fronts[number].key).toStdString();
+        for (const size_t run : m_sweepLines[number].runs)
+            points.push_back({m_runs[run].speedup, height(*m_runs[run].missedPpm)});
+        const std::string name = sweepName(m_sweepLines[number].id, m_sweepLines[number].key).toStdString();
         plot.lines.push_back(plainLine(name, std::move(points), {colours.series(number).rgba(), 1.4}));
     }
 }
@@ -122,13 +123,13 @@ void ParetoPlot::addRuns(LinePlot& plot, const PlotColours& colours) const {
     for (size_t i = 0; i < m_runs.size(); ++i) {
         const RunFigures& run = m_runs[i];
         const double y = height(*run.missedPpm);
-        // Paler than the fronts, which run the same way where nothing is missed.
+        // Paler than the sweeps, which run the same way where nothing is missed.
         QColor pale = ofRuns[i];
         pale.setAlphaF(0.5F);
         plot.lines.push_back(plainLine({}, {{run.speedupCi95[0], y}, {run.speedupCi95[1], y}}, {pale.rgba(), 1.5}));
         // The baselines, both grey, are a dark and a light one.
         const QColor grey = run.id == QLatin1String("all") ? colours.baselineCull : colours.ground;
-        plot.marks.push_back({frontOf(i) ? std::string() : run.label.toStdString(),
+        plot.marks.push_back({sweepOf(i) ? std::string() : run.label.toStdString(),
                               {run.speedup, y},
                               shapeOf(run.promise),
                               {colours.text.rgba(), 1.2},
@@ -149,7 +150,7 @@ std::vector<LinePlot> ParetoPlot::plots(const QPalette& palette) const {
     plot.x = {tr("Speed against backface").toStdString(), PlotScale::Linear, 0.0, 0.0, true};
     plot.y = lossAxis();
     plot.lines = {plainLine({}, {{1.0, plot.y.least}, {1.0, plot.y.most}}, {colours.faintText.rgba(), 1.0, PlotStroke::Dashed})};
-    addFronts(plot, colours);
+    addSweeps(plot, colours);
     addRuns(plot, colours);
     // The band on which nothing missed stands.
     plot.bars = {{{}, colours.grid.rgba(), {{0.0, lowestDecade() - 0.5, rangeAlongX(plot).last, plot.y.least}}}};

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ui/plots/plot_widget.h"
-#include "ui/statistics/run_fronts.h"
+#include "ui/statistics/run_sweeps.h"
 
 namespace cullscope::ui {
 
@@ -35,17 +35,17 @@ protected:
 private:
     [[nodiscard]] int highestDecade() const;
     [[nodiscard]] PlotAxis lossAxis() const;
-    /// By run: its front's where it lies on one.
+    /// By run: its sweep's where it lies on one.
     [[nodiscard]] std::vector<QColor> runColours(const PlotColours& colours) const;
     /// What stands beside a run's point.
     [[nodiscard]] QString shortLabel(size_t run) const;
-    /// None: the run lies on no front. Of a run on several the first.
-    [[nodiscard]] const RunFront* frontOf(size_t run) const;
-    void addFronts(LinePlot& plot, const PlotColours& colours) const;
+    /// None: the run lies on no sweep. Of a run on several the first.
+    [[nodiscard]] const RunSweep* sweepOf(size_t run) const;
+    void addSweeps(LinePlot& plot, const PlotColours& colours) const;
     void addRuns(LinePlot& plot, const PlotColours& colours) const;
 
     std::vector<RunFigures> m_runs;
-    std::vector<RunFront> m_fronts;
+    std::vector<RunSweep> m_sweepLines;
     bool m_lossUnknown = false;  ///< there are runs, but none whose loss was measured
 };
 

@@ -111,7 +111,7 @@ void StatisticsPanel::setUpBars() {
     layout->addWidget(second);
     layout->addWidget(m_pages, 1);
     connect(m_bar, &ExperimentBar::startRequested, this, [this](const ExperimentSettings& settings) {
-        if (!settings.fronts.empty()) showTab(Pareto);
+        if (!settings.sweeps.empty()) showTab(Pareto);
         emit startRequested(settings);
     });
     connect(m_bar, &ExperimentBar::cancelRequested, this, &StatisticsPanel::cancelRequested);

@@ -79,7 +79,7 @@ void Experiments::start(const ExperimentSettings& settings) {
     request.path = settings.path;
     request.size = settings.size;
     request.repetitions = settings.repetitions;
-    request.strategies = settings.fronts.empty() ? shownStrategies() : contestants(settings.fronts);
+    request.strategies = settings.sweeps.empty() ? shownStrategies() : requestsOf(settings.sweeps);
     m_path = settings.path;
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);

@@ -9,34 +9,34 @@ namespace cullscope::sweeps_test {
 namespace {
 
 TEST(Fronts, everyValueIsOneThatItsStrategyTakes) {
-    ASSERT_FALSE(fronts().empty());
-    for (const ParameterSweep& front : fronts()) {
-        SCOPED_TRACE(front.strategy + "." + front.key);
-        ParameterSet parameters(findStrategy(front.strategy).info.parameters);
+    ASSERT_FALSE(builtInSweeps().empty());
+    for (const ParameterSweep& sweep : builtInSweeps()) {
+        SCOPED_TRACE(sweep.strategy + "." + sweep.key);
+        ParameterSet parameters(findStrategy(sweep.strategy).info.parameters);
         std::set<std::string> different;
-        for (const std::string& value : front.values) {
-            EXPECT_NO_THROW(parameters.setFromText(front.key, value)) << value;
-            different.insert(toText(parameters.value(front.key)));
+        for (const std::string& value : sweep.values) {
+            EXPECT_NO_THROW(parameters.setFromText(sweep.key, value)) << value;
+            different.insert(toText(parameters.value(sweep.key)));
         }
-        EXPECT_EQ(different.size(), front.values.size()) << "one value is written in two ways";
-        EXPECT_GE(front.values.size(), 2u) << "one point is no front";
-        if (!front.automatic.empty()) {
-            EXPECT_EQ(std::count(front.values.begin(), front.values.end(), front.automatic), 1);
+        EXPECT_EQ(different.size(), sweep.values.size()) << "one value is written in two ways";
+        EXPECT_GE(sweep.values.size(), 2u) << "one point is no sweep";
+        if (!sweep.automatic.empty()) {
+            EXPECT_EQ(std::count(sweep.values.begin(), sweep.values.end(), sweep.automatic), 1);
         }
     }
 }
 
-TEST(Fronts, everyFrontHasItsStrategysDefaultOnIt) {
-    for (const ParameterSweep& front : fronts()) {
-        const ParameterSet defaults(findStrategy(front.strategy).info.parameters);
-        EXPECT_EQ(std::count(front.values.begin(), front.values.end(), toText(defaults.value(front.key))), 1)
-            << front.strategy << "." << front.key;
+TEST(Fronts, everySweepHasItsStrategysDefaultOnIt) {
+    for (const ParameterSweep& sweep : builtInSweeps()) {
+        const ParameterSet defaults(findStrategy(sweep.strategy).info.parameters);
+        EXPECT_EQ(std::count(sweep.values.begin(), sweep.values.end(), toText(defaults.value(sweep.key))), 1)
+            << sweep.strategy << "." << sweep.key;
     }
 }
 
 TEST(Fronts, whereTwoCrossIsMeasuredOnce) {
     const std::vector<ParameterSweep> crossing{{"spherical", "rows", {"45", "180"}}, {"spherical", "band", {"5", "10"}}};
-    const std::vector<StrategyRequest> requests = contestants(crossing);
+    const std::vector<StrategyRequest> requests = requestsOf(crossing);
     ASSERT_EQ(requests.size(), 3u) << "180 rows and bands of 5° are both the default";
     EXPECT_EQ(requests[0].parameters.integer("rows"), 45);
     EXPECT_EQ(requests[0].parameters.real("band"), 5.0);

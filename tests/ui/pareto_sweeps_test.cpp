@@ -10,7 +10,7 @@
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/statistics_panel.h"
 
-namespace cullscope::ui::pareto_fronts_test {
+namespace cullscope::ui::pareto_sweeps_test {
 namespace {
 
 constexpr int kPatience = 60'000;  // ms
@@ -51,42 +51,42 @@ QStringList wordsOf(const PlotWidget& plot) {
     return words;
 }
 
-TEST(RunFronts, runsThatDifferInOneParameterAreOneFront) {
-    const std::vector<RunFront> fronts = runFronts(runFigures(sweptResult()));
-    ASSERT_EQ(fronts.size(), 3U);
-    EXPECT_EQ(fronts[0].key, "rows");
-    EXPECT_EQ(fronts[0].runs, (std::vector<size_t>{4, 5, 3})) << "not by value";
-    EXPECT_EQ(fronts[0].values, QStringList({"45", "180", "360"}));
-    EXPECT_EQ(fronts[1].key, "band");
-    EXPECT_EQ(fronts[1].runs, (std::vector<size_t>{6, 5, 7})) << "without the run at which it crosses the other";
-    EXPECT_EQ(fronts[1].values, QStringList({"2.5°", "5°", "20°"}));
-    EXPECT_EQ(fronts[2].id, QStringLiteral("spherical-lossless"));
-    EXPECT_EQ(fronts[2].values, QStringList({"6", "8", "auto"})) << "the strategy's own choice is not the least value";
+TEST(RunSweeps, runsThatDifferInOneParameterAreOneSweep) {
+    const std::vector<RunSweep> sweeps = runSweeps(runFigures(sweptResult()));
+    ASSERT_EQ(sweeps.size(), 3U);
+    EXPECT_EQ(sweeps[0].key, "rows");
+    EXPECT_EQ(sweeps[0].runs, (std::vector<size_t>{4, 5, 3})) << "not by value";
+    EXPECT_EQ(sweeps[0].values, QStringList({"45", "180", "360"}));
+    EXPECT_EQ(sweeps[1].key, "band");
+    EXPECT_EQ(sweeps[1].runs, (std::vector<size_t>{6, 5, 7})) << "without the run at which it crosses the other";
+    EXPECT_EQ(sweeps[1].values, QStringList({"2.5°", "5°", "20°"}));
+    EXPECT_EQ(sweeps[2].id, QStringLiteral("spherical-lossless"));
+    EXPECT_EQ(sweeps[2].values, QStringList({"6", "8", "auto"})) << "the strategy's own choice is not the least value";
 }
 
-TEST(RunFronts, runsThatDifferInTwoParametersAreNone) {
+TEST(RunSweeps, runsThatDifferInTwoParametersAreNone) {
     MeasureResult result = madeUpResult();
     result.runs = {swept("spherical", "rows", "45", 5.0, 3), swept("spherical", "band", "20", 4.0, 90)};
-    EXPECT_TRUE(runFronts(runFigures(result)).empty());
+    EXPECT_TRUE(runSweeps(runFigures(result)).empty());
 }
 
-TEST(ParetoFronts, pointsHaveTheirValuesAndTheLegendTheFronts) {
+TEST(ParetoFronts, pointsHaveTheirValuesAndTheLegendTheSweeps) {
     ParetoPlot plot;
     plot.setRuns(runFigures(sweptResult()));
     const QStringList words = wordsOf(plot);
     for (const char* expected : {"45", "360", "180 · 5°", "2.5°", "20°", "6", "8", "auto", "spherical by rows",
                                  "spherical by band", "spherical-lossless by level", "0 (< 3/2)"})
         EXPECT_EQ(words.count(QString::fromUtf8(expected)), 1) << expected << " in " << words.join('|').toStdString();
-    EXPECT_EQ(words.count(QStringLiteral("frustum")), 2) << "at its point and in the legend, as it lies on no front";
+    EXPECT_EQ(words.count(QStringLiteral("frustum")), 2) << "at its point and in the legend, as it lies on no sweep";
 }
 
-TEST(ParetoFronts, everyFrontIsALineOfItsColour) {
+TEST(ParetoFronts, everySweepIsALineOfItsColour) {
     ParetoPlot plot;
     plot.resize(900, 300);
     plot.setRuns(runFigures(sweptResult()));
     const QByteArray svg = plotSvg(plot, {900, 300});
     const PlotColours colours(plot.palette());
-    for (size_t front = 0; front < 3; ++front) EXPECT_TRUE(svg.contains(colours.series(front).name().toLatin1())) << front;
+    for (size_t sweep = 0; sweep < 3; ++sweep) EXPECT_TRUE(svg.contains(colours.series(sweep).name().toLatin1())) << sweep;
 }
 
 TEST(ExperimentBar, sweepsAreOfferedWithTheirValuesAndStarted) {
@@ -95,7 +95,7 @@ TEST(ExperimentBar, sweepsAreOfferedWithTheirValuesAndStarted) {
     QObject::connect(&panel, &StatisticsPanel::startRequested,
                      [&](const ExperimentSettings& settings) { asked.push_back(settings); });
     const QList<QAction*> offers = panel.bar().sweeps().actions();
-    ASSERT_EQ(offers.size(), qsizetype(fronts().size()) + 2) << "all of them, a separator, and each";
+    ASSERT_EQ(offers.size(), qsizetype(builtInSweeps().size()) + 2) << "all of them, a separator, and each";
     EXPECT_EQ(offers[2]->text(), QStringLiteral("spherical by rows: 45, 90, 180, 360"));
     EXPECT_EQ(offers[4]->text(), QStringLiteral("spherical-lossless by level: 4, 5, 6, 7, 8, auto"));
     offers[2]->trigger();
@@ -103,12 +103,12 @@ TEST(ExperimentBar, sweepsAreOfferedWithTheirValuesAndStarted) {
     panel.setScene(madeUpResult().request.scene);
     offers[2]->trigger();
     ASSERT_EQ(asked.size(), 1U);
-    ASSERT_EQ(asked[0].fronts.size(), 1U);
-    EXPECT_EQ(asked[0].fronts[0].key, "rows");
+    ASSERT_EQ(asked[0].sweeps.size(), 1U);
+    EXPECT_EQ(asked[0].sweeps[0].key, "rows");
     offers[0]->trigger();
-    EXPECT_EQ(asked.back().fronts.size(), fronts().size());
+    EXPECT_EQ(asked.back().sweeps.size(), builtInSweeps().size());
     panel.bar().start();
-    EXPECT_TRUE(asked.back().fronts.empty()) << "Start measures the shown views";
+    EXPECT_TRUE(asked.back().sweeps.empty()) << "Start measures the shown views";
 }
 
 TEST(ExperimentBar, sweepShowsItsPlot) {
@@ -132,7 +132,7 @@ ExperimentRunner::Request sweepRequest(const std::string& path) {
     const MeasureRequest small = test::smallExperiment({});
     ExperimentRunner::Request request;
     request.scene = small.scene;
-    request.strategies = contestants(fronts());
+    request.strategies = requestsOf(builtInSweeps());
     request.path = cameraPath(path, *small.scene);
     request.size = small.size;
     request.repetitions = 1;
@@ -148,9 +148,9 @@ TEST(Sweep, everyValueIsARunBesideTheBaselines) {
     ASSERT_TRUE(QTest::qWaitFor([&] { return result.has_value(); }, kPatience));
     ASSERT_EQ(result->runs.size(), request.strategies.size() + 2);
     EXPECT_EQ(result->runs.back().strategy.id, "backface");
-    const std::vector<RunFront> measured = runFronts(runFigures(*result));
-    ASSERT_EQ(measured.size(), fronts().size());
-    for (size_t i = 0; i < measured.size(); ++i) EXPECT_EQ(measured[i].runs.size(), fronts()[i].values.size()) << i;
+    const std::vector<RunSweep> measured = runSweeps(runFigures(*result));
+    ASSERT_EQ(measured.size(), builtInSweeps().size());
+    for (size_t i = 0; i < measured.size(); ++i) EXPECT_EQ(measured[i].runs.size(), builtInSweeps()[i].values.size()) << i;
 }
 
 TEST(Sweep, pointsAppearWhileItRunsAndCancellingKeepsThem) {
@@ -167,8 +167,8 @@ TEST(Sweep, pointsAppearWhileItRunsAndCancellingKeepsThem) {
     runner.cancel();
     ASSERT_TRUE(QTest::qWaitFor([&] { return result.has_value(); }, kPatience));
     EXPECT_TRUE(result->interrupted);
-    EXPECT_EQ(runFronts(runFigures(*result)).size(), fronts().size());
+    EXPECT_EQ(runSweeps(runFigures(*result)).size(), builtInSweeps().size());
 }
 
 }  // namespace
-}  // namespace cullscope::ui::pareto_fronts_test
+}  // namespace cullscope::ui::pareto_sweeps_test
