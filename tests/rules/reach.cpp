@@ -91,31 +91,41 @@ public:
         if (const auto found = m_includers.find(file); found != m_includers.end()) files = found->second;
         if (!file.ends_with(".cpp") || isTestFile(file)) return files;
         const std::string header = file.substr(0, file.size() - 4) + ".h";
-        // A second source of a class has no header of its own: the first that it includes of the project is the class's.
+        // A second source of a class has no header of its own: the first of its folder that it includes is the class's. Programs'
+        // sources in tests (benchmarks) have none and pass nothing on.
         if (m_texts.contains(header))
             files.push_back(header);
-        else if (const auto includes = m_includes.find(file); includes != m_includes.end())
-            files.push_back(includes->second.front());
+        else if (const auto includes = m_includes.find(file); includes != m_includes.end() && !file.starts_with("tests/"))
+            files.push_back(firstOfFolder(includes->second, file.substr(0, file.rfind('/') + 1)));
         for (const std::string& id : strategiesIn(file))
             for (const std::string& test : testFilesThatName(id)) files.push_back(test);
         return files;
     }
 
 private:
+    /// The first include of a folder; where there is none, the first of all.
+    [[nodiscard]] static std::string firstOfFolder(const std::vector<std::string>& includes, const std::string& folder) {
+        for (const std::string& include : includes)
+            if (include.starts_with(folder)) return include;
+        return includes.front();
+    }
+
     /// Whether a strategy's id stands for itself somewhere in quotes: "frustum" does not in "frustum-octree".
     [[nodiscard]] static bool nameStandsAlone(const std::string& text, const std::string& word) {
         for (size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
             const char before = at > 0 ? text[at - 1] : ' ';
             const char after = at + word.size() < text.size() ? text[at + word.size()] : ' ';
-            const auto joins = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_'; };
-            if (!joins(before) && !joins(after)) return true;
+            // An id stands in quotes or in a list, with its parameters behind it: "all" is a word of many sentences, too.
+            const bool path = word.find('/') != std::string::npos;
+            const auto among = [](char c, std::string_view set) { return set.find(c) != std::string_view::npos; };
+            if (path || (among(before, "\",") && among(after, "\",:."))) return true;
         }
         return false;
     }
 
     /// The ids of the strategies that a source of a family describes.
     [[nodiscard]] std::vector<std::string> strategiesIn(const std::string& file) const {
-        static const std::regex kInfo(R"re((?:return|StrategyInfo\s+\w+)\s*\{\s*"([a-z][a-z-]*)")re");
+        static const std::regex kInfo(R"re(Info\(\)\s*\{\s*(?:return|StrategyInfo\s+\w+)\s*\{\s*"([a-z][a-z-]*)")re");
         std::vector<std::string> ids;
         if (!file.starts_with("core/visibility/")) return ids;
         const std::string& text = m_texts.at(file);
