@@ -21,7 +21,7 @@ struct Message {
     [[nodiscard]] bool empty() const { return text.empty(); }
 };
 
-/// Replaces `%1` … `%9` of `text` by the arguments; a placeholder without an argument stays as it is.
+/// Replaces `%1` … `%9` of `text` by the arguments; a `%n` without an argument stays as it is.
 [[nodiscard]] std::string fillIn(std::string_view text, const std::vector<std::string>& arguments);
 
 }  // namespace cullscope

@@ -36,7 +36,7 @@ struct PictureSubject {
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is
-/// not known, and an observer's camera where nobody observes, is left out, as are model folders and style. Numbers read back as
+/// not known, and an observer's camera without an observer view, is left out, as are model folders and style. Numbers read back as
 /// the very same.
 [[nodiscard]] PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix = "cullscope:");
 

@@ -18,7 +18,7 @@ const QString kFolder = QStringLiteral("screenshot/folder");
 const QString kPattern = QStringLiteral("screenshot/pattern");
 const QString kFirstPattern = QStringLiteral("{scene}-{strategy}-{n:03}.png");
 
-/// The ids of the shown strategies, for the placeholder {strategy}.
+/// The ids of the shown strategies, for the field {strategy}.
 std::string strategiesOf(const Session& session, bool grid) {
     if (!grid) return session.slot(session.culledBy(session.activeView())).id();
     std::string ids;

@@ -19,7 +19,7 @@ struct ScreenshotSettings {
 };
 
 /// The file of the next screenshot of `session`. Throws Error(Usage) with one sentence if it cannot be written: unknown
-/// placeholder or extension, missing folder, or a folder without write permission.
+/// field or extension, missing folder, or a folder without write permission.
 [[nodiscard]] std::filesystem::path screenshotPath(const Session& session, const ScreenshotSettings& settings);
 
 }  // namespace cullscope::ui
