@@ -36,8 +36,8 @@ struct PictureSubject {
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is
-/// not known, and an observer's camera without an observer view, is left out, as are model folders and style. Numbers read back as
-/// the very same.
+/// not known, and an observer's camera without an observer view, is left out, as are model folders and style. Numbers read back
+/// as the very same.
 [[nodiscard]] PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view prefix = "cullscope:");
 
 /// "cullscope:version", "cullscope:commit" and "cullscope:gl_renderer" of the program that drew the picture.
