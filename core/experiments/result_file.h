@@ -7,7 +7,7 @@
 
 namespace cullscope {
 
-/// A measurement as JSON text and as CSV (one row for each frame, same names): measurement.md, "Result".
+/// A measurement as JSON text and as CSV (one row for each frame, same names): docs/files.md.
 [[nodiscard]] std::string resultJson(const MeasureResult& result);
 [[nodiscard]] std::string resultCsv(const MeasureResult& result);
 

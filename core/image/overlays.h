@@ -69,7 +69,7 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour);
 
 /// The contour bands on the bounding spheres: the circles between them, coloured by the verdict of the sectors of the band
 /// beyond; the circle at 90° with a wider line; the axis with its start (ring) and end (dot); and on both sides of the axis each
-/// band's S, drawn from the axis outward (Han & Hong 2008, ViewMetrics 5 and 6). For `spherical-horizon`, which has slopes, the
+/// band's S, drawn from the axis outward (Han & Hong 2008, Figures 5 and 6). For `spherical-horizon`, which has slopes, the
 /// height of the sight line there. Circles closer than a few pixels are left out.
 [[nodiscard]] std::vector<OverlayLines> bandOverlay(const OverlayContext& context, const StructureSnapshot& snapshot);
 

@@ -35,7 +35,7 @@ struct ViewLook {
 /// "verdicts", "boxes", … for all that a look shows: as in files and on the command line.
 [[nodiscard]] std::vector<const char*> overlayIds(const ViewLook& look);
 
-/// The verdicts' colours (desktop.md) by TriangleState, for light and dark backgrounds (chosen by the background's luminance).
+/// The verdicts' colours by TriangleState, for light and dark backgrounds (chosen by the background's luminance).
 [[nodiscard]] std::array<PaletteEntry, kTriangleStateCount> verdictPalette(const Vec3f& background);
 
 /// Whether drawViewPicture reads the trace for this look; if not, an empty trace may be passed.

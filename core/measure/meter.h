@@ -14,7 +14,7 @@
 
 namespace cullscope {
 
-/// The number of repetitions of a frame (measurement.md, "Timing").
+/// The number of repetitions of a frame (docs/measuring.md, "Speed").
 struct TimingProtocol {
     int warmUp = 1;            ///< frames of each strategy and pose that are not counted
     int fixedRepetitions = 0;  ///< 0: until the median is steady

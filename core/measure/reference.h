@@ -24,7 +24,7 @@ struct Reference {
     [[nodiscard]] VisibleTriangles visible() const { return {visibleTriangles, facing}; }
 };
 
-/// The item buffer reference (measurement.md, "Ground truth" 1).
+/// The item buffer reference (docs/measuring.md, "Ground truth").
 /// Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
 [[nodiscard]] Reference itemBufferReference(Renderer& renderer, const SceneBuffers& buffers, const View& view, Facing facing);
 

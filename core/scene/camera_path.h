@@ -39,7 +39,7 @@ struct CameraPath {
 /// inside it half a thousandth of its radius.
 void fitDepthRange(Camera& camera, const Scene& scene);
 
-/// Reads and writes the JSON form (measurement.md, "Camera path").
+/// Reads and writes the JSON form (docs/files.md, "Camera paths").
 [[nodiscard]] CameraPath readCameraPath(const std::filesystem::path& file);
 void writeCameraPath(const std::filesystem::path& file, const CameraPath& path);
 

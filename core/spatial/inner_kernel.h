@@ -10,7 +10,7 @@ namespace cullscope {
 
 /// The part of a closed solid that is filled from the centre of its bounding sphere outward: in every direction up to a radius.
 /// It is star-shaped for every solid and contains no part of the surface, so that everything behind it, seen from outside, is
-/// hidden (methods.md, `spherical-lossless`).
+/// hidden (docs/methods/spherical.md).
 class InnerKernel {
 public:
     /// Whether a mesh has a kernel, or why it has none.

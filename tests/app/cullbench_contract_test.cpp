@@ -1,4 +1,4 @@
-// The command line's contract (measurement.md): exit status, fields, files written completely or not at all.
+// The command line's contract (docs/command-line.md): exit status, fields, files written completely or not at all.
 
 #include <fstream>
 #include <limits>

@@ -1,4 +1,4 @@
-// The command line's contract (measurement.md) for experiments of papers: their list, and the results of repeating one.
+// The command line's contract (docs/command-line.md) for experiments of papers: their list, and the results of repeating one.
 
 #include <fstream>
 #include <nlohmann/json.hpp>

@@ -13,12 +13,18 @@ inline bool longMode() {
     return value != nullptr && std::string(value) == "1";
 }
 
-/// How many views, rays or pairs a property test takes: all of them in a long run, else its sample; a quarter of that where
-/// CULLSCOPE_FEW=1, as under the sanitizers, which look for errors of memory in the same code and not for rare views.
+/// Whether samples are small (CULLSCOPE_FEW=1), as under the sanitizers, which look for errors of memory in the same code and not
+/// for rare views.
+inline bool fewSamples() {
+    const char* value = std::getenv("CULLSCOPE_FEW");
+    return value != nullptr && std::string(value) == "1";
+}
+
+/// How many views, rays or pairs a property test takes: all of them in a long run, else its sample; a quarter of that
+/// where samples are small.
 inline uint64_t howMany(uint64_t all, uint64_t sample) {
     if (longMode()) return all;
-    const char* few = std::getenv("CULLSCOPE_FEW");
-    return few != nullptr && std::string(few) == "1" ? std::max<uint64_t>(1, sample / 4) : sample;
+    return fewSamples() ? std::max<uint64_t>(1, sample / 4) : sample;
 }
 
 }  // namespace cullscope::test

@@ -6,6 +6,7 @@
 
 #include "core/mesh/load.h"
 #include "core/mesh/parametric.h"
+#include "tests/support/long_mode.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
@@ -13,6 +14,9 @@ namespace cullscope::test {
 namespace {
 
 const std::filesystem::path kClean = CULLSCOPE_SOURCE_DIR "/../shared/models/clean";
+
+// In small samples: every kind of mesh, none of more triangles.
+constexpr size_t kMostTrianglesOfFew = 2'000;
 
 void addClean(std::vector<MeshPointer>& meshes) {
     if (!std::filesystem::is_directory(kClean)) return;
@@ -24,7 +28,8 @@ void addClean(std::vector<MeshPointer>& meshes) {
     std::sort(files.begin(), files.end());
     for (const std::filesystem::path& file : files)
         for (const LoadedObject& object : loadMeshFile(file).objects)
-            if (object.mesh->triangleCount() > 0) meshes.push_back(object.mesh);
+            if (object.mesh->triangleCount() > 0 && !(fewSamples() && object.mesh->triangleCount() > kMostTrianglesOfFew))
+                meshes.push_back(object.mesh);
 }
 
 }  // namespace
@@ -91,8 +96,9 @@ MeshPointer randomTriangles(uint64_t seed, size_t count) {
 }
 
 std::vector<MeshPointer> mapTestMeshes() {
-    std::vector<MeshPointer> meshes{sphereMesh(5'000), torusMesh(5'000),   knotMesh(10'000),        starMesh(7, 5'000),
-                                    teapotMesh(5'000), awkwardTriangles(), randomTriangles(11, 400)};
+    const size_t triangles = howMany(5'000, 5'000);
+    std::vector<MeshPointer> meshes{sphereMesh(triangles), torusMesh(triangles), knotMesh(2 * triangles), starMesh(7, triangles),
+                                    teapotMesh(triangles), awkwardTriangles(),   randomTriangles(11, 400)};
     addClean(meshes);
     return meshes;
 }

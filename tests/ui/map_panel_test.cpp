@@ -259,7 +259,7 @@ TEST_F(MapPanelTest, nothingJumpsWhenTheCaseChanges) {
     change([](spherical::SphericalDecision& decision) { decision = withinDecision(decision.eye); });
     EXPECT_EQ(panel.map().layoutOfMap().area, cut);
     EXPECT_EQ(panel.map().neededHeight(400), height);
-    // The narrow dock has room for 400 × 200 (desktop.md).
+    // The narrow dock has room for 400 × 200.
     EXPECT_GE(cut.width(), 340.0);
     EXPECT_LE(height, 300);
 }

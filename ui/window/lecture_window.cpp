@@ -16,7 +16,7 @@ namespace cullscope::ui {
 
 namespace {
 
-// Lengths for a screen of 1280 × 720 (desktop.md, "Lecture"); larger screens scale them.
+// Lengths for a screen of 1280 × 720; larger screens scale them.
 constexpr QSize kDesign{1280, 720};
 constexpr int kTitle = 48;
 constexpr int kPictureWidth = 800;

@@ -60,7 +60,7 @@ struct VisibleRegion {
 
 /// A sector of a contour band: all directions between two angles α from the axis and two angles β about it.
 struct BandSector {
-    double size = 0.0;     ///< S of `spherical`: the largest centroid component perpendicular to the axis, mesh units; of
+    double size = 0.0;     ///< S of `spherical`: the largest R · sin α of its cells, mesh units (contour_bands.h); of
                            ///< `spherical-horizon`: the least slope of the surface
     double horizon = 0.0;  ///< the largest size at smaller α in this sector
     bool drawn = true;

@@ -4,7 +4,7 @@
 
 namespace cullscope::spherical {
 
-/// The region that an object's inner kernel hides from one eye (methods.md, `spherical-lossless`). Seen from outside, every sight
+/// The region that an object's inner kernel hides from one eye (docs/methods/spherical.md). Seen from outside, every sight
 /// line stays in one half-plane of the axis from the centre to the eye; the angle α at the centre grows along it; and its slope s
 /// = r·sin α / (d − r·cos α), with d the distance from the eye to the centre, is constant. A point is hidden where the kernel
 /// extends to a larger slope at a smaller α in the same half-plane. This holds for every surface that lies completely beyond the

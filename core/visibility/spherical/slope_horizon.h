@@ -28,7 +28,7 @@ struct HorizonCells {
                                         ///< have no surface
 };
 
-/// The hidden-surface test with the exact slope instead of S (methods.md, `spherical-horizon`). Along a sight line the angle β
+/// The hidden-surface test with the exact slope instead of S (docs/methods/spherical.md). Along a sight line the angle β
 /// about the axis is constant and α grows. A point at distance r and angle α has the slope s = r·sin α / (d − r·cos α), with d
 /// the distance from the eye to the centre, and all points of a sight line have the same slope. So on a star-shaped surface a
 /// point with a lower slope than the surface at a smaller α is hidden. A band's sector gets the lowest slope that its surface can

@@ -11,7 +11,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-// The fields that measurement.md, "Result", requires.
+// The fields that docs/files.md describes.
 const std::vector<std::string> kRunFields{"strategy", "promise", "facing", "parameters", "width",
                                           "height",   "windows", "upload", "build_ms",   "structure_bytes"};
 const std::vector<std::string> kFrameFields{

@@ -4,7 +4,7 @@
 
 #include "core/geometry/random.h"
 
-// The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
+// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
 // said.
 
 namespace cullscope::frustum_test {

@@ -1,4 +1,4 @@
-// Cases 6 to 11 and 15 of the battery in stability.md.
+// Cases 6 to 11 and 15 of the battery of extreme cases.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-// `frustum-select` and `frustum-query`; the cases of stability.md keep their numbers: camera at the origin looking down −z, 90°,
+// `frustum-select` and `frustum-query`; the cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°,
 // aspect 1, near 0.1, far 10 unless stated.
 
 namespace cullscope::test::frustum_box_tests_test {

@@ -5,7 +5,7 @@
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
 
-// The cases of stability.md keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
+// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
 // stated.
 
 namespace cullscope::test::frustum_octree_test {

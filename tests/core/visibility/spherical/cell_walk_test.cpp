@@ -21,7 +21,7 @@ double culledShare(const Scene& scene) {
     return culled / double(path.poses.size());
 }
 
-/// The field of measurement.md, of a mesh around the origin whose farthest vertex is at distance 1.
+/// The generator `field`, of a mesh around the origin whose farthest vertex is at distance 1.
 ScenePointer fieldOf(const MeshPointer& mesh) {
     std::vector<Mat4> places;
     for (int i = 0; i < 20; ++i)
