@@ -35,7 +35,7 @@ struct OverlayChoice {
     std::optional<MapColouring> map;
 
     [[nodiscard]] bool replacesScene() const { return map || look.sphericalModel; }
-    [[nodiscard]] bool needsTrace() const { return map || cullscope::needsTrace(look); }
+    [[nodiscard]] bool needsDecisions() const { return map || cullscope::needsDecisions(look); }
 };
 
 /// Throws Error(Usage) for a name that is no overlay, naming those that are, or that cannot be shown together with the others.

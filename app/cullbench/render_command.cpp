@@ -7,7 +7,7 @@
 #include "app/cullbench/overlays.h"
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
-#include "core/gpu/context.h"
+#include "core/gpu/gpu_frame.h"
 #include "core/image/picture_file.h"
 #include "core/image/picture_metadata.h"
 
@@ -58,20 +58,20 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
 
 /// The content of the picture, for its metadata.
 PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& strategy, const OverlayChoice& choice,
-                         const View& culling, const View& viewing, const DrawStyle& style, const Verdict& verdict) {
+                         const View& viewing, const DrawStyle& style, const FrameLog& log) {
     PictureSubject subject;
     subject.scene = options.scene.specification;
     subject.hidden = options.scene.hide;
     subject.strategy = strategy.id;
     subject.parameters = strategy.parameters;
-    subject.culling = culling.camera();
+    subject.culling = log.camera;
     subject.viewing = viewing.camera();
-    subject.cullingSize = culling.viewport();
+    subject.cullingSize = log.size;
     subject.size = viewing.viewport();
     subject.look = choice.look;
     subject.style = style;
     subject.map = choice.map;
-    subject.submittedTriangles = verdict.consideredTriangles;
+    subject.submittedTriangles = log.consideredTriangles();
     return subject;
 }
 
@@ -87,7 +87,6 @@ std::string described(const TriangleStates& states) {
 
 /// A picture and the figures printed about it.
 struct Drawn {
-    Verdict verdict;
     TriangleStates states;  ///< empty without `verdicts`
     std::vector<uint8_t> rgba;
     std::string sphere;  ///< the decision of a spherical strategy about the object whose map is shown
@@ -109,37 +108,42 @@ std::string describedMap(const spherical::MapSnapshot& map, const Scene& scene) 
     return text;
 }
 
-/// Draws the picture with its overlays.
-Drawn drawPicture(Renderer& renderer, Strategy& strategy, const std::string& id, const ScenePointer& scene, const View& culling,
+/// Replays a frame, with its overlays.
+Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
                   const View& viewing, const OverlayChoice& choice, const DrawStyle& style) {
-    Trace trace;
+    const Scene& scene = buffers.scene();
     Drawn drawn;
-    drawn.verdict = strategy.cull(culling, choice.needsTrace() ? &trace : nullptr, &renderer);
-    const StructureSnapshot snapshot = choice.needsTrace() ? strategy.snapshot(trace) : StructureSnapshot{};
-    requireOverlays(choice, id, snapshot, *scene);
-    if (!snapshot.maps.empty()) drawn.sphere = describedMap(*shownMap(snapshot), *scene);
+    const StructureSnapshot snapshot = choice.needsDecisions() ? strategy.snapshot(log) : StructureSnapshot{};
+    requireOverlays(choice, strategy.id(), snapshot, scene);
+    if (!snapshot.maps.empty()) drawn.sphere = describedMap(*shownMap(snapshot), scene);
     if (choice.map) {
         drawn.rgba = mapPicture(*shownMap(snapshot), *choice.map, viewing.viewport(), style);
         return drawn;
     }
-    const SceneBuffers buffers(scene, Upload::Vbo);
     Framebuffer target(viewing.viewport());
     const bool verdicts = choice.look.colouring == Colouring::Verdicts;
     if (verdicts) {
-        const Reference truth = itemBufferReference(renderer, buffers, culling, strategy.referenceFacing());
-        drawn.states = triangleStates(*scene, culling, drawn.verdict.drawList, trace, truth.visible());
+        const Reference truth = itemBufferReference(renderer, buffers, View(log.camera, log.size), strategy.referenceFacing());
+        drawn.states = triangleStates(scene, log, truth.visible());
     }
-    drawViewPicture(renderer, buffers, strategy, culling, viewing, drawn.verdict, trace, verdicts ? &drawn.states : nullptr,
-                    choice.look, style, target);
+    drawViewPicture(renderer, buffers, strategy, log, viewing, verdicts ? &drawn.states : nullptr, choice.look, style, target);
     drawn.rgba = target.readColour();
     return drawn;
 }
 
-/// Adds depth and triangle numbers of the draw list, without overlays.
-void addDepth(Renderer& renderer, Picture& picture, const ScenePointer& scene, const View& viewing, const DrawList& drawn) {
-    Renderer::ItemBuffer items = renderer.drawItemBuffer(SceneBuffers(scene, Upload::Vbo), viewing, drawn);
+/// Adds depth and triangle numbers of a frame, without overlays.
+void addDepth(Renderer& renderer, Picture& picture, const SceneBuffers& buffers, const View& viewing, const FrameLog& log) {
+    Renderer::ItemBuffer items = renderer.drawItemBuffer(buffers, viewing, log, {0, 0, viewing.viewport()});
     picture.depth = forwardDistances(items.depth, viewing);
     picture.triangle = std::move(items.triangle);
+}
+
+/// The frame that every picture of the command replays.
+FrameLog frameOf(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const View& culling,
+                 bool recording) {
+    GpuFrame frame(renderer, buffers, culling, recording);
+    strategy.draw(frame, *strategy.begin());
+    return frame.take();
 }
 
 void run(const RenderOptions& options, const Context& context) {
@@ -157,30 +161,33 @@ void run(const RenderOptions& options, const Context& context) {
     const View viewingView(viewing, size);
     const HeadlessContext gl;
     requireAvailable(request, gl.info());
-    const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
-    strategy->build(*opened.scene, terminalProgress(context));
+    StructureStore structures;
+    const BuiltStrategyPointer strategy =
+        buildStrategy(request.id, request.parameters, opened.scene, structures, terminalProgress(context));
     clearProgress();
     terminalProgress(context).check();
     Renderer renderer;
-    Drawn drawn = drawPicture(renderer, *strategy, request.id, opened.scene, view, viewingView, choice, style);
+    const SceneBuffers buffers(opened.scene, Upload::Vbo);
+    const FrameLog log =
+        frameOf(renderer, buffers, *strategy, view, choice.needsDecisions() || (below && below->overlays.needsDecisions()));
+    Drawn drawn = drawPicture(renderer, buffers, *strategy, log, viewingView, choice, style);
     if (below) {
         const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
         // Rows count from the bottom, so the second picture's rows come first.
-        Drawn second = drawPicture(renderer, *strategy, request.id, opened.scene, view, side, below->overlays, style);
+        Drawn second = drawPicture(renderer, buffers, *strategy, log, side, below->overlays, style);
         drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
         if (drawn.sphere.empty()) drawn.sphere = std::move(second.sphere);
     }
-    const auto& [verdict, states, rgba, sphere] = drawn;
+    const auto& [states, rgba, sphere] = drawn;
     const Viewport whole{size.width, below ? 2 * size.height : size.height};
-    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, view, viewingView, style, verdict));
+    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, viewingView, style, log));
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
     Picture picture{whole, rgba, std::move(metadata)};
-    if (keepsDepth(options.output) && !choice.replacesScene() && !below)
-        addDepth(renderer, picture, opened.scene, viewingView, verdict.drawList);
+    if (keepsDepth(options.output) && !choice.replacesScene() && !below) addDepth(renderer, picture, buffers, viewingView, log);
     writePicture(options.output, picture);
     // Where the picture goes to standard output, the text goes to standard error.
     std::FILE* words = options.output == "-" ? stderr : stdout;
-    fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, verdict.consideredTriangles,
+    fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, log.consideredTriangles(),
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());
     if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
     if (!sphere.empty()) fmt::print(words, "{}: {}\n", options.output, sphere);

@@ -44,12 +44,12 @@ struct CellFigures {
     std::map<std::string, size_t> meshesByKernel;
 };
 
-CellFigures cellFigures(Strategy& strategy, const Scene& scene) {
+CellFigures cellFigures(const BuiltStrategy& strategy) {
+    const Scene& scene = strategy.scene();
     CellFigures figures;
-    Trace trace;
-    (void)strategy.cull(View(overviewCamera(scene, 1.0), {64, 64}), &trace);
+    const FrameLog log = strategy.decide(View(overviewCamera(scene, 1.0), {64, 64}), *strategy.begin(), true);
     std::set<uint32_t> seen;
-    for (const spherical::MapSnapshot& map : strategy.snapshot(trace).maps) {
+    for (const spherical::MapSnapshot& map : strategy.snapshot(log).maps) {
         if (!map.tree || !seen.insert(scene.instances()[map.decision.instance].mesh).second) continue;
         figures.layout = mapLayoutId(map.tree->layout());
         ++figures.meshesByKernel[map.kernel ? InnerKernel::stateName(map.kernel->state()) : "not made"];
@@ -76,14 +76,15 @@ std::optional<PlaneFigures> planeFigures(std::string_view id, const Scene& scene
 void runInspect(const InspectOptions& options, const Context& context) {
     const StrategyRequest request = strategiesOf({options.strategy}, options.parameters).front();
     const OpenedScene opened = openSceneForCommand(options.scene, context);
-    const StrategyPointer strategy = makeStrategy(request.id, request.parameters);
-    strategy->build(*opened.scene, terminalProgress(context));
+    StructureStore structures;
+    const BuiltStrategyPointer strategy =
+        buildStrategy(request.id, request.parameters, opened.scene, structures, terminalProgress(context));
     clearProgress();
-    const StructureReport& structure = strategy->structure();
+    const StructureReport& structure = strategy->report();
     const Scene& scene = *opened.scene;
     // A strategy that needs OpenGL has no cells, and there is no context here to cull with.
-    const bool needsOpenGl = findStrategy(request.id).info.glRequirement != GlRequirement::None;
-    const CellFigures cells = needsOpenGl ? CellFigures{} : cellFigures(*strategy, scene);
+    const bool needsOpenGl = strategy->info().glRequirement != GlRequirement::None;
+    const CellFigures cells = needsOpenGl ? CellFigures{} : cellFigures(*strategy);
     const std::optional<PlaneFigures> planes = needsOpenGl ? std::nullopt : planeFigures(request.id, scene);
     const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
     if (!options.json.empty()) {

@@ -132,7 +132,8 @@ PaperExperiment table1() {
 PaperValue casesFound(const RunMeasurement& run) {
     std::map<int, int> counts;
     for (const FrameMeasurement& frame : run.frames)
-        if (frame.caseNumber > 0) ++counts[frame.caseNumber];
+        for (const NamedFigure& figure : frame.figures)
+            if (figure.name == "case") ++counts[int(figure.value)];
     std::string words;
     for (const auto& [number, count] : counts)
         words += (words.empty() ? "" : ", ") + std::to_string(number) + " ×" + std::to_string(count);

@@ -1,5 +1,6 @@
 #include "core/experiments/result_file.h"
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -21,6 +22,11 @@ Json parametersJson(const ParameterSet& parameters) {
 /// By Cause.
 constexpr std::array<const char*, kCauseCount> kCulledFields{"culled_outside_frustum", "culled_back_facing", "culled_hidden",
                                                              "culled_too_small"};
+
+/// A whole number without a fraction.
+Json numberJson(double value) {
+    return value == std::floor(value) && std::abs(value) < 1e15 ? Json(int64_t(value)) : Json(value);
+}
 
 /// The fields of one frame, the same in JSON and CSV. A value that was not measured is null.
 Json frameJson(const FrameMeasurement& frame) {
@@ -46,7 +52,8 @@ Json frameJson(const FrameMeasurement& frame) {
     json["parts"] = Json::object();
     for (const CullPart& part : frame.parts)
         json["parts"][part.name] = {{"objects", part.objects}, {"culled_triangles", part.culledTriangles}};
-    json["case"] = frame.caseNumber > 0 ? Json(frame.caseNumber) : Json(nullptr);
+    json["case"] = nullptr;
+    for (const NamedFigure& named : frame.figures) json[named.name] = numberJson(named.value);
     return json;
 }
 
@@ -138,9 +145,18 @@ std::string resultCsv(const MeasureResult& result) {
         head.update(runHead(run, result.request));
         return head;
     };
-    if (!result.runs.empty()) appendRow(csv, sceneHead(result.runs.front()), frameJson({}), true);
+    // Every row has the columns of all: families have figures of their own.
+    Json columns = frameJson({});
     for (const RunMeasurement& run : result.runs)
-        for (const FrameMeasurement& frame : run.frames) appendRow(csv, sceneHead(run), frameJson(frame), false);
+        for (const FrameMeasurement& frame : run.frames)
+            for (const NamedFigure& named : frame.figures) columns.emplace(named.name, nullptr);
+    if (!result.runs.empty()) appendRow(csv, sceneHead(result.runs.front()), columns, true);
+    for (const RunMeasurement& run : result.runs)
+        for (const FrameMeasurement& frame : run.frames) {
+            Json row = columns;
+            row.update(frameJson(frame));
+            appendRow(csv, sceneHead(run), row, false);
+        }
     return csv;
 }
 

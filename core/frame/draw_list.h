@@ -10,6 +10,12 @@ namespace cullscope {
 /// Which faces OpenGL draws.
 enum class Facing { TwoSided, Front };
 
+/// How what is drawn meets what was drawn before it.
+enum class DepthRule {
+    Nearest,  ///< depth test: the nearest surface stays
+    InOrder   ///< no depth test: what is drawn later covers what was drawn before
+};
+
 /// The triangles of a scene's meshes in an order chosen by a strategy, so that what it draws lies in few ranges. Views of arrays
 /// that `owner` keeps alive; they never change.
 struct TriangleOrder {
@@ -37,6 +43,7 @@ struct DrawList {
     Facing facing = Facing::TwoSided;
     std::vector<DrawRange> ranges;
     TriangleOrderPointer order{};  ///< the order that the ranges refer to; null: every mesh's own
+    DepthRule depth = DepthRule::Nearest;
 
     [[nodiscard]] uint64_t triangleCount() const {
         uint64_t count = 0;

@@ -12,6 +12,7 @@ enum class Containment { Outside, Straddles, Inside };
 
 /// The order of a frustum's planes; a trace names the plane that culled by this number.
 enum class FrustumPlane { Left, Right, Bottom, Top, Near, Far };
+inline constexpr size_t kFrustumPlaneCount = 6;
 
 /// A view frustum in coordinates relative to the eye (world axes, origin at the eye): no precision is lost far from the world's
 /// origin, and the four side planes pass through 0.

@@ -141,7 +141,7 @@ private:
 
 }  // namespace
 
-Renderer::SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const EyeBox> boxes, size_t bufferWords) {
+SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const EyeBox> boxes, size_t bufferWords) {
     requireSelectionMode();
     SelectedBoxes selected{{}, std::max<size_t>(bufferWords, 1), 0};
     if (boxes.empty()) return selected;
@@ -159,14 +159,12 @@ Renderer::SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const 
     return selected;
 }
 
-std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes) {
+namespace {
+
+/// One query for each box, with the program and the state that are set.
+std::vector<uint32_t> boxesWithSamples(std::span<const EyeBox> boxes, const View& view) {
     std::vector<uint32_t> passed;
-    if (boxes.empty()) return passed;
-    const EmptyFramebuffer target(view.viewport());
     const BoxArray array(cornersOf(boxes));
-    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
-    glEnable(GL_DEPTH_CLAMP);
-    glUseProgram(m_programs->depth.id());
     glUniformMatrix4fv(kClipFromPositions, 1, GL_FALSE, glm::value_ptr(Mat4f(view.clipFromEyeRelative())));
     std::vector<GLuint> queries(boxes.size());
     glCreateQueries(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, static_cast<GLsizei>(queries.size()), queries.data());
@@ -182,8 +180,33 @@ std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const Eye
         if (any != GL_FALSE) passed.push_back(static_cast<uint32_t>(box));
     }
     glDeleteQueries(static_cast<GLsizei>(queries.size()), queries.data());
+    return passed;
+}
+
+}  // namespace
+
+std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes) {
+    if (boxes.empty()) return {};
+    const EmptyFramebuffer target(view.viewport());
+    glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
+    glEnable(GL_DEPTH_CLAMP);
+    glUseProgram(m_programs->depth.id());
+    std::vector<uint32_t> passed = boxesWithSamples(boxes, view);
     glDisable(GL_DEPTH_CLAMP);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
+    return passed;
+}
+
+std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn) {
+    if (boxes.empty()) return {};
+    const DrawingState state(view, drawn, Facing::TwoSided);
+    glEnable(GL_DEPTH_CLAMP);
+    glDepthFunc(GL_GEQUAL);
+    glDepthMask(GL_FALSE);
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    glUseProgram(m_programs->depth.id());
+    std::vector<uint32_t> passed = boxesWithSamples(boxes, view);
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
     return passed;
 }
 

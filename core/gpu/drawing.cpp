@@ -1,11 +1,12 @@
 #include "core/gpu/drawing.h"
 
+#include <algorithm>
 #include <cassert>
 #include <glm/gtc/type_ptr.hpp>
 
 namespace cullscope {
 
-DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing facing) {
+DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing facing, DepthRule depth) {
     const PictureTile& tile = target.tile();
     assert(tile.x >= 0 && tile.x + tile.size.width <= view.viewport().width);
     assert(tile.y >= 0 && tile.y + tile.size.height <= view.viewport().height);
@@ -20,7 +21,7 @@ DrawingState::DrawingState(const View& view, const Framebuffer& target, Facing f
     glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_GREATER);
+    glDepthFunc(depth == DepthRule::Nearest ? GL_GREATER : GL_ALWAYS);
     glDepthMask(GL_TRUE);
     glClearDepth(0.0);
     if (facing == Facing::Front)
@@ -122,6 +123,35 @@ void VertexInput::bind(const View& view, uint32_t number, Indices indices) {
     const Instance& instance = m_buffers.scene().instances()[number];
     bindMesh(instance.mesh, indices);
     setInstanceUniforms(view, instance, *m_buffers.scene().meshes()[instance.mesh]);
+}
+
+OwnInput::OwnInput(const OwnTriangles& triangles, unsigned vertexArray) : m_triangles(triangles) {
+    const auto bytes = static_cast<GLsizeiptr>(triangles.positions.size() * sizeof(Vec3f));
+    glCreateBuffers(1, &m_vertices);
+    glNamedBufferStorage(m_vertices, std::max<GLsizeiptr>(1, 2 * bytes), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glNamedBufferSubData(m_vertices, 0, bytes, triangles.positions.data());
+    glNamedBufferSubData(m_vertices, bytes, bytes, triangles.normals.data());
+    glCreateBuffers(1, &m_numbers);
+    glNamedBufferStorage(m_numbers,
+                         std::max<GLsizeiptr>(4, static_cast<GLsizeiptr>(triangles.triangles.size() * sizeof(uint32_t))),
+                         triangles.triangles.empty() ? nullptr : triangles.triangles.data(), 0);
+    glBindVertexArray(vertexArray);
+    glVertexArrayVertexBuffer(vertexArray, kPosition, m_vertices, 0, sizeof(Vec3f));
+    glVertexArrayVertexBuffer(vertexArray, kNormal, m_vertices, bytes, sizeof(Vec3f));
+}
+
+OwnInput::~OwnInput() {
+    glDeleteBuffers(1, &m_vertices);
+    glDeleteBuffers(1, &m_numbers);
+}
+
+void OwnInput::draw(const Scene& scene, const View& view, const std::function<void(const OwnTriangles::Run&)>& perRun) const {
+    for (const OwnTriangles::Run& run : m_triangles.runs) {
+        const Instance& instance = scene.instances()[run.instance];
+        setInstanceUniforms(view, instance, *scene.meshes()[instance.mesh]);
+        perRun(run);
+        glDrawArrays(GL_TRIANGLES, static_cast<GLint>(3 * run.first), static_cast<GLsizei>(3 * run.count));
+    }
 }
 
 }  // namespace cullscope

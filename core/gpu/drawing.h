@@ -2,6 +2,9 @@
 
 #include <epoxy/gl.h>
 
+#include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/gpu/program.h"
@@ -33,16 +36,17 @@ struct Renderer::Programs {
     Programs(const Programs&) = delete;
     Programs& operator=(const Programs&) = delete;
 
-    Program lambert, depth, item, state, line, sphericalModel;
-    unsigned vertexArray = 0;  ///< of scene triangles
-    unsigned lineArray = 0;    ///< of LineOnGpu, one element per drawn line
+    Program lambert, depth, item, itemOrdered, state, line, sphericalModel;
+    std::map<std::string, Program> choices;  ///< by the body of `chosen`
+    unsigned vertexArray = 0;                ///< of scene triangles
+    unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
 };
 
 /// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. The destructor restores the defaults that Qt expects.
 class DrawingState {
 public:
     /// For the picture of `view`, or for the part of it that `target` holds.
-    DrawingState(const View& view, const Framebuffer& target, Facing facing);
+    DrawingState(const View& view, const Framebuffer& target, Facing facing, DepthRule depth = DepthRule::Nearest);
     ~DrawingState();
     DrawingState(const DrawingState&) = delete;
     DrawingState& operator=(const DrawingState&) = delete;
@@ -52,8 +56,30 @@ private:
     GLint m_previousRead = 0;
 };
 
+/// Triangles that a strategy made, as vertex input; the instance's uniforms are set by run.
+class OwnInput {
+public:
+    OwnInput(const OwnTriangles& triangles, unsigned vertexArray);
+    ~OwnInput();
+    OwnInput(const OwnInput&) = delete;
+    OwnInput& operator=(const OwnInput&) = delete;
+
+    /// Draws all runs; `perRun(run)` is called before each.
+    void draw(const Scene& scene, const View& view, const std::function<void(const OwnTriangles::Run&)>& perRun) const;
+    /// The scene triangle numbers, as a shader storage buffer.
+    [[nodiscard]] unsigned numbers() const { return m_numbers; }
+
+private:
+    const OwnTriangles& m_triangles;
+    unsigned m_vertices = 0, m_numbers = 0;
+};
+
 /// Clears the bound framebuffer's colour to the style's background, and its depth.
 void clearTo(const DrawStyle& style);
+
+/// Writes the part of a finished picture that a framebuffer holds: its depth, and its colour, shaded as the Lambert shader does.
+void writePicture(const Scene& scene, const View& view, const FinishedPicture& picture, const DrawStyle& style,
+                  Framebuffer& target);
 
 /// Binds meshes as vertex input, one at a time, and returns addresses into their index buffers.
 class VertexInput {

@@ -28,6 +28,7 @@ public:
     [[nodiscard]] const Viewport& size() const { return m_tile.size; }
     [[nodiscard]] const PictureTile& tile() const { return m_tile; }
     [[nodiscard]] unsigned id() const { return m_framebuffer; }
+    [[nodiscard]] unsigned colourTexture() const { return m_colour; }
     [[nodiscard]] unsigned depthTexture() const { return m_depth; }
 
     [[nodiscard]] std::vector<uint8_t> readColour() const;  ///< RGBA, width · height · 4 bytes

@@ -19,6 +19,14 @@ public:
     ItemTarget(const ItemTarget&) = delete;
     ItemTarget& operator=(const ItemTarget&) = delete;
 
+    /// Makes the numbers the colour of the framebuffer, so that what is drawn last stays.
+    void drawInOrder() const {
+        glNamedFramebufferTexture(m_depth.id(), GL_COLOR_ATTACHMENT0, m_items, 0);
+        glClearNamedFramebufferuiv(m_depth.id(), GL_COLOR, 0, &kNothing);
+        constexpr GLfloat kFar = 0.0f;
+        glClearNamedFramebufferfv(m_depth.id(), GL_DEPTH, 0, &kFar);
+    }
+
     [[nodiscard]] const Framebuffer& depth() const { return m_depth; }
     [[nodiscard]] unsigned items() const { return m_items; }
 
@@ -70,6 +78,75 @@ void drawItems(unsigned depthProgram, unsigned itemProgram, unsigned vertexArray
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
+/// The part of a finished picture that a target holds.
+void writeItems(const FinishedPicture& picture, const ItemTarget& target) {
+    const PictureTile& tile = target.depth().tile();
+    std::vector<uint32_t> items;
+    std::vector<float> depth;
+    for (int y = tile.y; y < tile.y + tile.size.height; ++y)
+        for (int x = tile.x; x < tile.x + tile.size.width; ++x) {
+            const size_t pixel = size_t(y) * size_t(picture.size.width) + size_t(x);
+            items.push_back(picture.triangle[pixel] - 1);  // 0 becomes kNothing
+            depth.push_back(picture.depth[pixel]);
+        }
+    glTextureSubImage2D(target.items(), 0, 0, 0, tile.size.width, tile.size.height, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                        items.data());
+    glTextureSubImage2D(target.depth().depthTexture(), 0, 0, 0, tile.size.width, tile.size.height, GL_DEPTH_COMPONENT, GL_FLOAT,
+                        depth.data());
+}
+
+/// Replays a frame's commands into a target, each with its own depth rule.
+void replayItems(unsigned program, unsigned vertexArray, const SceneBuffers& buffers, const View& view, const FrameLog& log,
+                 const ItemTarget& target, const std::optional<PictureTile>& scissor) {
+    target.drawInOrder();
+    const auto limit = [&] {
+        if (!scissor) return;
+        glScissor(scissor->x, scissor->y, scissor->size.width, scissor->size.height);
+        glEnable(GL_SCISSOR_TEST);
+    };
+    for (const Command& command : log.commands) {
+        if (const auto* picture = std::get_if<FinishedPicturePointer>(&command)) writeItems(**picture, target);
+        if (const auto* list = std::get_if<DrawList>(&command)) {
+            const DrawingState state(view, target.depth(), list->facing, list->depth);
+            limit();
+            glUseProgram(program);
+            submitItems(buffers, view, *list, vertexArray);
+        }
+        if (const auto* own = std::get_if<OwnTrianglesPointer>(&command)) {
+            const DrawingState state(view, target.depth(), (*own)->facing, (*own)->depth);
+            limit();
+            glUseProgram(program);
+            const OwnInput input(**own, vertexArray);
+            glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, input.numbers());
+            glUniform1ui(kFirstTriangle, 0);
+            input.draw(buffers.scene(), view,
+                       [](const OwnTriangles::Run& run) { glUniform1i(kFirstPlace, static_cast<GLint>(run.first)); });
+            glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kOrderBinding, 0);
+        }
+    }
+}
+
+Renderer::ItemBuffer read(const ItemTarget& target) {
+    const Viewport& size = target.depth().size();
+    Renderer::ItemBuffer result{target.depth().readDepth(),
+                                std::vector<uint32_t>(static_cast<size_t>(size.width) * static_cast<size_t>(size.height))};
+    glGetTextureImage(target.items(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                      static_cast<GLsizei>(result.triangle.size() * sizeof(uint32_t)), result.triangle.data());
+    // The image holds triangle numbers, with the largest number for an empty pixel; the result holds numbers + 1, with 0 for an
+    // empty pixel. The addition wraps the largest number to 0.
+    for (uint32_t& triangle : result.triangle) ++triangle;
+    return result;
+}
+
+std::optional<PickedTriangle> readPixel(const ItemTarget& target, int x, int y) {
+    GLuint triangle = kNothing;
+    GLfloat depth = 0.0f;
+    glGetTextureSubImage(target.items(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, sizeof triangle, &triangle);
+    glGetTextureSubImage(target.depth().depthTexture(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
+    if (triangle == kNothing) return std::nullopt;
+    return PickedTriangle{triangle, depth};
+}
+
 }  // namespace
 
 Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list,
@@ -80,14 +157,17 @@ Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const
         const DrawingState state(view, target.depth(), list.facing);
         drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->vertexArray, buffers, view, list, target);
     }
-    ItemBuffer result{target.depth().readDepth(),
-                      std::vector<uint32_t>(static_cast<size_t>(tile.size.width) * static_cast<size_t>(tile.size.height))};
-    glGetTextureImage(target.items(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                      static_cast<GLsizei>(result.triangle.size() * sizeof(uint32_t)), result.triangle.data());
-    // The image holds triangle numbers, with the largest number for an empty pixel; the result holds numbers + 1, with 0 for an
-    // empty pixel. The addition wraps the largest number to 0.
-    for (uint32_t& triangle : result.triangle) ++triangle;
-    return result;
+    return read(target);
+}
+
+Renderer::ItemBuffer Renderer::drawItemBuffer(const SceneBuffers& buffers, const View& view, const FrameLog& log,
+                                              const PictureTile& tile) {
+    if (log.drawsScene() || !replaysFrom(view, log))
+        return drawItemBuffer(buffers, view, drawnTriangles(buffers.scene(), log), tile);
+    requireNumbers(buffers.scene());
+    const ItemTarget target(tile);
+    replayItems(m_programs->itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target, std::nullopt);
+    return read(target);
 }
 
 std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const View& view, const DrawList& list, int x, int y) {
@@ -101,12 +181,17 @@ std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const 
         glEnable(GL_SCISSOR_TEST);
         drawItems(m_programs->depth.id(), m_programs->item.id(), m_programs->vertexArray, buffers, view, list, target);
     }
-    GLuint triangle = kNothing;
-    GLfloat depth = 0.0f;
-    glGetTextureSubImage(target.items(), 0, x, y, 0, 1, 1, 1, GL_RED_INTEGER, GL_UNSIGNED_INT, sizeof triangle, &triangle);
-    glGetTextureSubImage(target.depth().depthTexture(), 0, x, y, 0, 1, 1, 1, GL_DEPTH_COMPONENT, GL_FLOAT, sizeof depth, &depth);
-    if (triangle == kNothing) return std::nullopt;
-    return PickedTriangle{triangle, depth};
+    return readPixel(target, x, y);
+}
+
+std::optional<PickedTriangle> Renderer::pick(const SceneBuffers& buffers, const View& view, const FrameLog& log, int x, int y) {
+    if (log.drawsScene() || !replaysFrom(view, log)) return pick(buffers, view, drawnTriangles(buffers.scene(), log), x, y);
+    const Viewport size = view.viewport();
+    if (x < 0 || y < 0 || x >= size.width || y >= size.height) return std::nullopt;
+    requireNumbers(buffers.scene());
+    const ItemTarget target({0, 0, size});
+    replayItems(m_programs->itemOrdered.id(), m_programs->vertexArray, buffers, view, log, target, PictureTile{x, y, {1, 1}});
+    return readPixel(target, x, y);
 }
 
 }  // namespace cullscope

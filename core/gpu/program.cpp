@@ -22,9 +22,15 @@ unsigned compiled(GLenum stage, std::string_view source) {
 }  // namespace
 
 Program::Program(std::string_view vertexSource, std::string_view geometrySource, std::string_view fragmentSource)
-    : m_program(glCreateProgram()) {
-    std::vector<unsigned> shaders{compiled(GL_VERTEX_SHADER, vertexSource), compiled(GL_FRAGMENT_SHADER, fragmentSource)};
-    if (!geometrySource.empty()) shaders.push_back(compiled(GL_GEOMETRY_SHADER, geometrySource));
+    : Program([&] {
+          std::vector<unsigned> shaders{compiled(GL_VERTEX_SHADER, vertexSource), compiled(GL_FRAGMENT_SHADER, fragmentSource)};
+          if (!geometrySource.empty()) shaders.push_back(compiled(GL_GEOMETRY_SHADER, geometrySource));
+          return shaders;
+      }()) {}
+
+Program Program::compute(std::string_view source) { return Program(std::vector{compiled(GL_COMPUTE_SHADER, source)}); }
+
+Program::Program(const std::vector<unsigned>& shaders) : m_program(glCreateProgram()) {
     for (const unsigned shader : shaders) glAttachShader(m_program, shader);
     glLinkProgram(m_program);
     GLint linked = GL_FALSE;

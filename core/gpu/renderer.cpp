@@ -1,5 +1,6 @@
 #include "core/gpu/renderer.h"
 
+#include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/gpu/submission.h"
@@ -20,6 +21,7 @@ Renderer::Programs::Programs()
     : lambert(embedded::scene_vert, embedded::lambert_frag),
       depth(embedded::scene_vert, embedded::depth_frag),
       item(embedded::scene_vert, embedded::item_frag),
+      itemOrdered(embedded::scene_vert, embedded::item_ordered_frag),
       state(embedded::scene_vert, embedded::state_frag),
       line(embedded::line_vert, embedded::line_frag),
       sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag) {
@@ -42,11 +44,49 @@ Renderer::~Renderer() = default;
 
 void Renderer::draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
                     const DrawStyle& style) {
-    const DrawingState state(view, target, list.facing);
+    const DrawingState state(view, target, list.facing, list.depth);
     clearTo(style);
     glUseProgram(m_programs->lambert.id());
     glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
     submitAll(buffers, view, list, m_programs->vertexArray);
+}
+
+void Renderer::clear(const View& view, Framebuffer& target, const DrawStyle& style) {
+    const DrawingState state(view, target, Facing::TwoSided);
+    clearTo(style);
+}
+
+void Renderer::execute(const SceneBuffers& buffers, const View& view, const Command& command, Framebuffer& target,
+                       const DrawStyle& style) {
+    if (const auto* picture = std::get_if<FinishedPicturePointer>(&command))
+        return writePicture(buffers.scene(), view, **picture, style, target);
+    const auto begin = [&] {
+        glUseProgram(m_programs->lambert.id());
+        glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
+    };
+    if (const auto* list = std::get_if<DrawList>(&command)) {
+        const DrawingState state(view, target, list->facing, list->depth);
+        begin();
+        submitAll(buffers, view, *list, m_programs->vertexArray);
+    }
+    if (const auto* own = std::get_if<OwnTrianglesPointer>(&command)) {
+        const DrawingState state(view, target, (*own)->facing, (*own)->depth);
+        begin();
+        OwnInput(**own, m_programs->vertexArray).draw(buffers.scene(), view, [](const OwnTriangles::Run&) {});
+    }
+}
+
+void Renderer::draw(const SceneBuffers& buffers, const View& view, const FrameLog& log, Framebuffer& target,
+                    const DrawStyle& style) {
+    if (!replaysFrom(view, log)) return draw(buffers, view, drawnTriangles(buffers.scene(), log), target, style);
+    clear(view, target, style);
+    for (const Command& command : log.commands) execute(buffers, view, command, target, style);
+}
+
+bool replaysFrom(const View& view, const FrameLog& log) {
+    if (view.camera() == log.camera && view.viewport() == log.size) return true;
+    return std::ranges::none_of(log.commands,
+                                [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });
 }
 
 DrawList everything(const Scene& scene, Facing facing) {

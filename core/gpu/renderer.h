@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "core/frame/draw_list.h"
+#include "core/frame/frame_context.h"
 #include "core/gpu/framebuffer.h"
 #include "core/gpu/scene_buffers.h"
 #include "core/scene/camera.h"
@@ -82,6 +82,14 @@ public:
     /// Clears `target` and draws the list as seen by `view`, whose viewport must be the target's size or contain its tile.
     void draw(const SceneBuffers& buffers, const View& view, const DrawList& list, Framebuffer& target,
               const DrawStyle& style = {});
+    /// Replays a frame: clears `target` and executes the log's commands as seen by `view`. Where that is the culling view, the
+    /// picture is the frame's own. From any other place a finished picture is seen as the triangles that it shows.
+    void draw(const SceneBuffers& buffers, const View& view, const FrameLog& log, Framebuffer& target,
+              const DrawStyle& style = {});
+    /// The first step of `draw`, and one command: drawn into `target` over what is there.
+    void clear(const View& view, Framebuffer& target, const DrawStyle& style);
+    void execute(const SceneBuffers& buffers, const View& view, const Command& command, Framebuffer& target,
+                 const DrawStyle& style);
 
     /// Ground truth: for every pixel the depth and the lowest triangle number (Scene numbering + 1; 0 = nothing) at that depth.
     /// Draws `list` in a depth pass with the same vertex program as `draw`, then with GL_EQUAL and an atomic minimum.
@@ -96,18 +104,20 @@ public:
     /// The same for a tile of the picture.
     [[nodiscard]] ItemBuffer drawItemBuffer(const SceneBuffers& buffers, const View& view, const DrawList& list,
                                             const PictureTile& tile);
+    /// What a frame shows at every pixel, by a replay of its log. Where all of it is drawn from the scene with a depth test: as
+    /// above. Else in the frame's order, what was shown last.
+    [[nodiscard]] ItemBuffer drawItemBuffer(const SceneBuffers& buffers, const View& view, const FrameLog& log,
+                                            const PictureTile& tile);
 
     /// The triangle of `list` that is visible at a pixel (y upward), the same as drawItemBuffer gives there; none where nothing
     /// is drawn or the pixel lies outside the viewport. Draws one pixel only. Throws as drawItemBuffer does.
     [[nodiscard]] std::optional<PickedTriangle> pick(const SceneBuffers& buffers, const View& view, const DrawList& list, int x,
                                                      int y);
+    [[nodiscard]] std::optional<PickedTriangle> pick(const SceneBuffers& buffers, const View& view, const FrameLog& log, int x,
+                                                     int y);
 
     /// The boxes that OpenGL's selection mode hits, with the whole picture as the pick region (Cho et al., chapter 3.2).
-    struct SelectedBoxes {
-        std::vector<uint32_t> hits;  ///< indices into the span, used as the boxes' names, ascending
-        size_t bufferWords = 0;      ///< size of the hit buffer that held all records; four words for each hit
-        int overflows = 0;           ///< how often a smaller buffer was too small
-    };
+    using SelectedBoxes = cullscope::SelectedBoxes;
     /// Draws the faces of boxes relative to the eye, both sides, in GL_SELECT with a hit buffer of `bufferWords` (at least 1),
     /// and again with twice as many as long as it overflows (glRenderMode returns −1). A box that contains the whole frustum is
     /// not hit. Throws Error(OpenGl) without a compatibility profile.
@@ -118,6 +128,8 @@ public:
     /// Waits for the results. A box that contains the whole frustum covers no sample, nor does one behind the eye; one beyond the
     /// near or far plane does.
     [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes);
+    /// The boxes that cover a sample at which they lie before, or at, what was drawn into `drawn`, whose depth does not change.
+    [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn);
 
     /// Clears `target` and draws every triangle of the scene as seen by `view`, coloured by palette[stateOfTriangle[number]],
     /// almost unshaded (Lambert ± 10 %). Halo and hatch of marked triangles contrast with the style's background. Throws
@@ -135,6 +147,30 @@ public:
     /// Draws lines over a finished picture, without clearing or writing depth; also those beyond the view's depth range.
     void drawLines(const View& view, std::span<const LineSegment> lines, const LineStyle& style, Framebuffer& target);
 
+    /// Candidates for whose drawing the GPU has decided, in draw commands of its own memory.
+    class Choice {
+    public:
+        Choice(const SceneBuffers& buffers, DrawList candidates, unsigned commands)
+            : m_buffers(&buffers), m_candidates(std::move(candidates)), m_commands(commands) {}
+        ~Choice();
+        Choice(Choice&& other) noexcept;
+        Choice(const Choice&) = delete;
+        Choice& operator=(const Choice&) = delete;
+
+        /// Those that were chosen. Waits for the GPU.
+        [[nodiscard]] DrawList chosen() const;
+
+    private:
+        friend class Renderer;
+        const SceneBuffers* m_buffers;
+        DrawList m_candidates;
+        unsigned m_commands;
+    };
+    /// Has a compute shader choose among candidates. Throws Error(OpenGl) with the driver's log where the body is refused.
+    [[nodiscard]] Choice choose(const SceneBuffers& buffers, const GpuChoice& choice);
+    /// Draws what was chosen over what is in `target`. Needs buffer objects (Upload::Vbo).
+    void execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style);
+
 private:
     struct Programs;
     std::unique_ptr<Programs> m_programs;
@@ -142,6 +178,9 @@ private:
 
 /// A draw list of every triangle of a scene, instance by instance.
 [[nodiscard]] DrawList everything(const Scene& scene, Facing facing);
+
+/// Whether a frame's commands make its picture from there: a finished picture can be seen from its own place only.
+[[nodiscard]] bool replaysFrom(const View& view, const FrameLog& log);
 
 /// Waits until the GPU has finished all submitted work.
 void waitForGpu();

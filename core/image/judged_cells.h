@@ -7,7 +7,7 @@
 namespace cullscope {
 
 /// The tested cell of the quadtree that holds a direction. Null where no triangle's centroid lies in that direction's cell, where
-/// the object's quadtree was not walked, or where the cull was not traced.
+/// the object's quadtree was not walked, or where the frame was not recorded.
 [[nodiscard]] const spherical::JudgedCell* judgedCellAt(const spherical::MapSnapshot& map, const Vec3& direction);
 
 /// The border of a quadtree's cell as a closed line through points (θ, φ) in radians, φ continued over the seam: the last point

@@ -64,7 +64,7 @@ struct Contour {
 
 /// The triangle index map as a picture of a given size, φ to the right (0 … 360°) and θ downward (0 … 180°), twice as wide as it
 /// is high, with ticks every 30°. It shows the cells' colours; the visible region in dashed red, its boxes, the corner rays'
-/// points (crosses for rays that missed) and, of a traced cull, the cells that the rays walked; the contours between the bands
+/// points (crosses for rays that missed) and, of a recorded frame, the cells that the rays walked; the contours between the bands
 /// with their start (ring) and end (dot); the cells that `spherical-lossless` tested, if they are some pixels large, and in a
 /// wide red line the kernel's outline as seen from the eye, with the directions to the eye (ring) and away from it (dot). RGBA,
 /// rows from the bottom.

@@ -7,8 +7,6 @@
 
 namespace cullscope {
 
-inline constexpr size_t kFrustumPlaneCount = 6;
-
 /// A colour for each plane of a frustum, for light and dark backgrounds (chosen by the background's luminance). They can be
 /// distinguished from each other, from the background and from the verdicts' colours with normal colour vision and three
 /// deficiencies.

@@ -90,23 +90,23 @@ VerdictPalette verdictPalette(const Vec3f& background) {
     return palette;
 }
 
-bool needsTrace(const ViewLook& look) {
+bool needsDecisions(const ViewLook& look) {
     return !look.sphericalModel && (look.colouring == Colouring::Verdicts || look.boxes || look.bands || look.kernel);
 }
 
-void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Strategy& strategy, const View& culling,
-                     const View& viewing, const Verdict& verdict, const Trace& trace, const TriangleStates* known,
-                     const ViewLook& look, const DrawStyle& style, Framebuffer& target) {
-    if (look.sphericalModel) return drawSphericalModel(renderer, buffers, viewing, verdict.drawList, style, target);
+void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
+                     const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& style,
+                     Framebuffer& target) {
+    if (look.sphericalModel)
+        return drawSphericalModel(renderer, buffers, viewing, drawnTriangles(buffers.scene(), log), style, target);
     const VerdictPalette palette = verdictPalette(style.background);
     if (look.colouring == Colouring::Verdicts) {
-        const TriangleStates own =
-            known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), culling, verdict.drawList, trace, std::nullopt);
+        const TriangleStates own = known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), log, std::nullopt);
         const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;
         renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states), look.culledToo ? palette : drawnOnly(palette),
                              target, style);
     } else {
-        renderer.draw(buffers, viewing, verdict.drawList, target, style);
+        renderer.draw(buffers, viewing, log, target, style);
     }
     const OverlayContext context{
         buffers.scene(), viewing, style, palette, contrastTo(style.background), planePalette(style.background)};
@@ -116,14 +116,15 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Stra
     // The frustum's planes are coloured where the boxes are; a strategy without boxes has no plane colours.
     bool byPlane = false;
     if (look.boxes || look.bands || look.kernel) {
-        const StructureSnapshot snapshot = strategy.snapshot(trace);
+        const StructureSnapshot snapshot = strategy.snapshot(log);
         if (look.boxes) drawAll(boxesOf(context, snapshot, look.boxColouring));
         byPlane = look.byPlane() && !snapshot.nodes.empty();
         if (look.bands) drawAll(bandOverlay(context, snapshot));
         if (look.kernel) drawAll(kernelOverlay(context, snapshot));
     }
     // Seen from its own eye, a frustum coincides with the picture's border.
-    if (!look.frustum || culling.camera() == viewing.camera()) return;
+    if (!look.frustum || log.camera == viewing.camera()) return;
+    const View culling(log.camera, log.size);
     if (byPlane) drawAll({planeOverlay(context, culling)});
     drawAll(frustumOverlay(context, culling));
 }

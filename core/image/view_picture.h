@@ -1,6 +1,7 @@
 #pragma once
 
-#include "core/visibility/strategy.h"
+#include "core/gpu/renderer.h"
+#include "core/visibility/built_strategy.h"
 #include "core/visibility/triangle_states.h"
 
 namespace cullscope {
@@ -38,16 +39,15 @@ struct ViewLook {
 /// The verdicts' colours by TriangleState, for light and dark backgrounds (chosen by the background's luminance).
 [[nodiscard]] std::array<PaletteEntry, kTriangleStateCount> verdictPalette(const Vec3f& background);
 
-/// Whether drawViewPicture reads the trace for this look; if not, an empty trace may be passed.
-[[nodiscard]] bool needsTrace(const ViewLook& look);
+/// Whether drawViewPicture reads decisions for this look; if not, the frame need not be recorded.
+[[nodiscard]] bool needsDecisions(const ViewLook& look);
 
-/// Clears `target` and draws the verdict that `strategy` gave for `culling`, as seen by `viewing`; the same in the desktop and in
-/// cullbench. `verdict` and `trace` come from one cull; `known` holds its triangles' states (null: computed here, without ground
-/// truth). With a default look and one camera in both roles the picture is bit-identical to Renderer::draw of the verdict's list.
-/// Overlays are never culled: their parts beyond `viewing`'s depth range are drawn too. In spherical coordinates there are no
-/// overlays and no depth.
-void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Strategy& strategy, const View& culling,
-                     const View& viewing, const Verdict& verdict, const Trace& trace, const TriangleStates* known,
-                     const ViewLook& look, const DrawStyle& style, Framebuffer& target);
+/// Clears `target` and replays a frame of `strategy` as seen by `viewing`; the same in the desktop and in cullbench. `known`
+/// holds its triangles' states (null: computed here, without ground truth). With a default look and one camera in both roles the
+/// picture is bit-identical to the one that the frame drew. Overlays are never culled: their parts beyond `viewing`'s depth range
+/// are drawn too. In spherical coordinates there are no overlays and no depth.
+void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
+                     const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& style,
+                     Framebuffer& target);
 
 }  // namespace cullscope

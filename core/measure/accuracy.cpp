@@ -91,28 +91,37 @@ double depthPerPixel(const RasterTriangle& triangle) {
 
 }  // namespace
 
-Accuracy compare(const Reference& reference, const std::vector<float>& depth, const DrawList& list, const Scene& scene) {
+ShownPixels shownPixels(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Framebuffer& target) {
+    const View view(log.camera, log.size);
+    if (!log.drawsScene()) {
+        Renderer::ItemBuffer items = renderer.drawItemBuffer(buffers, view, log, target.tile());
+        return {std::move(items.depth), std::move(items.triangle)};
+    }
+    renderer.draw(buffers, view, log, target);
+    return {target.readDepth(), {}};
+}
+
+Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene) {
     Accuracy accuracy;
     accuracy.coveredPixels = reference.coveredPixels;
-    for (size_t i = 0; i < depth.size(); ++i)
-        if (pixelDifference(reference.depth[i], depth[i]) == PixelDifference::Extra) ++accuracy.extraPixels;
-    std::vector<uint8_t> mask = missedMask(reference, depth);
+    for (size_t i = 0; i < shown.depth.size(); ++i)
+        if (pixelDifference(reference, shown, i) == PixelDifference::Extra) ++accuracy.extraPixels;
+    std::vector<uint8_t> mask = missedMask(reference, shown);
     accuracy.missedPixels = static_cast<uint64_t>(std::count(mask.begin(), mask.end(), uint8_t{1}));
     if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
 
-    const Intervals drawn = submitted(list, scene);
-    for (const auto& [first, end] : drawn) accuracy.submittedTriangles += end - first;
+    const Intervals given = submitted(drawn, scene);
+    for (const auto& [first, end] : given) accuracy.submittedTriangles += end - first;
     accuracy.visibleTriangles = reference.visibleTriangles.size();
-    const uint64_t visibleAndDrawn = countMembers(reference.visibleTriangles, drawn);
+    const uint64_t visibleAndDrawn = countMembers(reference.visibleTriangles, given);
     accuracy.falselyCulledTriangles = accuracy.visibleTriangles - visibleAndDrawn;
     accuracy.needlesslyDrawnTriangles = accuracy.submittedTriangles - visibleAndDrawn;
     return accuracy;
 }
 
-std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth) {
-    std::vector<uint8_t> mask(depth.size());
-    for (size_t i = 0; i < depth.size(); ++i)
-        mask[i] = pixelDifference(reference.depth[i], depth[i]) == PixelDifference::Missed ? 1 : 0;
+std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& shown) {
+    std::vector<uint8_t> mask(shown.depth.size());
+    for (size_t i = 0; i < mask.size(); ++i) mask[i] = pixelDifference(reference, shown, i) == PixelDifference::Missed ? 1 : 0;
     return mask;
 }
 
@@ -145,20 +154,37 @@ std::vector<Hole> holes(std::vector<uint8_t> mask, const Viewport& size) {
     return found;
 }
 
-uint64_t missedBeyondSnapping(const Reference& reference, const std::vector<float>& depth, const Scene& scene, const View& view) {
-    constexpr double kNearAnEdge = 1.0 / 64;
-    constexpr double kShift = 1.0 / 128;
+namespace {
+
+constexpr double kNearAnEdge = 1.0 / 64;
+constexpr double kShift = 1.0 / 128;
+
+/// Whether the raster's snapping explains that a triangle is shown at a pixel, or is not; `gap` is its depth beside the other's.
+bool snappingExplains(const Scene& scene, const View& view, uint32_t item, size_t pixel, double gap) {
+    const auto width = static_cast<size_t>(view.viewport().width);
+    const auto triangle = rasterised(scene, view, item - 1);
+    const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
+    return triangle && (distanceToEdges(*triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(*triangle));
+}
+
+}  // namespace
+
+uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
     uint64_t beyond = 0;
-    const auto width = static_cast<size_t>(reference.size.width);
-    for (size_t pixel = 0; pixel < depth.size(); ++pixel) {
-        const bool missed = pixelDifference(reference.depth[pixel], depth[pixel]) == PixelDifference::Missed;
-        if (!missed || reference.triangle[pixel] == 0) continue;
-        const auto triangle = rasterised(scene, view, reference.triangle[pixel] - 1);
-        const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
-        const double gap = double(reference.depth[pixel]) - double(depth[pixel]);
-        const bool explained =
-            triangle && (distanceToEdges(*triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(*triangle));
-        if (!explained) ++beyond;
+    for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
+        if (pixelDifference(reference, shown, pixel) != PixelDifference::Missed || reference.triangle[pixel] == 0) continue;
+        const double gap = double(reference.depth[pixel]) - double(shown.depth[pixel]);
+        if (!snappingExplains(scene, view, reference.triangle[pixel], pixel, gap)) ++beyond;
+    }
+    return beyond;
+}
+
+uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene, const View& view) {
+    uint64_t beyond = 0;
+    for (size_t pixel = 0; pixel < shown.triangle.size(); ++pixel) {
+        if (pixelDifference(reference, shown, pixel) != PixelDifference::Extra || shown.triangle[pixel] == 0) continue;
+        const double gap = double(shown.depth[pixel]) - double(reference.depth[pixel]);
+        if (!snappingExplains(scene, view, shown.triangle[pixel], pixel, gap)) ++beyond;
     }
     return beyond;
 }

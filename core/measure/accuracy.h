@@ -33,18 +33,37 @@ enum class PixelDifference : uint8_t {
     return depth < truth ? PixelDifference::Missed : depth > truth ? PixelDifference::Extra : PixelDifference::None;
 }
 
-/// Compares by depth sample; `depth` is what the strategy's picture has (Framebuffer::readDepth), `list` what it drew.
-[[nodiscard]] Accuracy compare(const Reference& reference, const std::vector<float>& depth, const DrawList& list,
-                               const Scene& scene);
+/// What a frame shows at every pixel of its culling view, rows from the bottom.
+struct ShownPixels {
+    std::vector<float> depth;        ///< reversed
+    std::vector<uint32_t> triangle;  ///< scene triangle number + 1, where the frame has other surfaces than the scene's, whose
+                                     ///< depths may be rounded otherwise; else empty, and the depth alone tells
+};
+/// The same by a replay of the log, into `target`, which has the culling view's size.
+[[nodiscard]] ShownPixels shownPixels(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Framebuffer& target);
+
+/// What a pixel shows beside the truth: the same triangle is no difference.
+[[nodiscard]] inline PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel) {
+    if (!shown.triangle.empty() && shown.triangle[pixel] == reference.triangle[pixel]) return PixelDifference::None;
+    return pixelDifference(reference.depth[pixel], shown.depth[pixel]);
+}
+
+/// Compares what a frame of the scene shows with the truth for its culling view; `drawn` is what it drew (drawnTriangles).
+[[nodiscard]] Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene);
 
 /// The number of missed pixels that the raster's snapping to 1/256 pixel does not explain. It explains a missed pixel whose
 /// centre lies within 1/64 pixel of an edge of the reference's triangle, or where the picture's surface lies behind that triangle
 /// by at most the depth change over 1/128 pixel. `backface` promises 0 for a closed mesh seen from outside.
-[[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const std::vector<float>& depth, const Scene& scene,
+[[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
 
+/// The same for extra pixels: explained where the centre lies near an edge of the triangle that the picture shows, or that
+/// triangle lies before the truth by at most the depth change over 1/128 pixel. Of frames that have triangle numbers.
+[[nodiscard]] uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
+                                           const View& view);
+
 /// A mask of the missed pixels (1: missed), rows from the bottom.
-[[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const std::vector<float>& depth);
+[[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& shown);
 
 /// A 4-connected set of missed pixels.
 struct Hole {

@@ -4,8 +4,7 @@
 #include <numeric>
 
 #include "core/base/error.h"
-#include "core/gpu/framebuffer.h"
-#include "core/gpu/renderer.h"
+#include "core/gpu/gpu_frame.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/statistics.h"
 
@@ -19,7 +18,10 @@ constexpr double kBuilding = 0.1;  // share of the progress
 /// A strategy while it is measured.
 struct Contestant {
     StrategyRequest request;
-    StrategyPointer strategy;
+    BuiltStrategyPointer strategy;
+    std::vector<ViewStatePointer> states;       ///< by window
+    std::vector<ViewStatePointer> left;         ///< the memories after the last counted frame, of a strategy that remembers
+    FrameLog log;                               ///< of the first window's last counted frame
     bool askedFor = true;                       ///< false: a baseline measured only for the ratios
     std::vector<double> frameTimes, cullTimes;  ///< of the current pose
     RunMeasurement run;
@@ -36,7 +38,7 @@ public:
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
         const double step = kBuilding / double(std::max<size_t>(request.strategies.size(), 1));
         for (const StrategyRequest& strategy : request.strategies) {
-            if (leftOut(strategy.id)) continue;
+            if (leftOut(strategy)) continue;
             const double from = step * double(m_contestants.size());
             add(strategy, true, m_progress.part(from, from + step));
         }
@@ -63,20 +65,20 @@ private:
         Contestant contestant;
         contestant.request = request;
         contestant.askedFor = askedFor;
-        requireAvailable(findStrategy(request.id).info, m_gl);
-        contestant.strategy = makeStrategy(request.id, request.parameters);
-        contestant.strategy->build(*m_request.scene, progress);
+        requireAvailable(strategyOf(request).info, m_gl);
+        contestant.strategy = buildStrategy(strategyOf(request), request.parameters, m_request.scene, m_structures, progress);
+        for (size_t window = 0; window < m_targets.size(); ++window) contestant.states.push_back(contestant.strategy->begin());
         contestant.run.strategy = request;
         contestant.run.promise = contestant.strategy->promise();
         contestant.run.facing = contestant.strategy->facing();
         contestant.run.referenceFacing = contestant.strategy->referenceFacing();
-        contestant.run.structure = contestant.strategy->structure();
+        contestant.run.structure = contestant.strategy->report();
         m_contestants.push_back(std::move(contestant));
     }
 
     /// Whether this OpenGL cannot run a strategy that may be left out; records why.
-    bool leftOut(const std::string& id) {
-        const std::optional<Message> why = unavailable(findStrategy(id).info, m_gl);
+    bool leftOut(const StrategyRequest& request) {
+        const std::optional<Message> why = unavailable(strategyOf(request).info, m_gl);
         if (!why || !m_request.leaveOutUnavailable) return false;
         m_leftOut.push_back(*why);
         return true;
@@ -90,18 +92,30 @@ private:
     }
 
     /// Draws one frame: each window is culled and drawn; ends when the GPU has finished. `counts`: its times are recorded.
+    /// A strategy whose frames depend on the ones before draws every repetition with the memory with which the views came here.
     void drawFrame(Contestant& contestant, const View& view, bool counts) {
+        std::vector<ViewStatePointer> arrived;
+        if (contestant.strategy->info().remembers)
+            for (const ViewStatePointer& state : contestant.states) arrived.push_back(state->clone());
+        std::vector<ViewStatePointer>& states = arrived.empty() ? contestant.states : arrived;
+        std::vector<std::unique_ptr<GpuFrame>> frames;
         const auto start = Clock::now();
-        double cull = 0.0;
-        for (const auto& target : m_targets) {
-            const Verdict verdict = contestant.strategy->cull(view, nullptr, &m_renderer);
-            cull += verdict.cullMilliseconds;
-            m_renderer.draw(m_buffers, view, verdict.drawList, *target);
+        for (size_t window = 0; window < m_targets.size(); ++window) {
+            frames.push_back(std::make_unique<GpuFrame>(m_renderer, m_buffers, view, *m_targets[window], DrawStyle{}));
+            contestant.strategy->draw(*frames.back(), *states[window]);
         }
         waitForGpu();
+        const double passed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         if (!counts) return;
-        contestant.frameTimes.push_back(std::chrono::duration<double, std::milli>(Clock::now() - start).count());
+        contestant.frameTimes.push_back(passed);
+        double cull = 0.0;
+        for (const auto& frame : frames) {
+            FrameLog log = frame->take();
+            cull += log.cullMilliseconds;
+            if (frame == frames.front()) contestant.log = std::move(log);
+        }
         contestant.cullTimes.push_back(cull);
+        contestant.left = std::move(arrived);
     }
 
     /// Returns false where a stop was requested before the pose was complete.
@@ -150,25 +164,28 @@ private:
             frame.repetitions = static_cast<int>(contestant.frameTimes.size());
             if (m_progress.stopRequested()) return false;
             if (contestant.strategy->promiseAt(view) == Promise::Approximate) contestant.run.promise = Promise::Approximate;
-            const Verdict verdict = contestant.strategy->cull(view, nullptr, &m_renderer);
-            frame.stages = verdict.stages;
-            frame.consideredTriangles = verdict.consideredTriangles;
-            frame.culledTriangles = verdict.culledTriangles;
-            frame.parts = verdict.parts;
-            frame.caseNumber = verdict.caseNumber;
+            const FrameLog& log = contestant.log;
+            frame.stages = log.stages;
+            frame.consideredTriangles = log.consideredTriangles();
+            frame.culledTriangles = log.counters.culledTriangles;
+            frame.parts = log.counters.parts;
+            frame.figures = log.counters.figures;
             if (m_request.accuracy && contestant.askedFor) {
                 std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];
                 if (!reference) reference = itemBufferReference(m_renderer, m_buffers, view, contestant.run.referenceFacing);
-                m_renderer.draw(m_buffers, view, verdict.drawList, *m_targets.front());
-                const std::vector<float> depth = m_targets.front()->readDepth();
-                frame.accuracy = compare(*reference, depth, verdict.drawList, *m_request.scene);
-                if (contestant.run.facing != contestant.run.referenceFacing)
-                    frame.missedBeyondSnapping = missedBeyondSnapping(*reference, depth, *m_request.scene, view);
+                const ShownPixels shown = shownPixels(m_renderer, m_buffers, log, *m_targets.front());
+                frame.accuracy = compare(*reference, shown, drawnTriangles(*m_request.scene, log), *m_request.scene);
+                frame.ownRaster = !log.drawsScene();
+                if (frame.ownRaster || contestant.run.facing != contestant.run.referenceFacing)
+                    frame.missedBeyondSnapping = missedBeyondSnapping(*reference, shown, *m_request.scene, view);
             }
             frames.push_back(frame);
         }
         // Only complete poses are kept, so that every ratio has both of its times.
-        for (size_t i = 0; i < frames.size(); ++i) m_contestants[i].run.frames.push_back(frames[i]);
+        for (size_t i = 0; i < frames.size(); ++i) {
+            m_contestants[i].run.frames.push_back(frames[i]);
+            if (!m_contestants[i].left.empty()) m_contestants[i].states = std::move(m_contestants[i].left);
+        }
         return true;
     }
 
@@ -235,6 +252,7 @@ private:
     Renderer m_renderer;
     SceneBuffers m_buffers;
     std::vector<std::unique_ptr<Framebuffer>> m_targets;
+    StructureStore m_structures;
     std::vector<Contestant> m_contestants;
     std::vector<Message> m_leftOut;
 };
@@ -260,7 +278,7 @@ std::optional<Losses> RunMeasurement::losses() const {
 bool RunMeasurement::promiseBroken() const {
     if (promise == Promise::Approximate) return false;
     return std::any_of(frames.begin(), frames.end(), [&](const FrameMeasurement& frame) {
-        if (facing != referenceFacing) return frame.missedBeyondSnapping > 0;
+        if (frame.ownRaster || facing != referenceFacing) return frame.missedBeyondSnapping > 0;
         return frame.accuracy && frame.accuracy->missedPixels > 0;
     });
 }

@@ -10,6 +10,7 @@
 #include "core/gpu/scene_buffers.h"
 #include "core/measure/accuracy.h"
 #include "core/scene/camera_path.h"
+#include "core/visibility/built_strategy.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
@@ -44,11 +45,12 @@ struct FrameMeasurement {
     std::vector<Stage> stages;       ///< of one cull
     int repetitions = 0;
     uint64_t consideredTriangles = 0;                     ///< of one window
-    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (Verdict::culledTriangles)
-    std::vector<CullPart> parts;                          ///< of one window (Verdict::parts)
-    int caseNumber = 0;                                   ///< of Han & Hong's cases (Verdict::caseNumber); 0: none
+    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (FrameCounters)
+    std::vector<CullPart> parts;                          ///< of one window (FrameCounters)
+    std::vector<NamedFigure> figures;                     ///< of one window (FrameCounters)
     std::optional<Accuracy> accuracy;
-    uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
+    bool ownRaster = false;             ///< the frame shows other surfaces than the scene's, or in an order of its own
+    uint64_t missedBeyondSnapping = 0;  ///< with `ownRaster`, or where the reference has another facing rule than the strategy
 };
 
 /// What a strategy lost over the poses of a path.

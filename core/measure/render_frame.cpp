@@ -4,15 +4,15 @@
 
 namespace cullscope {
 
-FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, Strategy& strategy, const View& view,
-                        Framebuffer& target, const DrawStyle& style, std::unique_lock<std::mutex> culling) {
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, ViewState& state,
+                        const View& view, Framebuffer& target, const DrawStyle& style) {
     const auto start = std::chrono::steady_clock::now();
-    FrameResult result;
-    result.verdict = strategy.cull(view, nullptr, &renderer);
-    if (culling) culling.unlock();
-    renderer.draw(buffers, view, result.verdict.drawList, target, style);
+    GpuFrame frame(renderer, buffers, view, target, style);
+    strategy.draw(frame, state);
     waitForGpu();
+    FrameResult result;
     result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    result.log = frame.take();
     return result;
 }
 

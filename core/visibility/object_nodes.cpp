@@ -1,46 +1,76 @@
 #include "core/visibility/object_nodes.h"
 
+#include <map>
+
 namespace cullscope {
 namespace {
 
-SnapshotNode untested(uint32_t instance, const Scene& scene) {
-    SnapshotNode node;
-    node.instance = instance;
-    node.box = scene.instanceBox(instance);
-    node.triangles = scene.meshOf(instance).triangleCount();
-    node.containment = Containment::Inside;
-    return node;
-}
+class ObjectNodes {
+public:
+    ObjectNodes(const FrameLog& log, const Scene& scene) : m_log(log), m_scene(scene), m_places(scene.instances().size(), -1) {}
+
+    void add(const Decision& decision) {
+        if (decision.subject.kind == Subject::Kind::Object)
+            addTo(nodeOf(decision.subject.number), decision);
+        else if (decision.subject.kind == Subject::Kind::Node)
+            addGroup(decision);
+    }
+
+    [[nodiscard]] StructureSnapshot take() { return std::move(m_result); }
+
+private:
+    SnapshotNode& nodeOf(uint32_t instance) {
+        if (m_places[instance] < 0) {
+            m_places[instance] = int64_t(m_result.nodes.size());
+            SnapshotNode node;
+            node.instance = instance;
+            node.box = m_scene.instanceBox(instance);
+            node.triangles = m_scene.meshOf(instance).triangleCount();
+            node.containment = Containment::Inside;
+            m_result.nodes.push_back(node);
+        }
+        return m_result.nodes[size_t(m_places[instance])];
+    }
+
+    static void addTo(SnapshotNode& node, const Decision& decision) {
+        if (decision.outcome == Decision::Outcome::Culled) {
+            node.culled = true;
+            node.cause = decision.cause;
+        }
+        if (decision.outcome != Decision::Outcome::Open || decision.containment == Containment::Inside) return;
+        node.containment = decision.containment;
+        if (decision.containment == Containment::Outside) node.rejectedBy = decision.plane;
+    }
+
+    void addGroup(const Decision& decision) {
+        if (decision.outcome == Decision::Outcome::Open) {
+            if (decision.containment == Containment::Outside) m_rejectedBy[decision.subject.number] = decision.plane;
+            return;
+        }
+        for (const uint32_t instance : m_log.objectsOf(decision)) {
+            if (m_scene.meshOf(instance).triangleCount() == 0) continue;
+            SnapshotNode& node = nodeOf(instance);
+            if (decision.outcome != Decision::Outcome::Culled) continue;
+            node.culled = true;
+            node.cause = decision.cause;
+            node.containment = Containment::Outside;
+            node.rejectedBy = m_rejectedBy[decision.subject.number];
+        }
+    }
+
+    const FrameLog& m_log;
+    const Scene& m_scene;
+    std::vector<int64_t> m_places;                                 ///< by instance: its node; -1: none yet
+    std::map<uint32_t, std::optional<FrustumPlane>> m_rejectedBy;  ///< by group: the plane that it lies outside of
+    StructureSnapshot m_result;
+};
 
 }  // namespace
 
-StructureSnapshot objectNodes(const Trace& trace, const Scene& scene) {
-    StructureSnapshot result;
-    for (const TraceEvent& event : trace.events) {
-        // The events of one object are consecutive.
-        if (result.nodes.empty() || result.nodes.back().instance != event.instance)
-            result.nodes.push_back(untested(event.instance, scene));
-        SnapshotNode& node = result.nodes.back();
-        switch (event.kind) {
-            case TraceEvent::Kind::Culled:
-                node.culled = true;
-                node.cause = event.cause;
-                break;
-            case TraceEvent::Kind::TestedPlane:
-            case TraceEvent::Kind::TestedAxes:
-            case TraceEvent::Kind::AskedOpenGl:
-            case TraceEvent::Kind::MeetsNear:
-                if (event.containment == Containment::Inside) break;
-                node.containment = event.containment;
-                if (event.kind == TraceEvent::Kind::TestedPlane && event.containment == Containment::Outside)
-                    node.rejectedBy = event.plane;
-                break;
-            case TraceEvent::Kind::PartlyDrawn:
-            case TraceEvent::Kind::Accepted:
-                break;
-        }
-    }
-    return result;
+StructureSnapshot objectNodes(const FrameLog& log, const Scene& scene) {
+    ObjectNodes nodes(log, scene);
+    for (const Decision& decision : log.decisions) nodes.add(decision);
+    return nodes.take();
 }
 
 }  // namespace cullscope

@@ -23,10 +23,10 @@ struct MaskedTest {
 
 /// `inner` and `outer` return the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
 /// before the others, if the mask contains it, and is set to the plane that rejects the bounds. A distance of NaN rejects
-/// nothing.
-template <typename Inner, typename Outer>
+/// nothing. `tell(plane, inner, outer)` hears of every test (of the plane that rejects, `outer` is the inner distance).
+template <typename Inner, typename Outer, typename Tell>
 MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint8_t& first, const Inner& inner,
-                      const Outer& outer) {
+                      const Outer& outer, const Tell& tell) {
     MaskedTest test{mask};
     const auto isOutside = [&](uint32_t p) {
         test.distance = inner(frustum.planes[p]);
@@ -35,6 +35,7 @@ MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint
     };
     const auto outside = [&](uint32_t p) {
         first = uint8_t(p);
+        tell(static_cast<FrustumPlane>(p), test.distance, test.distance);
         return MaskedTest{mask, true, true, static_cast<FrustumPlane>(p), test.distance, test.tested};
     };
     const uint32_t asked = first;
@@ -42,139 +43,152 @@ MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint
     for (uint32_t p = 0; p < kPlanes; ++p) {
         if ((mask >> p & 1) == 0) continue;
         if (p != asked && isOutside(p)) return outside(p);
-        if (outer(frustum.planes[p]) > margin) test.planes &= ~(1u << p);
+        const double farthest = outer(frustum.planes[p]);
+        if (farthest > margin) test.planes &= ~(1u << p);
+        tell(static_cast<FrustumPlane>(p), test.distance, farthest);
     }
     return test;
 }
 
 class GroupWalk {
 public:
-    GroupWalk(const InstanceOctree& octree, const Scene& scene, const View& view, Trace* trace, const OctreeWalkOptions& options)
+    GroupWalk(const InstanceOctree& octree, FrameContext& frame, const OctreeWalkOptions& options)
         : m_octree(octree),
-          m_scene(scene),
-          m_frustum(view.frustum()),
-          m_eye(view.eye()),
-          m_trace(trace),
-          m_memory(trace == nullptr ? options.memory : nullptr),
+          m_frame(frame),
+          m_scene(frame.scene()),
+          m_frustum(frame.view().frustum()),
+          m_eye(frame.view().eye()),
+          m_recording(frame.recording()),
+          m_memory(m_recording ? nullptr : options.memory),
           m_refine(options.refine) {}
 
     /// Recursive, at most InstanceOctree::kMaxDepth calls deep.
     void visit(uint32_t number, uint32_t mask) {
         const InstanceOctree::Node& node = m_octree.nodes()[number];
-        ++figures.nodesVisited;
+        ++counters.nodesVisited;
         const EyeBox box = relativeToEye(node.box, m_eye);
         const double margin = marginFromEye(node.box.centre(), box.centre, glm::length(box.halfExtent), m_eye);
+        const Subject subject = Subject::ofNode(number);
         uint8_t unknown = LastFailedPlanes::kNone;
         MaskedTest test = testPlanes(
             m_frustum, mask, margin, m_memory != nullptr ? m_memory->ofGroup(number) : unknown,
             [&](const Plane& plane) { return pVertexDistance(plane, box); },
-            [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.halfExtent); });
-        figures.planesTested += test.tested;
-        if (needsAxes(test)) test.outside = separated(m_frustum, box, margin);
-        if (m_trace != nullptr) record(number, test, margin);
+            [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.halfExtent); },
+            [&](FrustumPlane plane, double inner, double outer) {
+                if (m_recording) say(planeTest(subject, plane, inner, outer, margin), node.depth);
+            });
+        counters.planesTested += test.tested;
+        if (needsAxes(test)) {
+            test.outside = separated(m_frustum, box, margin);
+            if (m_recording) say(axisTest(subject, test.outside, margin), node.depth);
+        }
         if (test.outside)
-            drop(node, test, margin);
+            drop(number, node);
         else if (test.planes == 0)
-            for (const uint32_t instance : m_octree.instancesOf(node)) kept.push_back({instance, 0});
+            keep(number, node);
         else if (node.leaf())
-            for (const uint32_t instance : m_octree.instancesOf(node)) testObject(instance, test.planes);
+            for (const uint32_t instance : m_octree.instancesOf(node)) testObject(instance, test.planes, uint8_t(node.depth + 1));
         else
             for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child) visit(child, test.planes);
     }
 
     std::vector<KeptObject> kept;
-    OctreeWalkCounters figures;
+    OctreeWalkCounters counters;
 
 private:
     /// Whether separating axes are to be tested after the planes; counts the test.
     bool needsAxes(const MaskedTest& test) {
         if (!m_refine || test.outside || !mayBeSeparated(test.planes)) return false;
-        ++figures.axesTested;
+        ++counters.axesTested;
         return true;
     }
 
-    void testObject(uint32_t instance, uint32_t mask) {
-        ++figures.objectsTested;
+    void testObject(uint32_t instance, uint32_t mask, uint8_t depth) {
+        ++counters.objectsTested;
         const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
+        const Subject subject = Subject::ofObject(instance);
         uint8_t unknown = LastFailedPlanes::kNone;
         MaskedTest test = testPlanes(
             m_frustum, mask, bounds.margin, m_memory != nullptr ? m_memory->ofObject(instance) : unknown,
             [&](const Plane& plane) { return farthestInside(plane, bounds); },
-            [&](const Plane& plane) { return farthestOutside(plane, bounds); });
-        figures.planesTested += test.tested;
-        if (needsAxes(test))
+            [&](const Plane& plane) { return farthestOutside(plane, bounds); },
+            [&](FrustumPlane plane, double inner, double outer) {
+                if (m_recording) say(planeTest(subject, plane, inner, outer, bounds.margin), depth);
+            });
+        counters.planesTested += test.tested;
+        if (needsAxes(test)) {
             test.outside = separated(m_frustum, bounds.box, bounds.margin) || separated(m_frustum, bounds.sphere, bounds.margin);
+            if (m_recording) say(axisTest(subject, test.outside, bounds.margin), depth);
+        }
         if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
-        ++figures.objectsCulled;
-        figures.trianglesCulled += m_scene.meshOf(instance).triangleCount();
-        if (m_trace != nullptr) reject(instance, test, bounds.margin);
+        ++counters.objectsCulled;
+        counters.trianglesCulled += m_scene.meshOf(instance).triangleCount();
+        if (m_recording) say(ending(subject, Decision::Outcome::Culled), depth);
     }
 
-    void drop(const InstanceOctree::Node& node, const MaskedTest& test, double margin) {
-        figures.objectsCulled += node.count;
-        figures.trianglesCulled += node.triangles;
-        if (m_trace == nullptr) return;
-        for (const uint32_t instance : m_octree.instancesOf(node)) {
-            const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
-            MaskedTest own = test;
-            // The object lies in the group's box and is outside with it; its own distance and margin may differ in the last
-            // digits.
-            if (test.byPlane)
-                own.distance = std::min(farthestInside(m_frustum.planes[size_t(test.plane)], bounds), test.distance);
-            else
-                findOwnPlane(bounds, own);
-            reject(instance, own, std::min(bounds.margin, margin));
-        }
+    void drop(uint32_t number, const InstanceOctree::Node& node) {
+        counters.objectsCulled += node.count;
+        counters.trianglesCulled += node.triangles;
+        if (m_recording) end(number, node, Decision::Outcome::Culled);
     }
 
-    /// The group as a whole is outside no single plane, but this object of it may be.
-    void findOwnPlane(const EyeBounds& bounds, MaskedTest& test) const {
-        for (uint32_t p = 0; p < kPlanes && !test.byPlane; ++p) {
-            test.distance = farthestInside(m_frustum.planes[p], bounds);
-            test.byPlane = test.distance < -bounds.margin;
-            test.plane = static_cast<FrustumPlane>(p);
-        }
+    void keep(uint32_t number, const InstanceOctree::Node& node) {
+        for (const uint32_t instance : m_octree.instancesOf(node)) kept.push_back({instance, 0});
+        if (m_recording) end(number, node, Decision::Outcome::Drawn);
     }
 
-    void reject(uint32_t instance, const MaskedTest& test, double bound) {
-        TraceEvent event{test.byPlane ? TraceEvent::Kind::TestedPlane : TraceEvent::Kind::TestedAxes, instance, test.plane};
-        event.containment = Containment::Outside;
-        event.distance = test.byPlane ? test.distance : 0.0;
-        event.bound = bound;
-        m_trace->events.push_back(event);
-        m_trace->events.push_back({TraceEvent::Kind::Culled, instance});
+    void end(uint32_t number, const InstanceOctree::Node& node, Decision::Outcome outcome) {
+        Decision decision = ending(Subject::ofNode(number), outcome);
+        decision.nesting = node.depth;
+        m_frame.say(decision, m_octree.instancesOf(node));
     }
 
-    void record(uint32_t number, const MaskedTest& test, double margin) {
-        if (test.outside && test.byPlane)
-            m_trace->groups.push_back({number, Containment::Outside, test.plane, test.distance, margin, true});
-        else if (test.outside)
-            m_trace->groups.push_back({number, Containment::Outside, {}, 0.0, margin, true});
-        else if (test.planes == 0)
-            m_trace->groups.push_back({number, Containment::Inside, {}, 0.0, 0.0, true});
-        else
-            m_trace->groups.push_back({number});
+    void say(Decision decision, uint8_t depth) {
+        decision.nesting = depth;
+        m_frame.say(decision);
     }
 
     const InstanceOctree& m_octree;
+    FrameContext& m_frame;
     const Scene& m_scene;
     const Frustum& m_frustum;
     Vec3 m_eye;
-    Trace* m_trace;
+    bool m_recording;
     LastFailedPlanes* m_memory;
     bool m_refine;
 };
 
-SnapshotNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested, const SnapshotNode* parent) {
+/// What a recorded walk found for a group.
+struct GroupResult {
+    bool visited = false;
+    Containment containment = Containment::Straddles;
+    std::optional<FrustumPlane> rejectedBy;
+};
+
+std::vector<GroupResult> groupResults(const FrameLog& log, size_t groups) {
+    std::vector<GroupResult> results(groups);
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject.kind != Subject::Kind::Node) continue;
+        GroupResult& result = results[decision.subject.number];
+        result.visited = true;
+        if (decision.outcome == Decision::Outcome::Drawn) result.containment = Containment::Inside;
+        if (decision.containment != Containment::Outside) continue;
+        result.containment = Containment::Outside;
+        if (decision.plane) result.rejectedBy = decision.plane;
+    }
+    return results;
+}
+
+SnapshotNode groupOf(const InstanceOctree::Node& node, const GroupResult& result, const SnapshotNode* parent) {
     SnapshotNode group;
     group.instance = SnapshotNode::kGroup;
     group.objects = node.count;
     group.box = node.box;
     group.triangles = node.triangles;
-    if (tested != nullptr) {
-        group.containment = tested->containment;
-        group.culled = tested->containment == Containment::Outside;
-        if (group.culled) group.rejectedBy = tested->plane;
+    if (result.visited) {
+        group.containment = result.containment;
+        group.culled = result.containment == Containment::Outside;
+        group.rejectedBy = result.rejectedBy;
     } else if (parent != nullptr) {
         group.containment = parent->containment;
         group.culled = parent->culled;
@@ -185,17 +199,17 @@ SnapshotNode groupOf(const InstanceOctree::Node& node, const TestedGroup* tested
 
 }  // namespace
 
-std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view,
-                                    OctreeWalkCounters* figures, Trace* trace, const OctreeWalkOptions& options) {
-    GroupWalk walk(octree, scene, view, trace, options);
+std::vector<KeptObject> keptObjects(const InstanceOctree& octree, FrameContext& frame, OctreeWalkCounters* counters,
+                                    const OctreeWalkOptions& options) {
+    GroupWalk walk(octree, frame, options);
     if (!octree.nodes().empty()) walk.visit(0, kAllPlanes);
-    if (figures != nullptr) {
-        figures->nodesVisited += walk.figures.nodesVisited;
-        figures->objectsTested += walk.figures.objectsTested;
-        figures->planesTested += walk.figures.planesTested;
-        figures->axesTested += walk.figures.axesTested;
-        figures->objectsCulled += walk.figures.objectsCulled;
-        figures->trianglesCulled += walk.figures.trianglesCulled;
+    if (counters != nullptr) {
+        counters->nodesVisited += walk.counters.nodesVisited;
+        counters->objectsTested += walk.counters.objectsTested;
+        counters->planesTested += walk.counters.planesTested;
+        counters->axesTested += walk.counters.axesTested;
+        counters->objectsCulled += walk.counters.objectsCulled;
+        counters->trianglesCulled += walk.counters.trianglesCulled;
     }
     return std::move(walk.kept);
 }
@@ -211,17 +225,17 @@ void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const V
     std::ranges::transform(byDistance, kept.begin(), &std::pair<double, KeptObject>::second);
 }
 
-void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const Trace& trace) {
+void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const FrameLog& log) {
     const auto base = int32_t(snapshot.nodes.size());
-    std::vector<const TestedGroup*> tested(octree.nodes().size(), nullptr);
-    for (const TestedGroup& group : trace.groups) tested[group.node] = &group;
+    const std::vector<GroupResult> results = groupResults(log, octree.nodes().size());
     std::vector<int32_t> leafOf(scene.instances().size(), -1);
     snapshot.nodes.reserve(snapshot.nodes.size() + octree.nodes().size());
     for (size_t i = 0; i < octree.nodes().size(); ++i) {
         const InstanceOctree::Node& node = octree.nodes()[i];
         const int32_t parent = node.parent < 0 ? -1 : base + node.parent;
-        snapshot.nodes.push_back(groupOf(node, tested[i], parent < 0 ? nullptr : &snapshot.nodes[size_t(parent)]));
+        snapshot.nodes.push_back(groupOf(node, results[i], parent < 0 ? nullptr : &snapshot.nodes[size_t(parent)]));
         snapshot.nodes.back().parent = parent;
+        snapshot.nodes.back().number = uint32_t(i);
         if (!node.leaf()) continue;
         for (const uint32_t instance : octree.instancesOf(node)) leafOf[instance] = base + int32_t(i);
     }

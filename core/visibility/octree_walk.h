@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/scene/camera.h"
+#include "core/frame/frame_context.h"
 #include "core/spatial/instance_octree.h"
 #include "core/visibility/structure_snapshot.h"
 
@@ -45,26 +45,26 @@ private:
 struct OctreeWalkOptions {
     /// Tests groups and objects that are outside no plane by separating axes too (geometry/separation.h).
     bool refine = false;
-    /// Null: the planes are tested in their own order. A traced walk neither reads nor writes it, so that its trace is always the
-    /// same.
+    /// Null: the planes are tested in their own order. A recorded frame neither reads nor writes it, so that its decisions are
+    /// always the same.
     LastFailedPlanes* memory = nullptr;
 };
 
 /// The objects of a scene that intersect a view's frustum, in the octree's order. The walk tests groups: a group outside a plane
 /// is culled with all its objects; a plane that a group lies completely inside is not tested below it (Assarsson & Möller 2000);
 /// the range of a group inside all six is kept without further tests. Conservative: an object that intersects the frustum is
-/// always kept (margin: geometry/frustum.h, conservativeMargin). `octree` is the scene's. The costs are added to `figures` if it
-/// is not null. `trace`, if not null, receives the visited groups and, for every culled object, the test of its own bounds
-/// against the rejecting plane and its end; it receives no events of kept objects.
-[[nodiscard]] std::vector<KeptObject> keptObjects(const InstanceOctree& octree, const Scene& scene, const View& view,
-                                                  OctreeWalkCounters* figures = nullptr, Trace* trace = nullptr,
-                                                  const OctreeWalkOptions& options = {});
+/// always kept (margin: geometry/frustum.h, conservativeMargin). `octree` is that of the frame's
+/// scene. The costs are added to `counters` if it is not null. A frame that records gets every test of every group and object
+/// that the walk visits, the end of those that it culls, and that of groups that it keeps as a whole; what becomes of an object
+/// that it keeps is for the strategy to say.
+[[nodiscard]] std::vector<KeptObject> keptObjects(const InstanceOctree& octree, FrameContext& frame,
+                                                  OctreeWalkCounters* counters = nullptr, const OctreeWalkOptions& options = {});
 
 /// Sorts objects by the distance of their spheres from the eye: objects drawn first occlude later ones before fragment shading.
 void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const Vec3& eye);
 
-/// Appends the octree's nodes to `snapshot` as groups, with the results of a traced walk (for nodes that it did not visit, those
-/// of the nearest visited ancestor), and makes the leaves the parents of the objects' nodes that `snapshot` already has.
-void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const Trace& trace);
+/// Appends the octree's nodes to `snapshot` as groups, with the results of a recorded walk (for nodes that it did not visit,
+/// those of the nearest visited ancestor), and makes the leaves the parents of the objects' nodes that `snapshot` already has.
+void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const FrameLog& log);
 
 }  // namespace cullscope

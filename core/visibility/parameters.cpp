@@ -147,4 +147,17 @@ std::string toText(const ParameterValue& value) {
     return {buffer.data(), result.ptr};
 }
 
+ParameterDeclaration readWhenBuilding(ParameterDeclaration declaration) {
+    declaration.use = ParameterUse::Building;
+    return declaration;
+}
+
+std::string ParameterSet::buildText() const {
+    std::string text;
+    for (const ParameterDeclaration& declaration : m_declarations)
+        if (declaration.use == ParameterUse::Building)
+            text += (text.empty() ? "" : " ") + declaration.key + '=' + toText(value(declaration.key));
+    return text;
+}
+
 }  // namespace cullscope

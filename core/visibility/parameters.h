@@ -12,6 +12,12 @@ using ParameterValue = std::variant<bool, int64_t, double, std::string>;
 
 enum class ParameterType { Boolean, Integer, Real, Choice };
 
+/// When a parameter is read.
+enum class ParameterUse {
+    Culling,  ///< in every frame: a change of it builds nothing
+    Building  ///< when the structure is built
+};
+
 /// The declaration of one parameter of a strategy; forms, the command line, sweeps and result files are derived from it.
 struct ParameterDeclaration {
     struct Choice {
@@ -26,11 +32,15 @@ struct ParameterDeclaration {
     std::string unit;         ///< "", "px", "°", …
     std::string description;  ///< one English sentence, marked for translation
     std::vector<Choice> choices;
+    ParameterUse use = ParameterUse::Culling;
 };
 
 [[nodiscard]] ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
                                                    std::vector<ParameterDeclaration::Choice> choices);
 [[nodiscard]] ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::string description);
+
+/// The same parameter, read when building.
+[[nodiscard]] ParameterDeclaration readWhenBuilding(ParameterDeclaration declaration);
 
 /// Values of declared parameters; always complete and in range.
 class ParameterSet {
@@ -49,6 +59,9 @@ public:
     [[nodiscard]] int64_t integer(std::string_view key) const { return std::get<int64_t>(value(key)); }
     [[nodiscard]] bool boolean(std::string_view key) const { return std::get<bool>(value(key)); }
     [[nodiscard]] const std::vector<ParameterDeclaration>& declarations() const { return m_declarations; }
+
+    /// "key=value" of the parameters that are read when building, separated by spaces.
+    [[nodiscard]] std::string buildText() const;
 
     bool operator==(const ParameterSet& other) const { return m_values == other.m_values; }
 

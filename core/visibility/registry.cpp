@@ -12,15 +12,9 @@ namespace cullscope {
 
 const std::vector<RegisteredStrategy>& strategies() {
     static const std::vector<RegisteredStrategy> kStrategies{
-        {baseline::allInfo(), baseline::makeAll},
-        {baseline::backfaceInfo(), baseline::makeBackface},
-        {frustum::frustumInfo(), frustum::makeFrustum},
-        {frustum::frustumOctreeInfo(), frustum::makeFrustumOctree},
-        {frustum::frustumSelectInfo(), frustum::makeFrustumSelect},
-        {frustum::frustumQueryInfo(), frustum::makeFrustumQuery},
-        {spherical::sphericalInfo(), spherical::makeSpherical},
-        {spherical::sphericalHorizonInfo(), spherical::makeSphericalHorizon},
-        {spherical::sphericalLosslessInfo(), spherical::makeSphericalLossless},
+        baseline::all(),          baseline::backface(),          frustum::frustum(),
+        frustum::frustumOctree(), frustum::frustumSelect(),      frustum::frustumQuery(),
+        spherical::spherical(),   spherical::sphericalHorizon(), spherical::sphericalLossless(),
     };
     return kStrategies;
 }
@@ -32,15 +26,6 @@ const RegisteredStrategy& findStrategy(std::string_view id) {
         known += (known.empty() ? "" : ", ") + strategy.info.id;
     }
     throwUsage(CULLSCOPE_TR("There is no strategy \"%1\". Known: %2."), {std::string(id), known});
-}
-
-StrategyPointer makeStrategy(std::string_view id) {
-    const RegisteredStrategy& found = findStrategy(id);
-    return found.make(ParameterSet(found.info.parameters));
-}
-
-StrategyPointer makeStrategy(std::string_view id, ParameterSet parameters) {
-    return findStrategy(id).make(std::move(parameters));
 }
 
 }  // namespace cullscope

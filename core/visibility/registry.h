@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -7,10 +8,10 @@
 
 namespace cullscope {
 
-/// A strategy that can be created by its id.
+/// A strategy with its properties.
 struct RegisteredStrategy {
     StrategyInfo info;
-    StrategyPointer (*make)(ParameterSet parameters);
+    std::shared_ptr<const Strategy> strategy;
 };
 
 /// Every strategy, in the order in which lists show them. A new strategy needs one pair of files and one line there.
@@ -18,9 +19,5 @@ struct RegisteredStrategy {
 
 /// The strategy with this id. Throws Error(Usage) naming the known ids where there is none.
 [[nodiscard]] const RegisteredStrategy& findStrategy(std::string_view id);
-
-/// Creates a strategy with all parameters at their defaults, or with the given ones.
-[[nodiscard]] StrategyPointer makeStrategy(std::string_view id);
-[[nodiscard]] StrategyPointer makeStrategy(std::string_view id, ParameterSet parameters);
 
 }  // namespace cullscope

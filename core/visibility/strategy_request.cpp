@@ -22,6 +22,10 @@ std::pair<std::string, std::string> keyAndValue(std::string_view text) {
     return {std::string(text.substr(0, equals)), std::string(text.substr(equals + 1))};
 }
 
+const RegisteredStrategy& strategyOf(const StrategyRequest& request) {
+    return request.own ? *request.own : findStrategy(request.id);
+}
+
 StrategyRequest strategyFromText(std::string_view text) {
     size_t colon = text.find(':');
     StrategyRequest request;

@@ -13,7 +13,10 @@ namespace cullscope {
 struct StrategyRequest {
     std::string id;
     ParameterSet parameters;
+    std::shared_ptr<const RegisteredStrategy> own{};  ///< a strategy that is not in the registry; null: found by the id
 };
+/// The requested strategy. Throws what findStrategy throws.
+[[nodiscard]] const RegisteredStrategy& strategyOf(const StrategyRequest& request);
 
 /// Parses a strategy written as `id` or `id:key=value:key=value`; other parameters are at their defaults. Throws Error(Usage)
 /// naming an unknown id or key and the known ones.

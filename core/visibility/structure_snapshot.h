@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "core/frame/frame_log.h"
 #include "core/visibility/spherical/decision.h"
-#include "core/visibility/trace.h"
 
 namespace cullscope {
 
@@ -15,6 +15,7 @@ struct SnapshotNode {
 
     int32_t parent = -1;    ///< index into StructureSnapshot::nodes; -1: a root
     uint32_t instance = 0;  ///< kGroup: a group
+    uint32_t number = 0;    ///< of a group: its number in the structure, as decisions have it
     uint32_t objects = 1;   ///< number of objects in it
     Box3 box;               ///< world coordinates
     uint64_t triangles = 0;

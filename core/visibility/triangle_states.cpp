@@ -45,18 +45,27 @@ TriangleState stateOfCause(Cause cause) {
 
 namespace {
 
-/// The states of all triangles as if none were submitted: by the cause of their objects, or of their ranges where a trace has
-/// them.
-std::vector<TriangleState> causes(const Scene& scene, const DrawList& list, const Trace& trace) {
+/// The states of all triangles as if none were submitted: by the causes that the decisions name.
+std::vector<TriangleState> causes(const Scene& scene, const DrawList& drawn, const FrameLog& log) {
     std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
-    for (const TraceEvent& event : trace.events)
-        if (event.kind == TraceEvent::Kind::Culled || event.kind == TraceEvent::Kind::PartlyDrawn)
-            std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(event.instance)),
-                        scene.meshOf(event.instance).triangleCount(), stateOfCause(event.cause));
-    for (const CulledRun& run : trace.culledRuns) {
-        const uint32_t mesh = scene.instances()[run.instance].mesh;
-        for (uint32_t place = run.places.first; place < run.places.first + run.places.count; ++place)
-            states[scene.firstTriangle(run.instance) + list.triangleAt(mesh, place)] = stateOfCause(run.cause);
+    const auto mark = [&](uint32_t instance, Cause cause) {
+        std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(instance)),
+                    scene.meshOf(instance).triangleCount(), stateOfCause(cause));
+    };
+    const auto culls = [](const Decision& decision) {
+        return decision.outcome == Decision::Outcome::Culled || decision.outcome == Decision::Outcome::PartlyDrawn;
+    };
+    for (const Decision& decision : log.decisions) {
+        if (!culls(decision)) continue;
+        if (decision.subject.kind == Subject::Kind::Object) mark(decision.subject.number, decision.cause);
+        for (const uint32_t instance : log.objectsOf(decision)) mark(instance, decision.cause);
+    }
+    // What a cell's decision says of its triangles is nearer to them than what became of the object.
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject.kind != Subject::Kind::Cell || !culls(decision)) continue;
+        const uint32_t instance = decision.subject.object, mesh = scene.instances()[instance].mesh;
+        for (uint32_t place = decision.places.first; place < decision.places.first + decision.places.count; ++place)
+            states[scene.firstTriangle(instance) + drawn.triangleAt(mesh, place)] = stateOfCause(decision.cause);
     }
     return states;
 }
@@ -82,16 +91,16 @@ struct Submitted {
 
 }  // namespace
 
-TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
-                              const std::optional<VisibleTriangles>& truth) {
+TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std::optional<VisibleTriangles>& truth) {
+    const DrawList list = drawnTriangles(scene, log);
     TriangleStates result;
     result.againstTruth = truth.has_value();
-    result.states = causes(scene, list, trace);
+    result.states = causes(scene, list, log);
     if (truth.has_value())
         for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
-    const Submitted submitted{truth, list.facing};
+    const Submitted submitted{truth, log.facing};
     for (const DrawRange& range : list.ranges) {
-        const InstanceFromEye instance(scene, range.instance, view.eye());
+        const InstanceFromEye instance(scene, range.instance, log.camera.eye);
         const uint64_t first = scene.firstTriangle(range.instance);
         const uint32_t mesh = scene.instances()[range.instance].mesh;
         const uint64_t begin = range.firstIndex / 3;

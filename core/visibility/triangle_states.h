@@ -6,10 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/frame/draw_list.h"
-#include "core/scene/camera.h"
-#include "core/scene/scene.h"
-#include "core/visibility/trace.h"
+#include "core/frame/frame_log.h"
 
 namespace cullscope {
 
@@ -36,13 +33,12 @@ struct TriangleStates {
     bool againstTruth = false;
 };
 
-/// The states of all triangles as decided for `view`, the culling view; `list` and `trace` come from one cull of that view. With
-/// `truth` (none: not known) for the same view, V is its set of visible triangles. In V and drawn: Visible. In V and not drawn
-/// (not submitted; or submitted and culled by OpenGL as back-facing while the truth has both sides): WronglyCulled. Submitted and
-/// not in V: BackFacing where OpenGL draws front faces only and the triangle is back-facing for the eye, else InVain. Not
-/// submitted: by the cause that the trace names for its object; Hidden where it names none, which does not occur with a
-/// registered strategy.
-[[nodiscard]] TriangleStates triangleStates(const Scene& scene, const View& view, const DrawList& list, const Trace& trace,
+/// The states of all triangles in a recorded frame of the scene. With `truth` (none: not known) for its culling view, V is its
+/// set of visible triangles. In V and drawn: Visible. In V and not drawn (not submitted; or submitted and culled by OpenGL as
+/// back-facing while the truth has both sides): WronglyCulled. Submitted and not in V: BackFacing where OpenGL draws front faces
+/// only and the triangle is back-facing for the eye, else InVain. Not submitted: by the cause of the last decision about its
+/// cell, object or group; Hidden where there is none, as in a frame whose choices the GPU makes.
+[[nodiscard]] TriangleStates triangleStates(const Scene& scene, const FrameLog& log,
                                             const std::optional<VisibleTriangles>& truth);
 
 /// The difference of two strategies' visible sets: triangles that are visible and drawn.

@@ -15,70 +15,42 @@ std::string number(double value) {
     return text;
 }
 
-Message planeSentence(const TraceEvent& test) {
-    const std::string plane = planeName(test.plane);
-    const std::string distance = number(std::abs(test.distance));
-    const std::string bound = number(test.bound);
-    if (test.containment == Containment::Outside)
-        return {CULLSCOPE_TR(
-                    "Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3."),
-                {plane, distance, bound}};
-    if (test.containment == Containment::Inside)
-        return {CULLSCOPE_TR("Tested against the %1: all of the bounds lie inside, the farthest point by %2."),
-                {plane, distance}};
-    if (test.distance < 0.0)
-        return {CULLSCOPE_TR("Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside."),
-                {plane, distance, bound}};
-    return {CULLSCOPE_TR("Tested against the %1: the bounds reach %2 to the inside."), {plane, distance}};
+/// The sentence that every decision of an outcome has, for decisions without one of their own.
+Message endSentence(const Decision& decision) {
+    if (decision.outcome == Decision::Outcome::Culled)
+        return {CULLSCOPE_TR("The strategy leaves the object out: %1."), {causeName(decision.cause)}};
+    if (decision.outcome == Decision::Outcome::PartlyDrawn)
+        return {CULLSCOPE_TR("The strategy draws the object in part; the rest is left out: %1."), {causeName(decision.cause)}};
+    return {CULLSCOPE_TR("The strategy keeps the object."), {}};
 }
 
-WhyStep step(const TraceEvent& event) {
-    if (event.kind == TraceEvent::Kind::TestedPlane)
-        return {planeSentence(event), event.plane, event.distance, event.bound, event.containment};
-    if (event.kind == TraceEvent::Kind::TestedAxes)
-        return {{CULLSCOPE_TR(
-                     "No single plane has the bounds outside, but an axis parts them from the frustum: they lie beside one of "
-                     "its edges or corners."),
-                 {}},
-                {},
-                {},
-                event.bound,
-                Containment::Outside};
-    if (event.kind == TraceEvent::Kind::MeetsNear)
-        return {{CULLSCOPE_TR("The box reaches the near rectangle of the view: it is visible without asking."), {}},
-                {},
-                {},
-                {},
-                Containment::Straddles};
-    if (event.kind == TraceEvent::Kind::AskedOpenGl)
-        return {{event.containment == Containment::Outside
-                     ? CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: nothing of it was hit.")
-                     : CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: it was hit."),
-                 {number(event.bound)}},
-                {},
-                {},
-                event.bound,
-                event.containment};
-    if (event.kind == TraceEvent::Kind::Culled)
-        return {{CULLSCOPE_TR("The strategy leaves the object out: %1."), {causeName(event.cause)}},
-                {},
-                {},
-                {},
-                Containment::Outside};
-    if (event.kind == TraceEvent::Kind::PartlyDrawn)
-        return {{CULLSCOPE_TR("The strategy draws the object in part; the rest is left out: %1."), {causeName(event.cause)}},
-                {},
-                {},
-                {},
-                Containment::Straddles};
-    return {{CULLSCOPE_TR("The strategy keeps the object."), {}}, {}, {}, {}, Containment::Straddles};
+/// A decision about an object, as it was said.
+WhyStep step(const Decision& decision) {
+    WhyStep result{{}, decision.plane, {}, {}, decision.containment};
+    if (decision.sentence == nullptr) {
+        result.sentence = endSentence(decision);
+        return result;
+    }
+    std::vector<std::string> arguments;
+    if (decision.plane) {
+        arguments.emplace_back(planeName(*decision.plane));
+        result.distance = decision.distance();
+    }
+    if (decision.plane || decision.margin() != 0.0) result.bound = decision.margin();
+    // The sentence says on which side of a plane the distance lies.
+    for (size_t i = 0; i < decision.operandCount; ++i)
+        arguments.push_back(number(decision.plane ? std::abs(decision.operands[i]) : decision.operands[i]));
+    result.sentence = {decision.sentence, std::move(arguments)};
+    return result;
 }
 
-/// The culled triangles of an object by cause, where the trace has them by ranges.
-std::array<uint64_t, kCauseCount> culledInPart(const Trace& trace, uint32_t instance) {
+/// The culled triangles of an object by cause, where they were decided by cells.
+std::array<uint64_t, kCauseCount> culledInPart(const FrameLog& log, uint32_t instance) {
     std::array<uint64_t, kCauseCount> counts{};
-    for (const CulledRun& run : trace.culledRuns)
-        if (run.instance == instance) counts[size_t(run.cause)] += run.places.count;
+    for (const Decision& decision : log.decisions)
+        if (decision.subject.kind == Subject::Kind::Cell && decision.subject.object == instance &&
+            decision.outcome == Decision::Outcome::Culled)
+            counts[size_t(decision.cause)] += decision.places.count;
     return counts;
 }
 
@@ -168,25 +140,33 @@ Message openGlSentence(Facing facing, bool facesAway) {
 
 }  // namespace
 
-std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy& strategy, const DrawList& list,
-                         const Trace& trace, uint64_t triangle) {
+std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uint64_t triangle) {
+    const Scene& scene = strategy.scene();
     const auto instance = static_cast<uint32_t>(scene.instanceOf(triangle));
     const uint64_t own = triangle - scene.firstTriangle(instance);
     std::vector<WhyStep> steps;
-    const StructureSnapshot snapshot = strategy.snapshot(trace);
+    const StructureSnapshot snapshot = strategy.snapshot(log);
     if (auto box = boxStep(scene, snapshot, instance)) steps.push_back(std::move(*box));
     if (auto group = groupStep(snapshot, instance)) steps.push_back(std::move(*group));
-    const std::array<uint64_t, kCauseCount> inPart = culledInPart(trace, instance);
-    for (const TraceEvent& event : trace.events) {
-        if (event.instance != instance) continue;
-        const bool several = std::ranges::count_if(inPart, [](uint64_t count) { return count > 0; }) > 1;
-        if (event.kind == TraceEvent::Kind::PartlyDrawn && several)
+    const std::array<uint64_t, kCauseCount> inPart = culledInPart(log, instance);
+    const bool several = std::ranges::count_if(inPart, [](uint64_t count) { return count > 0; }) > 1;
+    // A group of this object alone that was decided as a whole: its tests are the object's.
+    const SnapshotNode* group = decidingGroup(snapshot, instance);
+    const bool alone = group != nullptr && group->objects == 1 && group->containment != Containment::Straddles;
+    const auto isAbout = [&](const Decision& decision) {
+        if (decision.subject == Subject::ofObject(instance)) return true;
+        // That it is kept is said of the object too.
+        return alone && decision.subject == Subject::ofNode(group->number) && decision.outcome != Decision::Outcome::Drawn;
+    };
+    for (const Decision& decision : log.decisions) {
+        if (!isAbout(decision)) continue;
+        if (decision.outcome == Decision::Outcome::PartlyDrawn && several)
             addCauses(inPart, steps);
         else
-            steps.push_back(step(event));
+            steps.push_back(step(decision));
     }
     if (const spherical::MapSnapshot* map = snapshot.mapOf(instance)) spherical::addMapSteps(*map, uint32_t(own), steps);
-    const bool given = submits(list, scene, instance, own);
+    const bool given = submits(drawnTriangles(scene, log), scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     steps.push_back(
         {{given ? CULLSCOPE_TR("The triangle is given to OpenGL.") : CULLSCOPE_TR("The triangle is not given to OpenGL."), {}},
@@ -195,9 +175,9 @@ std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy
          {},
          containment});
     if (given) {
-        const bool away = InstanceFromEye(scene, instance, culling.eye()).facesAway(own);
-        const bool dropped = list.facing == Facing::Front && away;
-        steps.push_back({openGlSentence(list.facing, away), {}, {}, {}, dropped ? Containment::Outside : Containment::Straddles});
+        const bool away = InstanceFromEye(scene, instance, log.camera.eye).facesAway(own);
+        const bool dropped = log.facing == Facing::Front && away;
+        steps.push_back({openGlSentence(log.facing, away), {}, {}, {}, dropped ? Containment::Outside : Containment::Straddles});
     }
     return steps;
 }

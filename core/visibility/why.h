@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/message.h"
-#include "core/visibility/strategy.h"
+#include "core/visibility/built_strategy.h"
 
 namespace cullscope {
 
@@ -17,10 +17,9 @@ struct WhyStep {
     Containment containment = Containment::Straddles;
 };
 
-/// The chain for one scene triangle number: the tests of `strategy` and its decision about the triangle's object according to
-/// `trace`, then whether the triangle is in `list`, then how OpenGL treats it under the list's facing rule. All from one cull of
-/// the culling view.
-[[nodiscard]] std::vector<WhyStep> why(const Scene& scene, const View& culling, const Strategy& strategy, const DrawList& list,
-                                       const Trace& trace, uint64_t triangle);
+/// The chain for one scene triangle number: the decisions of a recorded frame of `strategy` about the groups that the triangle's
+/// object lies in and about the object, then whether the triangle was drawn, then how OpenGL treats it under the frame's facing
+/// rule. Only what was tested.
+[[nodiscard]] std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uint64_t triangle);
 
 }  // namespace cullscope

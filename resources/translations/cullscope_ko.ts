@@ -2062,6 +2062,14 @@
         <source>Tested against the %1: the bounds reach %2 to the inside.</source>
         <translation>%1 검사: 경계가 안쪽으로 %2까지 들어옵니다.</translation>
     </message>
+    <message>
+        <source>A strategy made a picture of %1 × %2 pixels for a view of %3 × %4.</source>
+        <translation>전략이 %3 × %4 보기에 대해 %1 × %2 픽셀의 그림을 만들었습니다.</translation>
+    </message>
+    <message>
+        <source>Tested by separating axes, for several planes cut the bounds: none parts them from the frustum.</source>
+        <translation>여러 평면이 경계를 자르므로 분리 축으로 검사: 경계와 절두체를 가르는 축이 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -2062,6 +2062,14 @@
         <source>Tested against the %1: the bounds reach %2 to the inside.</source>
         <translation>针对%1的测试：包围体伸入内侧 %2。</translation>
     </message>
+    <message>
+        <source>A strategy made a picture of %1 × %2 pixels for a view of %3 × %4.</source>
+        <translation>策略为 %3 × %4 的视图生成了 %1 × %2 像素的图像。</translation>
+    </message>
+    <message>
+        <source>Tested by separating axes, for several planes cut the bounds: none parts them from the frustum.</source>
+        <translation>有多个平面切过包围体，因此再用分离轴测试：没有轴能把它与视锥分开。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

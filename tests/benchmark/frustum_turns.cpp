@@ -111,7 +111,8 @@ Hierarchy::Hierarchy(const std::vector<Box3>& boxes) : Hierarchy(sceneOf(boxes))
 Hierarchy::Hierarchy(const std::vector<Sphere>& spheres) : Hierarchy(sceneOf(spheres)) {}
 
 size_t Hierarchy::kept(const View& view) {
-    return keptObjects(m_octree, *m_scene, view, nullptr, nullptr, {true, &m_memory}).size();
+    FrameContext frame(*m_scene, view, false);
+    return keptObjects(m_octree, frame, nullptr, {true, &m_memory}).size();
 }
 
 }  // namespace cullscope::benchmark

@@ -6,7 +6,6 @@
 #include "core/measure/statistics.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
-#include "core/visibility/registry.h"
 
 namespace cullscope::benchmark {
 
@@ -27,13 +26,13 @@ ScenePointer sceneOf(MeshPointer mesh) {
 
 MeshPointer meshOf(const std::string& specification) { return openScene(specification).scene->meshes().front(); }
 
-StrategyPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
+test::CullerPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
     ParameterSet parameters(findStrategy("spherical-lossless").info.parameters);
     parameters.set("layout", std::string(mapLayoutId(layout)));
     parameters.set("level", int64_t{level});
     parameters.set("horizon", horizon);
     parameters.set("facing", std::string(facing));
-    return makeStrategy("spherical-lossless", parameters);
+    return test::makeCuller("spherical-lossless", parameters);
 }
 
 std::vector<Views> cutAndWithin(const Scene& scene, size_t each) {

@@ -7,7 +7,7 @@
 
 #include "core/scene/scene.h"
 #include "core/spatial/direction_map.h"
-#include "core/visibility/strategy.h"
+#include "tests/support/culler.h"
 
 namespace cullscope::benchmark {
 
@@ -19,7 +19,7 @@ namespace cullscope::benchmark {
 [[nodiscard]] MeshPointer meshOf(const std::string& specification);
 
 /// `spherical-lossless` before its build. `facing`: "auto", "front".
-[[nodiscard]] StrategyPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing);
+[[nodiscard]] test::CullerPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing);
 
 /// Views of a scene at 320 × 240: case-1 to case-3, close views that cut it, and views from all sides of the whole object.
 struct Views {

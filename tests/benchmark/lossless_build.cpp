@@ -50,7 +50,7 @@ double wholeBuild(const TriangleMesh& mesh, BuildSample& sample) {
     const MeshPointer fresh = freshCopy(mesh);
     const double sphere = timeOf([&] { static_cast<void>(fresh->localSphere()); });
     const ScenePointer scene = sceneOf(fresh);
-    const StrategyPointer strategy = lossless(MapLayout::Octahedral, 0, true, "auto");
+    const test::CullerPointer strategy = lossless(MapLayout::Octahedral, 0, true, "auto");
     const double rest = timeOf([&] { strategy->build(*scene); });
     sample.bytes = strategy->structure().bytes;
     sample.cells = size_t(figure(strategy->structure(), "cells"));

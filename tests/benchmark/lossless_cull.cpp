@@ -51,28 +51,28 @@ struct CullSample {
     std::array<double, kCauseCount> culled{};  ///< shares of the faces
 };
 
-CullSample countsOf(Strategy& strategy, const Views& views, size_t faces) {
+CullSample countsOf(test::Culler& strategy, const Views& views, size_t faces) {
     CullSample sample;
     sample.path = views.name;
     sample.faces = faces;
     const double share = 1.0 / double(views.views.size());
     for (const View& view : views.views) {
-        const Verdict verdict = strategy.cull(view);
-        sample.nodes += double(verdict.nodesVisited) * share;
-        sample.considered += double(verdict.consideredTriangles) / double(faces) * share;
+        const test::Culled frame = strategy.cull(view);
+        sample.nodes += double(frame.nodesVisited) * share;
+        sample.considered += double(frame.consideredTriangles) / double(faces) * share;
         for (size_t cause = 0; cause < kCauseCount; ++cause)
-            sample.culled[cause] += double(verdict.culledTriangles[cause]) / double(faces) * share;
+            sample.culled[cause] += double(frame.culledTriangles[cause]) / double(faces) * share;
     }
     return sample;
 }
 
 /// Measured in turns. Milliseconds by configuration: the mean over the views of the median over the rounds.
-std::vector<double> cullTimes(const std::vector<StrategyPointer>& strategies, const std::vector<View>& views) {
+std::vector<double> cullTimes(const std::vector<test::CullerPointer>& strategies, const std::vector<View>& views) {
     std::vector<double> means(strategies.size(), 0.0);
     for (const View& view : views) {
         std::vector<std::vector<double>> times(strategies.size());
         for (int round = 0; round < kRounds; ++round)
-            for (size_t i = 0; i < strategies.size(); ++i) times[i].push_back(strategies[i]->cull(view).cullMilliseconds);
+            for (size_t i = 0; i < strategies.size(); ++i) times[i].push_back(strategies[i]->cull(view).log.cullMilliseconds);
         for (size_t i = 0; i < strategies.size(); ++i) means[i] += medianOf(times[i]) / double(views.size());
     }
     return means;
@@ -89,7 +89,7 @@ void print(const CullSample& s) {
 
 void addSamples(const MeshPointer& mesh, const std::vector<Views>& paths, std::vector<CullSample>& samples) {
     const ScenePointer scene = sceneOf(mesh);
-    std::vector<StrategyPointer> strategies;
+    std::vector<test::CullerPointer> strategies;
     for (const Configuration& c : kConfigurations) {
         // Above five million triangles `auto` draws both sides, because closedness is not checked, so `front` is set.
         strategies.push_back(lossless(c.layout, c.level, c.horizon, "front"));

@@ -8,7 +8,6 @@
 #include "core/image/line_plot.h"
 #include "core/measure/render_frame.h"
 #include "core/spatial/cell_tree.h"
-#include "core/visibility/registry.h"
 #include "tests/benchmark/lossless_benchmark.h"
 
 namespace cullscope::benchmark {
@@ -24,7 +23,7 @@ constexpr int kBuilds = 3;
 struct Contestant {
     MapLayout layout = MapLayout::Octahedral;
     uint32_t level = 0;
-    StrategyPointer strategy;
+    test::CullerPointer strategy;
     double buildMilliseconds = 0.0;
     size_t nodes = 0, leaves = 0;
     double cellRatio = 1.0;  ///< largest : smallest solid angle of a leaf's cell
@@ -91,17 +90,17 @@ LayoutSample sampleOf(const Contestant& from, const std::string& mesh, const std
     return sample;
 }
 
-void addVerdict(LayoutSample& sample, const Verdict& verdict, double faces, double share) {
-    sample.visited += double(verdict.nodesVisited) * share;
-    sample.considered += double(verdict.consideredTriangles) / faces * share;
+void addCounts(LayoutSample& sample, const FrameLog& frame, double faces, double share) {
+    sample.visited += double(frame.counters.nodesVisited) * share;
+    sample.considered += double(frame.consideredTriangles()) / faces * share;
     for (size_t cause = 0; cause < kCauseCount; ++cause)
-        sample.culled[cause] += double(verdict.culledTriangles[cause]) / faces * share;
+        sample.culled[cause] += double(frame.counters.culledTriangles[cause]) / faces * share;
 }
 
 /// Draws the frames of the contestants and of backface in turns.
 class FrameRace {
 public:
-    explicit FrameRace(const ScenePointer& scene) : m_buffers(scene, Upload::Vbo), m_backface(makeStrategy("backface")) {
+    explicit FrameRace(const ScenePointer& scene) : m_buffers(scene, Upload::Vbo), m_backface(test::makeCuller("backface")) {
         m_backface->build(*scene);
     }
 
@@ -114,11 +113,11 @@ public:
             for (size_t i = 0; i < racers.size(); ++i) {
                 const FrameResult frame = draw(*racers[i].strategy, view);
                 if (round < 0) {  // warm-up
-                    addVerdict(samples[i], frame.verdict, double(m_buffers.scene().triangleCount()), share);
+                    addCounts(samples[i], frame.log, double(m_buffers.scene().triangleCount()), share);
                     continue;
                 }
                 frames[i].push_back(frame.frameMilliseconds);
-                culls[i].push_back(frame.verdict.cullMilliseconds);
+                culls[i].push_back(frame.log.cullMilliseconds);
             }
         }
         for (size_t i = 0; i < racers.size(); ++i) {
@@ -128,14 +127,14 @@ public:
     }
 
 private:
-    FrameResult draw(Strategy& strategy, const View& view) {
-        return renderFrame(m_renderer, m_buffers, strategy, view, m_target);
+    FrameResult draw(test::Culler& strategy, const View& view) {
+        return renderFrame(m_renderer, m_buffers, *strategy.built(), strategy.state(), view, m_target);
     }
 
     Renderer m_renderer;
     SceneBuffers m_buffers;
     Framebuffer m_target{Viewport{320, 240}};
-    StrategyPointer m_backface;
+    test::CullerPointer m_backface;
 };
 
 std::string levelText(uint32_t level) { return level == 0 ? "auto" : std::to_string(level); }

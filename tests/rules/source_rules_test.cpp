@@ -223,8 +223,7 @@ TEST(SourceRules, includesAreFoundAtAll) { EXPECT_GT(includesBelow(project(), {"
 TEST(SourceRules, dependenciesPointUpTheList) { EXPECT_THAT(layeringOffences(project()), IsEmpty()); }
 /// The data that panels and explanations show is still the spherical family's own.
 const std::vector<std::string> kStillKnowFamilies = {"core/image/map_colours.cpp", "core/visibility/structure_snapshot.h",
-                                                     "core/visibility/trace.h", "core/visibility/why.cpp",
-                                                     "ui/panels/map_layout.h"};
+                                                     "core/visibility/why.cpp", "ui/panels/map_layout.h"};
 TEST(SourceRules, familiesAreKnownWhereTheyMayBe) { EXPECT_THAT(familyOffences(project(), kStillKnowFamilies), IsEmpty()); }
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }

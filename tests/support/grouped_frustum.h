@@ -1,55 +1,55 @@
 #pragma once
 
+#include "core/visibility/object_nodes.h"
 #include "core/visibility/octree_walk.h"
-#include "core/visibility/strategy.h"
+#include "tests/support/culler.h"
 
 namespace cullscope::test {
 
-/// The smallest strategy over a hierarchy of instances: draws the objects that the walk keeps.
-class GroupedFrustum final : public Strategy {
-public:
-    GroupedFrustum() : Strategy(ParameterSet(std::vector<ParameterDeclaration>{})) {}
+struct GroupedObjects : Structure {
+    using Structure::Structure;
+    InstanceOctree octree;
+};
 
-    [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] const InstanceOctree& octree() const { return m_octree; }
-    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
-        StructureSnapshot result;
-        for (uint32_t i = 0; i < scene().instances().size(); ++i) {
-            if (scene().meshOf(i).triangleCount() == 0) continue;
-            SnapshotNode node;
-            node.instance = i;
-            node.box = scene().instanceBox(i);
-            node.triangles = scene().meshOf(i).triangleCount();
-            for (const TraceEvent& event : trace.events) {
-                if (event.instance != i || event.containment != Containment::Outside) continue;
-                node.culled = true;
-                node.containment = Containment::Outside;
-                node.rejectedBy = event.plane;
-            }
-            result.nodes.push_back(node);
+/// The smallest strategy over a hierarchy of instances: draws the objects that the walk keeps.
+class GroupedFrustum final : public StrategyWith<GroupedObjects> {
+protected:
+    void fill(GroupedObjects& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
+        structure.octree = InstanceOctree(structure.scene());
+        structure.report.bytes = structure.octree.bytes();
+    }
+    void decide(FrameContext& frame, const GroupedObjects& structure, ViewState& /*state*/,
+                const ParameterSet& /*parameters*/) const override {
+        OctreeWalkCounters counters;
+        DrawList list{frame.facing(), {}};
+        for (const KeptObject& kept : keptObjects(structure.octree, frame, &counters)) {
+            list.ranges.push_back(
+                {kept.instance, 0, static_cast<uint32_t>(3 * frame.scene().meshOf(kept.instance).triangleCount())});
+            if (frame.recording()) frame.say(ending(Subject::ofObject(kept.instance), Decision::Outcome::Drawn));
         }
-        addGroups(result, m_octree, scene(), trace);
+        frame.counters().nodesVisited = counters.nodesVisited;
+        frame.counters().culledTriangles[size_t(Cause::OutsideFrustum)] = counters.trianglesCulled;
+        frame.draw(std::move(list));
+    }
+    [[nodiscard]] Promise promiseOf(const GroupedObjects& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+    [[nodiscard]] StructureSnapshot snapshotOf(const GroupedObjects& structure, const FrameLog& log) const override {
+        StructureSnapshot result = objectNodes(log, structure.scene());
+        addGroups(result, structure.octree, structure.scene(), log);
         return result;
     }
+};
 
-protected:
-    void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
-        m_octree = InstanceOctree(scene);
-        report.bytes = m_octree.bytes();
-    }
-    void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        OctreeWalkCounters figures;
-        for (const KeptObject& kept : keptObjects(m_octree, scene(), view, &figures, trace)) {
-            verdict.drawList.ranges.push_back(
-                {kept.instance, 0, static_cast<uint32_t>(3 * scene().meshOf(kept.instance).triangleCount())});
-            if (trace != nullptr) trace->events.push_back({TraceEvent::Kind::Accepted, kept.instance});
-        }
-        verdict.nodesVisited = figures.nodesVisited;
-        verdict.culledTriangles[size_t(Cause::OutsideFrustum)] = figures.trianglesCulled;
-    }
+/// That strategy over one scene after another.
+class GroupedCuller : public Culler {
+public:
+    GroupedCuller() : Culler({{"grouped-frustum", "", "", "", {}}, std::make_shared<GroupedFrustum>()}) {}
 
-private:
-    InstanceOctree m_octree;
+    [[nodiscard]] const InstanceOctree& octree() const {
+        return static_cast<const GroupedObjects&>(*built()->structure()).octree;
+    }
 };
 
 }  // namespace cullscope::test

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/scene/camera_path.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
@@ -13,18 +13,17 @@ struct LosslessMap {
           view(Camera{eye, target, {0.1, 0.9, 0.2}, Angle::fromDegrees(fovyDegrees), 0.05, 100.0}, {320, 240}) {
         ParameterSet parameters(findStrategy("spherical-lossless").info.parameters);
         parameters.set("layout", std::string(mapLayoutId(layout)));
-        strategy = makeStrategy("spherical-lossless", parameters);
+        strategy = makeCuller("spherical-lossless", parameters);
         strategy->build(*scene);
-        Trace trace;
-        (void)strategy->cull(view, &trace);
-        snapshot = strategy->snapshot(trace);
+        const Culled frame = strategy->cull(view, Recording::On);
+        snapshot = strategy->snapshot(frame.log);
     }
 
     [[nodiscard]] const spherical::MapSnapshot& map() const { return snapshot.maps.front(); }
 
     ScenePointer scene;
     View view;
-    StrategyPointer strategy;
+    CullerPointer strategy;
     StructureSnapshot snapshot;
 };
 

@@ -2,16 +2,24 @@
 
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test {
 
 /// A strategy with parameters as text: {"rows", "90"}, …
-inline StrategyPointer strategyWith(const char* id, const std::vector<std::pair<const char*, const char*>>& parameters) {
+inline CullerPointer strategyWith(const char* id, const std::vector<std::pair<const char*, const char*>>& parameters) {
     ParameterSet set(findStrategy(id).info.parameters);
     for (const auto& [key, value] : parameters) set.setFromText(key, value);
-    return makeStrategy(id, set);
+    return makeCuller(id, set);
+}
+
+/// With maps of few cells, so that many scenes take little time.
+inline CullerPointer coarse(const RegisteredStrategy& registered) {
+    ParameterSet parameters(registered.info.parameters);
+    for (const ParameterDeclaration& declaration : registered.info.parameters)
+        if (declaration.key == "rows") parameters.set("rows", int64_t{12});
+    return makeCuller(registered.info.id, parameters);
 }
 
 /// A sphere mesh with every vertex moved along its direction by a seeded sum of bumps and spikes: star-shaped around the origin.

@@ -54,7 +54,7 @@ TEST_F(ContextLoss, aScreenshotUnderWaySaysSoAndLeavesNoFile) {
     const std::filesystem::path file = folder.filePath(QStringLiteral("large.png")).toStdString();
     ScreenshotOptions options;
     options.size = Viewport{4096, 4096};
-    Screenshot screenshot(*session.gpu(),
+    Screenshot screenshot(*session.gpu(), session.frames(),
                           planScreenshot(
                               session, options, [](int) { return PictureExtras(); }, false),
                           file);
@@ -71,7 +71,7 @@ TEST_F(ContextLoss, aScreenshotUnderWaySaysSoAndLeavesNoFile) {
     EXPECT_FALSE(std::filesystem::exists(file));
     waitForRedrawing(drawnBefore);
     EXPECT_EQ(said.size(), 1u);
-    Screenshot again(*session.gpu(),
+    Screenshot again(*session.gpu(), session.frames(),
                      planScreenshot(
                          session, options, [](int) { return PictureExtras(); }, false),
                      file);

@@ -87,7 +87,7 @@ TEST_F(FrustumFamily, strategyThatAsksOpenGlIsDrawnMeasuredAndPicked) {
         EXPECT_EQ(figures.accuracy.missedPixels, 0u) << id;
         EXPECT_LT(figures.consideredTriangles, figures.sceneTriangles) << id;
         ASSERT_TRUE(session->picture(1));
-        EXPECT_EQ(session->picture(1)->request.strategy->id, id);
+        EXPECT_EQ(session->picture(1)->request.strategy->id(), id);
         session->setPick(std::nullopt);
         session->pickAt(1, kSize.width / 2, kSize.height / 2);
         session->pickAt(1, kSize.width / 2, kSize.height / 3);
@@ -134,7 +134,7 @@ TEST_F(FrustumFamily, theTwinsKeepEquallyManyBoxes) {
     std::vector<uint64_t> kept;
     for (const char* id : {"frustum-select", "frustum-query"}) {
         choose(id, "all");
-        ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == id; }));
+        ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id() == id; }));
         kept.push_back(countByPlane(*reader.reading()->snapshot).kept);
     }
     EXPECT_EQ(kept[0], kept[1]);
@@ -194,7 +194,7 @@ TEST_F(FrustumFamily, whyNamesAllSixPlanesWhereBoxesAreTested) {
         std::set<bool> verdicts;
         for (uint32_t object = 0; object < 36; object += 5) {
             pickObject(*session, object);
-            ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == id; }));
+            ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id() == id; }));
             ASSERT_EQ(table->rowCount(), 6) << id << ", object " << object;
             bool outside = false;
             for (const PlaneDistance& plane : reader.reading()->planes)
@@ -211,7 +211,7 @@ TEST_F(FrustumFamily, whyNamesAllSixPlanesWhereBoxesAreTested) {
         EXPECT_EQ(verdicts.size(), 2u) << "not both kinds were picked";
     }
     choose("backface", "all");
-    ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id == "backface"; }));
+    ASSERT_TRUE(waitUntil([&] { return reader.fresh() && reader.reading()->strategy->id() == "backface"; }));
     EXPECT_EQ(table->rowCount(), 0) << "it tests no box";
 }
 

@@ -4,8 +4,8 @@
 
 #include "core/image/judged_cells.h"
 #include "core/scene/camera_moves.h"
+#include "core/visibility/built_strategy.h"
 #include "tests/ui/test_scene.h"
-#include "ui/jobs/built_strategy.h"
 #include "ui/panels/bands_plot.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/map_words.h"
@@ -180,16 +180,15 @@ TEST_F(WalkMap, bandsAreSaidNotToBeUsed) {
 }
 
 TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {
-    const View view(session.camera(), {160, 120});
     const ViewLook wanted{.kernel = true};
-    EXPECT_TRUE(shownLook(*session.slot(1).built(), view, wanted).kernel);
+    EXPECT_TRUE(shownLook(*session.picture(1)->frame, wanted).kernel);
     PictureSubject picture;
     picture.scene = "bunny";
     picture.look = wanted;
     EXPECT_TRUE(cullbenchArguments(picture, {}).join(QLatin1Char(' ')).contains(QStringLiteral("--overlay kernel")));
     session.slot(1).choose("spherical");
     settle();
-    EXPECT_FALSE(shownLook(*session.slot(1).built(), view, wanted).kernel);
+    EXPECT_FALSE(shownLook(*session.picture(1)->frame, wanted).kernel);
 }
 
 }  // namespace

@@ -117,7 +117,7 @@ TEST_F(ScreenshotTest, whatCannotBeIsOneSentenceAndNoFile) {
 
 TEST_F(ScreenshotTest, aFullDiskAndAFolderThatIsNoneAreSaid) {
     const auto failureOf = [&](const std::filesystem::path& path) {
-        Screenshot screenshot(*session.gpu(), planScreenshot(session, bare(), noExtras, false), path);
+        Screenshot screenshot(*session.gpu(), session.frames(), planScreenshot(session, bare(), noExtras, false), path);
         Message message;
         bool done = false;
         QObject::connect(&screenshot, &Screenshot::done, [&] { done = true; });

@@ -121,7 +121,7 @@ TEST_F(ScreenshotTest, theLegendCountsTheTrianglesOfTheSavedSize) {
     session.gpu()->run([&] {
         Renderer renderer;
         TiledPicture picture(plan.parts.front().request, plan.parts.front().wanted);
-        while (picture.drawNext(renderer)) {
+        while (picture.drawNext(*session.frames(), renderer)) {
         }
         result = picture.take();
     });
@@ -152,19 +152,17 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
         Renderer renderer;
         TiledPicture tiled(request, {true, true, 2});
         EXPECT_EQ(tiled.steps(), 6u);
-        while (tiled.drawNext(renderer)) {
+        while (tiled.drawNext(*session.frames(), renderer)) {
         }
         const TiledPicture::Result result = tiled.take();
 
         const View culling(request.culling, request.cullingSize);
-        Trace trace;
-        const Verdict verdict = cullShared(*request.strategy, culling, &trace, &renderer);
-        const Reference truth =
-            itemBufferReference(renderer, *request.buffers, culling, request.strategy->strategy->referenceFacing());
-        request.states = std::make_shared<const TriangleStates>(
-            triangleStates(request.buffers->scene(), culling, verdict.drawList, trace, truth.visible()));
+        const ViewFramePointer frame = session.frames()->beside(request.frame(), true, renderer);
+        const Reference truth = itemBufferReference(renderer, *request.buffers, culling, request.strategy->referenceFacing());
+        request.states =
+            std::make_shared<const TriangleStates>(triangleStates(request.buffers->scene(), frame->log, truth.visible()));
         EXPECT_EQ(result.states->counts, request.states->counts);
-        PictureDrawing whole(request, renderer);
+        PictureDrawing whole(request, frame, nullptr);
         Framebuffer target(request.size);
         whole.draw(renderer, target);
         const auto picture = whole.finish(2);
@@ -176,7 +174,7 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
         EXPECT_LT(different, request.size.width * request.size.height / 10'000);
         EXPECT_EQ(picture->marks.size(), result.picture->marks.size());
         const Renderer::ItemBuffer items =
-            renderer.drawItemBuffer(*request.buffers, View(request.viewing, request.size), whole.drawList());
+            renderer.drawItemBuffer(*request.buffers, View(request.viewing, request.size), whole.log(), {0, 0, request.size});
         size_t otherItems = 0;
         for (size_t i = 0; i < items.triangle.size(); ++i) otherItems += items.triangle[i] != result.triangle[i] ? 1 : 0;
         EXPECT_LT(otherItems, items.triangle.size() / 10'000);
@@ -230,7 +228,7 @@ TEST_F(ScreenshotTest, aGridIsArrangedAsInTheWindow) {
         EXPECT_EQ(saved.copy(part.picture), session.pictures()->drawNow(part.request)->colour) << part.view;
     }
     EXPECT_LT(plan.parts[0].picture.right(), plan.parts[1].picture.left());
-    EXPECT_EQ(plan.parts[1].request.strategy->id, "backface");
+    EXPECT_EQ(plan.parts[1].request.strategy->id(), "backface");
 }
 
 TEST_F(ScreenshotTest, eightViewsAreTwoRowsOfFourUnderHeadlines) {

@@ -124,7 +124,7 @@ TEST(Session, manyQuickChangesOfAParameterEndWithTheLast) {
         slot.setParameters(parameters);
     }
     ASSERT_TRUE(waitUntil([&] { return slot.built() && !slot.building(); }));
-    EXPECT_EQ(slot.built()->strategy->parameters(), parameters);
+    EXPECT_EQ(slot.built()->parameters(), parameters);
     EXPECT_EQ(slot.parameters().choice("box"), "length");
 }
 
@@ -225,27 +225,6 @@ TEST(GpuThread, buffersMayOutliveIt) {
     }
     EXPECT_EQ(late->scene().triangleCount(), 80u);
     late = nullptr;
-}
-
-TEST(BuiltStrategy, sharedRenderingDrawsTheSamePictureAsCores) {
-    GpuThread gpu;
-    gpu.run([&] {
-        const ScenePointer scene = openScene("sphere:triangles=1280").scene;
-        BuiltStrategy built;
-        built.strategy = makeStrategy("all");
-        built.strategy->build(*scene);
-        const SceneBuffers buffers(scene, Upload::Vbo);
-        Renderer renderer;
-        Framebuffer target(Viewport{64, 48});
-        const View view(homeCamera(*scene, UpAxis::Y, 4.0 / 3.0), {64, 48});
-        const FrameResult shared = renderShared(renderer, buffers, built, view, target);
-        const std::vector<uint8_t> pixels = target.readColour();
-        const FrameResult alone = renderFrame(renderer, buffers, *built.strategy, view, target);
-        EXPECT_EQ(pixels, target.readColour());
-        EXPECT_EQ(shared.verdict.consideredTriangles, alone.verdict.consideredTriangles);
-        EXPECT_TRUE(built.mutex.try_lock());
-        built.mutex.unlock();
-    });
 }
 
 TEST(ViewMetrics, medianIsTheMiddleOrTheMeanOfBothMiddles) {

@@ -126,10 +126,9 @@ struct StructurePanelTest : ::testing::Test {
 };
 
 TEST_F(StructurePanelTest, treeShowsWhatTheStrategyDecided) {
-    Trace trace;
     const BuiltStrategy& built = *session.slot(1).built();
-    (void)session.slot(1).built()->strategy->cull(View(session.camera(), {160, 120}), &trace);
-    const StructureSnapshot expected = built.strategy->snapshot(trace);
+    const FrameLog log = built.decide(View(session.camera(), {160, 120}), *built.begin(), true);
+    const StructureSnapshot expected = built.snapshot(log);
     const StructureModel& model = panel.tree().model();
     ASSERT_EQ(model.rowCount(), int(expected.nodes.size()));
     int culled = 0;

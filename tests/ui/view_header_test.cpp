@@ -44,7 +44,7 @@ TEST_F(HeaderOfView, promiseAndIdStandWholeInANarrowView) {
                 const QString shown = header.shownFirstLine();
                 const std::string context = std::string(spoken) + ": " + shown.toStdString();
                 EXPECT_FALSE(header.elided()) << context;
-                const Promise promise = session.slot(session.culledBy(1)).built()->strategy->promise();
+                const Promise promise = session.slot(session.culledBy(1)).built()->promise();
                 EXPECT_TRUE(shown.endsWith(promiseWord(promise) + QLatin1Char(' ') + QString::fromLatin1(id))) << context;
                 EXPECT_TRUE(shown.startsWith(QStringLiteral("B "))) << context;
                 EXPECT_TRUE(header.toolTip().contains(header.firstLine().toHtmlEscaped())) << context;
@@ -57,9 +57,9 @@ TEST_F(HeaderOfView, doesNotPromiseWhatTheStrategyBeforePromised) {
     watch(Role::Linked, "all");
     session.slot(1).choose("spherical");
     // The strategy is not built yet.
-    ASSERT_EQ(session.slot(1).built()->id, "all");
+    ASSERT_EQ(session.slot(1).built()->id(), "all");
     EXPECT_FALSE(header.shownFirstLine().contains(promiseWord(Promise::Conservative))) << header.shownFirstLine().toStdString();
-    ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->id == "spherical"; }));
+    ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->id() == "spherical"; }));
     EXPECT_TRUE(waitUntil([&] { return header.shownFirstLine().contains(promiseWord(Promise::Approximate)); }));
 }
 

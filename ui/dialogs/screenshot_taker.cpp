@@ -70,7 +70,7 @@ void ScreenshotTaker::startNext() {
         emit failed(error.message());
         return startNext();
     }
-    m_running = std::make_unique<Screenshot>(*m_session.gpu(), order.plan, path);
+    m_running = std::make_unique<Screenshot>(*m_session.gpu(), m_session.frames(), order.plan, path);
     showProgress();
     connect(m_running.get(), &Screenshot::progressed, this, [this](double share) {
         if (m_progress) m_progress->setValue(std::min(int(share * kPercent), kPercent - 1));

@@ -26,21 +26,21 @@ ViewPicturePointer guarded(Message& failure, const Draw& draw) {
 
 }  // namespace
 
-PictureMaker::PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent)
+PictureMaker::PictureMaker(GpuThread& gpu, int views, ViewFramesPointer frames, Wish wish, QObject* parent)
     : QObject(parent),
       m_gpu(gpu),
       m_wish(std::move(wish)),
-      m_drawer(std::make_shared<ViewPictureDrawer>()),
+      m_drawer(std::make_shared<ViewPictureDrawer>(std::move(frames))),
       m_views(size_t(views)) {
     connect(
-        &gpu, &GpuThread::contextGoing, this, [drawer = m_drawer] { *drawer = ViewPictureDrawer(); }, Qt::DirectConnection);
+        &gpu, &GpuThread::contextGoing, this, [drawer = m_drawer] { drawer->letGo(); }, Qt::DirectConnection);
 }
 
 PictureMaker::~PictureMaker() {
     m_jobs.cancel();
     m_picks.cancel();
     // What lives on the GPU thread ends there.
-    m_gpu.run([this] { *m_drawer = ViewPictureDrawer(); });
+    m_gpu.run([this] { m_drawer->letGo(); });
 }
 
 void PictureMaker::forget() {
@@ -49,6 +49,7 @@ void PictureMaker::forget() {
         state.picture = nullptr;
         state.given.reset();
     }
+    m_gpu.post([frames = m_drawer->frames()] { frames->forget(); });
 }
 
 bool PictureMaker::wants(int view) const {

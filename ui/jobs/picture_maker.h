@@ -20,7 +20,7 @@ public:
     /// Returns the request that a view has now; none: the view is not shown, or its scene or strategy is not ready.
     using Wish = std::function<std::optional<ViewRequest>(int view)>;
 
-    PictureMaker(GpuThread& gpu, int views, Wish wish, QObject* parent = nullptr);
+    PictureMaker(GpuThread& gpu, int views, ViewFramesPointer frames, Wish wish, QObject* parent = nullptr);
     ~PictureMaker() override;
 
     /// Call it when requests may have changed. View `first` gets two turns of three while it has a request.

@@ -6,11 +6,12 @@
 
 #include "core/visibility/plane_distances.h"
 #include "core/visibility/why.h"
-#include "ui/jobs/built_strategy.h"
+#include "ui/jobs/view_frames.h"
 
 namespace cullscope::ui {
 
-/// The decisions of a view's strategy, read out of one traced cull. Instances and triangles are numbered as in `strategy->scene`.
+/// The decisions of a view's strategy, read from the frame that its picture replays. Instances and triangles are
+/// numbered as in the strategy's scene.
 struct SnapshotReading {
     BuiltStrategyPointer strategy;
     Camera culling;
@@ -21,7 +22,7 @@ struct SnapshotReading {
     std::optional<uint64_t> triangle;  ///< the triangle that `why` explains; none: no triangle is picked, or its object is hidden
     std::vector<WhyStep> why;
     std::vector<PlaneDistance> planes;  ///< of the picked object's box to all six planes; empty without a triangle
-    Message failure;                    ///< why the cull failed, so that all else is unknown; empty: it succeeded
+    Message failure;                    ///< why the frame failed, so that all else is unknown; empty: it succeeded
 };
 
 /// Index of the map to show: the map of `instance`; without one, the first map that is not outside the frustum, else the first.

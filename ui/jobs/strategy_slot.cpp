@@ -7,8 +7,13 @@
 
 namespace cullscope::ui {
 
-StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, QObject* parent)
-    : QObject(parent), m_refusal(std::move(refusal)), m_id(std::move(id)), m_parameters(std::move(parameters)) {}
+StrategySlot::StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, std::shared_ptr<StructureStore> structures,
+                           QObject* parent)
+    : QObject(parent),
+      m_refusal(std::move(refusal)),
+      m_structures(std::move(structures)),
+      m_id(std::move(id)),
+      m_parameters(std::move(parameters)) {}
 
 void StrategySlot::choose(const std::string& id) {
     if (id == m_id) return;
@@ -40,8 +45,19 @@ void StrategySlot::build() {
     const std::optional<Message> why = m_refusal(findStrategy(m_id).info);
     m_refused = why.has_value();
     if (why) return refuse(*why);
+    if (takeStructure()) return;
     m_again = m_background.busy();
     if (!m_again) start();
+}
+
+bool StrategySlot::takeStructure() {
+    if (!m_built || m_built->scenePointer() != m_scene || m_built->id() != m_id) return false;
+    if (m_built->parameters().buildText() != m_parameters.buildText()) return false;
+    m_background.cancel();
+    m_again = false;
+    m_built = std::make_shared<const BuiltStrategy>(findStrategy(m_id), m_parameters, m_built->structure());
+    emit builtChanged();
+    return true;
 }
 
 void StrategySlot::refuse(const Message& why) {
@@ -53,32 +69,27 @@ void StrategySlot::refuse(const Message& why) {
 }
 
 void StrategySlot::start() {
-    m_background.start(
-        [this, id = m_id, parameters = m_parameters, scene = m_scene](const std::stop_token& stop) -> Background::Delivery {
-            try {
-                auto built = std::make_shared<BuiltStrategy>();
-                built->id = id;
-                built->scene = scene;
-                built->glRequirement = findStrategy(id).info.glRequirement;
-                built->strategy = makeStrategy(id, parameters);
-                Progress progress;
-                progress.stop = stop;
-                built->strategy->build(*scene, progress);
-                return [this, built] {
-                    m_built = built;
-                    emit builtChanged();
-                    if (std::exchange(m_again, false)) start();
-                };
-            } catch (const std::exception& error) {
-                const auto* known = dynamic_cast<const Error*>(&error);
-                const Message other{QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"),
-                                    {id, error.what()}};
-                return [this, message = known ? known->message() : other] {
-                    emit failed(message);
-                    if (std::exchange(m_again, false)) start();
-                };
-            }
-        });
+    m_background.start([this, id = m_id, parameters = m_parameters, scene = m_scene,
+                        structures = m_structures](const std::stop_token& stop) -> Background::Delivery {
+        try {
+            Progress progress;
+            progress.stop = stop;
+            const BuiltStrategyPointer built = buildStrategy(id, parameters, scene, *structures, progress);
+            return [this, built] {
+                m_built = built;
+                emit builtChanged();
+                if (std::exchange(m_again, false)) start();
+            };
+        } catch (const std::exception& error) {
+            const auto* known = dynamic_cast<const Error*>(&error);
+            const Message other{QT_TRANSLATE_NOOP("core", "The strategy %1 cannot be built for this scene: %2"),
+                                {id, error.what()}};
+            return [this, message = known ? known->message() : other] {
+                emit failed(message);
+                if (std::exchange(m_again, false)) start();
+            };
+        }
+    });
 }
 
 }  // namespace cullscope::ui

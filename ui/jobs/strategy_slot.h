@@ -5,14 +5,14 @@
 #include <optional>
 
 #include "core/base/message.h"
+#include "core/visibility/built_strategy.h"
 #include "ui/jobs/background.h"
-#include "ui/jobs/built_strategy.h"
 
 namespace cullscope::ui {
 
 /// The strategy of one view: its id, its parameters, and the newest one that was built. Strategies are built in the background.
-/// While a newer one is being built, the older one draws; of several quick changes only the last one is built. A refused strategy
-/// is not built, and the one built before is released.
+/// A change of a parameter that is read when culling builds nothing. While a newer one is being built, the older one draws; of
+/// several quick changes only the last one is built. A refused strategy is not built, and the one built before is released.
 class StrategySlot : public QObject {
     Q_OBJECT
 
@@ -20,7 +20,8 @@ public:
     /// Returns why a strategy cannot be used here; none: it can be used.
     using Refusal = std::function<std::optional<Message>(const StrategyInfo&)>;
 
-    StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, QObject* parent = nullptr);
+    StrategySlot(std::string id, ParameterSet parameters, Refusal refusal, std::shared_ptr<StructureStore> structures,
+                 QObject* parent = nullptr);
 
     [[nodiscard]] const std::string& id() const { return m_id; }
     [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
@@ -47,8 +48,11 @@ private:
     void build();
     void start();
     void refuse(const Message& why);
+    /// Keeps the structure where only parameters that are read when culling changed; returns whether it did.
+    bool takeStructure();
 
     Refusal m_refusal;
+    std::shared_ptr<StructureStore> m_structures;
     std::string m_id;
     ParameterSet m_parameters;
     ScenePointer m_scene;

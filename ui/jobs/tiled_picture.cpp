@@ -14,15 +14,19 @@ TiledPicture::TiledPicture(ViewRequest request, const Wanted& wanted)
 
 size_t TiledPicture::steps() const { return m_cullingTiles.size() + m_tiles.size() * (m_wanted.items ? 2 : 1); }
 
-bool TiledPicture::drawNext(Renderer& renderer) {
+bool TiledPicture::drawNext(ViewFrames& frames, Renderer& renderer) {
     size_t step = m_step++;
+    if (!m_frame) m_frame = frames.beside(m_request.frame(), m_wanted.truth || m_request.needsDecisions(), renderer);
     if (step < m_cullingTiles.size()) {
         findVisible(renderer, m_cullingTiles[step]);
-        if (step + 1 == m_cullingTiles.size()) finishTruth(renderer);
+        if (step + 1 == m_cullingTiles.size()) finishTruth();
         return true;
     }
     step -= m_cullingTiles.size();
-    if (!m_drawing) m_drawing.emplace(m_request, renderer);
+    if (!m_drawing) {
+        const ViewFramePointer other = m_request.other ? frames.beside(m_request.otherFrame(), false, renderer) : nullptr;
+        m_drawing.emplace(m_request, m_frame, other);
+    }
     if (step < m_tiles.size()) {
         Framebuffer target(m_tiles[step]);
         m_drawing->draw(renderer, target);
@@ -35,22 +39,19 @@ bool TiledPicture::drawNext(Renderer& renderer) {
 
 void TiledPicture::findVisible(Renderer& renderer, const PictureTile& tile) {
     const View culling(m_request.culling, m_request.cullingSize);
-    const DrawList all = everything(m_request.buffers->scene(), m_request.strategy->strategy->referenceFacing());
+    const DrawList all = everything(m_request.buffers->scene(), m_request.strategy->referenceFacing());
     for (const uint32_t item : renderer.drawItemBuffer(*m_request.buffers, culling, all, tile).triangle)
         if (item != 0) m_visible[item - 1] = true;
 }
 
-void TiledPicture::finishTruth(Renderer& renderer) {
+void TiledPicture::finishTruth() {
     Reference truth;
     truth.size = m_request.cullingSize;
-    truth.facing = m_request.strategy->strategy->referenceFacing();
+    truth.facing = m_request.strategy->referenceFacing();
     for (size_t triangle = 0; triangle < m_visible.size(); ++triangle)
         if (m_visible[triangle]) truth.visibleTriangles.push_back(uint32_t(triangle));
-    const View culling(m_request.culling, m_request.cullingSize);
-    Trace trace;
-    const Verdict verdict = cullShared(*m_request.strategy, culling, &trace, &renderer);
-    m_request.states = std::make_shared<const TriangleStates>(
-        triangleStates(m_request.buffers->scene(), culling, verdict.drawList, trace, truth.visible()));
+    m_request.states =
+        std::make_shared<const TriangleStates>(triangleStates(m_request.buffers->scene(), m_frame->log, truth.visible()));
 }
 
 void TiledPicture::drawItems(Renderer& renderer, const PictureTile& tile) {
@@ -58,7 +59,7 @@ void TiledPicture::drawItems(Renderer& renderer, const PictureTile& tile) {
     m_result.depth.resize(pixels);
     m_result.triangle.resize(pixels);
     const View viewing(m_request.viewing, m_request.size);
-    const Renderer::ItemBuffer items = renderer.drawItemBuffer(*m_request.buffers, viewing, m_drawing->drawList(), tile);
+    const Renderer::ItemBuffer items = renderer.drawItemBuffer(*m_request.buffers, viewing, m_drawing->log(), tile);
     copyTile(forwardDistances(items.depth, viewing), tile, m_result.depth, m_request.size.width);
     copyTile(items.triangle, tile, m_result.triangle, m_request.size.width);
 }

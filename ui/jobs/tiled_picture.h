@@ -28,12 +28,12 @@ public:
     /// The number of calls of drawNext() that the picture takes.
     [[nodiscard]] size_t steps() const;
     /// Draws one tile; returns false if it was the last one.
-    bool drawNext(Renderer& renderer);
+    bool drawNext(ViewFrames& frames, Renderer& renderer);
     [[nodiscard]] Result take();
 
 private:
     void findVisible(Renderer& renderer, const PictureTile& tile);
-    void finishTruth(Renderer& renderer);
+    void finishTruth();
     void drawItems(Renderer& renderer, const PictureTile& tile);
 
     ViewRequest m_request;
@@ -41,6 +41,7 @@ private:
     std::vector<PictureTile> m_cullingTiles, m_tiles;  ///< tiles of the truth, and of the picture
     size_t m_step = 0;
     std::vector<bool> m_visible;  ///< by scene triangle
+    ViewFramePointer m_frame;
     std::optional<PictureDrawing> m_drawing;
     Result m_result;
 };

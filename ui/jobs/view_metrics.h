@@ -8,10 +8,8 @@
 #include "core/base/message.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
-#include "core/visibility/strategy.h"
 #include "core/visibility/triangle_states.h"
-#include "ui/jobs/built_strategy.h"
-#include "ui/jobs/gpu_thread.h"
+#include "ui/jobs/view_frames.h"
 
 namespace cullscope::ui {
 

@@ -57,47 +57,52 @@ Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
     return *m_framebuffer;
 }
 
-PictureDrawing::PictureDrawing(const ViewRequest& request, Renderer& renderer)
-    : m_picture(std::make_shared<ViewPicture>()),
-      m_culling(request.culling, request.cullingSize),
-      m_viewing(request.viewing, request.size),
-      m_states(request.states) {
+void ViewPictureDrawer::letGo() {
+    m_renderer.reset();
+    m_framebuffer.reset();
+    m_frames->forget();
+}
+
+PictureDrawing::PictureDrawing(const ViewRequest& request, ViewFramePointer frame, ViewFramePointer other)
+    : m_picture(std::make_shared<ViewPicture>()), m_viewing(request.viewing, request.size), m_states(request.states) {
     m_picture->request = request;
-    m_verdict = cullShared(*request.strategy, m_culling, needsTrace(request.look) ? &m_trace : nullptr, &renderer);
-    m_picture->consideredTriangles = m_verdict.consideredTriangles;
-    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->strategy->snapshot(m_trace));
-    m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(request.buffers->scene(), m_verdict.drawList);
+    m_picture->frame = std::move(frame);
+    const Scene& scene = request.buffers->scene();
+    m_picture->consideredTriangles = log().consideredTriangles();
+    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->snapshot(log()));
+    m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(scene, drawnTriangles(scene, log()));
     if (request.look.colouring == Colouring::Verdicts && !m_states)
-        m_states = std::make_shared<const TriangleStates>(
-            triangleStates(request.buffers->scene(), m_culling, m_verdict.drawList, m_trace, std::nullopt));
+        m_states = std::make_shared<const TriangleStates>(triangleStates(scene, log(), std::nullopt));
     const size_t pixels = size_t(request.size.width) * size_t(request.size.height);
     m_picture->colour = newImage(request.size, QImage::Format_RGBA8888);
     m_picture->depth.resize(pixels);
-    if (request.wipe == Wipe::Mode::None) return;
-    const bool truth = request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss;
-    if (!truth && !request.other) return;
-    m_beside = truth ? everything(request.buffers->scene(), request.strategy->strategy->referenceFacing())
-                     : cullShared(*request.other, m_culling, nullptr, &renderer).drawList;
+    if (request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss)
+        m_truth = everything(scene, request.strategy->referenceFacing());
+    else if (request.wipe != Wipe::Mode::None)
+        m_other = std::move(other);
+    if (!m_truth && !m_other) return;
     m_picture->other = newImage(request.size, QImage::Format_RGBA8888);
     m_differences.resize(pixels);
 }
 
 void PictureDrawing::draw(Renderer& renderer, Framebuffer& target) {
     const ViewRequest& request = m_picture->request;
-    drawViewPicture(renderer, *request.buffers, *request.strategy->strategy, m_culling, m_viewing, m_verdict, m_trace,
-                    m_states.get(), request.look, request.style, target);
+    drawViewPicture(renderer, *request.buffers, *request.strategy, log(), m_viewing, m_states.get(), request.look, request.style,
+                    target);
     copyTile(target.readColour(), target.tile(), m_picture->colour);
     copyTile(target.readDepth(), target.tile(), m_picture->depth, request.size.width);
-    if (m_beside) drawBeside(renderer, target);
+    if (m_truth || m_other) drawBeside(renderer, target);
 }
 
 void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
     const ViewRequest& request = m_picture->request;
-    // Overlay lines and the culled triangles of a verdict view have depths of their own: compare a plain drawing of the draw
-    // list.
-    if (!(request.look == ViewLook{})) renderer.draw(*request.buffers, m_viewing, m_verdict.drawList, target, request.style);
+    // Overlay lines and the culled triangles of a verdict view have depths of their own: compare a plain replay of the frame.
+    if (!(request.look == ViewLook{})) renderer.draw(*request.buffers, m_viewing, log(), target, request.style);
     const std::vector<float> mine = target.readDepth();
-    renderer.draw(*request.buffers, m_viewing, *m_beside, target, request.style);
+    if (m_truth)
+        renderer.draw(*request.buffers, m_viewing, *m_truth, target, request.style);
+    else
+        renderer.draw(*request.buffers, m_viewing, m_other->log, target, request.style);
     copyTile(target.readColour(), target.tile(), m_picture->other);
     const std::vector<float> truth = target.readDepth();
     std::vector<PixelDifference> differences(mine.size());
@@ -106,30 +111,31 @@ void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
 }
 
 std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
-    if (m_beside) markDifferences(*m_picture, m_differences, reach);
+    if (m_truth || m_other) markDifferences(*m_picture, m_differences, reach);
     return m_picture;
 }
 
 ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
-    PictureDrawing drawing(request, renderer());
+    const ViewFramePointer frame = m_frames->of(request.frame(), request.needsDecisions(), renderer());
+    const ViewFramePointer other = request.other ? m_frames->beside(request.otherFrame(), false, renderer()) : nullptr;
+    PictureDrawing drawing(request, frame, other);
     drawing.draw(renderer(), target(request.size));
     return drawing.finish(kMarkReach);
 }
 
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
+    const Scene& scene = request.buffers->scene();
+    const ViewFramePointer frame = m_frames->of(request.frame(), request.needsDecisions(), renderer());
     if (request.look.sphericalModel) {
-        const View culling(request.culling, request.cullingSize);
-        const DrawList drawn = cullShared(*request.strategy, culling, nullptr, &renderer()).drawList;
         const std::optional<DirectionPick> found =
-            pickSphericalModel(request.buffers->scene(), drawn, request.size, request.style, x, y);
+            pickSphericalModel(scene, drawnTriangles(scene, frame->log), request.size, request.style, x, y);
         return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
     }
     const View viewing(request.viewing, request.size);
     const bool all = request.look.colouring == Colouring::Verdicts && request.look.culledToo;
-    const View culling(request.culling, request.cullingSize);
-    const DrawList list = all ? everything(request.buffers->scene(), Facing::TwoSided)
-                              : cullShared(*request.strategy, culling, nullptr, &renderer()).drawList;
-    const std::optional<PickedTriangle> picked = renderer().pick(*request.buffers, viewing, list, x, y);
+    const std::optional<PickedTriangle> picked =
+        all ? renderer().pick(*request.buffers, viewing, everything(scene, Facing::TwoSided), x, y)
+            : renderer().pick(*request.buffers, viewing, frame->log, x, y);
     if (!picked) return std::nullopt;
     return Picked{picked->triangle, pointUnder(viewing, Vec2(x + 0.5, y + 0.5), picked->depth)};
 }

@@ -9,8 +9,7 @@
 #include "core/gpu/renderer.h"
 #include "core/image/plane_colours.h"
 #include "core/measure/accuracy.h"
-#include "ui/jobs/built_strategy.h"
-#include "ui/jobs/gpu_thread.h"
+#include "ui/jobs/view_frames.h"
 #include "ui/jobs/view_setup.h"
 
 namespace cullscope::ui {
@@ -23,6 +22,7 @@ struct ViewRequest {
     BuiltStrategyPointer strategy;
     Camera culling;
     Viewport cullingSize;
+    int culledBy = 0;  ///< the view whose frame the picture replays
     Camera viewing;
     Viewport size;
     ViewLook look;
@@ -30,14 +30,21 @@ struct ViewRequest {
     TriangleStatesPointer states;  ///< against the truth, if that is known already; else null
     Wipe::Mode wipe = Wipe::Mode::None;
     BuiltStrategyPointer other;  ///< the other strategy in Wipe::Mode::OtherView and Difference
+    int otherView = 0;           ///< with `other`: the view that it is the strategy of
 
-    [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scene == buffers->scenePointer(); }
+    [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scenePointer() == buffers->scenePointer(); }
+    /// The frame that the picture replays, and the one beside which it is shown (with `other`).
+    [[nodiscard]] FrameRequest frame() const { return {buffers, strategy, culling, cullingSize, culledBy}; }
+    [[nodiscard]] FrameRequest otherFrame() const { return {buffers, other, culling, cullingSize, otherView}; }
+    /// Whether the picture shows decisions.
+    [[nodiscard]] bool needsDecisions() const { return cullscope::needsDecisions(look); }
     bool operator==(const ViewRequest&) const = default;
 };
 
 /// A picture with the picture it is compared with. The rows of images start at the top, those of arrays at the bottom.
 struct ViewPicture {
     ViewRequest request;
+    ViewFramePointer frame;
     QImage colour;
     std::vector<float> depth;          ///< reversed depth of `colour`
     QImage other;                      ///< the truth, or the other view's picture; null without a wipe
@@ -53,18 +60,18 @@ struct ViewPicture {
 
 using ViewPicturePointer = std::shared_ptr<const ViewPicture>;
 
-/// A picture being drawn: culled once, then drawn tile by tile on the thread whose context is current. Throws what core throws.
+/// A picture being drawn: a frame replayed tile by tile on the thread whose context is current. Throws what core throws.
 class PictureDrawing {
 public:
-    PictureDrawing(const ViewRequest& request, Renderer& renderer);
+    /// `other`: the frame of the request's other strategy; null where there is none.
+    PictureDrawing(const ViewRequest& request, ViewFramePointer frame, ViewFramePointer other);
 
     /// Draws the part of the picture that `target` covers.
     void draw(Renderer& renderer, Framebuffer& target);
     /// Returns the picture; call it once all tiles are drawn. Marks the pixels within `reach` of a differing pixel.
     [[nodiscard]] std::shared_ptr<ViewPicture> finish(int reach);
 
-    /// The strategy's draw list at the culling camera.
-    [[nodiscard]] const DrawList& drawList() const { return m_verdict.drawList; }
+    [[nodiscard]] const FrameLog& log() const { return m_picture->frame->log; }
     /// Null if the picture is not coloured by verdict.
     [[nodiscard]] const TriangleStatesPointer& states() const { return m_states; }
 
@@ -72,11 +79,10 @@ private:
     void drawBeside(Renderer& renderer, Framebuffer& target);
 
     std::shared_ptr<ViewPicture> m_picture;
-    View m_culling, m_viewing;
-    Trace m_trace;
-    Verdict m_verdict;
+    View m_viewing;
     TriangleStatesPointer m_states;
-    std::optional<DrawList> m_beside;  ///< of the truth or the other view
+    std::optional<DrawList> m_truth;  ///< what is drawn beside the picture: all triangles,
+    ViewFramePointer m_other;         ///< or another frame
     std::vector<PixelDifference> m_differences;
 };
 
@@ -88,14 +94,21 @@ public:
         Vec3 point{0.0};
     };
 
+    explicit ViewPictureDrawer(ViewFramesPointer frames) : m_frames(std::move(frames)) {}
+
     [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request);
     /// The triangle and point that the request's picture shows at a pixel (y upward); none: background.
     [[nodiscard]] std::optional<Picked> pick(const ViewRequest& request, int x, int y);
+
+    /// Releases what was made in the thread's context, and the frames, whose answers may come from a lost one.
+    void letGo();
+    [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
 
 private:
     Renderer& renderer();
     Framebuffer& target(const Viewport& size);
 
+    ViewFramesPointer m_frames;
     std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Framebuffer> m_framebuffer;
 };

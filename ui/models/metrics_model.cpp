@@ -89,9 +89,9 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
         case Speedup:
             return figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : QStringLiteral("–");
         case Frame:
-            return millisecondsText(figures.frameMilliseconds);
+            return figures.timed ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…");
         case Fps:
-            return figures.frameMilliseconds > 0.0 ? ratioText(1000.0 / figures.frameMilliseconds) : QStringLiteral("–");
+            return figures.frameMilliseconds > 0.0 ? ratioText(1000.0 / figures.frameMilliseconds) : QStringLiteral("…");
         case Cull:
             return millisecondsText(figures.cullMilliseconds);
         case Submitted:

@@ -97,7 +97,7 @@ void Outliner::refreshVerdicts() {
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == shown;
     const SnapshotReadingPointer reading = m_reader ? m_reader->reading() : nullptr;
-    const bool read = reading && reading->strategy->scene == shown;
+    const bool read = reading && reading->strategy->scenePointer() == shown;
     m_model->setVerdicts(shown, known ? figures.states : nullptr, read ? reading : nullptr);
 }
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/visibility/trace.h"
+#include "core/frame/cause.h"
 #include "ui/look/plane_swatch.h"
 #include "ui/text/translated.h"
 

@@ -7,7 +7,7 @@ QString ShownMap::name() const { return QString::fromStdString(scene->instances(
 ShownMap shownMap(const Session& session, const SnapshotReader& reader) {
     const SnapshotReadingPointer& reading = reader.reading();
     // After a change of the scene, until the first new reading, the reading numbers the objects of the former scene.
-    if (!reading || reading->snapshot->maps.empty() || reading->strategy->scene != session.scene()) return {};
+    if (!reading || reading->snapshot->maps.empty() || reading->strategy->scenePointer() != session.scene()) return {};
     std::optional<uint32_t> picked;
     if (const std::optional<Pick>& pick = session.pick()) picked = session.instanceOf(pick->object);
     const std::vector<spherical::MapSnapshot>& maps = reading->snapshot->maps;
@@ -21,7 +21,7 @@ MapAbsence mapAbsence(Session& session, const SnapshotReader& reader) {
     if (!session.scene()) return session.loader().loading() ? MapAbsence::Preparing : MapAbsence::NoScene;
     const StrategySlot& slot = session.slot(session.culledBy(session.activeView()));
     if (slot.building()) return MapAbsence::Preparing;
-    if (!slot.built() || slot.built()->id != slot.id()) return MapAbsence::NotBuilt;
+    if (!slot.built() || slot.built()->id() != slot.id()) return MapAbsence::NotBuilt;
     // The present reading may be of the former strategy.
     const bool read = reader.reading() && reader.reading()->strategy == slot.built();
     return read ? MapAbsence::NoMaps : MapAbsence::Preparing;

@@ -54,7 +54,7 @@ void StructureTree::setUpView() {
 
 void StructureTree::refresh() {
     const SnapshotReadingPointer& reading = m_reader.reading();
-    m_model->setSnapshot(reading ? reading->strategy->scene : nullptr, reading ? reading->snapshot : nullptr);
+    m_model->setSnapshot(reading ? reading->strategy->scenePointer() : nullptr, reading ? reading->snapshot : nullptr);
     m_model->setStates(statesOfTruth());
     // A flat list needs no expand arrows. In a tree the names need the width of the count column; their tooltips state the
     // counts.
@@ -96,7 +96,7 @@ void StructureTree::pickSelected() {
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
     const std::optional<uint32_t> instance = rows.isEmpty() ? std::nullopt : m_model->instanceAt(rows.front());
     // After a change of the scene, until the first new reading, the model shows the former scene.
-    if (!instance || !m_reader.reading() || m_reader.reading()->strategy->scene != m_session.scene()) return;
+    if (!instance || !m_reader.reading() || m_reader.reading()->strategy->scenePointer() != m_session.scene()) return;
     pickObject(m_session, m_session.objectOf(*instance));
 }
 

@@ -33,22 +33,27 @@ struct Screenshot::Drawing {
     size_t stepsDone = 0, steps = 0;
 
     /// Draws one tile; returns false if all are drawn.
-    bool drawNext(const ScreenshotPlan& plan) {
+    bool drawNext(const ScreenshotPlan& plan, ViewFrames& frames) {
         if (!renderer) renderer = std::make_unique<Renderer>();
         if (!current) {
             const ScreenshotPlan::Part& part = plan.parts[pictures.size()];
             current.emplace(part.request, part.wanted);
         }
         ++stepsDone;
-        if (current->drawNext(*renderer)) return true;
+        if (current->drawNext(frames, *renderer)) return true;
         pictures.push_back(current->take());
         current.reset();
         return pictures.size() < plan.parts.size();
     }
 };
 
-Screenshot::Screenshot(GpuThread& gpu, ScreenshotPlan plan, std::filesystem::path path, QObject* parent)
-    : QObject(parent), m_gpu(gpu), m_plan(std::move(plan)), m_path(std::move(path)), m_drawing(std::make_shared<Drawing>()) {
+Screenshot::Screenshot(GpuThread& gpu, ViewFramesPointer frames, ScreenshotPlan plan, std::filesystem::path path, QObject* parent)
+    : QObject(parent),
+      m_gpu(gpu),
+      m_frames(std::move(frames)),
+      m_plan(std::move(plan)),
+      m_path(std::move(path)),
+      m_drawing(std::make_shared<Drawing>()) {
     connect(
         &gpu, &GpuThread::contextGoing, this, [drawing = m_drawing] { drawing->renderer.reset(); }, Qt::DirectConnection);
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_drawing->steps += TiledPicture(part.request, part.wanted).steps();
@@ -71,7 +76,7 @@ void Screenshot::start() {
 
 bool Screenshot::drawNext() {
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_gpu.requireHeld(part.request.buffers);
-    const bool more = m_drawing->drawNext(m_plan);
+    const bool more = m_drawing->drawNext(m_plan, *m_frames);
     m_gpu.requireHeld(m_plan.parts.front().request.buffers);
     return more;
 }

@@ -15,7 +15,8 @@ class Screenshot : public QObject {
     Q_OBJECT
 
 public:
-    Screenshot(GpuThread& gpu, ScreenshotPlan plan, std::filesystem::path path, QObject* parent = nullptr);
+    Screenshot(GpuThread& gpu, ViewFramesPointer frames, ScreenshotPlan plan, std::filesystem::path path,
+               QObject* parent = nullptr);
     ~Screenshot() override;
 
     [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
@@ -39,6 +40,7 @@ private:
     void write(const std::shared_ptr<Pictures>& pictures);
 
     GpuThread& m_gpu;
+    ViewFramesPointer m_frames;
     ScreenshotPlan m_plan;
     std::filesystem::path m_path;
     std::shared_ptr<Drawing> m_drawing;

@@ -66,8 +66,8 @@ Session::~Session() {
 }
 
 void Session::makeGraphics() {
-    m_meter = std::make_unique<ViewMeter>(*m_gpu, m_rounds);
-    m_pictures = std::make_unique<PictureMaker>(*m_gpu, kMostViews, [this](int view) { return viewRequest(view); });
+    m_meter = std::make_unique<ViewMeter>(*m_gpu, m_frames, m_structures, m_rounds);
+    m_pictures = std::make_unique<PictureMaker>(*m_gpu, kMostViews, m_frames, [this](int view) { return viewRequest(view); });
     connect(m_upload.get(), &SceneUpload::changed, this, [this] {
         emit buffersChanged();
         update();
@@ -100,13 +100,14 @@ void Session::makeGraphics() {
 void Session::makeView(int view) {
     ViewState& state = m_views[size_t(view)];
     const StrategyInfo& info = firstStrategy(size_t(view), *this);
-    state.slot = std::make_unique<StrategySlot>(info.id, ParameterSet(info.parameters),
-                                                [this](const StrategyInfo& chosen) { return unavailable(chosen); });
+    state.slot = std::make_unique<StrategySlot>(
+        info.id, ParameterSet(info.parameters), [this](const StrategyInfo& chosen) { return unavailable(chosen); }, m_structures);
     connect(state.slot.get(), &StrategySlot::chosen, this, [this, view] {
         emit strategyChosen(view);
         update();
     });
     connect(state.slot.get(), &StrategySlot::builtChanged, this, [this, view] {
+        if (m_gpu) m_gpu->post([frames = m_frames, view, built = slot(view).built()] { frames->forget(view, built); });
         emit strategyBuilt(view);
         update();
     });
@@ -271,6 +272,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.strategy = subject->strategy;
     request.culling = subject->culling;
     request.cullingSize = subject->size;
+    request.culledBy = culling;
     request.viewing = viewingCamera(view);
     request.size = size;
     request.look = setup(view).look;
@@ -279,8 +281,10 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     if (request.look.colouring == Colouring::Verdicts && known.states && known.subject == *subject) request.states = known.states;
     const Wipe& wipe = setup(view).wipe;
     request.wipe = wipe.mode;
-    if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference)
-        request.other = slot(culledBy(wipe.other)).built();
+    if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference) {
+        request.otherView = culledBy(wipe.other);
+        request.other = slot(request.otherView).built();
+    }
     if (request.look.sphericalModel) {
         // The model in spherical coordinates replaces the whole picture: no comparison and no other overlay.
         request.look = {.sphericalModel = true};

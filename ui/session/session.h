@@ -158,6 +158,10 @@ public:
     [[nodiscard]] std::optional<Message> unavailable(const StrategyInfo& info) const;
     [[nodiscard]] GpuThread* gpu() { return m_gpu.get(); }
     [[nodiscard]] ViewMeter* meter() { return m_meter.get(); }
+    /// The views' frames.
+    [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
+    /// What the strategies of all views built.
+    [[nodiscard]] const std::shared_ptr<StructureStore>& structures() const { return m_structures; }
 
     void raise(cullscope::ui::Severity severity, const Message& message) { emit messageRaised(severity, message); }
 
@@ -222,6 +226,8 @@ private:
     std::vector<uint32_t> m_objects;
     std::unique_ptr<GpuThread> m_gpu;
     std::unique_ptr<SceneUpload> m_upload;
+    ViewFramesPointer m_frames = std::make_shared<ViewFrames>();
+    std::shared_ptr<StructureStore> m_structures = std::make_shared<StructureStore>();
     std::unique_ptr<ViewMeter> m_meter;
     std::unique_ptr<PictureMaker> m_pictures;
     DrawStyle m_style;

@@ -21,7 +21,8 @@ std::optional<MetricsSubject> Session::subject(int view) const {
     // A view that was never shown takes the size of its observer.
     for (int other = 0; other < kMostViews && size.width < 1; ++other)
         if (shown(other) && culledBy(other) == view) size = renderSize(other);
-    if (!uploaded || !built || built->scene != uploaded->scenePointer() || size.width < 1 || size.height < 1) return std::nullopt;
+    if (!uploaded || !built || built->scenePointer() != uploaded->scenePointer() || size.width < 1 || size.height < 1)
+        return std::nullopt;
     return MetricsSubject{uploaded, built, cullingCamera(view), size};
 }
 

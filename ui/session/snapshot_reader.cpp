@@ -10,16 +10,14 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kPauseBetweenCulls = 100;  // ms between the beginnings of two culls
+constexpr int kPauseBetweenReadings = 100;  // ms between the beginnings of two readings
 
-/// Fills `reading` from one traced cull; `known` holds the snapshot if it was read before.
-void read(SnapshotReading& reading, const std::shared_ptr<const StructureSnapshot>& known, Renderer* renderer) {
+/// Fills `reading` from its view's recorded frame; `known` holds the snapshot if it was read before.
+void read(SnapshotReading& reading, const FrameLog& log, const std::shared_ptr<const StructureSnapshot>& known) {
     const View view(reading.culling, reading.size);
-    const Scene& scene = *reading.strategy->scene;
-    const Strategy& strategy = *reading.strategy->strategy;
-    Trace trace;
-    const Verdict verdict = cullShared(*reading.strategy, view, &trace, renderer);
-    reading.snapshot = known ? known : std::make_shared<const StructureSnapshot>(strategy.snapshot(trace));
+    const BuiltStrategy& strategy = *reading.strategy;
+    const Scene& scene = strategy.scene();
+    reading.snapshot = known ? known : std::make_shared<const StructureSnapshot>(strategy.snapshot(log));
     std::optional<uint32_t> picked;
     if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
     if (!reading.snapshot->maps.empty()) {
@@ -27,31 +25,28 @@ void read(SnapshotReading& reading, const std::shared_ptr<const StructureSnapsho
         (void)*reading.snapshot->maps[reading.map].maps;
     }
     if (!picked) return;
-    reading.why = why(scene, view, strategy, verdict.drawList, trace, *reading.triangle);
+    reading.why = why(strategy, log, *reading.triangle);
     reading.planes = planeDistances(scene, view, *picked);
 }
 
 }  // namespace
 
-SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const std::shared_ptr<const StructureSnapshot>& known,
-                                                 Renderer* renderer) {
+SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const ViewFramePointer& frame, const Message& failure,
+                                                 const std::shared_ptr<const StructureSnapshot>& known) {
     auto reading = std::make_shared<SnapshotReading>();
-    reading->strategy = request.strategy;
-    reading->culling = request.culling;
-    reading->size = request.size;
+    reading->strategy = request.frame.strategy;
+    reading->culling = request.frame.culling;
+    reading->size = request.frame.size;
     reading->triangle = request.triangle;
-    try {
-        read(*reading, known, renderer);
-    } catch (const Error& error) {
-        reading->failure = error.message();
-        reading->snapshot = std::make_shared<const StructureSnapshot>();
-    }
+    reading->failure = failure;
+    reading->snapshot = std::make_shared<const StructureSnapshot>();
+    if (frame) read(*reading, frame->log, known);
     return reading;
 }
 
 SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     m_pause.setSingleShot(true);
-    m_pause.setInterval(kPauseBetweenCulls);
+    m_pause.setInterval(kPauseBetweenReadings);
     connect(&m_pause, &QTimer::timeout, this, &SnapshotReader::check);
     for (const auto signal : {&Session::sceneChanged, &Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged,
                               &Session::viewCountChanged, &Session::activeViewChanged, &Session::pickChanged})
@@ -89,12 +84,13 @@ std::optional<uint64_t> SnapshotReader::pickedTriangle() const {
 
 std::optional<SnapshotReader::Request> SnapshotReader::present() const {
     const std::optional<ViewRequest> view = m_session.viewRequest(m_session.activeView());
-    if (!view || view->strategy->scene != m_session.scene()) return std::nullopt;
-    return Request{view->strategy, view->culling, view->cullingSize, pickedTriangle()};
+    if (!view || view->strategy->scenePointer() != m_session.scene()) return std::nullopt;
+    return Request{view->frame(), pickedTriangle()};
 }
 
 bool SnapshotReader::answers(const Request& request) const {
-    return m_reading && request == Request{m_reading->strategy, m_reading->culling, m_reading->size, m_reading->triangle};
+    return m_reading && m_reading->strategy == request.frame.strategy && m_reading->culling == request.frame.culling &&
+           m_reading->size == request.frame.size && m_reading->triangle == request.triangle;
 }
 
 bool SnapshotReader::fresh() const {
@@ -105,7 +101,7 @@ bool SnapshotReader::fresh() const {
 void SnapshotReader::check() {
     // Another scene numbers its objects differently, and a refused strategy decides nothing.
     const bool refused = m_session.slot(m_session.culledBy(m_session.activeView())).refused();
-    const bool outdated = m_reading && (refused || m_reading->strategy->scene != m_session.scene());
+    const bool outdated = m_reading && (refused || m_reading->strategy->scenePointer() != m_session.scene());
     if (outdated) m_reading = nullptr;
     const bool fresh = this->fresh();
     if (fresh != std::exchange(m_wasFresh, fresh) || outdated) emit changed();
@@ -115,32 +111,41 @@ void SnapshotReader::check() {
 void SnapshotReader::start() {
     const std::optional<Request> request = present();
     if (!request) return;
-    const bool same = m_reading && m_reading->failure.empty() && m_reading->strategy == request->strategy &&
-                      m_reading->culling == request->culling && m_reading->size == request->size;
+    const bool same = m_reading && m_reading->failure.empty() && m_reading->strategy == request->frame.strategy &&
+                      m_reading->culling == request->frame.culling && m_reading->size == request->frame.size;
     const std::shared_ptr<const StructureSnapshot> known = same ? m_reading->snapshot : nullptr;
     m_pause.start();
     ++m_begun;
-    if (request->strategy->glRequirement != GlRequirement::None) return startOnGpuThread(*request, known);
-    m_background.start([this, request = *request, known](const std::stop_token& stop) {
-        SnapshotReadingPointer reading = readingOf(request, known, nullptr);
+    GpuThread& gpu = *m_session.gpu();
+    // The frame is there where the view's picture is; it is read beside the window and the GPU thread.
+    const auto fetch = [this, &gpu, request = *request, known, frames = m_session.frames()](GpuJobs::Step& step) {
+        // What a lost context answers is worth nothing; it is asked again with the buffers of the new one.
+        if (gpu.lost()) return;
+        ViewFramePointer frame;
+        Message failure;
+        try {
+            frame = frames->of(request.frame, true, gpu.renderer());
+        } catch (const Error& error) {
+            failure = error.message();
+        }
+        if (!gpu.lost()) step.deliver([this, request, known, frame, failure] { startReading(request, frame, failure, known); });
+    };
+    m_gpuJobs.start(gpu, fetch, {.buffers = {request->frame.buffers}, .urgency = Urgency::Picture});
+}
+
+void SnapshotReader::startReading(const Request& request, const ViewFramePointer& frame, const Message& failure,
+                                  const std::shared_ptr<const StructureSnapshot>& known) {
+    m_background.start([this, request, frame, failure, known](const std::stop_token& stop) {
+        SnapshotReadingPointer reading = readingOf(request, frame, failure, known);
         if (stop.stop_requested()) return Background::Delivery();
         return Background::Delivery(
             [this, request, reading = std::move(reading)]() mutable { take(request, std::move(reading)); });
     });
 }
 
-void SnapshotReader::startOnGpuThread(const Request& request, const std::shared_ptr<const StructureSnapshot>& known) {
-    GpuThread& gpu = *m_session.gpu();
-    m_gpuJobs.start(gpu, [this, &gpu, request, known](GpuJobs::Step& step) {
-        // What a lost context answers is worth nothing; it is asked again with the buffers of the new one.
-        if (gpu.lost()) return;
-        const SnapshotReadingPointer reading = readingOf(request, known, &gpu.renderer());
-        if (!gpu.lost()) step.deliver([this, request, reading] { take(request, reading); });
-    });
-}
-
 void SnapshotReader::take(const Request& request, SnapshotReadingPointer reading) {
-    if (present() == request) {
+    const std::optional<Request> now = present();
+    if (now && now->frame.sameFrame(request.frame) && now->triangle == request.triangle) {
         m_reading = std::move(reading);
         m_wasFresh = true;
         emit changed();

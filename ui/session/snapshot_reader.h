@@ -34,7 +34,7 @@ public:
     [[nodiscard]] std::optional<uint64_t> pickedTriangle() const;
     /// The picked triangle's state against the truth; none while it is not known.
     [[nodiscard]] std::optional<TriangleState> pickedState() const;
-    /// The number of culls begun so far. For tests.
+    /// The number of readings begun so far. For tests.
     [[nodiscard]] size_t begun() const { return m_begun; }
 
 signals:
@@ -46,23 +46,20 @@ protected:
 
 private:
     struct Request {
-        BuiltStrategyPointer strategy;
-        Camera culling;
-        Viewport size;
+        FrameRequest frame;
         std::optional<uint64_t> triangle;
-
-        bool operator==(const Request&) const = default;
     };
 
-    [[nodiscard]] static SnapshotReadingPointer readingOf(const Request& request,
-                                                          const std::shared_ptr<const StructureSnapshot>& known,
-                                                          Renderer* renderer);
+    [[nodiscard]] static SnapshotReadingPointer readingOf(const Request& request, const ViewFramePointer& frame,
+                                                          const Message& failure,
+                                                          const std::shared_ptr<const StructureSnapshot>& known);
     [[nodiscard]] std::optional<Request> present() const;
     [[nodiscard]] bool answers(const Request& request) const;
     [[nodiscard]] bool wanted() const;
     void check();
     void start();
-    void startOnGpuThread(const Request& request, const std::shared_ptr<const StructureSnapshot>& known);
+    void startReading(const Request& request, const ViewFramePointer& frame, const Message& failure,
+                      const std::shared_ptr<const StructureSnapshot>& known);
     [[nodiscard]] bool busy() const { return m_background.busy() || m_gpuJobs.busy(); }
     void take(const Request& request, SnapshotReadingPointer reading);
 

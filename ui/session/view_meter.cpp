@@ -18,19 +18,20 @@ constexpr const char* kBaseline = "backface";
 /// One strategy to be timed; several views may share it.
 struct Runner {
     MetricsSubject what;
+    ViewStatePointer state;  ///< the memory with which the next frame begins
     std::vector<double> frameTimes, cullTimes;
 };
 
 bool sameWork(const MetricsSubject& a, const MetricsSubject& b) {
-    return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id == b.strategy->id &&
-           a.strategy->strategy->parameters() == b.strategy->strategy->parameters();
+    return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id() == b.strategy->id() &&
+           a.strategy->parameters() == b.strategy->parameters();
 }
 
-/// The index of the runner for this work, which is added if there is none.
-size_t runnerFor(std::vector<Runner>& runners, const MetricsSubject& what) {
-    for (size_t i = 0; i < runners.size(); ++i)
+/// The index of the runner for this work, which is added if there is none. Work of a view with a memory is its own.
+size_t runnerFor(std::vector<Runner>& runners, const MetricsSubject& what, ViewStatePointer state) {
+    for (size_t i = 0; i < runners.size() && !what.strategy->info().remembers; ++i)
         if (sameWork(runners[i].what, what)) return i;
-    runners.push_back({what, {}, {}});
+    runners.push_back({what, std::move(state), {}, {}});
     return runners.size() - 1;
 }
 
@@ -67,6 +68,8 @@ void fillTimes(ViewMetrics& figures, const Runner& runner, const Runner& baselin
 struct ViewMeter::Bench {
     std::unique_ptr<Renderer> renderer;
     std::unique_ptr<Framebuffer> framebuffer;
+    ViewFramesPointer frames;
+    std::shared_ptr<StructureStore> structures;
     BuiltStrategyPointer baseline;
 
     struct KnownReference {
@@ -111,52 +114,46 @@ struct ViewMeter::Bench {
         return truth;
     }
 
-    FrameResult draw(const MetricsSubject& what) {
+    FrameResult draw(Runner& runner) {
+        const MetricsSubject& what = runner.what;
         Framebuffer& into = target(what.size);
-        return renderShared(*renderer, *what.buffers, *what.strategy, View(what.culling, what.size), into);
+        // Every frame of a view with a memory begins with the one that the view had.
+        const ViewStatePointer own = what.strategy->info().remembers ? runner.state->clone() : nullptr;
+        ViewState& state = own ? *own : *runner.state;
+        return renderFrame(*renderer, *what.buffers, *what.strategy, state, View(what.culling, what.size), into);
     }
 
-    /// All metrics of a strategy but its speed-up.
-    ViewMetrics accuracy(const MetricsSubject& what) {
+    /// All metrics of a view's frame but its speed.
+    ViewMetrics accuracy(int number, const MetricsSubject& what) {
         const View view(what.culling, what.size);
         const Scene& scene = what.buffers->scene();
-        const FrameResult frame = draw(what);
-        Trace trace;
+        Framebuffer& into = target(what.size);
+        const ViewFramePointer frame =
+            frames->of({what.buffers, what.strategy, what.culling, what.size, number}, true, *renderer);
+        const FrameLog& log = frame->log;
         ViewMetrics figures;
-        {
-            const std::lock_guard lock(what.strategy->mutex);
-            (void)what.strategy->strategy->cull(view, &trace, renderer.get());
-            figures.promise = what.strategy->strategy->promiseAt(view);
-        }
+        figures.promise = what.strategy->promiseAt(view);
         figures.state = ViewMetrics::State::Ready;
         figures.subject = what;
-        figures.frameMilliseconds = frame.frameMilliseconds;
-        figures.cullMilliseconds = frame.verdict.cullMilliseconds;
-        figures.consideredTriangles = frame.verdict.consideredTriangles;
+        figures.cullMilliseconds = log.cullMilliseconds;
+        figures.consideredTriangles = log.consideredTriangles();
         figures.sceneTriangles = scene.triangleCount();
-        figures.facing = frame.verdict.drawList.facing;
+        figures.facing = log.facing;
         figures.size = view.viewport();
-        const std::vector<float> depth = framebuffer->readDepth();
-        const auto truth = reference(*what.buffers, view, what.strategy->strategy->referenceFacing());
-        figures.accuracy = compare(*truth, depth, frame.verdict.drawList, scene);
-        if (figures.facing != truth->facing) figures.missedBeyondSnapping = missedBeyondSnapping(*truth, depth, scene, view);
-        figures.states =
-            std::make_shared<const TriangleStates>(triangleStates(scene, view, frame.verdict.drawList, trace, truth->visible()));
-        const std::vector<uint8_t> missed = missedMask(*truth, depth);
+        const ShownPixels shown = shownPixels(*renderer, *what.buffers, log, into);
+        const auto truth = reference(*what.buffers, view, what.strategy->referenceFacing());
+        figures.accuracy = compare(*truth, shown, drawnTriangles(scene, log), scene);
+        if (figures.facing != truth->facing) figures.missedBeyondSnapping = missedBeyondSnapping(*truth, shown, scene, view);
+        figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, log, truth->visible()));
+        const std::vector<uint8_t> missed = missedMask(*truth, shown);
         figures.lostObjects = lostObjects(scene, *truth, missed);
         figures.holes = holes(missed, truth->size);
         return figures;
     }
 
     BuiltStrategyPointer baselineFor(const ScenePointer& scene) {
-        if (!baseline || baseline->scene != scene) {
-            auto made = std::make_shared<BuiltStrategy>();
-            made->id = kBaseline;
-            made->scene = scene;
-            made->strategy = makeStrategy(kBaseline);
-            made->strategy->build(*scene);
-            baseline = made;
-        }
+        if (!baseline || baseline->scenePointer() != scene)
+            baseline = buildStrategy(kBaseline, ParameterSet(findStrategy(kBaseline).info.parameters), scene, *structures);
         return baseline;
     }
 };
@@ -175,8 +172,11 @@ struct ViewMeter::Job {
         for (const Subject& subject : subjects) {
             MetricsSubject baseline = subject.what;
             baseline.strategy = bench.baselineFor(subject.what.buffers->scenePointer());
-            const size_t baselinePlace = runnerFor(runners, baseline);
-            places.emplace_back(runnerFor(runners, subject.what), baselinePlace);
+            const size_t baselinePlace = runnerFor(runners, baseline, baseline.strategy->begin());
+            const MetricsSubject& what = subject.what;
+            ViewStatePointer memory =
+                bench.frames->memoryBefore({what.buffers, what.strategy, what.culling, what.size, subject.view});
+            places.emplace_back(runnerFor(runners, what, std::move(memory)), baselinePlace);
         }
     }
 
@@ -184,11 +184,11 @@ struct ViewMeter::Job {
     bool timeOne(Bench& bench) {
         // Every other round runs in reverse order, so that no strategy always follows the same one.
         Runner& runner = runners[round % 2 == 0 ? place : runners.size() - 1 - place];
-        const FrameResult frame = bench.draw(runner.what);
+        const FrameResult frame = bench.draw(runner);
         spent += frame.frameMilliseconds / 1000.0;
         if (round >= 0) {
             runner.frameTimes.push_back(frame.frameMilliseconds);
-            runner.cullTimes.push_back(frame.verdict.cullMilliseconds);
+            runner.cullTimes.push_back(frame.log.cullMilliseconds);
         }
         if (++place < runners.size()) return true;
         place = 0;
@@ -197,8 +197,11 @@ struct ViewMeter::Job {
     }
 };
 
-ViewMeter::ViewMeter(GpuThread& gpu, const Rounds& rounds, QObject* parent)
+ViewMeter::ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures, const Rounds& rounds,
+                     QObject* parent)
     : QObject(parent), m_gpu(gpu), m_rounds(rounds), m_bench(std::make_shared<Bench>()) {
+    m_bench->frames = std::move(frames);
+    m_bench->structures = std::move(structures);
     connect(
         &gpu, &GpuThread::contextGoing, this, [bench = m_bench] { bench->letGo(); }, Qt::DirectConnection);
 }
@@ -241,7 +244,7 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
     if (job.figures.empty()) m_bench->forgetOthers(job.subjects);
     if (job.figures.size() < job.subjects.size()) {
         const Subject& subject = job.subjects[job.figures.size()];
-        job.figures.push_back(m_bench->accuracy(subject.what));
+        job.figures.push_back(m_bench->accuracy(subject.view, subject.what));
         deliver(step, subject.view, job.figures.back());
         if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench);
         return step.again();

@@ -29,7 +29,8 @@ public:
         double budgetSeconds = 1.0;  ///< of drawing, after which no further round is begun
     };
 
-    explicit ViewMeter(GpuThread& gpu, const Rounds& rounds, QObject* parent = nullptr);
+    ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures, const Rounds& rounds,
+              QObject* parent = nullptr);
     ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);

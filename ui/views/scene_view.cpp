@@ -100,7 +100,7 @@ QImage SceneView::picture() const {
 PictureSubject SceneView::subject() const {
     const std::optional<ViewRequest> wanted = m_session.viewRequest(m_view);
     PictureSubject subject = pictureSubject(m_session, m_view, wanted);
-    if (wanted) subject.look = shownLook(*wanted->strategy, View(wanted->culling, wanted->cullingSize), wanted->look);
+    if (wanted && pictureIsCurrent()) subject.look = shownLook(*m_session.picture(m_view)->frame, wanted->look);
     return subject;
 }
 

@@ -62,8 +62,8 @@ std::optional<Promise> ViewHeader::promise() const {
     if (figures.state == ViewMetrics::State::Ready) return figures.promise;
     const BuiltStrategyPointer& built = m_session.slot(m_session.culledBy(m_view)).built();
     // While the chosen strategy is being built, built() returns the former one.
-    if (!built || built->id != info().id) return std::nullopt;
-    return built->strategy->promise();
+    if (!built || built->id() != info().id) return std::nullopt;
+    return built->promise();
 }
 
 QString ViewHeader::firstLine() const {

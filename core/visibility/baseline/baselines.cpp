@@ -5,22 +5,29 @@
 namespace cullscope::baseline {
 namespace {
 
-/// Submits all triangles for every view.
-class Everything : public Strategy {
-public:
-    using Strategy::Strategy;
+struct SceneFacts : Structure {
+    using Structure::Structure;
+    bool closed = false;  ///< no back face of any mesh can be seen from outside
+};
 
+/// Submits all triangles for every view.
+class Everything : public StrategyWith<SceneFacts> {
 protected:
-    void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
-        report.figures = {{"objects", double(scene.instances().size())}};
+    void fill(SceneFacts& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
+        structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
     }
-    void decide(const View& /*view*/, Verdict& verdict, Trace* trace) override {
-        const StageTimer stage(verdict, CULLSCOPE_TR("listing"));
-        for (uint32_t i = 0; i < scene().instances().size(); ++i) {
-            const size_t indices = scene().meshOf(i).indices().size();
-            if (indices > 0) verdict.drawList.ranges.push_back({i, 0, static_cast<uint32_t>(indices)});
-            if (trace != nullptr) trace->events.push_back({TraceEvent::Kind::Accepted, i});
+    void decide(FrameContext& frame, const SceneFacts& /*structure*/, ViewState& /*state*/,
+                const ParameterSet& /*parameters*/) const override {
+        DrawList list{frame.facing(), {}};
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("listing"));
+            for (uint32_t i = 0; i < frame.scene().instances().size(); ++i) {
+                const size_t indices = frame.scene().meshOf(i).indices().size();
+                if (indices > 0) list.ranges.push_back({i, 0, static_cast<uint32_t>(indices)});
+                if (frame.recording()) frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+            }
         }
+        frame.draw(std::move(list));
     }
 };
 
@@ -29,54 +36,59 @@ bool contains(const Box3& box, const Vec3& point) {
 }
 
 class All final : public Everything {
-public:
-    using Everything::Everything;
-    [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
+protected:
+    [[nodiscard]] Promise promiseOf(const SceneFacts& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
 };
 
 class Backface final : public Everything {
 public:
-    using Everything::Everything;
-    [[nodiscard]] Promise promise() const override { return m_closed ? Promise::Conservative : Promise::Approximate; }
     /// Inside a closed mesh only back faces are visible; an eye in an object's box may be inside its mesh.
-    [[nodiscard]] Promise promiseAt(const View& view) const override {
-        for (size_t i = 0; i < scene().instances().size(); ++i)
-            if (contains(scene().instanceBox(i), view.eye())) return Promise::Approximate;
-        return promise();
+    [[nodiscard]] Promise promiseAt(const Structure& structure, const ParameterSet& parameters, Facing facing,
+                                    const View& view) const override {
+        const Scene& scene = structure.scene();
+        for (size_t i = 0; i < scene.instances().size(); ++i)
+            if (contains(scene.instanceBox(i), view.eye())) return Promise::Approximate;
+        return promiseOf(own(structure), parameters, facing);
     }
-    [[nodiscard]] Facing facing() const override { return Facing::Front; }
-    [[nodiscard]] Facing referenceFacing() const override { return Facing::TwoSided; }
+    [[nodiscard]] Facing facing(const Scene& /*scene*/, const ParameterSet& /*parameters*/) const override {
+        return Facing::Front;
+    }
+    [[nodiscard]] Facing referenceFacing(const Scene& /*scene*/, const ParameterSet& /*parameters*/) const override {
+        return Facing::TwoSided;
+    }
 
 protected:
-    void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        Everything::buildStructures(scene, progress, report);
-        m_closed = scene.frontFacesSuffice();
+    void fill(SceneFacts& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        Everything::fill(structure, parameters, progress);
+        structure.closed = structure.scene().frontFacesSuffice();
     }
-
-private:
-    bool m_closed = false;
+    [[nodiscard]] Promise promiseOf(const SceneFacts& structure, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return structure.closed ? Promise::Conservative : Promise::Approximate;
+    }
 };
 
 }  // namespace
 
-StrategyInfo allInfo() {
-    return {"all",
-            CULLSCOPE_TR("All triangles"),
-            CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
-            "",
-            {}};
+RegisteredStrategy all() {
+    return {{"all",
+             CULLSCOPE_TR("All triangles"),
+             CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
+             "",
+             {}},
+            std::make_shared<All>()};
 }
 
-StrategyPointer makeAll(ParameterSet parameters) { return std::make_unique<All>(std::move(parameters)); }
-
-StrategyInfo backfaceInfo() {
-    return {"backface",
-            CULLSCOPE_TR("Back-face culling"),
-            CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
-            "",
-            {}};
+RegisteredStrategy backface() {
+    return {{"backface",
+             CULLSCOPE_TR("Back-face culling"),
+             CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
+             "",
+             {}},
+            std::make_shared<Backface>()};
 }
-
-StrategyPointer makeBackface(ParameterSet parameters) { return std::make_unique<Backface>(std::move(parameters)); }
 
 }  // namespace cullscope::baseline

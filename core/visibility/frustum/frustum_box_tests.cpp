@@ -30,48 +30,65 @@ double growthOf(const EyeBounds& bounds, const View& view) {
     return pixel * std::max(farthest, 0.0) + bounds.margin;
 }
 
-/// The common part of both strategies: everything but the OpenGL test.
-class FrustumBoxTests : public Strategy {
-public:
-    using Strategy::Strategy;
-    [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override { return objectNodes(trace, scene()); }
+struct ObjectBoxes : Structure {
+    using Structure::Structure;
+};
 
+/// The common part of both strategies: everything but the OpenGL test.
+template <typename State = ViewState>
+class FrustumBoxTests : public StrategyWith<ObjectBoxes, State> {
 protected:
-    void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
+    void fill(ObjectBoxes& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
         // The boxes are the scene's own; nothing else is built.
-        report.bytes = scene.instances().size() * sizeof(Box3);
-        report.figures = {{"objects", double(scene.instances().size())}};
+        const size_t objects = structure.scene().instances().size();
+        structure.report.bytes = objects * sizeof(Box3);
+        structure.report.figures = {{"objects", double(objects)}};
     }
 
-    void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        std::vector<uint8_t> visible(scene().instances().size(), 0);
+    void decide(FrameContext& frame, const ObjectBoxes& /*structure*/, State& state,
+                const ParameterSet& parameters) const override {
+        const Scene& scene = frame.scene();
+        std::vector<uint8_t> visible(scene.instances().size(), 0);
         GrownBoxes questions;
         {
-            const StageTimer stage(verdict, CULLSCOPE_TR("boxes"));
-            questions = grownBoxes(view);
+            const StageTimer stage(frame, CULLSCOPE_TR("boxes"));
+            questions = grownBoxes(frame);
         }
         {
-            const StageTimer stage(verdict, CULLSCOPE_TR("asking OpenGL"));
+            const StageTimer stage(frame, CULLSCOPE_TR("asking OpenGL"));
             for (uint32_t i = 0; i < visible.size(); ++i) visible[i] = questions.answers[i] == Answer::Visible ? 1 : 0;
-            for (const uint32_t hit : ask(view, questions.boxes)) visible[questions.instances[hit]] = 1;
+            for (const uint32_t hit : ask(frame, std::move(questions.boxes), state, parameters))
+                visible[questions.instances[hit]] = 1;
         }
-        const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
-        for (uint32_t i = 0; i < visible.size(); ++i) {
-            const auto indices = static_cast<uint32_t>(scene().meshOf(i).indices().size());
-            if (indices == 0) continue;
-            if (visible[i] != 0)
-                verdict.drawList.ranges.push_back({i, 0, indices});
-            else
-                verdict.culledTriangles[size_t(Cause::OutsideFrustum)] += indices / 3;
+        DrawList list{frame.facing(), {}};
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
+            for (uint32_t i = 0; i < visible.size(); ++i) {
+                const auto indices = static_cast<uint32_t>(scene.meshOf(i).indices().size());
+                if (indices == 0) continue;
+                if (frame.recording()) record(frame, questions.answers[i], i, visible[i] != 0);
+                if (visible[i] != 0)
+                    list.ranges.push_back({i, 0, indices});
+                else
+                    frame.counters().culledTriangles[size_t(Cause::OutsideFrustum)] += indices / 3;
+            }
+            frame.counters().nodesVisited = visible.size();
+            frame.counters().bytesTouched = visible.size() * sizeof(Box3);
         }
-        verdict.nodesVisited = visible.size();
-        verdict.bytesTouched = visible.size() * sizeof(Box3);
-        if (trace != nullptr) record(view, questions, visible, *trace);
+        frame.draw(std::move(list));
     }
 
-    /// The boxes that OpenGL hits, as indices into the span.
-    [[nodiscard]] virtual std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) = 0;
+    [[nodiscard]] Promise promiseOf(const ObjectBoxes& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+    [[nodiscard]] StructureSnapshot snapshotOf(const ObjectBoxes& structure, const FrameLog& log) const override {
+        return objectNodes(log, structure.scene());
+    }
+
+    /// The boxes that OpenGL hits, as indices.
+    [[nodiscard]] virtual std::vector<uint32_t> ask(FrameContext& frame, std::vector<EyeBox> boxes, State& state,
+                                                    const ParameterSet& parameters) const = 0;
     /// Whether OpenGL also hits boxes before the near or beyond the far plane, so that they must be culled before the test.
     [[nodiscard]] virtual bool clampsDepth() const = 0;
 
@@ -89,15 +106,16 @@ private:
         return isOutside(FrustumPlane::Far) ? Answer::BeyondFar : Answer::Asked;
     }
 
-    [[nodiscard]] GrownBoxes grownBoxes(const View& view) const {
+    [[nodiscard]] GrownBoxes grownBoxes(const FrameContext& frame) const {
+        const Scene& scene = frame.scene();
         GrownBoxes questions;
-        questions.answers.assign(scene().instances().size(), Answer::Visible);
-        for (uint32_t i = 0; i < scene().instances().size(); ++i) {
-            if (scene().meshOf(i).triangleCount() == 0) continue;
-            const EyeBounds bounds = boundsFromEye(scene(), i, view.eye());
+        questions.answers.assign(scene.instances().size(), Answer::Visible);
+        for (uint32_t i = 0; i < scene.instances().size(); ++i) {
+            if (scene.meshOf(i).triangleCount() == 0) continue;
+            const EyeBounds bounds = boundsFromEye(scene, i, frame.view().eye());
             EyeBox grown = bounds.box;
-            grown.halfExtent += Vec3(growthOf(bounds, view));
-            questions.answers[i] = answerTo(bounds, grown, view);
+            grown.halfExtent += Vec3(growthOf(bounds, frame.view()));
+            questions.answers[i] = answerTo(bounds, grown, frame.view());
             if (questions.answers[i] != Answer::Asked) continue;
             questions.instances.push_back(i);
             questions.boxes.push_back(grown);
@@ -105,92 +123,93 @@ private:
         return questions;
     }
 
-    void record(const View& view, const GrownBoxes& questions, const std::vector<uint8_t>& visible, Trace& trace) const {
-        for (uint32_t i = 0; i < visible.size(); ++i) {
-            if (scene().meshOf(i).triangleCount() == 0) continue;
-            recordAnswer(view, questions.answers[i], i, visible[i] != 0, trace);
-            trace.events.push_back({visible[i] != 0 ? TraceEvent::Kind::Accepted : TraceEvent::Kind::Culled, i});
-        }
-    }
-
-    void recordAnswer(const View& view, Answer answer, uint32_t instance, bool visible, Trace& trace) const {
-        const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
+    static void record(FrameContext& frame, Answer answer, uint32_t instance, bool visible) {
+        const Subject subject = Subject::ofObject(instance);
+        const EyeBounds bounds = boundsFromEye(frame.scene(), instance, frame.view().eye());
         if (answer == Answer::BeforeNear || answer == Answer::BeyondFar) {
             const FrustumPlane which = answer == Answer::BeforeNear ? FrustumPlane::Near : FrustumPlane::Far;
-            const Plane& plane = view.frustum().planes[size_t(which)];
-            addPlaneTest(trace, instance, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.margin);
-            return;
+            const Plane& plane = frame.view().frustum().planes[size_t(which)];
+            frame.say(planeTest(subject, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.margin));
+        } else {
+            frame.say(boxQuestion(subject, answer == Answer::Asked, visible, growthOf(bounds, frame.view())));
         }
-        TraceEvent event{answer == Answer::Asked ? TraceEvent::Kind::AskedOpenGl : TraceEvent::Kind::MeetsNear, instance};
-        event.containment = visible ? Containment::Straddles : Containment::Outside;
-        event.bound = growthOf(bounds, view);
-        trace.events.push_back(event);
+        frame.say(ending(subject, visible ? Decision::Outcome::Drawn : Decision::Outcome::Culled));
+    }
+
+    static Decision boxQuestion(const Subject& subject, bool asked, bool visible, double growth) {
+        Decision decision;
+        decision.subject = subject;
+        decision.containment = visible ? Containment::Straddles : Containment::Outside;
+        decision.operands[0] = growth;
+        decision.operandCount = 1;
+        decision.sentence = !asked ? CULLSCOPE_TR("The box reaches the near rectangle of the view: it is visible without asking.")
+                            : visible ? CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: it was hit.")
+                                      : CULLSCOPE_TR("OpenGL was asked about the box, grown by %1: nothing of it was hit.");
+        return decision;
     }
 };
 
-class FrustumSelect final : public FrustumBoxTests {
+struct HitBuffer : ViewState {
+    size_t words = 0;  ///< the size that was large enough the last time; 0: none yet
+
+    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<HitBuffer>(*this); }
+};
+
+class FrustumSelect final : public FrustumBoxTests<HitBuffer> {
 public:
-    using FrustumBoxTests::FrustumBoxTests;
+    [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<HitBuffer>(); }
 
 protected:
-    void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        FrustumBoxTests::buildStructures(scene, progress, report);
-        m_bufferWords = size_t(parameters().integer("buffer"));
-    }
-    [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
-        Renderer::SelectedBoxes selected = renderer().selectBoxes(view, boxes, m_bufferWords);
-        m_bufferWords = selected.bufferWords;
+    [[nodiscard]] std::vector<uint32_t> ask(FrameContext& frame, std::vector<EyeBox> boxes, HitBuffer& buffer,
+                                            const ParameterSet& parameters) const override {
+        if (buffer.words == 0) buffer.words = size_t(parameters.integer("buffer"));
+        SelectedBoxes selected = frame.selectBoxes(std::move(boxes), buffer.words);
+        buffer.words = selected.bufferWords;
         return std::move(selected.hits);
     }
     [[nodiscard]] bool clampsDepth() const override { return false; }
-
-private:
-    size_t m_bufferWords = 0;  ///< the size that was large enough the last time
 };
 
-class FrustumQuery final : public FrustumBoxTests {
-public:
-    using FrustumBoxTests::FrustumBoxTests;
-
+class FrustumQuery final : public FrustumBoxTests<> {
 protected:
-    [[nodiscard]] std::vector<uint32_t> ask(const View& view, std::span<const EyeBox> boxes) override {
-        return renderer().queryBoxes(view, boxes);
+    [[nodiscard]] std::vector<uint32_t> ask(FrameContext& frame, std::vector<EyeBox> boxes, ViewState& /*state*/,
+                                            const ParameterSet& /*parameters*/) const override {
+        return frame.visibleBoxes(std::move(boxes), BoxQuestion::Samples);
     }
     [[nodiscard]] bool clampsDepth() const override { return true; }
 };
 
 }  // namespace
 
-StrategyInfo frustumSelectInfo() {
+RegisteredStrategy frustumSelect() {
     return {
-        "frustum-select",
-        CULLSCOPE_TR("View-frustum culling by selection"),
-        CULLSCOPE_TR("Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view."),
-        "Cho et al.",
-        {facingParameter("two-sided"),
-         {"buffer",
-          ParameterType::Integer,
-          int64_t{4096},
-          1.0,
-          1e7,
-          "",
-          CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
-                       "boxes are drawn again."),
-          {}}},
-        GlRequirement::CompatibilityProfile};
+        {"frustum-select",
+         CULLSCOPE_TR("View-frustum culling by selection"),
+         CULLSCOPE_TR("Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view."),
+         "Cho et al.",
+         {facingParameter("two-sided"),
+          {"buffer",
+           ParameterType::Integer,
+           int64_t{4096},
+           1.0,
+           1e7,
+           "",
+           CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
+                        "boxes are drawn again."),
+           {}}},
+         GlRequirement::CompatibilityProfile},
+        std::make_shared<FrustumSelect>()};
 }
 
-StrategyPointer makeFrustumSelect(ParameterSet parameters) { return std::make_unique<FrustumSelect>(std::move(parameters)); }
-
-StrategyInfo frustumQueryInfo() {
-    return {"frustum-query",
-            CULLSCOPE_TR("View-frustum culling by queries"),
-            CULLSCOPE_TR("Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view."),
-            "",
-            {facingParameter()},
-            GlRequirement::Context};
+RegisteredStrategy frustumQuery() {
+    return {
+        {"frustum-query",
+         CULLSCOPE_TR("View-frustum culling by queries"),
+         CULLSCOPE_TR("Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view."),
+         "",
+         {facingParameter()},
+         GlRequirement::Context},
+        std::make_shared<FrustumQuery>()};
 }
-
-StrategyPointer makeFrustumQuery(ParameterSet parameters) { return std::make_unique<FrustumQuery>(std::move(parameters)); }
 
 }  // namespace cullscope::frustum

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/visibility/strategy.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope::frustum {
 
@@ -12,13 +12,11 @@ namespace cullscope::frustum {
 /// `frustum-select`, Cho et al.: draws the boxes in OpenGL's selection mode with the whole window as the pick region; the hit
 /// records name the objects in view. Conservative. Two-sided by default, as in the paper. Needs a compatibility profile.
 /// `buffer`: initial size of the hit buffer in words; on overflow it is doubled, the boxes are drawn again, and the size is kept.
-[[nodiscard]] StrategyInfo frustumSelectInfo();
-[[nodiscard]] StrategyPointer makeFrustumSelect(ParameterSet parameters);
+[[nodiscard]] RegisteredStrategy frustumSelect();
 
 /// `frustum-query`, the same without selection mode: one occlusion query for each box, without depth test, depth clamped instead
 /// of clipped. Because clamping also hits boxes before the near or beyond the far plane, these are culled before the queries.
 /// Conservative on samples. Waits for the results in the same frame.
-[[nodiscard]] StrategyInfo frustumQueryInfo();
-[[nodiscard]] StrategyPointer makeFrustumQuery(ParameterSet parameters);
+[[nodiscard]] RegisteredStrategy frustumQuery();
 
 }  // namespace cullscope::frustum

@@ -30,149 +30,178 @@ PlaneTest tighter(const BatchDistances& a, const BatchDistances& b) {
     return {nearer.farthestInside, std::max(a.farthestOutside, b.farthestOutside), nearer.margin};
 }
 
-class FrustumCulling final : public Strategy {
+[[nodiscard]] size_t lanes() {
+    switch (bestSimdLevel()) {
+        case SimdLevel::Avx512:
+            return 8;
+        case SimdLevel::Avx2:
+            return 4;
+        case SimdLevel::Scalar:
+            break;
+    }
+    return 1;
+}
+
+struct ObjectBatches : Structure {
+    using Structure::Structure;
+    std::optional<BoxBatch> boxes;
+    std::optional<SphereBatch> spheres;
+};
+
+/// The mesh's own box, transformed with the object.
+OrientedBox orientedBoxOf(const Scene& scene, uint32_t instance, const Vec3& eye) {
+    const TriangleMesh& mesh = scene.meshOf(instance);
+    const Instance& object = scene.instances()[instance];
+    OrientedBox box = orientedBox(mesh.localBounds(), object.worldFromMesh, eye, mesh.origin());
+    box.room += scene.pictureRounding(object);
+    return box;
+}
+
+/// The tests of one frame.
+class ObjectTests {
 public:
-    explicit FrustumCulling(ParameterSet set) : Strategy(std::move(set)), m_test(boxTestFromId(parameters().choice("box"))) {}
+    ObjectTests(FrameContext& frame, const ObjectBatches& batches, BoxTest test)
+        : m_frame(frame), m_batches(batches), m_test(test), m_frustum(frame.view().frustum(), frame.view().eye()) {
+        // While a frame is recorded every object is tested by itself, with the numbers of the batches.
+        if (frame.recording()) {
+            m_outside.assign(batches.boxes->wordCount(), 0);
+            addOutside();
+        } else {
+            findOutsideObjects();
+        }
+    }
 
-    [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override { return objectNodes(trace, scene()); }
+    [[nodiscard]] bool isOutside(uint32_t instance) const { return (m_outside[instance / 64] >> (instance % 64) & 1) != 0; }
 
+private:
+    /// Sets the bit of every object that is outside.
+    void findOutsideObjects() {
+        if (m_test == BoxTest::Length) {
+            m_outside.assign(m_batches.boxes->wordCount(), 0);
+            addOutside();
+            return;
+        }
+        findOutside(*m_batches.spheres, m_frustum, bestSimdLevel(), m_outside);
+        if (m_test == BoxTest::Oriented) {
+            addOutside();
+            return;
+        }
+        std::vector<uint64_t> outsideByBox;
+        findOutside(*m_batches.boxes, m_frustum, bestSimdLevel(), outsideByBox);
+        for (size_t word = 0; word < m_outside.size(); ++word) m_outside[word] |= outsideByBox[word];
+    }
+
+    /// Tests the objects that are not outside yet, one at a time.
+    void addOutside() {
+        for (uint32_t i = 0; i < m_batches.boxes->size(); ++i)
+            if (!isOutside(i) && scene().meshOf(i).triangleCount() > 0 && testOne(i))
+                m_outside[i / 64] |= uint64_t{1} << (i % 64);
+    }
+
+    /// Whether an object is outside a plane.
+    [[nodiscard]] bool testOne(uint32_t instance) {
+        const Subject subject = Subject::ofObject(instance);
+        for (uint32_t p = 0; p < kFrustumPlaneCount; ++p) {
+            const auto plane = static_cast<FrustumPlane>(p);
+            const PlaneTest test = testOf(instance, plane);
+            if (m_frame.recording()) m_frame.say(planeTest(subject, plane, test.inner, test.outer, test.bound));
+            if (!test.outside()) continue;
+            if (m_frame.recording()) m_frame.say(ending(subject, Decision::Outcome::Culled));
+            return true;
+        }
+        if (m_frame.recording()) m_frame.say(ending(subject, Decision::Outcome::Drawn));
+        return false;
+    }
+
+    /// The test of one object against one plane, as the batches apply it.
+    [[nodiscard]] PlaneTest testOf(uint32_t instance, FrustumPlane which) const {
+        const View& view = m_frame.view();
+        const BatchDistances sphere = m_frustum.distances(which, scene().instanceSphere(instance));
+        if (m_test == BoxTest::PVertex) return tighter(sphere, m_frustum.distances(which, scene().instanceBox(instance)));
+        const Plane& plane = view.frustum().planes[static_cast<size_t>(which)];
+        const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
+        if (m_test == BoxTest::Length) {
+            const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.halfExtent);
+            // The margin of the batch test, so that this looser test never culls an object that the tighter one keeps.
+            const double margin = std::max(sphere.margin, m_frustum.distances(which, scene().instanceBox(instance)).margin);
+            return {centre + length, centre - length, margin};
+        }
+        const OrientedBox box = orientedBoxOf(scene(), instance, view.eye());
+        return tighter(sphere, {pVertexDistance(plane, box), nVertexDistance(plane, box), bounds.margin});
+    }
+
+    [[nodiscard]] const Scene& scene() const { return m_frame.scene(); }
+
+    FrameContext& m_frame;
+    const ObjectBatches& m_batches;
+    BoxTest m_test;
+    BatchFrustum m_frustum;
+    std::vector<uint64_t> m_outside;
+};
+
+class FrustumCulling final : public StrategyWith<ObjectBatches> {
 protected:
-    void buildStructures(const Scene& scene, const Progress& /*progress*/, StructureReport& report) override {
+    void fill(ObjectBatches& batches, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
+        const Scene& scene = batches.scene();
         std::vector<Box3> boxes;
         std::vector<Sphere> spheres;
         for (size_t i = 0; i < scene.instances().size(); ++i) {
             boxes.push_back(scene.instanceBox(i));
             spheres.push_back(scene.instanceSphere(i));
         }
-        m_boxes.emplace(boxes);
-        m_spheres.emplace(spheres);
-        report.bytes = m_boxes->bytes() + m_spheres->bytes();
-        report.figures = {{"objects", double(boxes.size())}, {"objects tested at a time", double(lanes())}};
+        batches.boxes.emplace(boxes);
+        batches.spheres.emplace(spheres);
+        batches.report.bytes = batches.boxes->bytes() + batches.spheres->bytes();
+        batches.report.figures = {{"objects", double(boxes.size())}, {"objects tested at a time", double(lanes())}};
     }
 
-    void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        const BatchFrustum frustum(view.frustum(), view.eye());
+    void decide(FrameContext& frame, const ObjectBatches& batches, ViewState& /*state*/,
+                const ParameterSet& parameters) const override {
+        std::optional<ObjectTests> tests;
         {
-            const StageTimer stage(verdict, CULLSCOPE_TR("plane tests"));
-            findOutsideObjects(view, frustum);
+            const StageTimer stage(frame, CULLSCOPE_TR("plane tests"));
+            tests.emplace(frame, batches, boxTestFromId(parameters.choice("box")));
         }
-        const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
-        const auto count = static_cast<uint32_t>(scene().instances().size());
-        for (uint32_t i = 0; i < count; ++i) {
-            const uint64_t triangles = scene().meshOf(i).triangleCount();
-            if (triangles == 0) continue;
-            const bool outside = isOutside(i);
-            if (trace != nullptr) record(view, frustum, i, *trace);
-            if (outside)
-                verdict.culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)] += triangles;
-            else
-                verdict.drawList.ranges.push_back({i, 0, static_cast<uint32_t>(triangles * 3)});
-        }
-        verdict.nodesVisited = count;
-        verdict.bytesTouched = m_boxes->bytes() + m_spheres->bytes();
-    }
-
-private:
-    [[nodiscard]] static size_t lanes() {
-        switch (bestSimdLevel()) {
-            case SimdLevel::Avx512:
-                return 8;
-            case SimdLevel::Avx2:
-                return 4;
-            case SimdLevel::Scalar:
-                break;
-        }
-        return 1;
-    }
-
-    /// Sets the bit of every object that is outside.
-    void findOutsideObjects(const View& view, const BatchFrustum& frustum) {
-        if (m_test == BoxTest::Length) {
-            m_outside.assign(m_boxes->wordCount(), 0);
-            addOutside(view, frustum);
-            return;
-        }
-        findOutside(*m_spheres, frustum, bestSimdLevel(), m_outside);
-        if (m_test == BoxTest::Oriented) {
-            addOutside(view, frustum);
-            return;
-        }
-        findOutside(*m_boxes, frustum, bestSimdLevel(), m_outsideByBox);
-        for (size_t word = 0; word < m_outside.size(); ++word) m_outside[word] |= m_outsideByBox[word];
-    }
-
-    /// Tests the objects that are not outside yet, one at a time.
-    void addOutside(const View& view, const BatchFrustum& frustum) {
-        for (uint32_t i = 0; i < m_boxes->size(); ++i) {
-            if (isOutside(i)) continue;
-            for (uint32_t p = 0; p < view.frustum().planes.size(); ++p) {
-                if (!testOf(view, frustum, i, static_cast<FrustumPlane>(p)).outside()) continue;
-                m_outside[i / 64] |= uint64_t{1} << (i % 64);
-                break;
+        DrawList list{frame.facing(), {}};
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
+            for (uint32_t i = 0; i < frame.scene().instances().size(); ++i) {
+                const uint64_t triangles = frame.scene().meshOf(i).triangleCount();
+                if (triangles == 0) continue;
+                if (tests->isOutside(i))
+                    frame.counters().culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)] += triangles;
+                else
+                    list.ranges.push_back({i, 0, static_cast<uint32_t>(triangles * 3)});
             }
+            frame.counters().nodesVisited = frame.scene().instances().size();
+            frame.counters().bytesTouched = batches.report.bytes;
         }
+        frame.draw(std::move(list));
     }
 
-    [[nodiscard]] bool isOutside(uint32_t instance) const { return (m_outside[instance / 64] >> (instance % 64) & 1) != 0; }
-
-    /// The test of one object against one plane, as `decide` applies it to all objects.
-    [[nodiscard]] PlaneTest testOf(const View& view, const BatchFrustum& frustum, uint32_t instance, FrustumPlane which) const {
-        const BatchDistances sphere = frustum.distances(which, scene().instanceSphere(instance));
-        if (m_test == BoxTest::PVertex) return tighter(sphere, frustum.distances(which, scene().instanceBox(instance)));
-        const Plane& plane = view.frustum().planes[static_cast<size_t>(which)];
-        const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
-        if (m_test == BoxTest::Length) {
-            const double centre = plane.distance(bounds.box.centre), length = glm::length(bounds.box.halfExtent);
-            // The margin of the batch test, so that this looser test never culls an object that the tighter one keeps.
-            const double margin = std::max(sphere.margin, frustum.distances(which, scene().instanceBox(instance)).margin);
-            return {centre + length, centre - length, margin};
-        }
-        const OrientedBox box = orientedBoxOf(instance, view.eye());
-        return tighter(sphere, {pVertexDistance(plane, box), nVertexDistance(plane, box), bounds.margin});
+    [[nodiscard]] Promise promiseOf(const ObjectBatches& /*batches*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
     }
-
-    /// The mesh's own box, transformed with the object.
-    [[nodiscard]] OrientedBox orientedBoxOf(uint32_t instance, const Vec3& eye) const {
-        const TriangleMesh& mesh = scene().meshOf(instance);
-        const Instance& object = scene().instances()[instance];
-        OrientedBox box = orientedBox(mesh.localBounds(), object.worldFromMesh, eye, mesh.origin());
-        box.room += scene().pictureRounding(object);
-        return box;
+    [[nodiscard]] StructureSnapshot snapshotOf(const ObjectBatches& batches, const FrameLog& log) const override {
+        return objectNodes(log, batches.scene());
     }
-
-    void record(const View& view, const BatchFrustum& frustum, uint32_t instance, Trace& trace) const {
-        for (uint32_t p = 0; p < view.frustum().planes.size(); ++p) {
-            const PlaneTest test = testOf(view, frustum, instance, static_cast<FrustumPlane>(p));
-            addPlaneTest(trace, instance, static_cast<FrustumPlane>(p), test.inner, test.outer, test.bound);
-            if (!test.outside()) continue;
-            trace.events.push_back({TraceEvent::Kind::Culled, instance});
-            return;
-        }
-        trace.events.push_back({TraceEvent::Kind::Accepted, instance});
-    }
-
-    BoxTest m_test;
-    std::optional<BoxBatch> m_boxes;
-    std::optional<SphereBatch> m_spheres;
-    std::vector<uint64_t> m_outside, m_outsideByBox;  ///< results of the current `decide`
 };
 
 }  // namespace
 
-StrategyInfo frustumInfo() {
-    return {
-        "frustum",
-        CULLSCOPE_TR("View-frustum culling"),
-        CULLSCOPE_TR("Leaves out objects whose bounds lie outside one of the six planes of the view."),
-        "Assarsson & Möller 2000; Orangelie 2023",
-        {facingParameter(),
-         choiceParameter("box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
-                         {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
-                          {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
-                          {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
+RegisteredStrategy frustum() {
+    return {{"frustum",
+             CULLSCOPE_TR("View-frustum culling"),
+             CULLSCOPE_TR("Leaves out objects whose bounds lie outside one of the six planes of the view."),
+             "Assarsson & Möller 2000; Orangelie 2023",
+             {facingParameter(),
+              choiceParameter(
+                  "box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
+                  {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
+                   {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
+                   {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}},
+            std::make_shared<FrustumCulling>()};
 }
-
-StrategyPointer makeFrustum(ParameterSet parameters) { return std::make_unique<FrustumCulling>(std::move(parameters)); }
 
 }  // namespace cullscope::frustum

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/visibility/strategy.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope::frustum {
 
@@ -10,7 +10,6 @@ namespace cullscope::frustum {
 /// `box=p-vertex` tests n·c + d + |n|·e (Assarsson & Möller 2000). `box=oriented` tests the mesh's own box as transformed by the
 /// instance, instead of the axis-aligned one. `box=length` tests the length of the extent vector only, as in Orangelie 2023, to
 /// show the cost: it is the box's circumscribed sphere instead of the box. The last two test one object at a time.
-[[nodiscard]] StrategyInfo frustumInfo();
-[[nodiscard]] StrategyPointer makeFrustum(ParameterSet parameters);
+[[nodiscard]] RegisteredStrategy frustum();
 
 }  // namespace cullscope::frustum

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/visibility/strategy.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope::frustum {
 
@@ -9,7 +9,6 @@ namespace cullscope::frustum {
 /// culled a group is tested first (Assarsson & Möller 2000). `refine`: groups and objects that are outside no single plane but
 /// cut by several are also tested by separating axes, which removes the false positives of plane tests at the frustum's edges
 /// (stability cases 1 and 2). Conservative; the kept objects are drawn nearest first.
-[[nodiscard]] StrategyInfo frustumOctreeInfo();
-[[nodiscard]] StrategyPointer makeFrustumOctree(ParameterSet parameters);
+[[nodiscard]] RegisteredStrategy frustumOctree();
 
 }  // namespace cullscope::frustum

@@ -23,8 +23,8 @@ struct OpenTests {
 
 class Walker {
 public:
-    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced)
-        : m_tree(tree), m_view(view), m_horizon(tests.horizon), m_traced(traced), m_snap(snapping(view)) {
+    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool recording)
+        : m_tree(tree), m_view(view), m_horizon(tests.horizon), m_recording(recording), m_snap(snapping(view)) {
         for (size_t p = 0; p < m_spread.size(); ++p) m_spread[p] = glm::abs(view.planesOnMap[p].normal);
     }
 
@@ -86,12 +86,12 @@ private:
         const uint32_t count = m_tree.nodes()[number].count;
         m_walk.culled[size_t(cause)] += count;
         m_gap[size_t(cause)] += count;
-        if (m_traced) m_walk.judged.push_back({number, cause});
+        if (m_recording) m_walk.judged.push_back({number, cause});
     }
 
     void draw(uint32_t number) {
         const CellTree::Node& node = m_tree.nodes()[number];
-        if (m_traced) m_walk.judged.push_back({number, std::nullopt});
+        if (m_recording) m_walk.judged.push_back({number, std::nullopt});
         std::vector<PlaceRun>& drawn = m_walk.drawn;
         if (!drawn.empty() && node.first - (drawn.back().first + drawn.back().count) < kGap) {
             drawn.back().count = node.first + node.count - drawn.back().first;
@@ -107,7 +107,7 @@ private:
     const CellTree& m_tree;
     const ObjectSpaceView& m_view;
     const KernelHorizon* m_horizon;
-    bool m_traced;
+    bool m_recording;
     double m_snap;
     std::array<Vec3, 6> m_spread{};             ///< components |n| of the planes' normals: |n| · half is half the box's extent
                                                 ///< along n
@@ -123,8 +123,8 @@ double snapping(const ObjectSpaceView& view) {
     return (kSteps * view.pixelSlope + 0x1p-20) * view.unevenness;
 }
 
-CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced) {
-    Walker walker(tree, view, tests, traced);
+CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool recording) {
+    Walker walker(tree, view, tests, recording);
     if (!tree.nodes().empty()) walker.visit(0, {tests.planes, tests.cones && view.eyeKnown, tests.horizon != nullptr});
     return walker.take(tests);
 }

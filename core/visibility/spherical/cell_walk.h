@@ -21,8 +21,8 @@ struct CellTests {
 
 /// Walks the quadtree of an object. A node that is outside one plane, completely back-facing, or hidden behind the kernel is
 /// culled with its subtree; one with no undecided test is drawn without visiting its children; leaves are drawn. Conservative:
-/// nothing visible in the picture is culled, its rounding and its snapping to 1/256 pixel included. `traced`: records the result
-/// for each node at which the walk ended.
-[[nodiscard]] CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool traced);
+/// nothing visible in the picture is culled, its rounding and its snapping to 1/256 pixel included. `recording`: records the
+/// result for each node at which the walk ended.
+[[nodiscard]] CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool recording);
 
 }  // namespace cullscope::spherical

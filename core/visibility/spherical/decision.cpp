@@ -1,5 +1,6 @@
 #include "core/visibility/spherical/decision.h"
 
+#include <map>
 #include <numbers>
 
 #include "core/base/message.h"
@@ -18,6 +19,29 @@ const char* relationName(SphereRelation relation) {
             break;
     }
     return CULLSCOPE_TR("around the eye");
+}
+
+const SphericalNotes& notesOf(const FrameLog& log) {
+    static const SphericalNotes kNone;
+    const auto* notes = dynamic_cast<const SphericalNotes*>(log.notes.get());
+    return notes == nullptr ? kNone : *notes;
+}
+
+const std::vector<SphericalDecision>& decisionsOf(const FrameLog& log) { return notesOf(log).decisions; }
+
+std::vector<std::optional<FrustumPlane>> rejectingPlanes(const FrameLog& log, size_t instances) {
+    std::vector<std::optional<FrustumPlane>> planes(instances);
+    std::map<uint32_t, std::optional<FrustumPlane>> ofGroups;
+    for (const Decision& decision : log.decisions) {
+        const bool rejects = decision.outcome == Decision::Outcome::Open && decision.containment == Containment::Outside;
+        if (decision.subject.kind == Subject::Kind::Object && rejects && decision.plane)
+            planes[decision.subject.number] = decision.plane;
+        if (decision.subject.kind != Subject::Kind::Node) continue;
+        if (rejects) ofGroups[decision.subject.number] = decision.plane;
+        if (decision.outcome != Decision::Outcome::Culled) continue;
+        for (const uint32_t instance : log.objectsOf(decision)) planes[instance] = ofGroups[decision.subject.number];
+    }
+    return planes;
 }
 
 Vec2 ContourBands::anglesOf(const Vec3& direction) const {

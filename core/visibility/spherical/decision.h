@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/frame/cause.h"
+#include "core/frame/frame_log.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "core/spatial/spherical_search.h"
@@ -30,7 +30,7 @@ struct CornerRay {
     std::optional<TriangleHit> hit;       ///< confirmed by intersection; none: `point` is the point of the sphere nearest to the
                                           ///< ray
     Vec3 point{0.0};                      ///< the region's corner
-    std::vector<WalkedCell> walkedCells;  ///< only in a traced cull
+    std::vector<WalkedCell> walkedCells;  ///< only in a recorded frame
 };
 
 /// A rectangle of cells, all bounds inclusive; it never crosses the seam.
@@ -87,12 +87,7 @@ struct ContourBands {
     [[nodiscard]] uint32_t sectorOf(double beta) const;
 };
 
-/// A range of triangles by their places in a strategy's order.
-struct PlaceRun {
-    uint32_t first = 0, count = 0;
-
-    bool operator==(const PlaceRun&) const = default;
-};
+using cullscope::PlaceRun;
 
 /// A node of a CellTree at which a walk ended, and the result.
 struct JudgedCell {
@@ -106,8 +101,8 @@ struct CellWalk {
     std::vector<PlaceRun> drawn;                 ///< ascending, disjoint
     std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
     uint64_t nodesVisited = 0;
-    std::vector<JudgedCell> judged;  ///< only in a traced cull: ascending, disjoint
-    std::vector<Vec3> outline;       ///< only in a traced cull, with `horizon`: the kernel's outline as seen from the eye
+    std::vector<JudgedCell> judged;  ///< only in a recorded frame: ascending, disjoint
+    std::vector<Vec3> outline;       ///< only in a recorded frame, with `horizon`: the kernel's outline as seen from the eye
 };
 
 /// The decision of a spherical strategy about one object, and its reasons.
@@ -122,6 +117,18 @@ struct SphericalDecision {
     std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;
 };
+
+/// What a recorded frame of a spherical strategy keeps for its shows: a decision for each object with triangles.
+struct SphericalNotes : FrameNotes {
+    std::vector<SphericalDecision> decisions;
+    bool kernels = false;  ///< whether kernels were asked for the horizon
+};
+/// The notes of a recorded frame; empty for any other.
+[[nodiscard]] const SphericalNotes& notesOf(const FrameLog& log);
+/// The decisions of a recorded frame; empty for any other.
+[[nodiscard]] const std::vector<SphericalDecision>& decisionsOf(const FrameLog& log);
+/// The last plane that a recorded frame names as having rejected an instance or its group, by instance.
+[[nodiscard]] std::vector<std::optional<FrustumPlane>> rejectingPlanes(const FrameLog& log, size_t instances);
 
 /// The decision about one object together with the maps that it was based on.
 struct MapSnapshot {

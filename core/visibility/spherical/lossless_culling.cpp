@@ -27,143 +27,94 @@ struct MeshCells {
     LazyMaps maps;
 };
 
-class SphericalLossless final : public Strategy {
+/// The cause for which most of the culled triangles were culled.
+Cause mainCause(const SphericalDecision& decision) {
+    if (!decision.walk) return Cause::OutsideFrustum;
+    const std::array<uint64_t, kCauseCount>& culled = decision.walk->culled;
+    return static_cast<Cause>(std::max_element(culled.begin(), culled.end()) - culled.begin());
+}
+
+struct CellScene : Structure {
+    using Structure::Structure;
+
+    [[nodiscard]] const MeshCells& meshOf(uint32_t instance) const { return meshes[scene().instances()[instance].mesh]; }
+
+    std::vector<MeshCells> meshes;
+    InstanceOctree octree;
+    TriangleOrderPointer order;
+};
+
+/// The decision about an object that no group test culled.
+struct WalkedObject {
+    uint32_t instance = 0;
+    SphereRelation relation = SphereRelation::Outside;
+    bool whole = false;    ///< drawn completely, without a walk
+    ObjectSpaceView seen;  ///< unless `whole`
+    CellWalk walk;
+};
+
+/// The decisions of one frame.
+class LosslessFrame {
 public:
-    explicit SphericalLossless(ParameterSet set)
-        : Strategy(std::move(set)),
-          m_options{mapLayoutFromId(parameters().choice("layout")), uint32_t(parameters().integer("level")),
-                    kLeastTrianglesForCells},
-          m_cones(parameters().boolean("cones")),
-          m_horizon(parameters().boolean("horizon")) {}
+    LosslessFrame(FrameContext& frame, const CellScene& structure, const ParameterSet& parameters)
+        : m_frame(frame),
+          m_structure(structure),
+          m_cones(parameters.boolean("cones")),
+          m_horizon(parameters.boolean("horizon")) {}
 
-    [[nodiscard]] Promise promise() const override { return Promise::Conservative; }
-
-    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
-        const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
-        StructureSnapshot result;
-        for (const SphericalDecision& decision : trace.spherical) {
-            const MeshCells& mesh = cellsOf(decision.instance);
-            result.maps.push_back({mesh.maps, decision, mesh.tree, mesh.kernel});
-            result.nodes.push_back(nodeOf(decision));
-            result.nodes.back().rejectedBy = rejectedBy[decision.instance];
-        }
-        addGroups(result, m_octree, scene(), trace);
-        return result;
-    }
-
-protected:
-    void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        m_meshes.assign(scene.meshes().size(), {});
-        const std::vector<bool> shown = scene.shownMeshes();
-        for (size_t i = 0; i < m_meshes.size(); ++i) {
-            if (!shown[i]) continue;
-            const Progress part = progress.part(double(i) / double(m_meshes.size()), double(i + 1) / double(m_meshes.size()));
-            const MeshPointer& mesh = scene.meshes()[i];
-            m_meshes[i].tree = std::make_shared<CellTree>(mesh, m_options, part);
-            if (wantsKernel(*mesh)) m_meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
-            m_meshes[i].maps = LazyMaps(mesh);
-        }
-        m_octree = InstanceOctree(scene);
-        m_order = orderOfAll();
-        fillReport(report);
-    }
-
-    void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        std::vector<KeptObject> kept = keep(view, verdict, trace);
-        sortNearestFirst(kept, scene(), view.eye());
-        std::vector<Decided> decided(kept.size());
+    void run() {
+        std::vector<KeptObject> kept = keep();
+        sortNearestFirst(kept, scene(), m_frame.view().eye());
+        std::vector<WalkedObject> decided(kept.size());
         {
-            const StageTimer stage(verdict, CULLSCOPE_TR("cells"));
-            const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i], view, trace != nullptr); };
+            const StageTimer stage(m_frame, CULLSCOPE_TR("cells"));
+            const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i]); };
             if (kept.size() < kObjectsForThreads)
                 for (size_t i = 0; i < kept.size(); ++i) decideOne(i);
             else
                 tbb::parallel_for(size_t{0}, kept.size(), decideOne);
         }
-        const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
-        verdict.drawList.order = m_order;
-        verdict.parts = {{CULLSCOPE_TR("cells against the frustum"), 0, verdict.culledTriangles[size_t(Cause::OutsideFrustum)]},
-                         {CULLSCOPE_TR("normal cones"), 0, 0},
-                         {CULLSCOPE_TR("horizon of the kernel"), 0, 0}};
-        for (const Decided& object : decided) submit(object, verdict);
-        if (trace != nullptr) record(decided, view, *trace);
+        DrawList list{m_frame.facing(), {}, m_structure.order};
+        {
+            const StageTimer stage(m_frame, CULLSCOPE_TR("draw list"));
+            m_frame.counters().parts = {
+                {CULLSCOPE_TR("cells against the frustum"), 0, counters().culledTriangles[size_t(Cause::OutsideFrustum)]},
+                {CULLSCOPE_TR("normal cones"), 0, 0},
+                {CULLSCOPE_TR("horizon of the kernel"), 0, 0}};
+            for (const WalkedObject& object : decided) submit(object, list);
+            if (m_frame.recording()) record(decided);
+        }
+        m_frame.draw(std::move(list));
     }
 
 private:
-    /// The decision about an object that no group test culled.
-    struct Decided {
-        uint32_t instance = 0;
-        SphereRelation relation = SphereRelation::Outside;
-        bool whole = false;  ///< drawn completely, without a walk
-        CellWalk walk;
-    };
+    [[nodiscard]] const Scene& scene() const { return m_frame.scene(); }
+    [[nodiscard]] FrameCounters& counters() { return m_frame.counters(); }
 
-    [[nodiscard]] const MeshCells& cellsOf(uint32_t instance) const { return m_meshes[scene().instances()[instance].mesh]; }
-
-    [[nodiscard]] bool wantsKernel(const TriangleMesh& mesh) const {
-        return m_horizon && mesh.triangleCount() >= kLeastTrianglesForHorizon;
-    }
-
-    [[nodiscard]] TriangleOrderPointer orderOfAll() const {
-        auto order = std::make_shared<TriangleOrder>();
-        auto owner = std::make_shared<std::vector<CellTreePointer>>();
-        for (const MeshCells& mesh : m_meshes) {
-            owner->push_back(mesh.tree);
-            order->meshes.push_back(mesh.tree && mesh.tree->divided()
-                                        ? TriangleOrder::OfMesh{mesh.tree->indices(), mesh.tree->triangleOrder()}
-                                        : TriangleOrder::OfMesh{});
-        }
-        order->owner = std::move(owner);
-        return order;
-    }
-
-    void fillReport(StructureReport& report) const {
-        double nodes = 0, leaves = 0, deepest = 0, treeBytes = 0, kernels = 0, kernelBytes = 0;
-        for (const MeshCells& mesh : m_meshes) {
-            if (!mesh.tree) continue;
-            nodes += double(mesh.tree->nodes().size());
-            leaves += double(mesh.tree->leafCount());
-            deepest = std::max(deepest, double(mesh.tree->deepestLevel()));
-            treeBytes += double(mesh.tree->bytes());
-            if (!mesh.kernel) continue;
-            kernels += mesh.kernel->filled() ? 1 : 0;
-            kernelBytes += double(mesh.kernel->bytes());
-        }
-        report.bytes = uint64_t(treeBytes + kernelBytes) + m_octree.bytes();
-        report.figures = {{"objects", double(scene().instances().size())},
-                          {"groups", double(m_octree.nodes().size())},
-                          {"cells", nodes},
-                          {"leaf cells", leaves},
-                          {"deepest level", deepest},
-                          {"kernels", kernels},
-                          {"cell tree bytes", treeBytes},
-                          {"kernel bytes", kernelBytes},
-                          {"octree bytes", double(m_octree.bytes())}};
-    }
-
-    [[nodiscard]] std::vector<KeptObject> keep(const View& view, Verdict& verdict, Trace* trace) const {
-        const StageTimer stage(verdict, CULLSCOPE_TR("groups of objects"));
-        OctreeWalkCounters figures;
-        std::vector<KeptObject> kept = keptObjects(m_octree, scene(), view, &figures, trace);
-        verdict.culledTriangles[size_t(Cause::OutsideFrustum)] += figures.trianglesCulled;
-        verdict.nodesVisited += figures.nodesVisited + figures.objectsTested;
-        verdict.bytesTouched += figures.nodesVisited * sizeof(InstanceOctree::Node) + figures.objectsTested * sizeof(Box3);
+    [[nodiscard]] std::vector<KeptObject> keep() {
+        const StageTimer stage(m_frame, CULLSCOPE_TR("groups of objects"));
+        OctreeWalkCounters walked;
+        std::vector<KeptObject> kept = keptObjects(m_structure.octree, m_frame, &walked);
+        counters().culledTriangles[size_t(Cause::OutsideFrustum)] += walked.trianglesCulled;
+        counters().nodesVisited += walked.nodesVisited + walked.objectsTested;
+        counters().bytesTouched += walked.nodesVisited * sizeof(InstanceOctree::Node) + walked.objectsTested * sizeof(Box3);
         return kept;
     }
 
-    [[nodiscard]] Decided decideAbout(const KeptObject& object, const View& view, bool traced) const {
-        const MeshCells& mesh = cellsOf(object.instance);
-        Decided result{object.instance, object.planes == 0 ? SphereRelation::Within : SphereRelation::Cut, true, {}};
+    [[nodiscard]] WalkedObject decideAbout(const KeptObject& object) const {
+        const MeshCells& mesh = m_structure.meshOf(object.instance);
+        WalkedObject result{object.instance, object.planes == 0 ? SphereRelation::Within : SphereRelation::Cut, true, {}, {}};
         if (!mesh.tree->divided()) return result;
         result.whole = false;
-        const ObjectSpaceView seen = objectSpaceView(scene(), object.instance, mesh.tree->sphere(), view);
+        const ObjectSpaceView seen = objectSpaceView(scene(), object.instance, mesh.tree->sphere(), m_frame.view());
         result.relation = seen.relation;
+        if (m_frame.recording()) result.seen = seen;
         if (seen.relation == SphereRelation::Outside) return result;
-        CellTests tests{planesToTest(object, seen), facing() == Facing::Front && m_cones && seen.eyeKnown};
+        CellTests tests{planesToTest(object, seen), m_frame.facing() == Facing::Front && m_cones && seen.eyeKnown};
         const std::optional<KernelHorizon> horizon = horizonOf(mesh, seen);
         tests.horizon = horizon ? &*horizon : nullptr;
-        result.walk = walkCells(*mesh.tree, seen, tests, traced);
-        if (traced && horizon) result.walk.outline = horizon->outline(*mesh.kernel);
+        result.walk = walkCells(*mesh.tree, seen, tests, m_frame.recording());
+        if (m_frame.recording() && horizon) result.walk.outline = horizon->outline(*mesh.kernel);
         return result;
     }
 
@@ -178,94 +129,180 @@ private:
     /// Without a horizon where the near plane cuts the object, or where the kernel's outer side is not drawn: then the surface
     /// around it hides nothing.
     [[nodiscard]] std::optional<KernelHorizon> horizonOf(const MeshCells& mesh, const ObjectSpaceView& seen) const {
-        if (!mesh.kernel || !mesh.kernel->filled() || !seen.beyondNear || seen.relation == SphereRelation::AroundEye) return {};
-        if (facing() == Facing::Front && !mesh.kernel->outward()) return {};
+        if (!m_horizon || !mesh.kernel || !mesh.kernel->filled() || !seen.beyondNear ||
+            seen.relation == SphereRelation::AroundEye)
+            return {};
+        if (m_frame.facing() == Facing::Front && !mesh.kernel->outward()) return {};
         KernelHorizon horizon(*mesh.kernel, seen.eye, mesh.tree->sphere().radius, snapping(seen));
         return horizon.usable() ? std::optional(std::move(horizon)) : std::nullopt;
     }
 
-    void submit(const Decided& object, Verdict& verdict) const {
+    void submit(const WalkedObject& object, DrawList& list) {
         const uint64_t triangles = scene().meshOf(object.instance).triangleCount();
         if (object.whole) {
-            verdict.drawList.ranges.push_back({object.instance, 0, uint32_t(3 * triangles)});
+            list.ranges.push_back({object.instance, 0, uint32_t(3 * triangles)});
             return;
         }
         if (object.relation == SphereRelation::Outside) {
-            verdict.culledTriangles[size_t(Cause::OutsideFrustum)] += triangles;
-            verdict.parts[0].culledTriangles += triangles;
+            counters().culledTriangles[size_t(Cause::OutsideFrustum)] += triangles;
+            counters().parts[0].culledTriangles += triangles;
             return;
         }
         const CellWalk& walk = object.walk;
-        for (const PlaceRun& run : walk.drawn) verdict.drawList.ranges.push_back({object.instance, 3 * run.first, 3 * run.count});
-        for (size_t cause = 0; cause < kCauseCount; ++cause) verdict.culledTriangles[cause] += walk.culled[cause];
+        for (const PlaceRun& run : walk.drawn) list.ranges.push_back({object.instance, 3 * run.first, 3 * run.count});
+        for (size_t cause = 0; cause < kCauseCount; ++cause) counters().culledTriangles[cause] += walk.culled[cause];
         constexpr std::array kCauses{Cause::OutsideFrustum, Cause::BackFacing, Cause::Hidden};
         const std::array used{true, walk.cones, walk.horizon};
         for (size_t part = 0; part < kCauses.size(); ++part) {
-            verdict.parts[part].objects += used[part] ? 1 : 0;
-            verdict.parts[part].culledTriangles += walk.culled[size_t(kCauses[part])];
+            counters().parts[part].objects += used[part] ? 1 : 0;
+            counters().parts[part].culledTriangles += walk.culled[size_t(kCauses[part])];
         }
-        verdict.nodesVisited += walk.nodesVisited;
-        verdict.bytesTouched += walk.nodesVisited * sizeof(CellTree::Node);
+        counters().nodesVisited += walk.nodesVisited;
+        counters().bytesTouched += walk.nodesVisited * sizeof(CellTree::Node);
     }
 
-    void record(const std::vector<Decided>& decided, const View& view, Trace& trace) const {
+    void record(std::vector<WalkedObject>& decided) {
         std::vector<SphericalDecision> decisions(scene().instances().size());
         for (uint32_t instance = 0; instance < decisions.size(); ++instance) decisions[instance].instance = instance;
-        for (const Decided& object : decided) {
+        for (WalkedObject& object : decided) {
             SphericalDecision& decision = decisions[object.instance];
             decision.relation = object.relation;
-            if (object.relation != SphereRelation::Outside) decision.walk = object.walk;
+            if (object.relation != SphereRelation::Outside) decision.walk = std::move(object.walk);
             if (object.whole) {
                 const auto triangles = uint32_t(scene().meshOf(object.instance).triangleCount());
                 decision.walk->drawn.push_back({0, triangles});
                 decision.walk->judged.push_back({0, std::nullopt});
             } else {
-                const ObjectSpaceView seen =
-                    objectSpaceView(scene(), object.instance, cellsOf(object.instance).tree->sphere(), view);
-                decision.eye = seen.eye;
-                recordTests(seen, object.instance, trace);
+                decision.eye = object.seen.eye;
+                recordTests(object.seen, Subject::ofObject(object.instance), m_frame);
             }
             if (decision.walk)
                 for (const PlaceRun& run : decision.walk->drawn) decision.drawnTriangles += run.count;
-            recordEnd(decision, trace);
+            recordEnd(decision, object.whole);
         }
+        auto notes = std::make_shared<SphericalNotes>();
+        notes->kernels = m_horizon;
         for (SphericalDecision& decision : decisions)
-            if (scene().meshOf(decision.instance).triangleCount() > 0) trace.spherical.push_back(std::move(decision));
+            if (scene().meshOf(decision.instance).triangleCount() > 0) notes->decisions.push_back(std::move(decision));
+        m_frame.note(std::move(notes));
     }
 
-    static void recordTests(const ObjectSpaceView& seen, uint32_t instance, Trace& trace) {
-        for (size_t p = 0; p < seen.planesTested; ++p) {
-            const ObjectSpaceView::PlaneTest& test = seen.planes[p];
-            trace.events.push_back({TraceEvent::Kind::TestedPlane, instance, static_cast<FrustumPlane>(p), test.containment,
-                                    test.distance, Cause::OutsideFrustum, test.bound});
+    void recordEnd(const SphericalDecision& decision, bool whole) {
+        const Subject subject = Subject::ofObject(decision.instance);
+        if (decision.walk && !whole)
+            for (const JudgedCell& judged : decision.walk->judged) recordCell(decision.instance, judged);
+        if (decision.drawnTriangles == scene().meshOf(decision.instance).triangleCount())
+            m_frame.say(ending(subject, Decision::Outcome::Drawn));
+        else
+            m_frame.say(ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
+                               mainCause(decision)));
+    }
+
+    void recordCell(uint32_t instance, const JudgedCell& judged) {
+        const CellTree::Node& node = m_structure.meshOf(instance).tree->nodes()[judged.node];
+        Decision decision =
+            ending(Subject::ofCell(judged.node, instance), judged.cause ? Decision::Outcome::Culled : Decision::Outcome::Drawn,
+                   judged.cause.value_or(Cause::OutsideFrustum));
+        decision.places = {node.first, node.count};
+        decision.nesting = uint8_t(std::min<uint32_t>(node.level + 1u, 255u));
+        m_frame.say(decision);
+    }
+
+    FrameContext& m_frame;
+    const CellScene& m_structure;
+    bool m_cones, m_horizon;
+};
+
+class SphericalLossless final : public StrategyWith<CellScene> {
+protected:
+    void fill(CellScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        const CellTree::Options options{mapLayoutFromId(parameters.choice("layout")), uint32_t(parameters.integer("level")),
+                                        kLeastTrianglesForCells};
+        const Scene& scene = structure.scene();
+        structure.meshes.resize(scene.meshes().size());
+        const std::vector<bool> shown = scene.shownMeshes();
+        const auto count = double(structure.meshes.size());
+        for (size_t i = 0; i < structure.meshes.size(); ++i) {
+            if (!shown[i]) continue;
+            const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+            const MeshPointer& mesh = scene.meshes()[i];
+            structure.meshes[i].tree = std::make_shared<CellTree>(mesh, options, part);
+            // Also where the horizon is switched off: switching it on builds nothing.
+            if (mesh->triangleCount() >= kLeastTrianglesForHorizon)
+                structure.meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
+            structure.meshes[i].maps = LazyMaps(mesh);
         }
+        structure.octree = InstanceOctree(scene);
+        structure.order = orderOfAll(structure.meshes);
+        fillReport(structure);
     }
 
-    /// The cause for which most of the culled triangles were culled.
-    [[nodiscard]] static Cause mainCause(const SphericalDecision& decision) {
-        if (!decision.walk) return Cause::OutsideFrustum;
-        const std::array<uint64_t, kCauseCount>& culled = decision.walk->culled;
-        return static_cast<Cause>(std::max_element(culled.begin(), culled.end()) - culled.begin());
+    void decide(FrameContext& frame, const CellScene& structure, ViewState& /*state*/,
+                const ParameterSet& parameters) const override {
+        LosslessFrame(frame, structure, parameters).run();
     }
 
-    void recordEnd(const SphericalDecision& decision, Trace& trace) const {
-        TraceEvent end{TraceEvent::Kind::Culled, decision.instance};
-        end.cause = mainCause(decision);
-        if (decision.drawnTriangles > 0) end.kind = TraceEvent::Kind::PartlyDrawn;
-        if (decision.drawnTriangles == scene().meshOf(decision.instance).triangleCount()) end.kind = TraceEvent::Kind::Accepted;
-        trace.events.push_back(end);
-        if (!decision.walk) return;
-        for (const JudgedCell& judged : decision.walk->judged) {
-            const CellTree::Node& node = cellsOf(decision.instance).tree->nodes()[judged.node];
-            if (judged.cause) trace.culledRuns.push_back({decision.instance, {node.first, node.count}, *judged.cause});
+    [[nodiscard]] Promise promiseOf(const CellScene& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+
+    [[nodiscard]] StructureSnapshot snapshotOf(const CellScene& structure, const FrameLog& log) const override {
+        const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(log, structure.scene().instances().size());
+        StructureSnapshot result;
+        for (const SphericalDecision& decision : decisionsOf(log)) {
+            const MeshCells& mesh = structure.meshOf(decision.instance);
+            result.maps.push_back({mesh.maps, decision, mesh.tree, notesOf(log).kernels ? mesh.kernel : nullptr});
+            result.nodes.push_back(nodeOf(structure.scene(), decision));
+            result.nodes.back().rejectedBy = rejectedBy[decision.instance];
         }
+        addGroups(result, structure.octree, structure.scene(), log);
+        return result;
     }
 
-    [[nodiscard]] SnapshotNode nodeOf(const SphericalDecision& decision) const {
+private:
+    [[nodiscard]] static TriangleOrderPointer orderOfAll(const std::vector<MeshCells>& meshes) {
+        auto order = std::make_shared<TriangleOrder>();
+        auto owner = std::make_shared<std::vector<CellTreePointer>>();
+        for (const MeshCells& mesh : meshes) {
+            owner->push_back(mesh.tree);
+            order->meshes.push_back(mesh.tree && mesh.tree->divided()
+                                        ? TriangleOrder::OfMesh{mesh.tree->indices(), mesh.tree->triangleOrder()}
+                                        : TriangleOrder::OfMesh{});
+        }
+        order->owner = std::move(owner);
+        return order;
+    }
+
+    static void fillReport(CellScene& structure) {
+        double nodes = 0, leaves = 0, deepest = 0, treeBytes = 0, kernels = 0, kernelBytes = 0;
+        for (const MeshCells& mesh : structure.meshes) {
+            if (!mesh.tree) continue;
+            nodes += double(mesh.tree->nodes().size());
+            leaves += double(mesh.tree->leafCount());
+            deepest = std::max(deepest, double(mesh.tree->deepestLevel()));
+            treeBytes += double(mesh.tree->bytes());
+            if (!mesh.kernel) continue;
+            kernels += mesh.kernel->filled() ? 1 : 0;
+            kernelBytes += double(mesh.kernel->bytes());
+        }
+        structure.report.bytes = uint64_t(treeBytes + kernelBytes) + structure.octree.bytes();
+        structure.report.figures = {{"objects", double(structure.scene().instances().size())},
+                                    {"groups", double(structure.octree.nodes().size())},
+                                    {"cells", nodes},
+                                    {"leaf cells", leaves},
+                                    {"deepest level", deepest},
+                                    {"kernels", kernels},
+                                    {"cell tree bytes", treeBytes},
+                                    {"kernel bytes", kernelBytes},
+                                    {"octree bytes", double(structure.octree.bytes())}};
+    }
+
+    [[nodiscard]] static SnapshotNode nodeOf(const Scene& scene, const SphericalDecision& decision) {
         SnapshotNode node;
         node.instance = decision.instance;
-        node.box = scene().instanceBox(decision.instance);
-        node.triangles = scene().meshOf(decision.instance).triangleCount();
+        node.box = scene.instanceBox(decision.instance);
+        node.triangles = scene.meshOf(decision.instance).triangleCount();
         node.culled = decision.drawnTriangles == 0;
         node.cause = mainCause(decision);
         node.containment = decision.relation == SphereRelation::Outside  ? Containment::Outside
@@ -273,27 +310,22 @@ private:
                                                                          : Containment::Straddles;
         return node;
     }
-
-    CellTree::Options m_options;
-    bool m_cones, m_horizon;
-    std::vector<MeshCells> m_meshes;
-    InstanceOctree m_octree;
-    TriangleOrderPointer m_order;
 };
 
 }  // namespace
 
-StrategyInfo sphericalLosslessInfo() {
-    return {
+RegisteredStrategy sphericalLossless() {
+    StrategyInfo info{
         "spherical-lossless",
         CULLSCOPE_TR("Spherical coordinates, lossless"),
         CULLSCOPE_TR("Tests the cells of a map of directions, from large to small, against the frustum, by normal cones and by "
                      "the horizon of the solid's inner kernel: loses nothing on any mesh."),
         "Han & Hong 2008 made conservative; Shirman & Abi-Ezzi 1993",
         {facingParameter(),
-         choiceParameter("layout", "octahedral", CULLSCOPE_TR("How directions are laid out on the map."),
-                         {{"octahedral", CULLSCOPE_TR("an octahedron unfolded: no poles, no trigonometry")},
-                          {"latitude-longitude", CULLSCOPE_TR("rows of zenith angle and columns of azimuth, as in the paper")}}),
+         readWhenBuilding(choiceParameter(
+             "layout", "octahedral", CULLSCOPE_TR("How directions are laid out on the map."),
+             {{"octahedral", CULLSCOPE_TR("an octahedron unfolded: no poles, no trigonometry")},
+              {"latitude-longitude", CULLSCOPE_TR("rows of zenith angle and columns of azimuth, as in the paper")}})),
          {"level",
           ParameterType::Integer,
           int64_t{0},
@@ -303,17 +335,15 @@ StrategyInfo sphericalLosslessInfo() {
           CULLSCOPE_TR(
               "How often the map is quartered: 2^level cells a side; 0: down to some four dozen triangles a cell. An object of "
               "fewer than a thousand is one cell."),
-          {}},
+          {},
+          ParameterUse::Building},
          booleanParameter("cones", true,
                           CULLSCOPE_TR("Whether cells whose triangles all face away are left out (where only front sides "
                                        "are drawn).")),
          booleanParameter("horizon", true,
                           CULLSCOPE_TR("Whether cells behind the solid's inner kernel are left out (where the mesh is "
                                        "closed)."))}};
-}
-
-StrategyPointer makeSphericalLossless(ParameterSet parameters) {
-    return std::make_unique<SphericalLossless>(std::move(parameters));
+    return {std::move(info), std::make_shared<SphericalLossless>()};
 }
 
 }  // namespace cullscope::spherical

@@ -48,10 +48,11 @@ ObjectSpaceView::PlaneTest test(const Plane& plane, const EyeFromMap& object, do
     const double reach = radius * glm::length(glm::transpose(object.linear) * plane.normal);
     ObjectSpaceView::PlaneTest result;
     result.distance = centre + reach;
+    result.outer = centre - reach;
     result.bound = object.margin;
     if (result.distance < -object.margin)
         result.containment = Containment::Outside;
-    else if (centre - reach > object.margin)
+    else if (result.outer > object.margin)
         result.containment = Containment::Inside;
     return result;
 }
@@ -94,6 +95,13 @@ ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sph
     if (glm::length(result.eye) <= radius * (1.0 + 1e-6)) return result;
     result.relation = within ? SphereRelation::Within : SphereRelation::Cut;
     return result;
+}
+
+void recordTests(const ObjectSpaceView& seen, const Subject& subject, FrameContext& frame) {
+    for (size_t p = 0; p < seen.planesTested; ++p) {
+        const ObjectSpaceView::PlaneTest& test = seen.planes[p];
+        frame.say(planeTest(subject, static_cast<FrustumPlane>(p), test.distance, test.outer, test.bound));
+    }
 }
 
 }  // namespace cullscope::spherical

@@ -2,20 +2,21 @@
 
 #include <array>
 
+#include "core/frame/frame_context.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/visibility/spherical/decision.h"
-#include "core/visibility/trace.h"
 
 namespace cullscope::spherical {
 
 /// An instance as seen by a view, in the coordinates of its mesh's maps. An affine transform maps sight lines to sight lines, so
 /// that all instances of a mesh share its maps.
 struct ObjectSpaceView {
-    /// The test of the bounding sphere (an ellipsoid in the world) against one plane, as in a trace; in world units.
+    /// The test of the bounding sphere (an ellipsoid in the world) against one plane, in world units.
     struct PlaneTest {
         Containment containment = Containment::Straddles;
         double distance = 0.0;  ///< of the sphere's point farthest inside
+        double outer = 0.0;     ///< of its point farthest outside
         double bound = 0.0;
     };
 
@@ -40,5 +41,8 @@ struct ObjectSpaceView {
 /// The view of an instance. The relation is never Outside for a sphere that intersects the frustum (margin: geometry/frustum.h,
 /// conservativeMargin). `sphere`: the mesh's bounding sphere, relative to its origin.
 [[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
+
+/// Says the tests of the sphere against the planes, as they were made.
+void recordTests(const ObjectSpaceView& seen, const Subject& subject, FrameContext& frame);
 
 }  // namespace cullscope::spherical

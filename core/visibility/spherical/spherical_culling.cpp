@@ -21,15 +21,28 @@ struct MappedMesh {
     std::unique_ptr<const HorizonCells> horizonCells;  ///< of `spherical-horizon`
 };
 
+/// The maps of a scene's meshes.
+struct MappedScene : Structure {
+    using Structure::Structure;
+
+    [[nodiscard]] const MappedMesh& meshOf(uint32_t instance) const { return meshes[scene().instances()[instance].mesh]; }
+
+    std::vector<MappedMesh> meshes;
+    TriangleOrderPointer order;
+    /// Whether every mesh is star-shaped around its centre, for pictures of both sides and of front sides; of
+    /// `spherical-horizon`.
+    bool starShaped = false, starShapedInFront = false;
+};
+
 ParameterDeclaration wholeNumber(std::string key, int64_t value, double least, double most, std::string description) {
     return {std::move(key), ParameterType::Integer, value, least, most, "", std::move(description), {}};
 }
 
 ParameterDeclaration rowsParameter() {
-    return wholeNumber(
-        "rows", SphericalGrid::kRows, 0, 4096,
-        CULLSCOPE_TR("Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than triangles. "
-                     "0: as many cells a triangle as in the paper."));
+    return readWhenBuilding(
+        wholeNumber("rows", SphericalGrid::kRows, 0, 4096,
+                    CULLSCOPE_TR("Rows of the maps, 2 at least; columns are twice as many. A mesh has no more cells than "
+                                 "triangles. 0: as many cells a triangle as in the paper.")));
 }
 
 std::vector<ParameterDeclaration> bandParameters(double width, int64_t sectors) {
@@ -38,266 +51,266 @@ std::vector<ParameterDeclaration> bandParameters(double width, int64_t sectors) 
         wholeNumber("sectors", sectors, 1, 1440, CULLSCOPE_TR("Sectors into which a contour band is divided."))};
 }
 
-/// The common part of both strategies: maps, relation to the frustum, draw list, trace.
-class SphericalCulling : public Strategy {
-public:
-    using Strategy::Strategy;
+double bandWidth(const ParameterSet& parameters) { return Angle::fromDegrees(parameters.real("band")).radians(); }
+uint32_t sectors(const ParameterSet& parameters) { return uint32_t(parameters.integer("sectors")); }
 
-    [[nodiscard]] StructureSnapshot snapshot(const Trace& trace) const override {
-        const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(trace, scene().instances().size());
+SphericalGrid gridFor(const TriangleMesh& mesh, const ParameterSet& parameters) {
+    const auto rows = uint32_t(parameters.integer("rows"));
+    if (rows == 0) return SphericalGrid::forTriangles(mesh.triangleCount());
+    // With more cells than triangles most cells would be empty; the limit saves memory in a scene of many small meshes.
+    const auto most = uint32_t(std::ceil(std::sqrt(double(mesh.triangleCount()) / 2.0)));
+    const uint32_t taken = std::max(std::min(rows, most), 2u);
+    return SphericalGrid(2 * taken, taken);
+}
+
+TriangleOrderPointer orderOfAll(const std::vector<MappedMesh>& meshes) {
+    auto order = std::make_shared<TriangleOrder>();
+    auto owner = std::make_shared<std::vector<SphericalMapsPointer>>();
+    for (const MappedMesh& mesh : meshes) {
+        owner->push_back(mesh.maps);
+        order->meshes.push_back(mesh.maps ? TriangleOrder::OfMesh{mesh.maps->indices(), mesh.maps->triangleOrder()}
+                                          : TriangleOrder::OfMesh{});
+    }
+    order->owner = std::move(owner);
+    return order;
+}
+
+void fillReport(MappedScene& structure) {
+    double cells = 0, entries = 0, centroid = 0, index = 0, access = 0, bands = 0, rows = 0;
+    SphericalMaps::BuildTimes times;
+    for (const MappedMesh& mesh : structure.meshes) {
+        if (!mesh.maps) continue;
+        const SphericalMaps::Bytes bytes = mesh.maps->bytes();
+        cells += mesh.maps->grid().cellCount();
+        rows = std::max(rows, double(mesh.maps->grid().rows()));
+        entries += double(mesh.maps->indexEntries());
+        centroid += double(bytes.centroidMap);
+        index += double(bytes.indexMap);
+        access += double(bytes.accessMap);
+        bands += double(mesh.bandCells->bytes() + (mesh.horizonCells ? mesh.horizonCells->bytes() : 0));
+        times.centroidMap += mesh.maps->buildTimes().centroidMap;
+        times.indexMap += mesh.maps->buildTimes().indexMap;
+        times.accessMap += mesh.maps->buildTimes().accessMap;
+    }
+    structure.report.bytes = uint64_t(centroid + index + access + bands);
+    structure.report.figures = {{"objects", double(structure.scene().instances().size())},
+                                {"rows", rows},
+                                {"cells", cells},
+                                {"index map entries", entries},
+                                {"centroid map bytes", centroid},
+                                {"index map bytes", index},
+                                {"memory access map bytes", access},
+                                {"band cell bytes", bands},
+                                {"centroid map ms", times.centroidMap},
+                                {"index map ms", times.indexMap},
+                                {"memory access map ms", times.accessMap}};
+}
+
+/// The decision about one object. It does not depend on other objects, so that objects are decided in parallel.
+struct MappedObject {
+    ObjectSpaceView seen;
+    SphericalDecision decision;
+};
+
+/// The common part of both strategies: maps, relation to the frustum, draw list, records.
+class SphericalCulling : public StrategyWith<MappedScene> {
+protected:
+    /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
+    virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
+                             SphericalDecision& decision, bool recording) const = 0;
+    /// The cause of triangles that `decideAbout` culls.
+    [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
+    /// What the strategy builds for a mesh besides its maps.
+    virtual void buildFor(MappedScene& /*structure*/, MappedMesh& /*mesh*/) const {}
+
+    void fill(MappedScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        const Scene& scene = structure.scene();
+        structure.meshes.resize(scene.meshes().size());
+        const std::vector<bool> shown = scene.shownMeshes();
+        const auto count = double(structure.meshes.size());
+        for (size_t i = 0; i < structure.meshes.size(); ++i) {
+            if (!shown[i]) continue;
+            const Progress part = progress.part(double(i) / count, double(i + 1) / count);
+            MappedMesh& mesh = structure.meshes[i];
+            mesh.maps = std::make_shared<SphericalMaps>(scene.meshes()[i], gridFor(*scene.meshes()[i], parameters), part);
+            mesh.bandCells = std::make_unique<BandCells>(*mesh.maps);
+            part.check();
+            buildFor(structure, mesh);
+        }
+        structure.order = orderOfAll(structure.meshes);
+        fillReport(structure);
+    }
+
+    void decide(FrameContext& frame, const MappedScene& structure, ViewState& /*state*/,
+                const ParameterSet& parameters) const override {
+        std::vector<MappedObject> decided = decideAll(frame, structure, parameters);
+        DrawList list{frame.facing(), {}, structure.order};
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
+            for (const MappedObject& object : decided) {
+                const MappedMesh& mesh = structure.meshOf(object.decision.instance);
+                if (!mesh.maps) continue;
+                submit(mesh, object.decision, list, frame.counters());
+                if (frame.recording()) record(mesh, object, frame);
+            }
+            if (frame.recording()) keepNotes(structure, decided, frame);
+        }
+        frame.draw(std::move(list));
+    }
+
+    [[nodiscard]] StructureSnapshot snapshotOf(const MappedScene& structure, const FrameLog& log) const override {
+        const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(log, structure.scene().instances().size());
         StructureSnapshot result;
-        for (const SphericalDecision& decision : trace.spherical) {
-            result.nodes.push_back(nodeOf(decision));
+        for (const SphericalDecision& decision : decisionsOf(log)) {
+            result.nodes.push_back(nodeOf(structure.scene(), decision));
             result.nodes.back().rejectedBy = rejectedBy[decision.instance];
-            result.maps.push_back({mappedMesh(decision.instance).maps, decision});
+            result.maps.push_back({structure.meshOf(decision.instance).maps, decision});
         }
         return result;
     }
 
-protected:
-    /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
-    virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
-                             bool traced) const = 0;
-    /// The cause of triangles that `decideAbout` culls.
-    [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
-    virtual void buildFor(MappedMesh& mesh) = 0;
-
-    [[nodiscard]] double bandWidth() const { return Angle::fromDegrees(parameters().real("band")).radians(); }
-    [[nodiscard]] uint32_t sectors() const { return uint32_t(parameters().integer("sectors")); }
-
-    void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        m_meshes.clear();
-        m_meshes.resize(scene.meshes().size());
-        const std::vector<bool> shown = scene.shownMeshes();
-        for (size_t i = 0; i < m_meshes.size(); ++i) {
-            if (!shown[i]) continue;
-            const Progress part = progress.part(double(i) / double(m_meshes.size()), double(i + 1) / double(m_meshes.size()));
-            m_meshes[i].maps = std::make_shared<SphericalMaps>(scene.meshes()[i], gridFor(*scene.meshes()[i]), part);
-            m_meshes[i].bandCells = std::make_unique<BandCells>(*m_meshes[i].maps);
-            part.check();
-            buildFor(m_meshes[i]);
-        }
-        m_order = orderOfAll();
-        fillReport(report);
-    }
-
-    void decide(const View& view, Verdict& verdict, Trace* trace) override {
-        const std::vector<Decided> decided = decideAll(view, trace != nullptr, verdict);
-        const StageTimer stage(verdict, CULLSCOPE_TR("draw list"));
-        verdict.drawList.order = m_order;
-        for (const Decided& object : decided) {
-            const MappedMesh& mesh = mappedMesh(object.decision.instance);
-            if (!mesh.maps) continue;
-            submit(mesh, object.decision, verdict);
-            if (trace != nullptr) record(mesh, object, *trace);
-        }
-    }
-
 private:
-    [[nodiscard]] const MappedMesh& mappedMesh(uint32_t instance) const { return m_meshes[scene().instances()[instance].mesh]; }
-
-    [[nodiscard]] SphericalGrid gridFor(const TriangleMesh& mesh) const {
-        const auto rows = uint32_t(parameters().integer("rows"));
-        if (rows == 0) return SphericalGrid::forTriangles(mesh.triangleCount());
-        // With more cells than triangles most cells would be empty; the limit saves memory in a scene of many small meshes.
-        const auto most = uint32_t(std::ceil(std::sqrt(double(mesh.triangleCount()) / 2.0)));
-        const uint32_t taken = std::max(std::min(rows, most), 2u);
-        return SphericalGrid(2 * taken, taken);
-    }
-
-    [[nodiscard]] TriangleOrderPointer orderOfAll() const {
-        auto order = std::make_shared<TriangleOrder>();
-        auto owner = std::make_shared<std::vector<SphericalMapsPointer>>();
-        for (const MappedMesh& mesh : m_meshes) {
-            owner->push_back(mesh.maps);
-            order->meshes.push_back(mesh.maps ? TriangleOrder::OfMesh{mesh.maps->indices(), mesh.maps->triangleOrder()}
-                                              : TriangleOrder::OfMesh{});
-        }
-        order->owner = std::move(owner);
-        return order;
-    }
-
-    void fillReport(StructureReport& report) const {
-        double cells = 0, entries = 0, centroid = 0, index = 0, access = 0, bands = 0, rows = 0;
-        SphericalMaps::BuildTimes times;
-        for (const MappedMesh& mesh : m_meshes) {
-            if (!mesh.maps) continue;
-            const SphericalMaps::Bytes bytes = mesh.maps->bytes();
-            cells += mesh.maps->grid().cellCount();
-            rows = std::max(rows, double(mesh.maps->grid().rows()));
-            entries += double(mesh.maps->indexEntries());
-            centroid += double(bytes.centroidMap);
-            index += double(bytes.indexMap);
-            access += double(bytes.accessMap);
-            bands += double(mesh.bandCells->bytes() + (mesh.horizonCells ? mesh.horizonCells->bytes() : 0));
-            times.centroidMap += mesh.maps->buildTimes().centroidMap;
-            times.indexMap += mesh.maps->buildTimes().indexMap;
-            times.accessMap += mesh.maps->buildTimes().accessMap;
-        }
-        report.bytes = uint64_t(centroid + index + access + bands);
-        report.figures = {{"objects", double(scene().instances().size())},
-                          {"rows", rows},
-                          {"cells", cells},
-                          {"index map entries", entries},
-                          {"centroid map bytes", centroid},
-                          {"index map bytes", index},
-                          {"memory access map bytes", access},
-                          {"band cell bytes", bands},
-                          {"centroid map ms", times.centroidMap},
-                          {"index map ms", times.indexMap},
-                          {"memory access map ms", times.accessMap}};
-    }
-
-    /// The decision about one object. It does not depend on other objects, so that objects are decided in parallel.
-    struct Decided {
-        ObjectSpaceView seen;
-        SphericalDecision decision;
-    };
-
-    [[nodiscard]] std::vector<Decided> decideAll(const View& view, bool traced, Verdict& verdict) const {
-        const StageTimer stage(verdict, CULLSCOPE_TR("maps and bands"));
-        std::vector<Decided> decided(scene().instances().size());
+    [[nodiscard]] std::vector<MappedObject> decideAll(FrameContext& frame, const MappedScene& structure,
+                                                      const ParameterSet& parameters) const {
+        const StageTimer stage(frame, CULLSCOPE_TR("maps and bands"));
+        std::vector<MappedObject> decided(frame.scene().instances().size());
+        const bool recording = frame.recording();
         tbb::parallel_for(uint32_t{0}, uint32_t(decided.size()), [&](uint32_t i) {
-            const MappedMesh& mesh = mappedMesh(i);
+            const MappedMesh& mesh = structure.meshOf(i);
             SphericalDecision& decision = decided[i].decision;
             decision.instance = i;
             if (!mesh.maps) return;
-            const ObjectSpaceView seen = decided[i].seen = objectSpaceView(scene(), i, mesh.maps->sphere(), view);
+            const ObjectSpaceView seen = decided[i].seen = objectSpaceView(frame.scene(), i, mesh.maps->sphere(), frame.view());
             decision.relation = seen.relation;
             decision.eye = seen.eye;
-            decideByRelation(mesh, seen, decision, traced);
+            if (seen.relation == SphereRelation::AroundEye)
+                decision.drawn = {{0, mesh.maps->grid().cellCount()}};
+            else if (seen.relation != SphereRelation::Outside)
+                decideAbout(mesh, seen, parameters, decision, recording);
             for (const CellRun& run : decision.drawn) decision.drawnTriangles += mesh.maps->run(run.first, run.last).second;
         });
         return decided;
     }
 
-    void decideByRelation(const MappedMesh& mesh, const ObjectSpaceView& seen, SphericalDecision& decision, bool traced) const {
-        if (seen.relation == SphereRelation::AroundEye)
-            decision.drawn = {{0, mesh.maps->grid().cellCount()}};
-        else if (seen.relation != SphereRelation::Outside)
-            decideAbout(mesh, seen, decision, traced);
-    }
-
-    void submit(const MappedMesh& mesh, const SphericalDecision& decision, Verdict& verdict) const {
+    void submit(const MappedMesh& mesh, const SphericalDecision& decision, DrawList& list, FrameCounters& counters) const {
         for (const CellRun& run : decision.drawn) {
             const auto [first, count] = mesh.maps->run(run.first, run.last);
             if (count == 0) continue;
-            verdict.drawList.ranges.push_back({decision.instance, uint32_t(3 * first), uint32_t(3 * count)});
+            list.ranges.push_back({decision.instance, uint32_t(3 * first), uint32_t(3 * count)});
         }
         const Cause cause = decision.relation == SphereRelation::Outside ? Cause::OutsideFrustum : causeOf(decision.relation);
-        verdict.culledTriangles[size_t(cause)] += mesh.maps->mesh().triangleCount() - decision.drawnTriangles;
-        ++verdict.nodesVisited;
+        counters.culledTriangles[size_t(cause)] += mesh.maps->mesh().triangleCount() - decision.drawnTriangles;
+        ++counters.nodesVisited;
         if (decision.bands) {
-            verdict.nodesVisited += mesh.bandCells->cells.size();
-            verdict.bytesTouched += mesh.bandCells->bytes() + (mesh.horizonCells ? mesh.horizonCells->bytes() : 0);
+            counters.nodesVisited += mesh.bandCells->cells.size();
+            counters.bytesTouched += mesh.bandCells->bytes() + (mesh.horizonCells ? mesh.horizonCells->bytes() : 0);
         }
-        if (decision.region && verdict.caseNumber == 0) verdict.caseNumber = decision.region->caseNumber;
+        // Of the first object that the frustum cuts.
+        if (decision.region && counters.figures.empty())
+            counters.figures.push_back({"case", double(decision.region->caseNumber)});
     }
 
-    void record(const MappedMesh& mesh, const Decided& object, Trace& trace) const {
+    void record(const MappedMesh& mesh, const MappedObject& object, FrameContext& frame) const {
         const auto& [seen, decision] = object;
-        for (size_t p = 0; p < seen.planesTested; ++p) {
-            const ObjectSpaceView::PlaneTest& test = seen.planes[p];
-            trace.events.push_back({TraceEvent::Kind::TestedPlane, decision.instance, static_cast<FrustumPlane>(p),
-                                    test.containment, test.distance, Cause::OutsideFrustum, test.bound});
-        }
-        TraceEvent end{TraceEvent::Kind::PartlyDrawn, decision.instance};
+        const Subject subject = Subject::ofObject(decision.instance);
+        recordTests(seen, subject, frame);
         if (decision.relation == SphereRelation::Outside)
-            end.kind = TraceEvent::Kind::Culled;
+            frame.say(ending(subject, Decision::Outcome::Culled));
         else if (decision.drawnTriangles == mesh.maps->mesh().triangleCount())
-            end.kind = TraceEvent::Kind::Accepted;
+            frame.say(ending(subject, Decision::Outcome::Drawn));
         else
-            end.cause = causeOf(decision.relation);
-        trace.events.push_back(end);
-        trace.spherical.push_back(decision);
+            frame.say(ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
+                             causeOf(decision.relation)));
     }
 
-    [[nodiscard]] SnapshotNode nodeOf(const SphericalDecision& decision) const {
+    static void keepNotes(const MappedScene& structure, std::vector<MappedObject>& decided, FrameContext& frame) {
+        auto notes = std::make_shared<SphericalNotes>();
+        for (MappedObject& object : decided)
+            if (structure.meshOf(object.decision.instance).maps) notes->decisions.push_back(std::move(object.decision));
+        frame.note(std::move(notes));
+    }
+
+    [[nodiscard]] static SnapshotNode nodeOf(const Scene& scene, const SphericalDecision& decision) {
         SnapshotNode node;
         node.instance = decision.instance;
-        node.box = scene().instanceBox(decision.instance);
-        node.triangles = scene().meshOf(decision.instance).triangleCount();
+        node.box = scene.instanceBox(decision.instance);
+        node.triangles = scene.meshOf(decision.instance).triangleCount();
         node.culled = decision.relation == SphereRelation::Outside;
         node.containment = node.culled                                   ? Containment::Outside
                            : decision.relation == SphereRelation::Within ? Containment::Inside
                                                                          : Containment::Straddles;
         return node;
     }
-
-    std::vector<MappedMesh> m_meshes;
-    TriangleOrderPointer m_order;
 };
 
 class Spherical final : public SphericalCulling {
-public:
-    explicit Spherical(ParameterSet set)
-        : SphericalCulling(std::move(set)), m_join(parameters().choice("joined") == "arcs" ? Join::Arcs : Join::Chart) {}
-    [[nodiscard]] Promise promise() const override { return Promise::Approximate; }
-
 protected:
-    void buildFor(MappedMesh& /*mesh*/) override {}
+    [[nodiscard]] Promise promiseOf(const MappedScene& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Approximate;
+    }
     [[nodiscard]] Cause causeOf(SphereRelation relation) const override {
         return relation == SphereRelation::Within ? Cause::Hidden : Cause::OutsideFrustum;
     }
 
-    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
-                     bool traced) const override {
+    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
+                     SphericalDecision& decision, bool recording) const override {
         if (view.relation == SphereRelation::Within) {
-            decision.bands = makeBands(view.eye, bandWidth(), sectors());
+            decision.bands = makeBands(view.eye, bandWidth(parameters), sectors(parameters));
             decision.drawn = drawnByS(*mesh.bandCells, *decision.bands);
             return;
         }
         for (size_t i = 0; i < decision.rays.size(); ++i)
             // The ray starts at the near plane: nothing before it is visible.
-            decision.rays[i] = followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, traced);
-        decision.region = visibleRegion(*mesh.maps, decision.rays, m_join);
+            decision.rays[i] =
+                followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, recording);
+        const Join join = parameters.choice("joined") == "arcs" ? Join::Arcs : Join::Chart;
+        decision.region = visibleRegion(*mesh.maps, decision.rays, join);
         decision.drawn = runsOf(mesh.maps->grid(), *decision.region);
     }
-
-private:
-    Join m_join;
 };
 
 class SphericalHorizon final : public SphericalCulling {
     static constexpr size_t kFewTriangles = 500;
 
-public:
-    using SphericalCulling::SphericalCulling;
-    [[nodiscard]] Promise promise() const override { return m_starShaped ? Promise::Conservative : Promise::Approximate; }
-
 protected:
-    void buildStructures(const Scene& scene, const Progress& progress, StructureReport& report) override {
-        m_starShaped = true;
-        SphericalCulling::buildStructures(scene, progress, report);
+    [[nodiscard]] Promise promiseOf(const MappedScene& structure, const ParameterSet& /*parameters*/,
+                                    Facing facing) const override {
+        const bool starShaped = facing == Facing::Front ? structure.starShapedInFront : structure.starShaped;
+        return starShaped ? Promise::Conservative : Promise::Approximate;
     }
-    void buildFor(MappedMesh& mesh) override {
+
+    void fill(MappedScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        structure.starShaped = structure.starShapedInFront = true;
+        SphericalCulling::fill(structure, parameters, progress);
+    }
+    void buildFor(MappedScene& structure, MappedMesh& mesh) const override {
         mesh.horizonCells = std::make_unique<HorizonCells>(*mesh.maps, *mesh.bandCells);
         // Above the limit the star-shape test is not run, because the user did not request it; the weaker promise is made
         // instead.
-        m_starShaped =
-            m_starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit && isStarShaped(*mesh.maps, facing());
+        const bool tested = structure.starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit;
+        structure.starShaped = tested && isStarShaped(*mesh.maps, Facing::TwoSided);
+        structure.starShapedInFront =
+            structure.starShaped && structure.starShapedInFront && isStarShaped(*mesh.maps, Facing::Front);
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
 
-    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, SphericalDecision& decision,
-                     bool traced) const override {
+    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
+                     SphericalDecision& decision, bool recording) const override {
         // A surface that the near plane cuts hides nothing, and an object of few triangles is drawn faster than it is tested.
         if (!view.beyondNear || mesh.maps->mesh().triangleCount() < kFewTriangles) {
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
             return;
         }
-        decision.bands = makeBands(view.eye, bandWidth(), sectors());
+        decision.bands = makeBands(view.eye, bandWidth(parameters), sectors(parameters));
         decision.drawn = drawnBySlope(*mesh.maps, *mesh.bandCells, *mesh.horizonCells, view, *decision.bands);
-        if (traced) markDrawnSectors(*mesh.maps, *mesh.bandCells, decision.drawn, *decision.bands);
+        if (recording) markDrawnSectors(*mesh.maps, *mesh.bandCells, decision.drawn, *decision.bands);
     }
-
-private:
-    bool m_starShaped = true;
 };
 
 }  // namespace
 
-StrategyInfo sphericalInfo() {
+RegisteredStrategy spherical() {
     StrategyInfo info{"spherical",
                       CULLSCOPE_TR("Spherical coordinates"),
                       CULLSCOPE_TR("Looks up on a map of directions what four corner rays enclose; seen whole, compares contour "
@@ -309,12 +322,10 @@ StrategyInfo sphericalInfo() {
         choiceParameter("joined", "chart", CULLSCOPE_TR("How the four hits are joined to the visible region."),
                         {{"chart", CULLSCOPE_TR("straight on the map, so that the extremes are the hits'")},
                          {"arcs", CULLSCOPE_TR("by great circles, whose extremes may lie between the hits")}}));
-    return info;
+    return {std::move(info), std::make_shared<Spherical>()};
 }
 
-StrategyPointer makeSpherical(ParameterSet parameters) { return std::make_unique<Spherical>(std::move(parameters)); }
-
-StrategyInfo sphericalHorizonInfo() {
+RegisteredStrategy sphericalHorizon() {
     StrategyInfo info{"spherical-horizon",
                       CULLSCOPE_TR("Spherical coordinates, exact horizon"),
                       CULLSCOPE_TR("Leaves out cells whose slope lies below the horizon of the surface in front of them: loses "
@@ -322,11 +333,7 @@ StrategyInfo sphericalHorizonInfo() {
                       "Han & Hong 2008, S replaced by the slope",
                       {facingParameter(), rowsParameter()}};
     std::ranges::move(bandParameters(3.0, 72), std::back_inserter(info.parameters));
-    return info;
-}
-
-StrategyPointer makeSphericalHorizon(ParameterSet parameters) {
-    return std::make_unique<SphericalHorizon>(std::move(parameters));
+    return {std::move(info), std::make_shared<SphericalHorizon>()};
 }
 
 }  // namespace cullscope::spherical

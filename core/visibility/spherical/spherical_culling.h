@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/visibility/strategy.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope::spherical {
 
@@ -8,12 +8,10 @@ namespace cullscope::spherical {
 /// Approximate. Where the frustum cuts an object's bounding sphere, it draws the box of cells between the four corner rays' hits.
 /// Where the sphere lies inside the frustum, it uses contour bands and the S test. Where the eye is inside the sphere, it draws
 /// the whole object.
-[[nodiscard]] StrategyInfo sphericalInfo();
-[[nodiscard]] StrategyPointer makeSpherical(ParameterSet parameters);
+[[nodiscard]] RegisteredStrategy spherical();
 
 /// `spherical-horizon`: with the exact slope instead of S. Conservative where every mesh is star-shaped around the centre of its
 /// bounding sphere, else approximate. It does not use corner rays: where the frustum cuts a sphere, only the slopes decide.
-[[nodiscard]] StrategyInfo sphericalHorizonInfo();
-[[nodiscard]] StrategyPointer makeSphericalHorizon(ParameterSet parameters);
+[[nodiscard]] RegisteredStrategy sphericalHorizon();
 
 }  // namespace cullscope::spherical

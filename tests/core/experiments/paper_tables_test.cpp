@@ -44,7 +44,7 @@ FrameMeasurement frame(size_t pose, uint64_t considered, uint64_t missed, uint64
     FrameMeasurement measured;
     measured.pose = pose;
     measured.consideredTriangles = considered;
-    measured.caseNumber = caseNumber;
+    if (caseNumber > 0) measured.figures.push_back({"case", double(caseNumber)});
     measured.accuracy = Accuracy{};
     measured.accuracy->missedPixels = missed;
     measured.accuracy->coveredPixels = 1000;

@@ -91,7 +91,7 @@ TEST(ResultJson, figureThatWasNotMeasuredIsNull) {
 
 TEST(ResultJson, caseIsKept) {
     MeasureResult result = measure(smallExperiment({"frustum"}));
-    result.runs[0].frames[1].caseNumber = 3;
+    result.runs[0].frames[1].figures = {{"case", 3.0}};
     const Json frames = Json::parse(resultJson(result))["runs"][0]["frames"];
     EXPECT_TRUE(frames[0]["case"].is_null());
     EXPECT_EQ(frames[1]["case"], 3);

@@ -4,8 +4,8 @@
 
 #include "core/geometry/random.h"
 
-// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
-// said.
+// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10
+// unless said.
 
 namespace cullscope::frustum_test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
-// said.
+// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10
+// unless said.
 
 namespace cullscope::separation_test {
 namespace {

@@ -2,8 +2,8 @@
 #include "core/geometry/random.h"
 #include "tests/support/gl_environment.h"
 
-// OpenGL's tests of boxes; the cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1,
-// near 0.1, far 10 unless stated.
+// OpenGL's tests of boxes; the cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°,
+// aspect 1, near 0.1, far 10 unless stated.
 
 namespace cullscope::test::box_tests_test {
 namespace {

@@ -2,7 +2,7 @@
 
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/pixel_edges.h"
 #include "tests/support/test_scenes.h"
@@ -109,8 +109,8 @@ TEST_P(FarFromOrigin, case21FrustumDrawsTheSameObjects) {
     const ScenePointer near = atOrigin();
     const ScenePointer far = GetParam()();
     for (const char* id : {"all", "frustum"}) {
-        const StrategyPointer here = makeStrategy(id);
-        const StrategyPointer there = makeStrategy(id);
+        const CullerPointer here = makeCuller(id);
+        const CullerPointer there = makeCuller(id);
         here->build(*near);
         there->build(*far);
         for (const Camera& camera : cameras(200))

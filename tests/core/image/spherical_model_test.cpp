@@ -2,7 +2,7 @@
 
 #include "core/gpu/colour.h"
 #include "core/image/view_picture.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/hand_made_map.h"
 #include "tests/support/test_scenes.h"
@@ -16,12 +16,11 @@ constexpr int kLeft = 40, kBottom = 110;
 std::vector<uint8_t> shown(const ScenePointer& scene, const char* id, const View& view, const ViewLook& look,
                            const DrawStyle& style) {
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer strategy = makeStrategy(id);
+    const CullerPointer strategy = makeCuller(id);
     strategy->build(*scene);
-    Trace trace;
-    const Verdict verdict = strategy->cull(view, needsTrace(look) ? &trace : nullptr);
+    const Culled frame = strategy->cull(view, needsDecisions(look) ? Recording::On : Recording::Off);
     Framebuffer target(view.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy, view, view, verdict, trace, nullptr, look, style, target);
+    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy->built(), frame.log, view, nullptr, look, style, target);
     EXPECT_TRUE(std::ranges::all_of(target.readDepth(), [](float depth) { return depth == 0.0f; })) << "left depth";
     return target.readColour();
 }
@@ -31,7 +30,7 @@ TEST(SphericalModelPicture, pickIsWhatIsShown) {
     const ScenePointer scene = sceneOf({knotMesh(4000), sphereMesh(80)}, {translation({5, 1, 2}) * scaling(Vec3(3.0))});
     const View view({{5, 1, 20}, {5, 1, 2}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style{Vec3f(1.0f)};
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     const DrawList list = strategy->cull(view).drawList;
     ASSERT_EQ(sphericalModelInstance(list), 0u);
@@ -80,7 +79,7 @@ TEST(SphericalModelPicture, overlaysAreNotDrawnOverIt) {
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style;
     const ViewLook all{.colouring = Colouring::Verdicts, .frustum = true, .boxes = true, .bands = true, .sphericalModel = true};
-    EXPECT_FALSE(needsTrace(all));
+    EXPECT_FALSE(needsDecisions(all));
     const std::vector<uint8_t> alone = shown(scene, "spherical", view, {.sphericalModel = true}, style);
     EXPECT_EQ(shown(scene, "spherical", view, all, style), alone);
     const Vec3f frame = contrastTo(style.background);
@@ -112,7 +111,7 @@ TEST(SphericalModelPicture, partIsNotTakenForTheWhole) {
     const ScenePointer scene = sceneOf({sphereMesh(2000), knotMesh(3000)});
     const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const auto whole = [&](const char* id) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
         return hasWholeModel(*scene, strategy->cull(view).drawList);
     };

@@ -7,8 +7,8 @@
 #include "core/image/view_picture.h"
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
 #include "tests/support/colour_difference.h"
+#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
@@ -38,12 +38,11 @@ View observer() { return {{{9, 8, 14}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(
 TriangleStates statesOf(const ScenePointer& scene, const char* id, const Vec3& eye) {
     const View culling({eye, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.05, 100}, {320, 240});
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer strategy = makeStrategy(id);
+    const CullerPointer strategy = makeCuller(id);
     strategy->build(*scene);
-    Trace trace;
-    const Verdict verdict = strategy->cull(culling, &trace);
+    const Culled frame = strategy->cull(culling, Recording::On);
     const Reference truth = itemBufferReference(GlEnvironment::renderer(), buffers, culling, strategy->referenceFacing());
-    return triangleStates(*scene, culling, verdict.drawList, trace, truth.visible());
+    return triangleStates(*scene, frame.log, truth.visible());
 }
 
 /// States that no strategy produces: each object has one of the seven at random, so that all are neighbours in the picture.

@@ -2,7 +2,8 @@
 
 #include "core/gpu/colour.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
+#include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/grouped_frustum.h"
 #include "tests/support/test_scenes.h"
@@ -53,12 +54,12 @@ struct Shown {
 Shown shown(const ScenePointer& scene, const char* id, const View& culling, const View& viewing, const ViewLook& look,
             const DrawStyle& style = {}, const TriangleStates* known = nullptr) {
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer strategy = makeStrategy(id);
+    const CullerPointer strategy = makeCuller(id);
     strategy->build(*scene);
-    Trace trace;
-    const Verdict verdict = strategy->cull(culling, needsTrace(look) ? &trace : nullptr, &GlEnvironment::renderer());
+    const Culled frame =
+        strategy->cull(culling, needsDecisions(look) ? Recording::On : Recording::Off, &GlEnvironment::renderer());
     Framebuffer target(viewing.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy, culling, viewing, verdict, trace, known, look, style, target);
+    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy->built(), frame.log, viewing, known, look, style, target);
     return {target.readColour(), target.readDepth(), viewing.viewport()};
 }
 
@@ -77,9 +78,9 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
     const SceneBuffers buffers(scene, Upload::Vbo);
     const View view(inTheField(), {320, 240});
     for (const RegisteredStrategy& registered : strategies()) {
-        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
-        const Picture drawn = picture(buffers, view, strategy->cull(view, nullptr, &GlEnvironment::renderer()).drawList);
+        const Picture drawn = picture(buffers, view, strategy->cull(view, &GlEnvironment::renderer()).drawList);
         const Shown look = shown(scene, registered.info.id.c_str(), view, view, {});
         EXPECT_EQ(look.colour, drawn.colour) << registered.info.id;
         EXPECT_EQ(look.depth, drawn.depth) << registered.info.id;
@@ -191,12 +192,11 @@ TEST(ViewPicture, observerColoursByTheCullingCamera) {
     const View observer(above(), {320, 240});
     const auto palette = verdictPalette(kLight.background);
     const Shown look = shown(scene, "frustum", culling, observer, {.colouring = Colouring::Verdicts}, kLight);
-    Trace trace;
-    const StrategyPointer frustum = makeStrategy("frustum");
+    const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
-    (void)frustum->cull(culling, &trace);
+    const Culled frame = frustum->cull(culling, Recording::On);
     size_t culled = 0;
-    for (const SnapshotNode& node : frustum->snapshot(trace).nodes) {
+    for (const SnapshotNode& node : frustum->snapshot(frame.log).nodes) {
         const auto [x, y] = Shown::pixelOf(observer, node.box.centre());
         const Vec3f centre = look.at(x, y);
         const bool drawn = within(centre, shaded(palette[size_t(TriangleState::Visible)]), 0.1f) ||
@@ -217,11 +217,10 @@ TEST(ViewPicture, everyObjectHasItsBox) {
     const View observer(camera, {900, 900});
     const auto palette = verdictPalette(kLight.background);
     const Shown look = shown(scene, "frustum", culling, observer, {.boxes = true}, kLight);
-    const StrategyPointer frustum = makeStrategy("frustum");
+    const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
-    Trace trace;
-    (void)frustum->cull(culling, &trace);
-    const StructureSnapshot snapshot = frustum->snapshot(trace);
+    const Culled frame = frustum->cull(culling, Recording::On);
+    const StructureSnapshot snapshot = frustum->snapshot(frame.log);
     ASSERT_GT(snapshot.nodes.size(), 2000u);
     size_t culled = 0;
     for (const SnapshotNode& node : snapshot.nodes) {
@@ -244,23 +243,22 @@ TEST(ViewPicture, testedGroupsHaveTheirBoxes) {
     camera.farDistance = 1000;
     const View observer(camera, {900, 900});
     const SceneBuffers buffers(scene, Upload::Vbo);
-    GroupedFrustum strategy;
+    GroupedCuller strategy;
     strategy.build(*scene);
-    Trace trace;
-    const Verdict verdict = strategy.cull(culling, &trace);
+    const Culled frame = strategy.cull(culling, Recording::On);
     Framebuffer target(observer.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, strategy, culling, observer, verdict, trace, nullptr, {.boxes = true},
-                    kLight, target);
+    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy.built(), frame.log, observer, nullptr, {.boxes = true}, kLight,
+                    target);
     const Shown look{target.readColour(), target.readDepth(), observer.viewport()};
     std::array<int, 2> seen{};
-    for (const TestedGroup& group : trace.groups) {
+    for (const VisitedGroup& group : visitedGroups(frame.log)) {
         const bool culled = group.containment == Containment::Outside;
         const auto colour =
             verdictPalette(kLight.background)[size_t(culled ? TriangleState::OutsideFrustum : TriangleState::Visible)].colour;
         // Between the first object and the second along the upper edge, where only groups have lines; of nested groups the inner
         // one's line is visible.
         const InstanceOctree::Node& node = strategy.octree().nodes()[group.node];
-        if (node.box.max.x - node.box.min.x < 4 || (!group.wholly && !node.leaf())) continue;
+        if (node.box.max.x - node.box.min.x < 4 || (group.containment == Containment::Straddles && !node.leaf())) continue;
         EXPECT_TRUE(look.near(observer, {node.box.min.x + 2.25, node.box.max.y, node.box.max.z}, colour)) << group.node;
         ++seen[culled ? 1 : 0];
     }
@@ -327,11 +325,11 @@ TEST(ViewPicture, farFromTheOriginStatesAndLinesAreTheSame) {
     EXPECT_LE(differing(near, observed(moved)), 320u * 240u / 200u);
 }
 
-TEST(ViewPicture, traceIsNeededForVerdictsAndBoxes) {
-    EXPECT_FALSE(needsTrace({}));
-    EXPECT_FALSE(needsTrace({.frustum = true}));
-    EXPECT_TRUE(needsTrace({.colouring = Colouring::Verdicts}));
-    EXPECT_TRUE(needsTrace({.boxes = true}));
+TEST(ViewPicture, decisionsAreNeededForVerdictsAndBoxes) {
+    EXPECT_FALSE(needsDecisions({}));
+    EXPECT_FALSE(needsDecisions({.frustum = true}));
+    EXPECT_TRUE(needsDecisions({.colouring = Colouring::Verdicts}));
+    EXPECT_TRUE(needsDecisions({.boxes = true}));
 }
 
 TEST(VerdictPalette, backgroundChoosesTheColours) {

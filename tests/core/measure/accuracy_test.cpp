@@ -1,7 +1,7 @@
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
@@ -39,7 +39,7 @@ const DrawList kAllFour{Facing::TwoSided, {{0, 0, 6}, {1, 0, 6}}};
 
 TEST(Compare, equalPicturesMissNothing) {
     const Reference reference = someReference();
-    const Accuracy accuracy = compare(reference, reference.depth, kAllFour, *fourTriangles());
+    const Accuracy accuracy = compare(reference, {reference.depth, {}}, kAllFour, *fourTriangles());
     EXPECT_EQ(accuracy.coveredPixels, 8u);
     EXPECT_EQ(accuracy.missedPixels, 0u);
     EXPECT_EQ(accuracy.extraPixels, 0u);
@@ -59,12 +59,12 @@ TEST(Compare, missedAndExtraPixelsAreToldApart) {
     depth[5] = .6f;                               // a nearer surface: extra
     depth[3] = .1f;                               // a surface where the reference has none: extra
     depth[11] = std::nextafter(depth[11], 0.0f);  // one ulp farther: missed
-    const Accuracy accuracy = compare(reference, depth, kAllFour, *fourTriangles());
+    const Accuracy accuracy = compare(reference, {depth, {}}, kAllFour, *fourTriangles());
     EXPECT_EQ(accuracy.missedPixels, 3u);
     EXPECT_EQ(accuracy.extraPixels, 2u);
     EXPECT_EQ(accuracy.largestHolePixels, 2u) << "pixels 0 and 4 lie above each other";
     EXPECT_DOUBLE_EQ(accuracy.missedPixelRate(), 3.0 / 8.0);
-    EXPECT_EQ(missedMask(reference, depth), (std::vector<uint8_t>{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}));
+    EXPECT_EQ(missedMask(reference, {depth, {}}), (std::vector<uint8_t>{1, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 1}));
 }
 
 TEST(Compare, holeGrowsNeitherAcrossACornerNorAroundTheRowsEnd) {
@@ -72,7 +72,7 @@ TEST(Compare, holeGrowsNeitherAcrossACornerNorAroundTheRowsEnd) {
     const auto hole = [&](std::vector<size_t> missing) {
         std::vector<float> depth = reference.depth;
         for (const size_t pixel : missing) depth[pixel] = 0.0f;
-        return compare(reference, depth, kAllFour, *fourTriangles()).largestHolePixels;
+        return compare(reference, {depth, {}}, kAllFour, *fourTriangles()).largestHolePixels;
     };
     EXPECT_EQ(hole({0, 5, 10}), 1u) << "a diagonal";
     EXPECT_EQ(hole({3, 4}), 1u) << "the end of a row and the start of the next";
@@ -87,7 +87,8 @@ TEST(Compare, holeGrowsNeitherAcrossACornerNorAroundTheRowsEnd) {
 TEST(Compare, onlyTrianglesOfTheListCountAsDrawn) {
     const Reference reference = someReference();  // sees 0, 1 and 2
     const auto counts = [&](std::vector<DrawRange> ranges) {
-        const Accuracy accuracy = compare(reference, reference.depth, {Facing::TwoSided, std::move(ranges)}, *fourTriangles());
+        const Accuracy accuracy =
+            compare(reference, {reference.depth, {}}, {Facing::TwoSided, std::move(ranges)}, *fourTriangles());
         return std::array<uint64_t, 3>{accuracy.submittedTriangles, accuracy.falselyCulledTriangles,
                                        accuracy.needlesslyDrawnTriangles};
     };
@@ -100,9 +101,26 @@ TEST(Compare, onlyTrianglesOfTheListCountAsDrawn) {
     EXPECT_EQ(counts({{0, 0, 0}, {1, 3, 0}}), (Counts{0, 3, 0})) << "an empty range draws nothing";
 }
 
+TEST(Compare, pixelThatShowsTheReferencesTriangleIsNoDifferenceWhateverItsDepth) {
+    const Reference reference = someReference();
+    std::vector<float> depth = reference.depth;
+    std::vector<uint32_t> triangle = reference.triangle;
+    depth[0] = .4f;  // the same triangle, farther
+    depth[1] = .6f;  // the same triangle, nearer
+    depth[4] = .4f;  // another one, farther
+    triangle[4] = 2;
+    depth[5] = .6f;  // another one, nearer
+    triangle[5] = 3;
+    const ShownPixels shown{depth, triangle};
+    const Accuracy accuracy = compare(reference, shown, kAllFour, *fourTriangles());
+    EXPECT_EQ(accuracy.missedPixels, 1u);
+    EXPECT_EQ(accuracy.extraPixels, 1u);
+    EXPECT_EQ(missedMask(reference, shown), (std::vector<uint8_t>{0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0}));
+}
+
 TEST(Compare, emptyReferenceHasRateOfZero) {
     const Reference reference = handMade(std::vector<float>(12, 0.0f), std::vector<uint32_t>(12, 0));
-    const Accuracy accuracy = compare(reference, reference.depth, {}, *fourTriangles());
+    const Accuracy accuracy = compare(reference, {reference.depth, {}}, {}, *fourTriangles());
     EXPECT_EQ(accuracy.missedPixelRate(), 0.0);
 }
 
@@ -117,19 +135,19 @@ TEST(Accuracy, conservativeStrategiesMissNoPixel) {
     const SceneBuffers buffers(scene, Upload::Vbo);
     size_t conservative = 0;
     for (const RegisteredStrategy& registered : strategies()) {
-        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
         if (strategy->promise() == Promise::Approximate) continue;
         ++conservative;
-        const Verdict verdict = strategy->cull(overThree(), nullptr, &GlEnvironment::renderer());
+        const Culled frame = strategy->cull(overThree(), &GlEnvironment::renderer());
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), strategy->facing());
         const Accuracy accuracy =
-            compare(reference, picture(buffers, overThree(), verdict.drawList).depth, verdict.drawList, *scene);
+            compare(reference, {picture(buffers, overThree(), frame.drawList).depth, {}}, frame.drawList, *scene);
         EXPECT_GT(accuracy.coveredPixels, 2000u);
         EXPECT_EQ(accuracy.missedPixels, 0u) << registered.info.id;
         EXPECT_EQ(accuracy.extraPixels, 0u) << registered.info.id;
         EXPECT_EQ(accuracy.falselyCulledTriangles, 0u) << registered.info.id;
-        EXPECT_EQ(accuracy.submittedTriangles, verdict.consideredTriangles);
+        EXPECT_EQ(accuracy.submittedTriangles, frame.consideredTriangles);
     }
     EXPECT_GE(conservative, 3u);
 }
@@ -153,7 +171,7 @@ TEST(Accuracy, removedObjectIsCountedExactly) {
         const auto repeated = std::ranges::unique(triangles);
         triangles.erase(repeated.begin(), repeated.end());
 
-        const Accuracy accuracy = compare(reference, picture(buffers, overThree(), lossy).depth, lossy, *scene);
+        const Accuracy accuracy = compare(reference, {picture(buffers, overThree(), lossy).depth, {}}, lossy, *scene);
         EXPECT_GT(pixels, 100u);
         EXPECT_EQ(accuracy.missedPixels, pixels) << removed;
         EXPECT_EQ(accuracy.falselyCulledTriangles, triangles.size()) << removed;
@@ -176,13 +194,13 @@ TEST(MissedBeyondSnapping, innerPixelsCountAndEdgePixelsDoNot) {
     const auto beyond = [&](size_t x, size_t y) {
         std::vector<float> depth = reference.depth;
         depth[y * 64 + x] = 0.0f;
-        return missedBeyondSnapping(reference, depth, *scene, view);
+        return missedBeyondSnapping(reference, {depth, {}}, *scene, view);
     };
-    EXPECT_EQ(missedBeyondSnapping(reference, reference.depth, *scene, view), 0u);
+    EXPECT_EQ(missedBeyondSnapping(reference, {reference.depth, {}}, *scene, view), 0u);
     EXPECT_EQ(beyond(20, 20), 0u) << "on the diagonal";
     EXPECT_EQ(beyond(20, 40), 1u) << "within the upper triangle";
     EXPECT_EQ(beyond(40, 20), 1u) << "within the lower triangle";
-    EXPECT_EQ(missedBeyondSnapping(reference, std::vector<float>(64 * 64, 0.0f), *scene, view), 64u * 64u - 64u);
+    EXPECT_EQ(missedBeyondSnapping(reference, {std::vector<float>(64 * 64, 0.0f), {}}, *scene, view), 64u * 64u - 64u);
 }
 
 TEST(MissedBeyondSnapping, backFaceCullingLosesNoSurfaceOfAClosedMesh) {
@@ -192,9 +210,9 @@ TEST(MissedBeyondSnapping, backFaceCullingLosesNoSurfaceOfAClosedMesh) {
         for (const Vec3& eye : {Vec3(0, 0, 5), Vec3(3, 2, -2), Vec3(-4, .1, 0)}) {
             const View view({eye, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {320, 240});
             const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, Facing::TwoSided);
-            EXPECT_EQ(
-                missedBeyondSnapping(reference, picture(buffers, view, everything(*scene, Facing::Front)).depth, *scene, view),
-                0u)
+            EXPECT_EQ(missedBeyondSnapping(reference, {picture(buffers, view, everything(*scene, Facing::Front)).depth, {}},
+                                           *scene, view),
+                      0u)
                 << mesh->name();
         }
     }

@@ -7,7 +7,7 @@
 #include "core/measure/ray_reference.h"
 #include "core/measure/render_frame.h"
 #include "core/scene/hidden.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
@@ -24,15 +24,15 @@ TEST(EmptyScene, strategiesSubmitAndLoseNothing) {
     const View view(overviewCamera(*scene, 4.0 / 3), kSize);
     Framebuffer target(kSize);
     for (const RegisteredStrategy& registered : strategies()) {
-        const StrategyPointer strategy = makeStrategy(registered.info.id, ParameterSet(registered.info.parameters));
+        const CullerPointer strategy = makeCuller(registered.info.id, ParameterSet(registered.info.parameters));
         strategy->build(*scene);
-        Trace trace;
-        EXPECT_EQ(strategy->cull(view, &trace, &GlEnvironment::renderer()).consideredTriangles, 0u) << registered.info.id;
+        EXPECT_EQ(strategy->cull(view, Recording::On, &GlEnvironment::renderer()).consideredTriangles, 0u) << registered.info.id;
         (void)strategy->promiseAt(view);
-        const FrameResult frame = renderFrame(GlEnvironment::renderer(), buffers, *strategy, view, target);
+        const FrameResult frame =
+            renderFrame(GlEnvironment::renderer(), buffers, *strategy->built(), strategy->state(), view, target);
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
         EXPECT_EQ(reference.coveredPixels, 0u);
-        const Accuracy accuracy = compare(reference, target.readDepth(), frame.verdict.drawList, *scene);
+        const Accuracy accuracy = compare(reference, {target.readDepth(), {}}, drawnTriangles(*scene, frame.log), *scene);
         EXPECT_EQ(accuracy.missedPixels + accuracy.extraPixels + accuracy.submittedTriangles + accuracy.visibleTriangles, 0u)
             << registered.info.id;
     }

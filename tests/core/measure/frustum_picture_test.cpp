@@ -1,7 +1,7 @@
 #include <cstdio>
 
 #include "core/measure/reference.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/random_views.h"
@@ -27,10 +27,10 @@ struct Contestant {
 constexpr std::array kContestants{Contestant{"frustum"}, Contestant{"frustum", "box", "oriented"}, Contestant{"frustum-octree"},
                                   Contestant{"frustum-select"}, Contestant{"frustum-query"}};
 
-StrategyPointer made(const Contestant& contestant) {
+CullerPointer made(const Contestant& contestant) {
     ParameterSet parameters(findStrategy(contestant.id).info.parameters);
     if (contestant.key != nullptr) parameters.setFromText(contestant.key, contestant.value);
-    return makeStrategy(contestant.id, parameters);
+    return makeCuller(contestant.id, parameters);
 }
 
 /// The random sizes go up to 16384 × 1; a picture of that size for each view would cost too much time.
@@ -53,7 +53,7 @@ public:
             const uint64_t seed = 1000 + first / kViewsPerScene;
             const ScenePointer scene = randomScene(seed);
             const SceneBuffers buffers(scene, Upload::Vbo);
-            for (const StrategyPointer& strategy : m_strategies) strategy->build(*scene);
+            for (const CullerPointer& strategy : m_strategies) strategy->build(*scene);
             Random random(seed * 7919);
             for (uint64_t view = first; view < std::min(views, first + kViewsPerScene); ++view)
                 check(buffers, randomView(*scene, random),
@@ -70,7 +70,7 @@ private:
         std::array<std::vector<float>, 2> all;
         for (size_t i = 0; i < m_strategies.size(); ++i) {
             SCOPED_TRACE(std::string(kContestants[i].id) + ": " + where + "; " + described(random.camera, size));
-            const DrawList list = m_strategies[i]->cull(view, nullptr, &GlEnvironment::renderer()).drawList;
+            const DrawList list = m_strategies[i]->cull(view, &GlEnvironment::renderer()).drawList;
             std::vector<float>& truth = all[list.facing == Facing::Front ? 1 : 0];
             if (truth.empty()) truth = picture(buffers, view, everything(buffers.scene(), list.facing)).depth;
             comparePictures(truth, picture(buffers, view, list).depth, m_tallies[i]);
@@ -120,7 +120,7 @@ private:
         }
     }
 
-    std::vector<StrategyPointer> m_strategies;
+    std::vector<CullerPointer> m_strategies;
     std::array<Tally, kContestants.size()> m_tallies;
 };
 
@@ -170,9 +170,9 @@ TEST(FrustumPicture, meshTurnedFlattenedAndTurnedFarFromItsZeroIsDrawnWhereItsFl
             const bool shows = std::any_of(depth.begin(), depth.end(), [](float value) { return value > 0.0f; });
             shown += shows ? 1 : 0;
             for (const Contestant& contestant : kContestants) {
-                const StrategyPointer strategy = made(contestant);
+                const CullerPointer strategy = made(contestant);
                 strategy->build(*scene);
-                const bool drawn = !strategy->cull(view, nullptr, &GlEnvironment::renderer()).drawList.ranges.empty();
+                const bool drawn = !strategy->cull(view, &GlEnvironment::renderer()).drawList.ranges.empty();
                 EXPECT_TRUE(drawn || !shows) << contestant.id << " at " << thickness << ", " << i;
             }
         }

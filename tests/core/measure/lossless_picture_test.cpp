@@ -6,6 +6,7 @@
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/scene/camera_path.h"
+#include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/lossless_scenes.h"
@@ -92,24 +93,23 @@ struct Tally {
 
 class LosslessProperty {
 public:
-    void check(Strategy& strategy, const SceneBuffers& buffers, const std::pair<Camera, Viewport>& random, Kind kind,
+    void check(Culler& strategy, const SceneBuffers& buffers, const std::pair<Camera, Viewport>& random, Kind kind,
                const std::string& what) {
         const View view(random.first, random.second);
-        Trace trace;
-        const Verdict verdict = strategy.cull(view, m_tally.views % 2 == 0 ? &trace : nullptr);
-        for (const spherical::SphericalDecision& decision : trace.spherical) {
+        const Culled frame = strategy.cull(view, m_tally.views % 2 == 0 ? Recording::On : Recording::Off);
+        for (const spherical::SphericalDecision& decision : spherical::decisionsOf(frame.log)) {
             m_tally.withCones += decision.walk && decision.walk->cones ? 1 : 0;
             m_tally.withHorizon += decision.walk && decision.walk->horizon ? 1 : 0;
         }
         uint64_t culled = 0;
         for (size_t cause = 0; cause < kCauseCount; ++cause) {
-            m_tally.culled[cause] += verdict.culledTriangles[cause];
-            culled += verdict.culledTriangles[cause];
+            m_tally.culled[cause] += frame.culledTriangles[cause];
+            culled += frame.culledTriangles[cause];
         }
-        ASSERT_EQ(culled + verdict.consideredTriangles, buffers.scene().triangleCount()) << what;
+        ASSERT_EQ(culled + frame.consideredTriangles, buffers.scene().triangleCount()) << what;
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy.referenceFacing());
         const Accuracy accuracy =
-            compare(reference, picture(buffers, view, verdict.drawList).depth, verdict.drawList, buffers.scene());
+            compare(reference, {picture(buffers, view, frame.drawList).depth, {}}, frame.drawList, buffers.scene());
         ++m_tally.views;
         m_tally.triangles += buffers.scene().triangleCount();
         m_tally.covered += accuracy.coveredPixels;
@@ -125,7 +125,7 @@ private:
     Tally m_tally;
 };
 
-StrategyPointer losslessBySeed(uint64_t seed) {
+CullerPointer losslessBySeed(uint64_t seed) {
     constexpr std::array kFacings{"auto", "two-sided", "front", "auto"};
     constexpr std::array kLevels{"0", "0", "4", "6", "9"};
     return strategyWith("spherical-lossless", {{"facing", kFacings[seed % kFacings.size()]},
@@ -133,7 +133,7 @@ StrategyPointer losslessBySeed(uint64_t seed) {
                                                {"level", kLevels[seed % kLevels.size()]}});
 }
 
-std::string wordsOf(const Strategy& strategy, const char* mesh, uint64_t seed) {
+std::string wordsOf(const Culler& strategy, const char* mesh, uint64_t seed) {
     return std::string(mesh) + " seed " + std::to_string(seed) + " facing " + strategy.parameters().choice("facing") +
            " layout " + strategy.parameters().choice("layout") + " level " + toText(strategy.parameters().value("level"));
 }
@@ -147,7 +147,7 @@ TEST(LosslessPicture, noMeshLosesAPixel) {
         const uint64_t seed = 100 + number / meshes.size() + number % meshes.size() * 7;
         const ScenePointer scene = sceneOf({mesh.mesh}, {placeOf(seed)});
         const SceneBuffers buffers(scene, Upload::Vbo);
-        const StrategyPointer strategy = losslessBySeed(number + 5 * (number / meshes.size()));
+        const CullerPointer strategy = losslessBySeed(number + 5 * (number / meshes.size()));
         strategy->build(*scene);
         ASSERT_EQ(strategy->promise(), Promise::Conservative);
         Random random(seed * 7919);
@@ -183,14 +183,14 @@ TEST(LosslessPicture, noMeshLosesAPixel) {
 uint64_t missedOf(const ScenePointer& scene, const std::vector<Camera>& cameras, const Viewport& size,
                   const std::vector<std::pair<const char*, const char*>>& parameters, uint64_t& covered) {
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer strategy = strategyWith("spherical-lossless", parameters);
+    const CullerPointer strategy = strategyWith("spherical-lossless", parameters);
     strategy->build(*scene);
     uint64_t missed = 0;
     for (const Camera& camera : cameras) {
         const View view(camera, size);
         const DrawList list = strategy->cull(view).drawList;
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
-        const Accuracy accuracy = compare(reference, picture(buffers, view, list).depth, list, *scene);
+        const Accuracy accuracy = compare(reference, {picture(buffers, view, list).depth, {}}, list, *scene);
         missed += accuracy.missedPixels;
         covered += accuracy.coveredPixels;
     }

@@ -9,6 +9,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/frustum_share.h"
 #include "core/scene/scene_source.h"
+#include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
@@ -21,10 +22,10 @@ constexpr uint64_t kAllViews = 5'000;
 constexpr uint64_t kSample = 250;
 constexpr uint64_t kViewsPerScene = 10;
 
-Accuracy accuracyOf(Strategy& strategy, const SceneBuffers& buffers, const View& view) {
-    const Verdict verdict = strategy.cull(view);
+Accuracy accuracyOf(Culler& strategy, const SceneBuffers& buffers, const View& view) {
+    const Culled frame = strategy.cull(view);
     const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy.referenceFacing());
-    return compare(reference, picture(buffers, view, verdict.drawList).depth, verdict.drawList, buffers.scene());
+    return compare(reference, {picture(buffers, view, frame.drawList).depth, {}}, frame.drawList, buffers.scene());
 }
 
 MeshPointer starShaped(uint64_t seed) {
@@ -92,7 +93,7 @@ public:
             const uint64_t seed = 2000 + first / kViewsPerScene;
             const ScenePointer scene = starScene(seed);
             const SceneBuffers buffers(scene, Upload::Vbo);
-            const StrategyPointer strategy = strategyWith("spherical-horizon", {{"rows", seed % 2 == 0 ? "90" : "0"}});
+            const CullerPointer strategy = strategyWith("spherical-horizon", {{"rows", seed % 2 == 0 ? "90" : "0"}});
             strategy->build(*scene);
             ASSERT_EQ(strategy->promise(), Promise::Conservative) << "seed " << seed;
             Random random(seed * 7919);
@@ -103,18 +104,17 @@ public:
     [[nodiscard]] const Tally& tally() const { return m_tally; }
 
 private:
-    void check(Strategy& strategy, const SceneBuffers& buffers, const std::pair<Camera, Viewport>& random, uint64_t seed,
+    void check(Culler& strategy, const SceneBuffers& buffers, const std::pair<Camera, Viewport>& random, uint64_t seed,
                uint64_t number) {
         const View view(random.first, random.second);
-        Trace trace;
-        const Verdict verdict = strategy.cull(view, &trace);
+        const Culled frame = strategy.cull(view, Recording::On);
         ++m_tally.views;
-        for (const spherical::SphericalDecision& decision : trace.spherical) {
+        for (const spherical::SphericalDecision& decision : spherical::decisionsOf(frame.log)) {
             m_tally.cut += decision.relation == spherical::SphereRelation::Cut ? 1 : 0;
             m_tally.within += decision.relation == spherical::SphereRelation::Within ? 1 : 0;
             m_tally.around += decision.relation == spherical::SphereRelation::AroundEye ? 1 : 0;
         }
-        m_tally.culled += verdict.culledTriangles[size_t(Cause::Hidden)];
+        m_tally.culled += frame.culledTriangles[size_t(Cause::Hidden)];
         m_tally.triangles += buffers.scene().triangleCount();
         const Accuracy accuracy = accuracyOf(strategy, buffers, view);
         m_tally.covered += accuracy.coveredPixels;
@@ -146,7 +146,7 @@ TEST(SphericalPicture, horizonLosesNoPixelOfAStarShapedMesh) {
 double lossOver(const char* strategyId, const ScenePointer& scene, const std::vector<Camera>& cameras,
                 const std::vector<std::pair<const char*, const char*>>& parameters = {}) {
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer strategy = strategyWith(strategyId, parameters);
+    const CullerPointer strategy = strategyWith(strategyId, parameters);
     strategy->build(*scene);
     uint64_t missed = 0, covered = 0;
     for (const Camera& camera : cameras) {
@@ -196,7 +196,7 @@ TEST(SphericalPicture, pathsShowThePapersCases) {
     const ScenePointer scene = bunny ? openScene("mesh:" + file + ",triangles=144046").scene
                                      : sceneOf({bumpyMesh(4, 144'000, 0.03)}, {scaling({1.2, 1.0, 0.9})});
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     const std::array<double, 3> considered{13508.0 / 144078.0, 16434.0 / 144078.0, 26308.0 / 144078.0};
     for (int number = 1; number <= 3; ++number) {
@@ -204,15 +204,15 @@ TEST(SphericalPicture, pathsShowThePapersCases) {
         ASSERT_GE(path.poses.size(), 10u);
         for (size_t pose = 0; pose < path.poses.size(); pose += fewSamples() ? 5 : 1) {
             const View view(path.camera(pose), {320, 240});
-            Trace trace;
-            const Verdict verdict = strategy->cull(view, &trace);
+            const Culled frame = strategy->cull(view, Recording::On);
             const auto inFrustum = double(trianglesInFrustum(*scene, view));
             const std::string where = path.name + " pose " + std::to_string(pose);
-            EXPECT_EQ(verdict.caseNumber, number) << where;
+            EXPECT_EQ(frame.caseNumber, number) << where;
             EXPECT_NEAR(inFrustum / double(scene->triangleCount()) / considered[size_t(number - 1)], 1.0, 0.1) << where;
-            EXPECT_LE(double(verdict.consideredTriangles), 1.5 * inFrustum) << where;
-            EXPECT_GT(verdict.consideredTriangles, 0u) << where;
-            for (const spherical::CornerRay& ray : trace.spherical.at(0).rays) EXPECT_TRUE(ray.hit.has_value()) << where;
+            EXPECT_LE(double(frame.consideredTriangles), 1.5 * inFrustum) << where;
+            EXPECT_GT(frame.consideredTriangles, 0u) << where;
+            for (const spherical::CornerRay& ray : spherical::decisionsOf(frame.log).at(0).rays)
+                EXPECT_TRUE(ray.hit.has_value()) << where;
             const Accuracy accuracy = accuracyOf(*strategy, buffers, view);
             EXPECT_GE(accuracy.coveredPixels, 320u * 240u * 6 / 10) << where;
         }
@@ -222,7 +222,7 @@ TEST(SphericalPicture, pathsShowThePapersCases) {
 TEST(SphericalPicture, upsideOfAnInstanceIsLookedUpInTheMeshsOwnAxes) {
     // The case depends on the map, not on the world: a rotated instance has its pole in another direction.
     const ScenePointer scene = sceneOf({sphereMesh(20'000)}, {rotation({1, 0, 0}, std::numbers::pi / 2) * scaling({2, 2, -2})});
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     EXPECT_EQ(strategy->cull(View(from({0, 6, 0.01}, 20), {64, 64})).caseNumber, 1);
     EXPECT_EQ(strategy->cull(View(from({0, 0, 6}, 20), {64, 64})).caseNumber, 2);

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::plane_distances_test {
@@ -15,22 +15,21 @@ TEST(PlaneDistances, planesLieAsFrustumTestedThem) {
         for (int z = -4; z <= 4; ++z) places.push_back(translation(Vec3(x, 0.3 * z, z) * 2.5));
     const ScenePointer scene = copiesOf(sphereMesh(80), places);
     const View view({{1, 2, 4}, {0, 0, -3}, {0, 1, 0}, Angle::fromDegrees(45), 0.5, 9}, {320, 240});
-    const StrategyPointer strategy = makeStrategy("frustum");
+    const CullerPointer strategy = makeCuller("frustum");
     strategy->build(*scene);
-    Trace trace;
-    (void)strategy->cull(view, &trace);
+    const Culled frame = strategy->cull(view, Recording::On);
     size_t outside = 0, tests = 0;
-    for (const TraceEvent& event : trace.events) {
-        if (event.kind != TraceEvent::Kind::TestedPlane) continue;
-        const std::vector<PlaneDistance> distances = planeDistances(*scene, view, event.instance);
+    for (const Decision& decision : frame.log.decisions) {
+        if (!decision.plane) continue;
+        const std::vector<PlaneDistance> distances = planeDistances(*scene, view, decision.subject.number);
         ASSERT_EQ(distances.size(), 6u);
-        const PlaneDistance& one = distances[size_t(event.plane)];
-        EXPECT_EQ(one.plane, event.plane);
-        EXPECT_NEAR(one.distance, event.distance, 1e-9);
+        const PlaneDistance& one = distances[size_t(*decision.plane)];
+        EXPECT_EQ(one.plane, decision.plane);
+        EXPECT_NEAR(one.distance, decision.distance(), 1e-9);
         // The batch test's bound uses the 1-norm instead of the length.
-        EXPECT_LE(one.bound, event.bound);
-        EXPECT_GE(one.bound, 0.5 * event.bound);
-        EXPECT_EQ(one.containment, event.containment);
+        EXPECT_LE(one.bound, decision.margin());
+        EXPECT_GE(one.bound, 0.5 * decision.margin());
+        EXPECT_EQ(one.containment, decision.containment);
         ++tests;
         outside += one.containment == Containment::Outside ? 1 : 0;
     }

@@ -3,8 +3,10 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/visibility/built_strategy.h"
+#include "tests/support/test_scenes.h"
 
-namespace cullscope::registry_test {
+namespace cullscope::test::registry_test {
 namespace {
 
 TEST(Registry, baselinesAreThereAndEveryIdIsThereOnce) {
@@ -45,12 +47,17 @@ TEST(Registry, unknownStrategyIsRefused) {
     }
 }
 
-TEST(Registry, madeStrategyHasTheGivenParameters) {
+TEST(Registry, builtStrategyHasTheGivenParameters) {
+    const ScenePointer scene = sceneOf({squareMesh(1, 0)});
+    StructureStore store;
     ParameterSet parameters(findStrategy("frustum").info.parameters);
     parameters.setFromText("box", "length");
-    EXPECT_EQ(makeStrategy("frustum", parameters)->parameters(), parameters);
-    EXPECT_EQ(makeStrategy("frustum")->parameters().choice("box"), "p-vertex");
+    const BuiltStrategyPointer built = buildStrategy("frustum", parameters, scene, store);
+    EXPECT_EQ(built->id(), "frustum");
+    EXPECT_EQ(built->parameters(), parameters);
+    EXPECT_EQ(built->scenePointer(), scene);
+    EXPECT_THROW((void)buildStrategy("frustrum", parameters, scene, store), Error);
 }
 
 }  // namespace
-}  // namespace cullscope::registry_test
+}  // namespace cullscope::test::registry_test

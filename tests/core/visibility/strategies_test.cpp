@@ -1,7 +1,8 @@
 #include <numeric>
 
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
+#include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
@@ -12,18 +13,18 @@ namespace {
 constexpr int kScenes = 40;
 constexpr int kViewsPerScene = 10;
 
-StrategyPointer frustumBy(const char* box) {
+CullerPointer frustumBy(const char* box) {
     ParameterSet parameters(findStrategy("frustum").info.parameters);
     parameters.setFromText("box", box);
-    return makeStrategy("frustum", parameters);
+    return makeCuller("frustum", parameters);
 }
 
 /// Calls `check(scene, view)` for views of random scenes, after building each of `strategies` for the scene.
 template <typename Check>
-void onRandomViews(const std::vector<Strategy*>& strategies, const Check& check) {
+void onRandomViews(const std::vector<Culler*>& strategies, const Check& check) {
     for (uint64_t seed = 1; seed <= kScenes; ++seed) {
         const ScenePointer scene = randomScene(seed);
-        for (Strategy* strategy : strategies) strategy->build(*scene);
+        for (Culler* strategy : strategies) strategy->build(*scene);
         Random random(seed);
         for (int i = 0; i < kViewsPerScene; ++i) {
             const RandomView view = randomView(*scene, random);
@@ -33,9 +34,9 @@ void onRandomViews(const std::vector<Strategy*>& strategies, const Check& check)
     }
 }
 
-std::vector<int> timesDrawn(const Verdict& verdict, const Scene& scene) {
+std::vector<int> timesDrawn(const Culled& frame, const Scene& scene) {
     std::vector<int> times(scene.instances().size(), 0);
-    for (const DrawRange& range : verdict.drawList.ranges) ++times[range.instance];
+    for (const DrawRange& range : frame.drawList.ranges) ++times[range.instance];
     return times;
 }
 
@@ -43,21 +44,21 @@ std::vector<int> timesDrawn(const Verdict& verdict, const Scene& scene) {
 View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
 
 TEST(Strategies, countersAddUpToTheScene) {
-    const StrategyPointer all = makeStrategy("all");
-    const StrategyPointer backface = makeStrategy("backface");
-    const StrategyPointer frustum = makeStrategy("frustum");
-    const StrategyPointer length = frustumBy("length");
-    const StrategyPointer oriented = frustumBy("oriented");
-    const StrategyPointer octree = makeStrategy("frustum-octree");
-    const std::vector<Strategy*> strategies{all.get(), backface.get(), frustum.get(), length.get(), oriented.get(), octree.get()};
+    const CullerPointer all = makeCuller("all");
+    const CullerPointer backface = makeCuller("backface");
+    const CullerPointer frustum = makeCuller("frustum");
+    const CullerPointer length = frustumBy("length");
+    const CullerPointer oriented = frustumBy("oriented");
+    const CullerPointer octree = makeCuller("frustum-octree");
+    const std::vector<Culler*> strategies{all.get(), backface.get(), frustum.get(), length.get(), oriented.get(), octree.get()};
     onRandomViews(strategies, [&](const Scene& scene, const View& view) {
-        for (Strategy* strategy : strategies) {
-            const Verdict verdict = strategy->cull(view);
-            const uint64_t culled = std::accumulate(verdict.culledTriangles.begin(), verdict.culledTriangles.end(), uint64_t{0});
-            EXPECT_EQ(verdict.consideredTriangles + culled, scene.triangleCount());
-            EXPECT_EQ(verdict.consideredTriangles, verdict.drawList.triangleCount());
-            EXPECT_EQ(verdict.drawList.facing, strategy->facing());
-            EXPECT_THAT(timesDrawn(verdict, scene), testing::Each(testing::Le(1)));
+        for (Culler* strategy : strategies) {
+            const Culled frame = strategy->cull(view);
+            const uint64_t culled = std::accumulate(frame.culledTriangles.begin(), frame.culledTriangles.end(), uint64_t{0});
+            EXPECT_EQ(frame.consideredTriangles + culled, scene.triangleCount());
+            EXPECT_EQ(frame.consideredTriangles, frame.drawList.triangleCount());
+            EXPECT_EQ(frame.drawList.facing, strategy->facing());
+            EXPECT_THAT(timesDrawn(frame, scene), testing::Each(testing::Le(1)));
         }
         EXPECT_EQ(all->cull(view).consideredTriangles, scene.triangleCount());
         EXPECT_EQ(backface->cull(view).consideredTriangles, scene.triangleCount());
@@ -65,8 +66,8 @@ TEST(Strategies, countersAddUpToTheScene) {
 }
 
 TEST(Strategies, lengthDrawsAllThatPVertexDraws) {
-    const StrategyPointer frustum = frustumBy("p-vertex");
-    const StrategyPointer length = frustumBy("length");
+    const CullerPointer frustum = frustumBy("p-vertex");
+    const CullerPointer length = frustumBy("length");
     uint64_t wasted = 0;
     onRandomViews({frustum.get(), length.get()}, [&](const Scene& scene, const View& view) {
         const std::vector<int> tight = timesDrawn(frustum->cull(view), scene);
@@ -79,61 +80,73 @@ TEST(Strategies, lengthDrawsAllThatPVertexDraws) {
     EXPECT_GT(wasted, 0u) << "the views show no corner that the length test wastes";
 }
 
-TEST(Strategies, traceAgreesWithVerdict) {
-    const StrategyPointer frustum = frustumBy("p-vertex");
-    const StrategyPointer length = frustumBy("length");
-    const StrategyPointer oriented = frustumBy("oriented");
-    const StrategyPointer octree = makeStrategy("frustum-octree");
-    const std::vector<Strategy*> strategies{frustum.get(), length.get(), oriented.get(), octree.get()};
+/// Every subject ends once, after its tests, with what they found; every object that is drawn ends so by itself, and every other
+/// one by itself or with its group.
+void expectDecisionsFit(const Culled& frame, const Scene& scene) {
+    const std::vector<int> drawn = timesDrawn(frame, scene);
+    std::vector<int> culled(drawn.size(), 0), kept(drawn.size(), 0);
+    const Decision* test = nullptr;
+    for (const Decision& decision : frame.log.decisions) {
+        const bool ofObject = decision.subject.kind == Subject::Kind::Object;
+        if (ofObject) {
+            ASSERT_LT(decision.subject.number, drawn.size());
+            EXPECT_EQ(culled[decision.subject.number] + kept[decision.subject.number], 0) << "a decision after the end";
+        }
+        if (decision.outcome == Decision::Outcome::Open) {
+            test = &decision;
+            continue;
+        }
+        if (decision.outcome == Decision::Outcome::Culled) {
+            ASSERT_NE(test, nullptr);
+            ASSERT_EQ(test->subject, decision.subject) << "a decision without its tests";
+            EXPECT_EQ(test->containment, Containment::Outside);
+            EXPECT_TRUE(test->distance() < 0.0 || !test->plane);
+            EXPECT_EQ(decision.cause, Cause::OutsideFrustum);
+            forObjectsOf(frame.log, decision, [&](uint32_t instance) { ++culled[instance]; });
+        } else if (ofObject) {
+            ++kept[decision.subject.number];
+        }
+    }
+    EXPECT_EQ(kept, drawn);
+    for (size_t i = 0; i < drawn.size(); ++i) EXPECT_EQ(culled[i], 1 - drawn[i]) << "instance " << i;
+}
+
+TEST(Strategies, decisionsAgreeWithWhatIsDrawn) {
+    const CullerPointer frustum = frustumBy("p-vertex");
+    const CullerPointer length = frustumBy("length");
+    const CullerPointer oriented = frustumBy("oriented");
+    const CullerPointer octree = makeCuller("frustum-octree");
+    const std::vector<Culler*> strategies{frustum.get(), length.get(), oriented.get(), octree.get()};
     onRandomViews(strategies, [&](const Scene& scene, const View& view) {
-        for (Strategy* strategy : strategies) {
-            Trace trace;
-            const std::vector<int> drawn = timesDrawn(strategy->cull(view, &trace), scene);
-            std::vector<int> ended(drawn.size(), 0);
-            const TraceEvent* lastTest = nullptr;
-            for (const TraceEvent& event : trace.events) {
-                ASSERT_LT(event.instance, drawn.size());
-                EXPECT_EQ(ended[event.instance], 0) << "an event after the subject's end";
-                if (event.kind == TraceEvent::Kind::TestedPlane || event.kind == TraceEvent::Kind::TestedAxes) {
-                    lastTest = &event;
-                    continue;
-                }
-                ++ended[event.instance];
-                ASSERT_NE(lastTest, nullptr);
-                ASSERT_EQ(lastTest->instance, event.instance) << "a decision without its tests";
-                const bool culled = event.kind == TraceEvent::Kind::Culled;
-                EXPECT_EQ(drawn[event.instance], culled ? 0 : 1);
-                EXPECT_EQ(lastTest->containment == Containment::Outside, culled);
-                EXPECT_TRUE(!culled || lastTest->distance < 0.0 || lastTest->kind == TraceEvent::Kind::TestedAxes);
-                EXPECT_EQ(event.cause, Cause::OutsideFrustum);
-            }
-            EXPECT_THAT(ended, testing::Each(1));
-        }
+        for (Culler* strategy : strategies) expectDecisionsFit(strategy->cull(view, Recording::On), scene);
     });
 }
 
-TEST(Strategies, traceDoesNotChangeTheVerdict) {
-    const StrategyPointer frustum = makeStrategy("frustum");
-    const StrategyPointer octree = makeStrategy("frustum-octree");
-    onRandomViews({frustum.get(), octree.get()}, [&](const Scene&, const View& view) {
-        for (Strategy* strategy : {frustum.get(), octree.get()}) {
-            Trace trace;
-            EXPECT_EQ(strategy->cull(view, &trace).drawList.ranges, strategy->cull(view).drawList.ranges);
+TEST(Strategies, objectThatFrustumTestsAloneIsTestedByItself) {
+    const CullerPointer frustum = makeCuller("frustum");
+    onRandomViews({frustum.get()}, [&](const Scene& scene, const View& view) {
+        const FrameLog log = frustum->cull(view, Recording::On).log;
+        std::vector<size_t> planes(scene.instances().size(), 0);
+        for (const Decision& decision : log.decisions) {
+            ASSERT_EQ(decision.subject.kind, Subject::Kind::Object);
+            if (isPlaneTest(decision)) ++planes[decision.subject.number];
+            // A kept object was tested against all six.
+            EXPECT_TRUE(decision.outcome != Decision::Outcome::Drawn || planes[decision.subject.number] == kFrustumPlaneCount);
         }
+        EXPECT_THAT(planes, testing::Each(testing::Ge(1u)));
     });
 }
 
-TEST(Strategies, traceOfBaselinesHasEveryInstance) {
+TEST(Strategies, baselinesSayThatEveryInstanceIsDrawn) {
     const ScenePointer scene = randomScene(3);
     for (const char* id : {"all", "backface"}) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
-        Trace trace;
-        (void)strategy->cull(standardView(), &trace);
-        ASSERT_EQ(trace.events.size(), scene->instances().size());
-        for (size_t i = 0; i < trace.events.size(); ++i) {
-            EXPECT_EQ(trace.events[i].kind, TraceEvent::Kind::Accepted);
-            EXPECT_EQ(trace.events[i].instance, i);
+        const FrameLog log = strategy->cull(standardView(), Recording::On).log;
+        ASSERT_EQ(log.decisions.size(), scene->instances().size());
+        for (uint32_t i = 0; i < log.decisions.size(); ++i) {
+            EXPECT_EQ(log.decisions[i].outcome, Decision::Outcome::Drawn);
+            EXPECT_EQ(log.decisions[i].subject, Subject::ofObject(i));
         }
     }
 }
@@ -141,20 +154,20 @@ TEST(Strategies, traceOfBaselinesHasEveryInstance) {
 TEST(Strategies, instanceWithoutTrianglesIsNotDrawn) {
     const ScenePointer scene = sceneOf({meshOf({{0, 0, -5}}, {}), squareMesh(1, -5)});
     for (const RegisteredStrategy& registered : strategies()) {
-        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
-        const Verdict verdict = strategy->cull(standardView(), nullptr, &GlEnvironment::renderer());
-        ASSERT_EQ(verdict.drawList.ranges.size(), 1u) << registered.info.id;
-        EXPECT_EQ(verdict.drawList.ranges[0].instance, 1u);
+        const Culled frame = strategy->cull(standardView(), &GlEnvironment::renderer());
+        ASSERT_EQ(frame.drawList.ranges.size(), 1u) << registered.info.id;
+        EXPECT_EQ(frame.drawList.ranges[0].instance, 1u);
     }
 }
 
 TEST(Strategies, emptySceneGivesAnEmptyList) {
     const Scene scene("empty", {}, {});
     for (const RegisteredStrategy& registered : strategies()) {
-        const StrategyPointer strategy = makeStrategy(registered.info.id);
+        const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(scene);
-        EXPECT_TRUE(strategy->cull(standardView(), nullptr, &GlEnvironment::renderer()).drawList.ranges.empty());
+        EXPECT_TRUE(strategy->cull(standardView(), &GlEnvironment::renderer()).drawList.ranges.empty());
     }
 }
 
@@ -162,7 +175,7 @@ TEST(Frustum, objectInViewIsDrawnAndObjectBesideItCulled) {
     const MeshPointer sphere = sphereMesh(80);
     const ScenePointer scene = copiesOf(sphere, {translation({0, 0, -5}), translation({0, 0, 5}), translation({9, 0, -5}),
                                                  translation({0, 0, -13}), translation({5.5, 0, -5}), scaling(Vec3(50.0))});
-    const StrategyPointer frustum = makeStrategy("frustum");
+    const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
     EXPECT_THAT(timesDrawn(frustum->cull(standardView()), *scene), testing::ElementsAre(1, 0, 0, 0, 1, 1));
 }
@@ -171,8 +184,8 @@ TEST(Frustum, axisAlignedBoxThatOnlyItsLengthKeepsIsCulled) {
     // Flat along x, above the view: none of its corners is in the frustum, but its circumscribed sphere is (stability case 3, as
     // an object).
     const ScenePointer scene = sceneOf({boxMesh({-60, 9, -6}, {60, 11, -4})});
-    const StrategyPointer tight = frustumBy("p-vertex");
-    const StrategyPointer loose = frustumBy("length");
+    const CullerPointer tight = frustumBy("p-vertex");
+    const CullerPointer loose = frustumBy("length");
     tight->build(*scene);
     loose->build(*scene);
     EXPECT_TRUE(tight->cull(standardView()).drawList.ranges.empty());
@@ -182,7 +195,7 @@ TEST(Frustum, axisAlignedBoxThatOnlyItsLengthKeepsIsCulled) {
 TEST(Facing, autoFollowsWhetherMeshesAreClosed) {
     ParameterSet parameters(findStrategy("frustum").info.parameters);
     const auto resolved = [&](const Scene& scene) {
-        const StrategyPointer strategy = makeStrategy("frustum", parameters);
+        const CullerPointer strategy = makeCuller("frustum", parameters);
         strategy->build(scene);
         return strategy->cull(standardView()).drawList.facing;
     };
@@ -198,8 +211,8 @@ TEST(Facing, autoFollowsWhetherMeshesAreClosed) {
 
 TEST(Baselines, facingRulesAreThoseOfTheirNames) {
     const ScenePointer open = sceneOf({squareMesh(1, -5)});
-    const StrategyPointer all = makeStrategy("all");
-    const StrategyPointer backface = makeStrategy("backface");
+    const CullerPointer all = makeCuller("all");
+    const CullerPointer backface = makeCuller("backface");
     all->build(*open);
     backface->build(*open);
     EXPECT_EQ(all->facing(), Facing::TwoSided);

@@ -4,7 +4,7 @@
 
 #include "core/measure/accuracy.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
@@ -58,7 +58,23 @@ std::vector<uint32_t> visibleNotSubmitted(const Reference& reference, const Draw
 }
 
 uint64_t falselyCulled(const Reference& reference, const SceneBuffers& buffers, const View& view, const DrawList& list) {
-    return compare(reference, picture(buffers, view, list).depth, list, buffers.scene()).falselyCulledTriangles;
+    return compare(reference, {picture(buffers, view, list).depth, {}}, list, buffers.scene()).falselyCulledTriangles;
+}
+
+/// A frame that drew this list and said this.
+FrameLog logOf(const View& view, DrawList list, std::vector<Decision> decisions = {}) {
+    FrameLog log;
+    log.camera = view.camera();
+    log.size = view.viewport();
+    log.facing = list.facing;
+    log.recorded = true;
+    log.commands.emplace_back(std::move(list));
+    log.decisions = std::move(decisions);
+    return log;
+}
+
+Decision culledFor(uint32_t instance, Cause cause) {
+    return ending(Subject::ofObject(instance), Decision::Outcome::Culled, cause);
 }
 
 Viewport small(const Viewport& size) { return {std::min(size.width, 96), std::min(size.height, 64)}; }
@@ -73,27 +89,26 @@ TEST(TriangleStates, statesOfARandomViewAreAPartition) {
             const View view(sample.camera, small(sample.viewport));
             for (const RegisteredStrategy& registered : strategies()) {
                 SCOPED_TRACE(registered.info.id + " scene seed " + std::to_string(seed) + " view " + std::to_string(i));
-                const StrategyPointer strategy = makeStrategy(registered.info.id);
+                const CullerPointer strategy = makeCuller(registered.info.id);
                 strategy->build(*scene);
-                Trace trace;
-                const Verdict verdict = strategy->cull(view, &trace, &GlEnvironment::renderer());
+                const Culled frame = strategy->cull(view, Recording::On, &GlEnvironment::renderer());
                 const Reference reference =
                     itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
-                const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, reference.visible());
+                const TriangleStates states = triangleStates(*scene, frame.log, reference.visible());
                 EXPECT_TRUE(states.againstTruth);
                 expectPartition(states, *scene);
                 // Where OpenGL culls no triangle that the truth contains, the lost ones are V∖S.
-                if (verdict.drawList.facing == reference.facing) {
+                if (frame.drawList.facing == reference.facing) {
                     EXPECT_EQ(inState(states, TriangleState::WronglyCulled),
-                              visibleNotSubmitted(reference, verdict.drawList, *scene));
+                              visibleNotSubmitted(reference, frame.drawList, *scene));
                     EXPECT_EQ(count(states, TriangleState::WronglyCulled),
-                              falselyCulled(reference, buffers, view, verdict.drawList));
+                              falselyCulled(reference, buffers, view, frame.drawList));
                     EXPECT_EQ(count(states, TriangleState::Visible) + count(states, TriangleState::WronglyCulled),
                               reference.visibleTriangles.size());
                 }
                 EXPECT_EQ(count(states, TriangleState::OutsideFrustum) + count(states, TriangleState::Hidden) +
-                              verdict.culledTriangles[size_t(Cause::BackFacing)] +
-                              visibleNotSubmitted(reference, verdict.drawList, *scene).size() + verdict.consideredTriangles,
+                              frame.culledTriangles[size_t(Cause::BackFacing)] +
+                              visibleNotSubmitted(reference, frame.drawList, *scene).size() + frame.consideredTriangles,
                           scene->triangleCount());
             }
         }
@@ -112,13 +127,12 @@ TEST(TriangleStates, wrongDrawListLosesWhatIsSeen) {
     for (const Facing facing : {Facing::TwoSided, Facing::Front}) {
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), facing);
         for (uint32_t removed = 0; removed < 3; ++removed) {
-            // Half of an object is not submitted; the trace has its cause.
+            // Half of an object is not submitted; its decision has the cause.
             DrawList lossy = everything(*scene, facing);
             lossy.ranges[removed].firstIndex = 3 * static_cast<uint32_t>(scene->meshOf(removed).triangleCount() / 2);
             lossy.ranges[removed].indexCount -= lossy.ranges[removed].firstIndex;
-            Trace trace;
-            trace.events.push_back({.kind = TraceEvent::Kind::Culled, .instance = removed, .cause = Cause::TooSmall});
-            const TriangleStates states = triangleStates(*scene, overThree(), lossy, trace, reference.visible());
+            const FrameLog log = logOf(overThree(), lossy, {culledFor(removed, Cause::TooSmall)});
+            const TriangleStates states = triangleStates(*scene, log, reference.visible());
             expectPartition(states, *scene);
             const std::vector<uint32_t> lost = inState(states, TriangleState::WronglyCulled);
             EXPECT_EQ(lost, visibleNotSubmitted(reference, lossy, *scene));
@@ -133,14 +147,36 @@ TEST(TriangleStates, wrongDrawListLosesWhatIsSeen) {
 
 TEST(TriangleStates, everyCauseBecomesItsState) {
     const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1), squareMesh(1, -2), squareMesh(1, -3)});
-    Trace trace;
-    for (uint32_t i = 0; i < kCauseCount; ++i)
-        trace.events.push_back({.kind = TraceEvent::Kind::Culled, .instance = i, .cause = static_cast<Cause>(i)});
-    const TriangleStates states = triangleStates(*scene, overThree(), {}, trace, std::nullopt);
+    std::vector<Decision> decisions;
+    for (uint32_t i = 0; i < kCauseCount; ++i) decisions.push_back(culledFor(i, static_cast<Cause>(i)));
+    const TriangleStates states = triangleStates(*scene, logOf(overThree(), {}, decisions), std::nullopt);
     using enum TriangleState;
     EXPECT_THAT(states.states,
                 testing::ElementsAre(OutsideFrustum, OutsideFrustum, BackFacing, BackFacing, Hidden, Hidden, TooSmall, TooSmall));
     EXPECT_FALSE(states.againstTruth);
+}
+
+TEST(TriangleStates, groupNamesTheCauseOfItsObjectsAndACellThatOfItsTriangles) {
+    const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1), squareMesh(1, -2)});
+    FrameLog log = logOf(overThree(), {Facing::TwoSided, {{1, 0, 3}}});
+    log.objects = {2, 0};
+    Decision group = ending(Subject::ofNode(5), Decision::Outcome::Culled, Cause::TooSmall);
+    group.firstObject = 0;
+    group.objectCount = 2;
+    Decision cell = ending(Subject::ofCell(3, 1), Decision::Outcome::Culled, Cause::BackFacing);
+    cell.places = {1, 1};
+    const Decision object = ending(Subject::ofObject(1), Decision::Outcome::PartlyDrawn, Cause::Hidden);
+    log.decisions = {group, cell, object};
+    using enum TriangleState;
+    EXPECT_THAT(triangleStates(*scene, log, std::nullopt).states,
+                testing::ElementsAre(TooSmall, TooSmall, Visible, BackFacing, TooSmall, TooSmall));
+}
+
+TEST(TriangleStates, whatNoDecisionNamesIsHidden) {
+    const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1)});
+    using enum TriangleState;
+    EXPECT_THAT(triangleStates(*scene, logOf(overThree(), {Facing::TwoSided, {{0, 0, 6}}}), std::nullopt).states,
+                testing::ElementsAre(Visible, Visible, Hidden, Hidden));
 }
 
 TEST(TriangleStates, backFaceThatTheTruthShowsIsLost) {
@@ -151,13 +187,13 @@ TEST(TriangleStates, backFaceThatTheTruthShowsIsLost) {
     const DrawList list = everything(*scene, Facing::Front);
     const auto states = [&](Facing truth) {
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, behind, truth);
-        return triangleStates(*scene, behind, list, {}, reference.visible());
+        return triangleStates(*scene, logOf(behind, list), reference.visible());
     };
     EXPECT_EQ(count(states(Facing::TwoSided), TriangleState::WronglyCulled), 2u);
     EXPECT_EQ(count(states(Facing::Front), TriangleState::BackFacing), 2u);
-    EXPECT_EQ(count(triangleStates(*scene, behind, list, {}, std::nullopt), TriangleState::BackFacing), 2u);
+    EXPECT_EQ(count(triangleStates(*scene, logOf(behind, list), std::nullopt), TriangleState::BackFacing), 2u);
     const View before({{0, 0, 4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {64, 64});
-    EXPECT_EQ(count(triangleStates(*scene, before, list, {}, std::nullopt), TriangleState::Visible), 2u);
+    EXPECT_EQ(count(triangleStates(*scene, logOf(before, list), std::nullopt), TriangleState::Visible), 2u);
 }
 
 TEST(TriangleStates, triangleDrawnTwiceKeepsItsState) {
@@ -165,8 +201,8 @@ TEST(TriangleStates, triangleDrawnTwiceKeepsItsState) {
     const SceneBuffers buffers(scene, Upload::Vbo);
     const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), Facing::TwoSided);
     const DrawList twice{Facing::TwoSided, {{0, 0, 6}, {1, 0, 6}, {0, 0, 3}, {1, 3, 3}}};
-    EXPECT_EQ(triangleStates(*scene, overThree(), twice, {}, reference.visible()).states,
-              triangleStates(*scene, overThree(), everything(*scene, Facing::TwoSided), {}, reference.visible()).states);
+    EXPECT_EQ(triangleStates(*scene, logOf(overThree(), twice), reference.visible()).states,
+              triangleStates(*scene, logOf(overThree(), everything(*scene, Facing::TwoSided)), reference.visible()).states);
 }
 
 /// Whether the outer side of a triangle of a body around `centre` faces away from the eye, independent of its winding.
@@ -185,7 +221,7 @@ TEST(TriangleStates, mirroredInstanceShowsItsFront) {
                                    translation({0, 2, 0}) * scaling({1, -2, .5}),
                                    translation({0, -2, 0}) * scaling({-1, -1, -1})};
     const ScenePointer scene = copiesOf(sphereMesh(20000), places);
-    const TriangleStates states = triangleStates(*scene, overThree(), everything(*scene, Facing::Front), {}, std::nullopt);
+    const TriangleStates states = triangleStates(*scene, logOf(overThree(), everything(*scene, Facing::Front)), std::nullopt);
     expectPartition(states, *scene);
     for (uint32_t i = 0; i < places.size(); ++i) {
         const auto triangles = static_cast<uint32_t>(scene->meshOf(i).triangleCount());
@@ -198,13 +234,13 @@ TEST(TriangleStates, mirroredInstanceShowsItsFront) {
     EXPECT_GT(count(states, TriangleState::BackFacing), scene->triangleCount() / 3);
 }
 
-TEST(TriangleStates, fieldCountsAgreeWithTheVerdict) {
+TEST(TriangleStates, fieldCountsAgreeWithTheCounters) {
     std::vector<Mat4> places;
     for (int i = 0; i < 20; ++i)
         for (int j = 0; j < 20; ++j) places.push_back(translation({(i - 9.5) * 2.5, 0, (j - 9.5) * 2.5}));
     const ScenePointer scene = copiesOf(sphereMesh(320), places);
     const SceneBuffers buffers(scene, Upload::Vbo);
-    const StrategyPointer frustum = makeStrategy("frustum");
+    const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
     Random random(5);
     for (int i = 0; i < 10; ++i) {
@@ -215,14 +251,13 @@ TEST(TriangleStates, fieldCountsAgreeWithTheVerdict) {
                          0.05,
                          100},
                         {160, 120});
-        Trace trace;
-        const Verdict verdict = frustum->cull(view, &trace);
+        const Culled frame = frustum->cull(view, Recording::On);
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, view, frustum->referenceFacing());
-        const uint64_t outside = verdict.culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)];
+        const uint64_t outside = frame.culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)];
         ASSERT_GT(outside, 0u);
         for (const std::optional<VisibleTriangles>& truth :
              {std::optional(reference.visible()), std::optional<VisibleTriangles>()}) {
-            const TriangleStates states = triangleStates(*scene, view, verdict.drawList, trace, truth);
+            const TriangleStates states = triangleStates(*scene, frame.log, truth);
             expectPartition(states, *scene);
             EXPECT_EQ(count(states, TriangleState::OutsideFrustum), outside);
             EXPECT_EQ(count(states, TriangleState::WronglyCulled), 0u);

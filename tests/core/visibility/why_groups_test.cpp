@@ -3,6 +3,7 @@
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/why.h"
+#include "tests/support/decisions.h"
 #include "tests/support/grouped_frustum.h"
 #include "tests/support/test_scenes.h"
 
@@ -29,14 +30,14 @@ std::vector<View> views() {
 }
 
 /// By instance, the innermost visited group that contains it: nothing was tested below it.
-std::vector<TestedGroup> decidingGroups(const InstanceOctree& octree, const Trace& trace, size_t instances) {
-    std::vector<TestedGroup> groups(instances);
-    for (const TestedGroup& group : trace.groups)
+std::vector<VisitedGroup> decidingGroups(const InstanceOctree& octree, const FrameLog& log, size_t instances) {
+    std::vector<VisitedGroup> groups(instances);
+    for (const VisitedGroup& group : visitedGroups(log))
         for (const uint32_t instance : octree.instancesOf(octree.nodes()[group.node])) groups[instance] = group;
     return groups;
 }
 
-std::string sentenceAbout(const TestedGroup& group, uint32_t objects) {
+std::string sentenceAbout(const VisitedGroup& group, uint32_t objects) {
     const std::string begin = "It lies in a group of " + std::to_string(objects) + " objects, whose box was tested first: ";
     if (group.containment == Containment::Outside) return begin + "outside the " + planeName(group.plane.value()) + ".";
     if (group.containment == Containment::Inside)
@@ -46,23 +47,22 @@ std::string sentenceAbout(const TestedGroup& group, uint32_t objects) {
 
 TEST(WhyOfGroups, onlyTheLevelThatDecidedIsNamed) {
     const ScenePointer scene = field();
-    GroupedFrustum strategy;
+    GroupedCuller strategy;
     strategy.build(*scene);
     std::array<int, 4> seen{};  ///< by containment; the last: groups of one
     for (const View& view : views()) {
-        Trace trace;
-        const Verdict verdict = strategy.cull(view, &trace);
-        const auto groups = decidingGroups(strategy.octree(), trace, scene->instances().size());
+        const Culled frame = strategy.cull(view, Recording::On);
+        const auto groups = decidingGroups(strategy.octree(), frame.log, scene->instances().size());
         for (uint32_t i = 0; i < groups.size(); ++i) {
             const uint32_t objects = strategy.octree().nodes()[groups[i].node].count;
             std::vector<std::string> said;
-            for (const WhyStep& step : why(*scene, view, strategy, verdict.drawList, trace, scene->firstTriangle(i))) {
+            for (const WhyStep& step : why(*strategy.built(), frame.log, scene->firstTriangle(i))) {
                 EXPECT_THAT(step.sentence.english(), testing::Not(testing::HasSubstr("%")));
                 if (step.sentence.english().find("group") == std::string::npos) continue;
                 said.push_back(step.sentence.english());
                 EXPECT_EQ(step.containment, groups[i].containment);
             }
-            // A group of one is the object itself, whose own tests are explained.
+            // A group of one is the object itself: see below.
             const auto expected =
                 objects < 2 ? std::vector<std::string>{} : std::vector<std::string>{sentenceAbout(groups[i], objects)};
             EXPECT_EQ(said, expected) << "instance " << i;
@@ -70,6 +70,32 @@ TEST(WhyOfGroups, onlyTheLevelThatDecidedIsNamed) {
         }
     }
     for (const int count : seen) EXPECT_GT(count, 20);
+}
+
+TEST(WhyOfGroups, groupOfOneIsExplainedAsItsObject) {
+    const ScenePointer scene = field();
+    GroupedCuller strategy;
+    strategy.build(*scene);
+    std::array<int, 3> seen{};  ///< by containment
+    for (const View& view : views()) {
+        const Culled frame = strategy.cull(view, Recording::On);
+        const auto groups = decidingGroups(strategy.octree(), frame.log, scene->instances().size());
+        for (uint32_t i = 0; i < groups.size(); ++i) {
+            if (strategy.octree().nodes()[groups[i].node].count > 1) continue;
+            // Where the group was decided as a whole, the object has no tests of its own.
+            const bool whole = groups[i].containment != Containment::Straddles;
+            const Subject subject = whole ? Subject::ofNode(groups[i].node) : Subject::ofObject(i);
+            std::vector<FrustumPlane> tested, told;
+            for (const Decision& decision : frame.log.decisions)
+                if (decision.subject == subject && decision.plane) tested.push_back(*decision.plane);
+            for (const WhyStep& step : why(*strategy.built(), frame.log, scene->firstTriangle(i)))
+                if (step.plane) told.push_back(*step.plane);
+            EXPECT_EQ(told, tested) << "instance " << i;
+            ++seen[size_t(groups[i].containment)];
+        }
+    }
+    EXPECT_GT(seen[size_t(Containment::Outside)], 5);
+    EXPECT_GT(seen[size_t(Containment::Straddles)], 10);
 }
 
 }  // namespace

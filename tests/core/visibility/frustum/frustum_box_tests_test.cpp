@@ -1,11 +1,12 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
+#include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
-// `frustum-select` and `frustum-query`; the cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°,
-// aspect 1, near 0.1, far 10 unless stated.
+// `frustum-select` and `frustum-query`; the cases of the battery of extremes keep their numbers: camera at the origin looking
+// down −z, 90°, aspect 1, near 0.1, far 10 unless stated.
 
 namespace cullscope::test::frustum_box_tests_test {
 namespace {
@@ -14,15 +15,16 @@ constexpr std::array kIds{"frustum-select", "frustum-query"};
 
 View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
 
-std::vector<uint32_t> drawn(Strategy& strategy, const View& view, Trace* trace = nullptr) {
+std::vector<uint32_t> drawn(const Culled& frame) {
     std::vector<uint32_t> instances;
-    for (const DrawRange& range : strategy.cull(view, trace, &GlEnvironment::renderer()).drawList.ranges)
-        instances.push_back(range.instance);
+    for (const DrawRange& range : frame.drawList.ranges) instances.push_back(range.instance);
     return instances;
 }
 
+std::vector<uint32_t> drawn(Culler& strategy, const View& view) { return drawn(strategy.cull(view, &GlEnvironment::renderer())); }
+
 std::vector<uint32_t> drawn(const char* id, const Scene& scene, const View& view) {
-    const StrategyPointer strategy = makeStrategy(id);
+    const CullerPointer strategy = makeCuller(id);
     strategy->build(scene);
     return drawn(*strategy, view);
 }
@@ -36,11 +38,11 @@ TEST(FrustumBoxTests, objectInViewIsDrawnAndObjectBesideItCulled) {
 TEST(FrustumQuery, whatLiesBeforeNearOrBeyondFarIsCulledThoughDepthIsClamped) {
     const ScenePointer scene = copiesOf(
         sphereMesh(80), {translation({0, 0, -13}), translation({0, 0, -.05}) * scaling(Vec3(.02)), translation({0, 0, -5})});
-    const StrategyPointer strategy = makeStrategy("frustum-query");
+    const CullerPointer strategy = makeCuller("frustum-query");
     strategy->build(*scene);
-    Trace trace;
-    EXPECT_THAT(drawn(*strategy, standardView(), &trace), testing::ElementsAre(2));
-    const StructureSnapshot snapshot = strategy->snapshot(trace);
+    const Culled frame = strategy->cull(standardView(), Recording::On, &GlEnvironment::renderer());
+    EXPECT_THAT(drawn(frame), testing::ElementsAre(2));
+    const StructureSnapshot snapshot = strategy->snapshot(frame.log);
     ASSERT_EQ(snapshot.nodes.size(), 3u);
     EXPECT_EQ(snapshot.nodes[0].rejectedBy, FrustumPlane::Far);
     EXPECT_EQ(snapshot.nodes[1].rejectedBy, FrustumPlane::Near);
@@ -88,36 +90,56 @@ TEST(FrustumSelect, case25NoObjectIsLostWhereTheHitBufferOverflows) {
     for (const char* words : {"1596", "1600"}) {
         ParameterSet parameters(findStrategy("frustum-select").info.parameters);
         parameters.setFromText("buffer", words);
-        const StrategyPointer strategy = makeStrategy("frustum-select", parameters);
+        const CullerPointer strategy = makeCuller("frustum-select", parameters);
         strategy->build(*scene);
         for (int frame = 0; frame < 2; ++frame) EXPECT_EQ(drawn(*strategy, standardView()).size(), 400u) << words;
     }
 }
 
-TEST(FrustumBoxTests, traceHasEveryObjectAndNamesNoPlane) {
+TEST(FrustumBoxTests, everyObjectIsDecidedAndNoPlaneIsNamed) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({9, 0, -5}), scaling(Vec3(50.0))});
     for (const char* id : kIds) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
-        Trace trace;
-        (void)drawn(*strategy, standardView(), &trace);
-        std::vector<TraceEvent::Kind> kinds;
-        for (const TraceEvent& event : trace.events) kinds.push_back(event.kind);
-        using Kind = TraceEvent::Kind;
-        EXPECT_THAT(kinds, testing::ElementsAre(Kind::AskedOpenGl, Kind::Accepted, Kind::AskedOpenGl, Kind::Culled,
-                                                Kind::MeetsNear, Kind::Accepted))
-            << id;
-        const StructureSnapshot snapshot = strategy->snapshot(trace);
+        const Culled frame = strategy->cull(standardView(), Recording::On, &GlEnvironment::renderer());
+        using enum Decision::Outcome;
+        constexpr std::array kOutcomes{Open, Drawn, Open, Culled, Open, Drawn};
+        constexpr std::array kTests{"OpenGL was asked", "OpenGL was asked", "The box reaches the near rectangle"};
+        ASSERT_EQ(frame.log.decisions.size(), kOutcomes.size()) << id;
+        for (uint32_t i = 0; i < kOutcomes.size(); ++i) {
+            const Decision& decision = frame.log.decisions[i];
+            EXPECT_EQ(decision.outcome, kOutcomes[i]) << id << " " << i;
+            EXPECT_EQ(decision.subject, Subject::ofObject(i / 2)) << id << " " << i;
+            EXPECT_FALSE(decision.plane) << id << " " << i;
+            EXPECT_TRUE(decision.outcome != Open || says(decision, kTests[i / 2])) << id << " " << i;
+        }
+        const StructureSnapshot snapshot = strategy->snapshot(frame.log);
         ASSERT_EQ(snapshot.nodes.size(), 3u);
         EXPECT_TRUE(snapshot.nodes[1].culled);
         EXPECT_FALSE(snapshot.nodes[1].rejectedBy);
     }
 }
 
+TEST(FrustumBoxTests, logHasTheQuestionAndTheAnswer) {
+    const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({9, 0, -5}), scaling(Vec3(50.0))});
+    for (const char* id : kIds) {
+        const CullerPointer strategy = makeCuller(id);
+        strategy->build(*scene);
+        const FrameLog log = strategy->cull(standardView(), &GlEnvironment::renderer()).log;
+        ASSERT_EQ(log.commands.size(), 2u) << id;
+        const auto* asked = std::get_if<AskedBoxes>(&log.commands[0]);
+        ASSERT_NE(asked, nullptr) << id;
+        EXPECT_EQ(asked->question, std::string_view(id) == "frustum-select" ? BoxQuestion::Selection : BoxQuestion::Samples);
+        EXPECT_EQ(asked->boxes.size(), 2u) << "the box around the eye is visible without asking";
+        EXPECT_THAT(asked->hits, testing::ElementsAre(0));
+        EXPECT_TRUE(std::holds_alternative<DrawList>(log.commands[1])) << id;
+    }
+}
+
 TEST(FrustumBoxTests, refusesToDecideWithoutOpenGl) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {Mat4(1.0)});
     for (const char* id : kIds) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
         try {
             (void)strategy->cull(standardView());

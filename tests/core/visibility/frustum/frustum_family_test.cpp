@@ -2,7 +2,7 @@
 #include <sstream>
 
 #include "core/visibility/eye_bounds.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
@@ -43,7 +43,7 @@ struct Tally {
 };
 
 /// By instance: whether a strategy draws it.
-std::vector<char> drawnBy(Strategy& strategy, const View& view, size_t instances) {
+std::vector<char> drawnBy(Culler& strategy, const View& view, size_t instances) {
     std::vector<char> drawn(instances, 0);
     for (const DrawRange& range : strategy.cull(view).drawList.ranges) drawn[range.instance] = 1;
     return drawn;
@@ -64,14 +64,14 @@ public:
         for (const Setting& setting : kSettings) {
             ParameterSet parameters(findStrategy(setting.strategy).info.parameters);
             parameters.setFromText(setting.parameter, setting.value);
-            m_strategies.push_back(makeStrategy(setting.strategy, std::move(parameters)));
+            m_strategies.push_back(makeCuller(setting.strategy, std::move(parameters)));
         }
     }
 
     void run(uint64_t pairs) {
         for (m_seed = 1000; m_tally.pairs < pairs; ++m_seed) {
             const ScenePointer scene = randomScene(m_seed);
-            for (const StrategyPointer& strategy : m_strategies) strategy->build(*scene);
+            for (const CullerPointer& strategy : m_strategies) strategy->build(*scene);
             Random random(m_seed * 7919);
             for (m_view = 0; m_view < kViewsPerScene && m_tally.pairs < pairs; ++m_view)
                 check(*scene, randomView(*scene, random));
@@ -143,7 +143,7 @@ private:
     }
 
     uint64_t m_seed = 0, m_view = 0;
-    std::vector<StrategyPointer> m_strategies;
+    std::vector<CullerPointer> m_strategies;
     Tally m_tally;
 };
 

@@ -1,25 +1,26 @@
 #include "core/mesh/parametric.h"
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/plane_distances.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
+#include "tests/support/decisions.h"
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
 
-// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10 unless
-// stated.
+// The cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°, aspect 1, near 0.1, far 10
+// unless stated.
 
 namespace cullscope::test::frustum_octree_test {
 namespace {
 
 View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 10}, {100, 100}}; }
 
-StrategyPointer octree(const char* refine) {
+CullerPointer octree(const char* refine) {
     ParameterSet parameters(findStrategy("frustum-octree").info.parameters);
     parameters.setFromText("refine", refine);
-    return makeStrategy("frustum-octree", parameters);
+    return makeCuller("frustum-octree", parameters);
 }
 
-std::vector<uint32_t> drawn(Strategy& strategy, const View& view) {
+std::vector<uint32_t> drawn(Culler& strategy, const View& view) {
     std::vector<uint32_t> instances;
     for (const DrawRange& range : strategy.cull(view).drawList.ranges) instances.push_back(range.instance);
     std::sort(instances.begin(), instances.end());
@@ -36,7 +37,7 @@ ScenePointer grid(int n, double spacing) {
 TEST(FrustumOctree, cases1And2ObjectBesideAnEdgeIsCulledWithRefinement) {
     const ScenePointer scene = sceneOf({sphereMesh(2000), boxMesh({15, -5, -30}, {40, 5, -9.5f}), boxMesh(Vec3f(-1), Vec3f(1))},
                                        {translation({13, 13, -11}) * scaling(Vec3(1.5)), Mat4(1.0), translation({0, 0, -5})});
-    const StrategyPointer refined = octree("true"), plain = octree("false");
+    const CullerPointer refined = octree("true"), plain = octree("false");
     refined->build(*scene);
     plain->build(*scene);
     EXPECT_THAT(drawn(*plain, standardView()), testing::ElementsAre(0, 1, 2)) << "the plane tests' false positives";
@@ -45,7 +46,7 @@ TEST(FrustumOctree, cases1And2ObjectBesideAnEdgeIsCulledWithRefinement) {
 
 TEST(FrustumOctree, case22ObjectAroundTheEyeOrBeyondFarIsDrawn) {
     const ScenePointer scene = sceneOf({boxMesh({-1, -1, -3}, {1, 1, 3}), boxMesh(Vec3f(-1000), Vec3f(1000))});
-    const StrategyPointer strategy = octree("true");
+    const CullerPointer strategy = octree("true");
     strategy->build(*scene);
     EXPECT_THAT(drawn(*strategy, standardView()), testing::ElementsAre(0, 1));
 }
@@ -54,7 +55,7 @@ TEST(FrustumOctree, refinementDrawsLessThanPlanes) {
     uint64_t parted = 0;
     for (uint64_t seed = 1; seed <= 60; ++seed) {
         const ScenePointer scene = randomScene(seed);
-        const StrategyPointer refined = octree("true"), plain = octree("false");
+        const CullerPointer refined = octree("true"), plain = octree("false");
         refined->build(*scene);
         plain->build(*scene);
         Random random(seed);
@@ -69,9 +70,9 @@ TEST(FrustumOctree, refinementDrawsLessThanPlanes) {
     EXPECT_GT(parted, 0u);
 }
 
-TEST(FrustumOctree, whatWasSeenBeforeDoesNotChangeTheVerdict) {
+TEST(FrustumOctree, whatWasSeenBeforeChangesNothing) {
     const ScenePointer scene = grid(40, 3.0);
-    const StrategyPointer used = octree("true");
+    const CullerPointer used = octree("true");
     used->build(*scene);
     Random random(7);
     for (int i = 0; i < 60; ++i) {
@@ -79,7 +80,7 @@ TEST(FrustumOctree, whatWasSeenBeforeDoesNotChangeTheVerdict) {
         camera.eye = {random.between(-10, 130), random.between(0, 20), random.between(-130, 10)};
         camera.target = camera.eye + random.direction();
         const View view(camera, {200, 150});
-        const StrategyPointer fresh = octree("true");
+        const CullerPointer fresh = octree("true");
         fresh->build(*scene);
         EXPECT_EQ(used->cull(view).drawList.ranges, fresh->cull(view).drawList.ranges) << "view " << i;
     }
@@ -93,9 +94,13 @@ TEST(FrustumOctree, planeThatFailedIsTestedFirstTheNextTime) {
     camera.eye = {90, 2, 0};
     camera.target = {90, 0, -60};
     const View view(camera, {200, 150});
+    const auto walk = [&](OctreeWalkCounters& counters) {
+        FrameContext frame(*scene, view, false);
+        return keptObjects(tree, frame, &counters, {true, &memory}).size();
+    };
     OctreeWalkCounters first, second;
-    const auto kept = keptObjects(tree, *scene, view, &first, nullptr, {true, &memory});
-    EXPECT_EQ(keptObjects(tree, *scene, view, &second, nullptr, {true, &memory}).size(), kept.size());
+    const size_t kept = walk(first);
+    EXPECT_EQ(walk(second), kept);
     EXPECT_EQ(second.objectsCulled, first.objectsCulled);
     EXPECT_EQ(second.nodesVisited, first.nodesVisited);
     EXPECT_LT(second.planesTested, first.planesTested);
@@ -103,7 +108,7 @@ TEST(FrustumOctree, planeThatFailedIsTestedFirstTheNextTime) {
 
 TEST(FrustumOctree, objectsAreDrawnFromNearToFar) {
     const ScenePointer scene = grid(12, 3.0);
-    const StrategyPointer strategy = octree("true");
+    const CullerPointer strategy = octree("true");
     strategy->build(*scene);
     Camera camera;
     camera.eye = {16, 3, 8};
@@ -120,38 +125,63 @@ TEST(FrustumOctree, objectsAreDrawnFromNearToFar) {
     }
 }
 
-TEST(FrustumOctree, objectSaidToBePartedByAxesIsOutsideNoPlane) {
-    // A group may be separated by an axis only.
+TEST(FrustumOctree, whatIsSaidToBePartedByAxesIsOutsideNoPlane) {
     const ScenePointer scene = grid(40, 3.0);
-    const StrategyPointer strategy = octree("true");
+    const CullerPointer strategy = octree("true");
     strategy->build(*scene);
     Random random(11);
-    size_t byAxes = 0;
-    for (int i = 0; i < 200; ++i) {
+    std::array<size_t, 2> byAxes{};  ///< objects and groups
+    for (int i = 0; i < 400; ++i) {
         Camera camera;
         camera.eye = {random.between(-10, 130), random.between(0, 20), random.between(-130, 10)};
         camera.target = camera.eye + random.direction();
         camera.farDistance = 30;
         const View view(camera, {200, 150});
-        Trace trace;
-        (void)strategy->cull(view, &trace);
-        for (const TraceEvent& event : trace.events) {
-            if (event.kind != TraceEvent::Kind::TestedAxes) continue;
-            ++byAxes;
-            for (const PlaneDistance& plane : planeDistances(*scene, view, event.instance))
-                EXPECT_NE(plane.containment, Containment::Outside) << "view " << i << " instance " << event.instance;
+        const FrameLog log = strategy->cull(view, Recording::On).log;
+        for (const Decision& decision : log.decisions) {
+            if (!isAxisTest(decision) || decision.containment != Containment::Outside) continue;
+            const bool ofGroup = decision.subject.kind == Subject::Kind::Node;
+            ++byAxes[ofGroup ? 1 : 0];
+            for (const Decision& other : log.decisions)
+                EXPECT_FALSE(other.subject == decision.subject && other.plane && other.containment == Containment::Outside);
+            if (ofGroup) continue;
+            for (const PlaneDistance& plane : planeDistances(*scene, view, decision.subject.number))
+                EXPECT_NE(plane.containment, Containment::Outside) << "view " << i << " instance " << decision.subject.number;
         }
     }
-    EXPECT_GT(byAxes, 10u);
+    EXPECT_GT(byAxes[0], 10u);
+    EXPECT_GT(byAxes[1], 10u);
+}
+
+TEST(FrustumOctree, recordedFrameLeavesTheMemoryOfThePlanesAlone) {
+    const ScenePointer scene = grid(20, 3.0);
+    const CullerPointer used = octree("true"), fresh = octree("true");
+    used->build(*scene);
+    fresh->build(*scene);
+    Random random(5);
+    for (int i = 0; i < 20; ++i) {
+        Camera camera;
+        camera.eye = {random.between(-10, 70), random.between(0, 20), random.between(-70, 10)};
+        camera.target = camera.eye + random.direction();
+        const View view(camera, {200, 150});
+        (void)used->cull(view);
+        const std::vector<Decision> first = fresh->cull(view, Recording::On).log.decisions;
+        const std::vector<Decision> later = used->cull(view, Recording::On).log.decisions;
+        EXPECT_TRUE(std::ranges::equal(first, later,
+                                       [](const Decision& a, const Decision& b) {
+                                           return a.subject == b.subject && a.outcome == b.outcome && a.plane == b.plane &&
+                                                  a.operands == b.operands;
+                                       }))
+            << "view " << i;
+    }
 }
 
 TEST(FrustumOctree, everyObjectIsInAGroup) {
     const ScenePointer scene = grid(12, 3.0);
-    const StrategyPointer strategy = octree("true");
+    const CullerPointer strategy = octree("true");
     strategy->build(*scene);
-    Trace trace;
-    (void)strategy->cull(standardView(), &trace);
-    const StructureSnapshot snapshot = strategy->snapshot(trace);
+    const Culled frame = strategy->cull(standardView(), Recording::On);
+    const StructureSnapshot snapshot = strategy->snapshot(frame.log);
     size_t groups = 0, objects = 0;
     for (const SnapshotNode& node : snapshot.nodes) {
         ++(node.isGroup() ? groups : objects);

@@ -1,7 +1,7 @@
 #include "core/mesh/parametric.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/scene_source.h"
-#include "core/visibility/registry.h"
+#include "tests/support/culler.h"
 #include "tests/support/test_scenes.h"
 
 // The walk through the 20 × 20 field at 650 × 650: the frustum culls 79 % of the objects on average, as in Cho et al.
@@ -10,13 +10,13 @@ namespace cullscope::test::cell_walk_test {
 namespace {
 
 double culledShare(const Scene& scene) {
-    const StrategyPointer frustum = makeStrategy("frustum");
+    const CullerPointer frustum = makeCuller("frustum");
     frustum->build(scene);
     const CameraPath path = cameraPath("walk:40", scene);
     double culled = 0.0;
     for (size_t pose = 0; pose < path.poses.size(); ++pose) {
-        const Verdict verdict = frustum->cull(View(path.camera(pose), {650, 650}));
-        culled += 1.0 - double(verdict.consideredTriangles) / double(scene.triangleCount());
+        const Culled frame = frustum->cull(View(path.camera(pose), {650, 650}));
+        culled += 1.0 - double(frame.consideredTriangles) / double(scene.triangleCount());
     }
     return culled / double(path.poses.size());
 }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
+#include "tests/support/culler.h"
 #include "tests/support/spherical_scenes.h"
 #include "tests/support/spherical_views.h"
 
@@ -11,12 +12,12 @@ namespace {
 TEST(SphericalHorizon, resultDoesNotDependOnTheThreads) {
     const ScenePointer scene = sceneOf({bumpyMesh(3, 20'000, 0.4)});
     const View view = lookingAt({2, 3, 1.5}, Vec3(0.0), 50.0);
-    const StrategyPointer strategy = makeStrategy("spherical-horizon");
+    const CullerPointer strategy = makeCuller("spherical-horizon");
     strategy->build(*scene);
-    const Verdict parallel = strategy->cull(view);
+    const Culled parallel = strategy->cull(view);
     const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
     strategy->build(*scene);
-    const Verdict serial = strategy->cull(view);
+    const Culled serial = strategy->cull(view);
     EXPECT_EQ(serial.drawList.ranges, parallel.drawList.ranges);
     EXPECT_LT(serial.consideredTriangles, scene->triangleCount() * 3 / 4);
 }
@@ -24,7 +25,7 @@ TEST(SphericalHorizon, resultDoesNotDependOnTheThreads) {
 TEST(SphericalHorizon, promiseIsConservativeForStarShapedMeshesOnly) {
     const auto promiseOver = [](const MeshPointer& mesh) {
         const ScenePointer scene = sceneOf({mesh});
-        const StrategyPointer strategy = makeStrategy("spherical-horizon");
+        const CullerPointer strategy = makeCuller("spherical-horizon");
         strategy->build(*scene);
         return strategy->promise();
     };
@@ -53,7 +54,7 @@ TEST(SphericalHorizon, promiseForInwardFrontsAloneIsApproximate) {
     for (size_t i = 0; i < turned.size(); i += 3) std::swap(turned[i], turned[i + 1]);
     const ScenePointer scene = sceneOf({meshOf({star->positions().begin(), star->positions().end()}, turned)});
     for (const char* facing : {"front", "two-sided", "auto"}) {
-        const StrategyPointer strategy = strategyWith("spherical-horizon", {{"facing", facing}});
+        const CullerPointer strategy = strategyWith("spherical-horizon", {{"facing", facing}});
         strategy->build(*scene);
         EXPECT_EQ(strategy->promise(), std::string_view(facing) == "front" ? Promise::Approximate : Promise::Conservative)
             << facing;

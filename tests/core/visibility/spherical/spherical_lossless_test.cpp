@@ -8,21 +8,11 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/eye_triangle.h"
 #include "core/visibility/spherical/cell_walk.h"
+#include "tests/support/culler.h"
 #include "tests/support/lossless_scenes.h"
 
 namespace cullscope::test::spherical_lossless_test {
 namespace {
-
-struct Culled {
-    Verdict verdict;
-    Trace trace;
-};
-
-Culled cullTraced(Strategy& strategy, const View& view) {
-    Culled result;
-    result.verdict = strategy.cull(view, &result.trace);
-    return result;
-}
 
 View around(const Scene& scene, Random& random, double fovyDegrees = 40) {
     const Sphere& sphere = scene.instanceSphere(0);
@@ -55,29 +45,31 @@ TEST(SphericalLossless, causeOfALeftOutCellIsTrueOfItsTriangles) {
         Random random(m + 1);
         const Mat4 place = m % 2 == 0 ? scaling({-1, 1, 1}) : rotation({1, 2, 3}, 1.0) * scaling({1, 1, 0.4});
         const ScenePointer scene = sceneOf({meshes[m]}, {place});
-        const StrategyPointer strategy =
+        const CullerPointer strategy =
             strategyWith("spherical-lossless", {{"facing", "front"}, {"layout", m < 2 ? "octahedral" : "latitude-longitude"}});
         strategy->build(*scene);
         for (int i = 0; i < 12; ++i) {
             const View view = around(*scene, random);
-            const auto [verdict, trace] = cullTraced(*strategy, view);
+            const Culled frame = strategy->cull(view, Recording::On);
             const InstanceFromEye instance(*scene, 0, view.eye());
             std::vector<std::array<Vec3, 3>> all;
             for (uint64_t t = 0; t < scene->triangleCount(); ++t) all.push_back(instance.corners(t));
-            for (const CulledRun& run : trace.culledRuns)
-                for (uint32_t p = run.places.first; p < run.places.first + run.places.count; ++p) {
-                    const uint64_t triangle = verdict.drawList.triangleAt(0, p);
-                    ++judged[size_t(run.cause)];
+            for (const Decision& cell : frame.log.decisions) {
+                if (cell.subject.kind != Subject::Kind::Cell || cell.outcome != Decision::Outcome::Culled) continue;
+                for (uint32_t p = cell.places.first; p < cell.places.first + cell.places.count; ++p) {
+                    const uint64_t triangle = frame.drawList.triangleAt(0, p);
+                    ++judged[size_t(cell.cause)];
                     const std::string what =
                         "mesh " + std::to_string(m) + " view " + std::to_string(i) + " triangle " + std::to_string(triangle);
-                    if (run.cause == Cause::OutsideFrustum) {
+                    if (cell.cause == Cause::OutsideFrustum) {
                         EXPECT_TRUE(outsideOnePlane(all[triangle], view.frustum())) << what;
-                    } else if (run.cause == Cause::BackFacing) {
+                    } else if (cell.cause == Cause::BackFacing) {
                         EXPECT_TRUE(instance.facesAway(triangle)) << what;
                     } else if (triangle % 8 == 0) {
                         EXPECT_TRUE(covered(all, all[triangle][triangle / 8 % 3])) << what;
                     }
                 }
+            }
         }
     }
     // Each cause occurs often enough.
@@ -117,14 +109,13 @@ TEST(SphericalLossless, horizonHidesOnlyWhatTheKernelCovers) {
 TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
     const auto parts = [](const MeshPointer& mesh, const char* facing, const Vec3& eye, double near) {
         const ScenePointer scene = sceneOf({mesh});
-        const StrategyPointer strategy = strategyWith("spherical-lossless", {{"facing", facing}});
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"facing", facing}});
         strategy->build(*scene);
-        const Verdict verdict =
-            strategy->cull(View({eye, Vec3(0.0), {0, 1, 0.1}, Angle::fromDegrees(40), near, 100}, {200, 200}));
-        EXPECT_EQ(verdict.parts[0].culledTriangles, verdict.culledTriangles[size_t(Cause::OutsideFrustum)]);
-        EXPECT_EQ(verdict.parts[1].culledTriangles, verdict.culledTriangles[size_t(Cause::BackFacing)]);
-        EXPECT_EQ(verdict.parts[2].culledTriangles, verdict.culledTriangles[size_t(Cause::Hidden)]);
-        return std::pair(verdict.parts[1].objects == 1, verdict.parts[2].objects == 1);
+        const Culled frame = strategy->cull(View({eye, Vec3(0.0), {0, 1, 0.1}, Angle::fromDegrees(40), near, 100}, {200, 200}));
+        EXPECT_EQ(frame.parts[0].culledTriangles, frame.culledTriangles[size_t(Cause::OutsideFrustum)]);
+        EXPECT_EQ(frame.parts[1].culledTriangles, frame.culledTriangles[size_t(Cause::BackFacing)]);
+        EXPECT_EQ(frame.parts[2].culledTriangles, frame.culledTriangles[size_t(Cause::Hidden)]);
+        return std::pair(frame.parts[1].objects == 1, frame.parts[2].objects == 1);
     };
     const MeshPointer star = starMesh(2, 8'000);
     using testing::Pair;
@@ -141,19 +132,19 @@ TEST(SphericalLossless, testsAreUsedOnlyWhereTheyHold) {
     EXPECT_THAT(parts(mixed, "auto", {0, 0, 5}, 0.1), Pair(false, false));
 }
 
-TEST(SphericalLossless, answerDoesNotDependOnTheTraceOrTheThreads) {
+TEST(SphericalLossless, answerDoesNotDependOnRecordingOrTheThreads) {
     const ScenePointer scene = copiesOf(starMesh(4, 5'000), [] {
         std::vector<Mat4> places;
         for (int i = 0; i < 36; ++i) places.push_back(translation({3.0 * (i % 6), 0.0, -3.0 * (i / 6)}));
         return places;
     }());
-    const StrategyPointer strategy = makeStrategy("spherical-lossless");
+    const CullerPointer strategy = makeCuller("spherical-lossless");
     strategy->build(*scene);
     Random random(3);
     for (int i = 0; i < 10; ++i) {
         const View view = around(*scene, random, 70);
-        const Verdict plain = strategy->cull(view);
-        EXPECT_EQ(cullTraced(*strategy, view).verdict.drawList.ranges, plain.drawList.ranges);
+        const Culled plain = strategy->cull(view);
+        EXPECT_EQ(strategy->cull(view, Recording::On).drawList.ranges, plain.drawList.ranges);
         const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
         EXPECT_EQ(strategy->cull(view).drawList.ranges, plain.drawList.ranges);
     }
@@ -166,13 +157,13 @@ TEST(SphericalLossless, costOfACullDoesNotGrowWithTheObjects) {
         std::vector<Mat4> places;
         for (int i = 0; i < side * side; ++i) places.push_back(translation({3.0 * (i % side), 0.0, 3.0 * (i / side)}));
         const ScenePointer scene = copiesOf(boxMesh({-1, -1, -1}, {1, 1, 1}), places);
-        const StrategyPointer strategy = makeStrategy("spherical-lossless");
+        const CullerPointer strategy = makeCuller("spherical-lossless");
         strategy->build(*scene);
         const View view({{10, 4, 10}, {20, 0, 20}, {0, 1, 0}, Angle::fromDegrees(40), 0.1, 60}, {300, 200});
-        const Verdict verdict = strategy->cull(view);
-        visited.push_back(verdict.nodesVisited);
-        EXPECT_GT(verdict.consideredTriangles, 500u);
-        EXPECT_EQ(verdict.consideredTriangles + verdict.culledTriangles[size_t(Cause::OutsideFrustum)], scene->triangleCount());
+        const Culled frame = strategy->cull(view);
+        visited.push_back(frame.nodesVisited);
+        EXPECT_GT(frame.consideredTriangles, 500u);
+        EXPECT_EQ(frame.consideredTriangles + frame.culledTriangles[size_t(Cause::OutsideFrustum)], scene->triangleCount());
     }
     EXPECT_LT(visited[2], visited[0] + visited[0] / 2);
 }
@@ -182,7 +173,7 @@ TEST(SphericalLossless, cullVisitsAsManyCellsOfAFinerMesh) {
     std::vector<uint64_t> visited;
     for (const size_t triangles : {20'000u, 320'000u}) {
         const ScenePointer scene = sceneOf({sphereMesh(triangles)});
-        const StrategyPointer strategy = strategyWith("spherical-lossless", {{"level", "5"}, {"horizon", "false"}});
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"level", "5"}, {"horizon", "false"}});
         strategy->build(*scene);
         visited.push_back(
             strategy->cull(View({{0, 0.3, 1.5}, {0, 0.5, 0}, {0, 1, 0}, Angle::fromDegrees(20), 0.01, 10}, {300, 200}))
@@ -196,7 +187,7 @@ TEST(SphericalLossless, extremeViewHasAnAnswer) {
     const MeshPointer cone = joined({starMesh(1, 3'000), meshOf({{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}}, {0, 1, 2})});
     for (const char* layout : {"octahedral", "latitude-longitude"}) {
         const ScenePointer scene = sceneOf({cone});
-        const StrategyPointer strategy = strategyWith("spherical-lossless", {{"layout", layout}, {"facing", "two-sided"}});
+        const CullerPointer strategy = strategyWith("spherical-lossless", {{"layout", layout}, {"facing", "two-sided"}});
         strategy->build(*scene);
         const Vec3 centre = scene->instanceSphere(0).centre;
         for (const Vec3& eye : {centre, centre + Vec3(0, 0, 5), centre - Vec3(0, 0, 5), centre + Vec3(0, 0, 1e9)})
@@ -205,11 +196,11 @@ TEST(SphericalLossless, extremeViewHasAnAnswer) {
                     const View view(
                         {eye, eye + Vec3(0, 0, eye.z > centre.z ? -1.0 : 1.0), {0, 1, 0}, Angle::fromDegrees(fovy), 1e-3, 2e9},
                         size);
-                    const Verdict verdict = strategy->cull(view);
+                    const Culled frame = strategy->cull(view);
                     uint64_t culled = 0;
-                    for (const uint64_t count : verdict.culledTriangles) culled += count;
-                    EXPECT_EQ(culled + verdict.consideredTriangles, scene->triangleCount());
-                    EXPECT_GT(verdict.consideredTriangles, 0u) << layout << " fovy " << fovy;
+                    for (const uint64_t count : frame.culledTriangles) culled += count;
+                    EXPECT_EQ(culled + frame.consideredTriangles, scene->triangleCount());
+                    EXPECT_GT(frame.consideredTriangles, 0u) << layout << " fovy " << fovy;
                 }
     }
 }

@@ -6,6 +6,7 @@
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
 #include "core/visibility/why.h"
+#include "tests/support/culler.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/random_views.h"
 #include "tests/support/spherical_scenes.h"
@@ -16,10 +17,9 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-spherical::SphericalDecision decisionOf(Strategy& strategy, const View& view, size_t instance = 0) {
-    Trace trace;
-    static_cast<void>(strategy.cull(view, &trace));
-    return trace.spherical.at(instance);
+spherical::SphericalDecision decisionOf(Culler& strategy, const View& view, size_t instance = 0) {
+    const Culled frame = strategy.cull(view, Recording::On);
+    return spherical::decisionsOf(frame.log).at(instance);
 }
 
 /// An eye at 3 R from a unit sphere at a latitude: case 12.
@@ -76,7 +76,7 @@ TEST(Spherical, case12CornerBoxLosesTheSharesThatAreKnown) {
 
 TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
     const ScenePointer scene = sceneOf({sphereMesh(80'000)});
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     struct Expected {
         Vec3 eye;
@@ -86,10 +86,10 @@ TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
     for (const Expected& expected : {Expected{{0, 0, 3}, 1, 1}, Expected{{0.1, -0.1, -3}, 1, 1}, Expected{{-3, 0, 0}, 2, 1},
                                      Expected{{0, 3, 0.5}, 2, 1}, Expected{{3, 0, 0}, 3, 2}, Expected{{3, 0.2, -0.5}, 3, 2}}) {
         const View view = lookingAt(expected.eye, Vec3(0.0), 20.0);
-        const Verdict verdict = strategy->cull(view);
+        const Culled frame = strategy->cull(view);
         const spherical::SphericalDecision decision = decisionOf(*strategy, view);
         ASSERT_EQ(decision.relation, spherical::SphereRelation::Cut);
-        EXPECT_EQ(verdict.caseNumber, expected.number) << expected.eye.x << " " << expected.eye.y << " " << expected.eye.z;
+        EXPECT_EQ(frame.caseNumber, expected.number) << expected.eye.x << " " << expected.eye.y << " " << expected.eye.z;
         EXPECT_EQ(decision.region->caseNumber, expected.number);
         EXPECT_EQ(decision.region->boxes.size(), expected.boxes);
         for (const spherical::CornerRay& ray : decision.rays) EXPECT_TRUE(ray.hit && ray.span && !ray.walkedCells.empty());
@@ -102,7 +102,7 @@ TEST(Spherical, casesBoxesAndRangesAreThoseOfTheView) {
 TEST(Spherical, viewAlongThePolarAxisGivesFullRows) {
     // Case 13: the cap around the pole, all azimuths.
     const ScenePointer scene = sceneOf({sphereMesh(80'000)});
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     for (const double side : {1.0, -1.0}) {
         const spherical::SphericalDecision decision = decisionOf(*strategy, lookingAt({0, 0, 3 * side}, Vec3(0.0), 20.0));
@@ -119,11 +119,11 @@ TEST(Spherical, viewAlongThePolarAxisGivesFullRows) {
         for (const Vec2& point : decision.region->outline) EXPECT_TRUE(std::isfinite(point.x) && std::isfinite(point.y));
     }
     for (const char* id : {"spherical", "spherical-horizon"}) {
-        const StrategyPointer whole = makeStrategy(id);
+        const CullerPointer whole = makeCuller(id);
         whole->build(*scene);
-        const Verdict verdict = whole->cull(lookingAt({0, 0, 3}, Vec3(0.0), 60.0));
-        EXPECT_GT(verdict.consideredTriangles, 20'000u) << id;
-        EXPECT_LT(verdict.consideredTriangles, 60'000u) << id;
+        const Culled frame = whole->cull(lookingAt({0, 0, 3}, Vec3(0.0), 60.0));
+        EXPECT_GT(frame.consideredTriangles, 20'000u) << id;
+        EXPECT_LT(frame.consideredTriangles, 60'000u) << id;
     }
 }
 
@@ -132,7 +132,7 @@ TEST(Spherical, partlyVisibleSphereThatAllCornerRaysMissIsDrawn) {
     const ScenePointer scene = sceneOf({sphereMesh(5'000)}, {translation({11, 0, -10}) * scaling(Vec3(2.0))});
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, 100}, {64, 64});
     for (const char* id : {"spherical", "spherical-horizon"}) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
         const spherical::SphericalDecision decision = decisionOf(*strategy, view);
         EXPECT_EQ(decision.relation, spherical::SphereRelation::Cut) << id;
@@ -150,7 +150,7 @@ TEST(Spherical, eyeInsideTheSphereLosesNothing) {
     // Case 17: inside, and exactly at the centre: the result is that of `frustum`.
     const ScenePointer scene = sceneOf({sphereMesh(5'000)});
     for (const char* id : {"spherical", "spherical-horizon"}) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
         for (const Vec3& eye : {Vec3(0.5, 0.2, 0.1), Vec3(0.0), scene->boundingSphere().centre, Vec3(0.9999, 0.0, 0.0)}) {
             const View view = lookingAt(eye, eye + Vec3(0.3, 1.0, 0.2), 70.0);
@@ -165,41 +165,41 @@ TEST(Spherical, instancesShareTheirMeshsMaps) {
     for (int i = 0; i < 25; ++i) places.push_back(translation({3.0 * (i % 5), 0.0, 3.0 * (i / 5)}));
     const ScenePointer one = sceneOf({sphereMesh(2'000)}), many = copiesOf(sphereMesh(2'000), places);
     for (const char* id : {"spherical", "spherical-horizon"}) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*one);
         const uint64_t bytes = strategy->structure().bytes;
         strategy->build(*many);
         EXPECT_EQ(strategy->structure().bytes, bytes) << id;
         // Each instance has its own relation to the frustum.
         const View view = lookingAt({6, 0.3, -5}, {6, 0, 6}, 30.0);
-        Trace trace;
-        const Verdict verdict = strategy->cull(view, &trace);
+        const Culled frame = strategy->cull(view, Recording::On);
         std::set<spherical::SphereRelation> relations;
-        for (const spherical::SphericalDecision& decision : trace.spherical) relations.insert(decision.relation);
+        for (const spherical::SphericalDecision& decision : spherical::decisionsOf(frame.log))
+            relations.insert(decision.relation);
         EXPECT_THAT(relations, testing::IsSupersetOf({spherical::SphereRelation::Outside, spherical::SphereRelation::Cut,
                                                       spherical::SphereRelation::Within}))
             << id;
-        EXPECT_LT(verdict.consideredTriangles, many->triangleCount() / 2) << id;
-        const StructureSnapshot snapshot = strategy->snapshot(trace);
+        EXPECT_LT(frame.consideredTriangles, many->triangleCount() / 2) << id;
+        const StructureSnapshot snapshot = strategy->snapshot(frame.log);
         ASSERT_EQ(snapshot.maps.size(), 25u);
         for (const spherical::MapSnapshot& map : snapshot.maps) EXPECT_EQ(map.maps, snapshot.maps[0].maps);
     }
 }
 
 /// Every range in the list's order, no triangle twice, as many triangles as considered.
-void expectSound(const Verdict& verdict, const Scene& scene, const std::string& where) {
+void expectSound(const Culled& frame, const Scene& scene, const std::string& where) {
     std::vector<uint8_t> times(scene.triangleCount(), 0);
-    for (const DrawRange& range : verdict.drawList.ranges) {
+    for (const DrawRange& range : frame.drawList.ranges) {
         const uint32_t mesh = scene.instances()[range.instance].mesh;
         ASSERT_EQ(range.firstIndex % 3, 0u);
         ASSERT_LE((range.firstIndex + range.indexCount) / 3, scene.meshOf(range.instance).triangleCount()) << where;
         for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
-            ASSERT_EQ(times[scene.firstTriangle(range.instance) + verdict.drawList.triangleAt(mesh, place)]++, 0) << where;
+            ASSERT_EQ(times[scene.firstTriangle(range.instance) + frame.drawList.triangleAt(mesh, place)]++, 0) << where;
     }
     uint64_t drawn = 0, culled = 0;
     for (const uint8_t time : times) drawn += time;
-    for (const uint64_t count : verdict.culledTriangles) culled += count;
-    EXPECT_EQ(drawn, verdict.consideredTriangles) << where;
+    for (const uint64_t count : frame.culledTriangles) culled += count;
+    EXPECT_EQ(drawn, frame.consideredTriangles) << where;
     EXPECT_EQ(drawn + culled, scene.triangleCount()) << where;
 }
 
@@ -208,14 +208,13 @@ TEST(Spherical, everyTriangleIsDrawnOnceAtMostAndInSoundRanges) {
     for (uint64_t seed = 1; seed <= (longMode() ? 200u : 30u); ++seed) {
         const ScenePointer scene = randomScene(seed);
         for (const char* id : {"spherical", "spherical-horizon"}) {
-            const StrategyPointer strategy = strategyWith(id, {{"rows", "30"}});
+            const CullerPointer strategy = strategyWith(id, {{"rows", "30"}});
             strategy->build(*scene);
             for (int i = 0; i < 10; ++i) {
                 const RandomView view = randomView(*scene, random);
-                Trace trace;
-                const Verdict verdict = strategy->cull(View(view.camera, view.viewport), &trace);
-                expectSound(verdict, *scene, id + std::string(" seed ") + std::to_string(seed) + " view " + std::to_string(i));
-                EXPECT_EQ(verdict.drawList.ranges, strategy->cull(View(view.camera, view.viewport)).drawList.ranges);
+                const Culled frame = strategy->cull(View(view.camera, view.viewport), Recording::On);
+                expectSound(frame, *scene, id + std::string(" seed ") + std::to_string(seed) + " view " + std::to_string(i));
+                EXPECT_EQ(frame.drawList.ranges, strategy->cull(View(view.camera, view.viewport)).drawList.ranges);
             }
         }
     }
@@ -230,7 +229,7 @@ TEST(Spherical, cornerRaysPassWhatTheNearPlaneCutsAway) {
     for (const uint32_t base : {0u, 4u})
         for (const uint32_t corner : {0u, 1u, 2u, 0u, 2u, 3u}) indices.push_back(base + corner);
     const ScenePointer scene = sceneOf({meshOf(positions, indices)});
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     const spherical::SphericalDecision decision =
         decisionOf(*strategy, View({{0, 0, 10}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(20), 10.0, 100}, {64, 64}));
@@ -246,7 +245,7 @@ TEST(Spherical, mapsOfManySmallMeshesStaySmall) {
     for (MeshPointer& mesh : meshes) mesh = boxMesh({-1, -1, -1}, {1, 1, 1});
     const ScenePointer scene = sceneOf(std::move(meshes));
     for (const char* id : {"spherical", "spherical-horizon"}) {
-        const StrategyPointer strategy = makeStrategy(id);
+        const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
         EXPECT_LT(strategy->structure().bytes, scene->triangleCount() * 1000) << id;
     }
@@ -254,7 +253,7 @@ TEST(Spherical, mapsOfManySmallMeshesStaySmall) {
 
 TEST(Spherical, bandsAreFromNearToFar) {
     const ScenePointer scene = sceneOf({sphereMesh(80'000)});
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     const spherical::SphericalDecision decision = decisionOf(*strategy, lookingAt({0, -4, 1}, Vec3(0.0), 60.0));
     ASSERT_EQ(decision.relation, spherical::SphereRelation::Within);
@@ -287,14 +286,12 @@ TEST(Spherical, quickAnglesAreWithinTheirError) {
 
 TEST(Spherical, whyNamesCaseAndCause) {
     const ScenePointer scene = sceneOf({sphereMesh(5'000)});
-    const StrategyPointer strategy = makeStrategy("spherical");
+    const CullerPointer strategy = makeCuller("spherical");
     strategy->build(*scene);
     const auto sentences = [&](const View& view, uint64_t triangle) {
-        Trace trace;
-        const Verdict verdict = strategy->cull(view, &trace);
+        const Culled frame = strategy->cull(view, Recording::On);
         std::string text;
-        for (const WhyStep& step : why(*scene, view, *strategy, verdict.drawList, trace, triangle))
-            text += step.sentence.english() + "\n";
+        for (const WhyStep& step : why(*strategy->built(), frame.log, triangle)) text += step.sentence.english() + "\n";
         return text;
     };
     const auto nearest = [&](const Vec3& direction) {

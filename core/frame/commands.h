@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/frame/draw_list.h"
+#include "core/geometry/frustum.h"
+#include "core/geometry/types.h"
+#include "core/scene/camera.h"
+
+namespace cullscope {
+
+/// Triangles that a strategy made itself, such as the parts of a triangle that a plane cut, drawn in their order. Corners are in
+/// the coordinates of an instance's mesh, relative to the mesh's origin: a triangle that was not cut falls on the same samples as
+/// when it is drawn from the scene.
+struct OwnTriangles {
+    /// Consecutive triangles with one instance's transform.
+    struct Run {
+        uint32_t instance = 0;
+        uint32_t first = 0;  ///< the number of the run's first triangle
+        uint32_t count = 0;  ///< of triangles
+    };
+    Facing facing = Facing::TwoSided;
+    DepthRule depth = DepthRule::InOrder;
+    std::vector<Vec3f> positions;     ///< three for each triangle
+    std::vector<Vec3f> normals;       ///< of the same corners
+    std::vector<uint32_t> triangles;  ///< the scene triangle number of each triangle, which it is or is a part of
+    std::vector<Run> runs;            ///< all triangles, ascending
+};
+using OwnTrianglesPointer = std::shared_ptr<const OwnTriangles>;
+
+/// A picture that a strategy made without OpenGL, for the culling view. Rows count from the bottom. In the frame it stands in
+/// place of everything before it.
+struct FinishedPicture {
+    Viewport size;                   ///< the culling view's
+    std::vector<uint32_t> triangle;  ///< scene triangle number + 1; 0: nothing
+    std::vector<float> depth;        ///< reversed; 0 where there is nothing
+};
+using FinishedPicturePointer = std::shared_ptr<const FinishedPicture>;
+
+/// How OpenGL is asked about boxes.
+enum class BoxQuestion {
+    Selection,  ///< in selection mode: which boxes intersect the view
+    Samples,    ///< by occlusion queries without depth test: which boxes cover a sample
+    DepthSoFar  ///< by occlusion queries against the depth that the frame has drawn so far
+};
+
+/// Boxes that OpenGL was asked about, and the answer. Draws nothing.
+struct AskedBoxes {
+    BoxQuestion question = BoxQuestion::Samples;
+    std::vector<EyeBox> boxes;
+    std::vector<uint32_t> hits;  ///< indices into `boxes`, ascending
+};
+
+/// One command of a frame. Draw lists hold what was drawn, also where the GPU chose it.
+using Command = std::variant<DrawList, OwnTrianglesPointer, FinishedPicturePointer, AskedBoxes>;
+
+/// Ranges of which a compute shader chooses those that are drawn, one invocation for each.
+struct GpuChoice {
+    DrawList candidates;
+    /// GLSL: the body of `bool chosen(uint candidate)`, which reads `float data[]`.
+    std::string body;
+    std::vector<float> data;
+};
+
+}  // namespace cullscope

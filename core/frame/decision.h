@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/frame/cause.h"
+#include "core/geometry/frustum.h"
+
+namespace cullscope {
+
+/// What a decision is about.
+struct Subject {
+    enum class Kind : uint8_t {
+        Object,    ///< `number`: the instance
+        Node,      ///< `number`: of a node of the strategy's structure over objects
+        Cell,      ///< `number`: of a cell of the structure that the strategy has for `object`
+        Fragment,  ///< `number`: of a part of a triangle
+        Tile,      ///< `number`: of a rectangle of the picture
+        Span       ///< `number`: of a piece of a row of pixels
+    };
+    static constexpr uint32_t kNoObject = 0xFFFFFFFF;
+
+    Kind kind = Kind::Object;
+    uint32_t number = 0;
+    uint32_t object = kNoObject;  ///< the instance that it belongs to; kNoObject: several
+
+    [[nodiscard]] static Subject ofObject(uint32_t instance) { return {Kind::Object, instance, instance}; }
+    [[nodiscard]] static Subject ofNode(uint32_t node) { return {Kind::Node, node, kNoObject}; }
+    [[nodiscard]] static Subject ofCell(uint32_t cell, uint32_t instance) { return {Kind::Cell, cell, instance}; }
+    bool operator==(const Subject&) const = default;
+};
+
+/// A range of triangles by their places in a draw list's order.
+struct PlaceRun {
+    uint32_t first = 0, count = 0;
+
+    bool operator==(const PlaceRun&) const = default;
+};
+
+/// One test of a subject, or what became of it, as it happened.
+struct Decision {
+    enum class Outcome : uint8_t {
+        Open,         ///< a test; what becomes of the subject is decided after it
+        Drawn,        ///< drawn completely
+        PartlyDrawn,  ///< drawn in part
+        Culled        ///< nothing of it is drawn
+    };
+    static constexpr size_t kOperands = 3;
+
+    Subject subject;
+    Outcome outcome = Outcome::Open;
+    Containment containment = Containment::Straddles;  ///< what the test found
+    Cause cause = Cause::OutsideFrustum;               ///< of what is not drawn, with PartlyDrawn and Culled
+    std::optional<FrustumPlane> plane;                 ///< of a plane test
+    /// English, marked for translation: %1, %2, … are the plane's name (where there is one), then the operands. Null: the
+    /// sentence that every decision of this outcome has.
+    const char* sentence = nullptr;
+    /// Of a plane test the signed distance of the bounds' point farthest inside, and the margin, in scene units: outside only
+    /// below −margin.
+    std::array<double, kOperands> operands{};
+    uint8_t operandCount = 0;
+    uint8_t nesting = 0;       ///< how many subjects, whose decisions came before, this one lies in
+    PlaceRun places;           ///< of a Cell: its triangles, in the order of the draw list
+    uint32_t firstObject = 0;  ///< of a Node that is decided as a whole: its objects, in FrameLog::objects
+    uint32_t objectCount = 0;
+    uint32_t commands = 0;  ///< number of the frame's commands before it
+
+    [[nodiscard]] double distance() const { return operands[0]; }
+    [[nodiscard]] double margin() const { return operands[1]; }
+};
+
+}  // namespace cullscope

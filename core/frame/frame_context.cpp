@@ -1,0 +1,141 @@
+#include "core/frame/frame_context.h"
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+    return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+[[noreturn]] void throwNoContext() {
+    throwOpenGl(CULLSCOPE_TR("This strategy asks OpenGL what is visible, and there is no OpenGL context here."));
+}
+
+}  // namespace
+
+FrameContext::FrameContext(const Scene& scene, const View& culling, bool recording) : m_scene(scene), m_view(culling) {
+    m_log.camera = culling.camera();
+    m_log.size = culling.viewport();
+    m_log.recorded = recording;
+}
+
+void FrameContext::add(Command command) {
+    m_log.commands.push_back(std::move(command));
+    const Clock::time_point start = Clock::now();
+    execute(m_log.commands.back());
+    m_drawingMilliseconds += millisecondsSince(start);
+}
+
+void FrameContext::draw(DrawList list) { add(std::move(list)); }
+
+void FrameContext::draw(OwnTrianglesPointer triangles) { add(std::move(triangles)); }
+
+void FrameContext::show(FinishedPicturePointer picture) {
+    if (!(picture->size == m_view.viewport()))
+        throwUsage(CULLSCOPE_TR("A strategy made a picture of %1 × %2 pixels for a view of %3 × %4."),
+                   {std::to_string(picture->size.width), std::to_string(picture->size.height),
+                    std::to_string(m_view.viewport().width), std::to_string(m_view.viewport().height)});
+    add(std::move(picture));
+}
+
+void FrameContext::drawChosen(const GpuChoice& choice) {
+    DrawList chosen = choice.candidates;
+    chosen.ranges.clear();
+    m_log.commands.emplace_back(std::move(chosen));
+    const Clock::time_point start = Clock::now();
+    executeChoice(choice, m_log.commands.size() - 1);
+    m_drawingMilliseconds += millisecondsSince(start);
+}
+
+SelectedBoxes FrameContext::selectBoxes(std::vector<EyeBox> boxes, size_t bufferWords) {
+    SelectedBoxes selected = answerSelection(boxes, bufferWords);
+    m_log.commands.emplace_back(AskedBoxes{BoxQuestion::Selection, std::move(boxes), selected.hits});
+    return selected;
+}
+
+std::vector<uint32_t> FrameContext::visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question) {
+    std::vector<uint32_t> hits = answerQuestion(boxes, question);
+    m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), hits});
+    return hits;
+}
+
+void FrameContext::say(Decision decision) {
+    decision.commands = uint32_t(m_log.commands.size());
+    m_log.decisions.push_back(decision);
+}
+
+void FrameContext::say(Decision decision, std::span<const uint32_t> objects) {
+    decision.firstObject = uint32_t(m_log.objects.size());
+    decision.objectCount = uint32_t(objects.size());
+    m_log.objects.insert(m_log.objects.end(), objects.begin(), objects.end());
+    say(decision);
+}
+
+FrameLog FrameContext::take() {
+    readBack(m_log);
+    return std::move(m_log);
+}
+
+void FrameContext::executeChoice(const GpuChoice& /*choice*/, size_t /*command*/) { throwNoContext(); }
+SelectedBoxes FrameContext::answerSelection(std::span<const EyeBox> /*boxes*/, size_t /*bufferWords*/) { throwNoContext(); }
+std::vector<uint32_t> FrameContext::answerQuestion(std::span<const EyeBox> /*boxes*/, BoxQuestion /*question*/) {
+    throwNoContext();
+}
+
+StageTimer::StageTimer(FrameContext& frame, const char* name)
+    : m_frame(frame), m_name(name), m_drawingBefore(frame.drawingMilliseconds()) {}
+
+StageTimer::~StageTimer() {
+    m_frame.addStage(m_name, millisecondsSince(m_start) - (m_frame.drawingMilliseconds() - m_drawingBefore));
+}
+
+Decision planeTest(const Subject& subject, FrustumPlane plane, double inner, double outer, double margin) {
+    Decision decision;
+    decision.subject = subject;
+    decision.plane = plane;
+    decision.operands = {inner, margin, outer};
+    decision.operandCount = 3;
+    // %1 is the plane, %2 the distance of the farthest point inside, %3 the margin.
+    if (inner < -margin) {
+        decision.containment = Containment::Outside;
+        decision.sentence = CULLSCOPE_TR(
+            "Tested against the %1: even the nearest point of the bounds lies %2 outside, more than the bound of %3.");
+    } else if (outer > margin) {
+        decision.containment = Containment::Inside;
+        decision.sentence = CULLSCOPE_TR("Tested against the %1: all of the bounds lie inside, the farthest point by %2.");
+    } else if (inner < 0.0) {
+        decision.sentence =
+            CULLSCOPE_TR("Tested against the %1: the bounds lie %2 outside, within the bound of %3, and count as inside.");
+    } else {
+        decision.sentence = CULLSCOPE_TR("Tested against the %1: the bounds reach %2 to the inside.");
+    }
+    return decision;
+}
+
+Decision axisTest(const Subject& subject, bool outside, double margin) {
+    Decision decision;
+    decision.subject = subject;
+    decision.containment = outside ? Containment::Outside : Containment::Straddles;
+    decision.operands[1] = margin;
+    decision.sentence =
+        outside ? CULLSCOPE_TR(
+                      "No single plane has the bounds outside, but an axis parts them from the frustum: they lie beside "
+                      "one of its edges or corners.")
+                : CULLSCOPE_TR("Tested by separating axes, for several planes cut the bounds: none parts them from the frustum.");
+    return decision;
+}
+
+Decision ending(const Subject& subject, Decision::Outcome outcome, Cause cause) {
+    Decision decision;
+    decision.subject = subject;
+    decision.outcome = outcome;
+    decision.cause = cause;
+    decision.containment = outcome == Decision::Outcome::Culled ? Containment::Outside : Containment::Straddles;
+    return decision;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <chrono>
+
+#include "core/frame/frame_log.h"
+#include "core/scene/camera.h"
+#include "core/scene/scene.h"
+
+namespace cullscope {
+
+/// Boxes that OpenGL's selection mode hit.
+struct SelectedBoxes {
+    std::vector<uint32_t> hits;  ///< indices into the span, used as the boxes' names, ascending
+    size_t bufferWords = 0;      ///< size of the hit buffer that held all records; four words for each hit
+    int overflows = 0;           ///< how often a smaller buffer was too small
+};
+
+/// What a strategy may do within a frame; writes the frame's log. Commands are executed as they come. This class executes none of
+/// them and has no answers: it serves strategies that decide on the processor, wherever no picture is needed; a context of the
+/// gpu layer (gpu/gpu_frame.h) draws.
+class FrameContext {
+public:
+    /// `recording`: whether decisions are asked for.
+    FrameContext(const Scene& scene, const View& culling, bool recording);
+    virtual ~FrameContext() = default;
+    FrameContext(const FrameContext&) = delete;
+    FrameContext& operator=(const FrameContext&) = delete;
+
+    [[nodiscard]] const Scene& scene() const { return m_scene; }
+    /// The culling view.
+    [[nodiscard]] const View& view() const { return m_view; }
+
+    /// Draws ranges of the scene's triangles.
+    void draw(DrawList list);
+    /// Draws triangles that the strategy made.
+    void draw(OwnTrianglesPointer triangles);
+    /// Shows a picture that the strategy made. Throws Error(Usage) where it has not the culling view's size.
+    void show(FinishedPicturePointer picture);
+    /// Draws those of the candidates that the GPU chooses; the log gets them when the frame ends. Throws Error(OpenGl) without
+    /// OpenGL.
+    void drawChosen(const GpuChoice& choice);
+
+    /// The boxes, relative to the eye, that OpenGL's selection mode hits (gpu/renderer.h); with a hit buffer of `bufferWords`.
+    /// Throws Error(OpenGl) without OpenGL or without a compatibility profile.
+    [[nodiscard]] SelectedBoxes selectBoxes(std::vector<EyeBox> boxes, size_t bufferWords);
+    /// The boxes, relative to the eye, that cover a sample of the picture: of all samples (BoxQuestion::Samples), or of those at
+    /// which they lie before what the frame has drawn so far (DepthSoFar). As indices into the span, ascending. A box that holds
+    /// a point of the near rectangle may cover none (see gpu/renderer.h). Throws Error(OpenGl) without OpenGL.
+    [[nodiscard]] std::vector<uint32_t> visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question);
+
+    /// Whether decisions are asked for; where they are not, nothing has to be prepared for them.
+    [[nodiscard]] bool recording() const { return m_log.recorded; }
+    /// Adds a decision where it falls. Only while recording.
+    void say(Decision decision);
+    /// The same about a node that is decided as a whole with these objects.
+    void say(Decision decision, std::span<const uint32_t> objects);
+    /// The strategy's own notes. Only while recording.
+    void note(std::shared_ptr<const FrameNotes> notes) { m_log.notes = std::move(notes); }
+
+    [[nodiscard]] FrameCounters& counters() { return m_log.counters; }
+    void addStage(const char* name, double milliseconds) { m_log.stages.push_back({name, milliseconds}); }
+    /// The facing rule of the frame.
+    [[nodiscard]] Facing facing() const { return m_log.facing; }
+    void setFacing(Facing facing) { m_log.facing = facing; }
+
+    /// Time spent in executing draw commands so far.
+    [[nodiscard]] double drawingMilliseconds() const { return m_drawingMilliseconds; }
+    void setCullMilliseconds(double milliseconds) { m_log.cullMilliseconds = milliseconds; }
+    /// The frame's log, once; what the GPU chose is read back, for which a caller that measures waits first.
+    [[nodiscard]] FrameLog take();
+
+protected:
+    /// Executes a command that draws or shows.
+    virtual void execute(const Command& /*command*/) {}
+    /// Draws what the GPU chooses; `command` is the number of the command whose draw list `readBack` fills.
+    virtual void executeChoice(const GpuChoice& choice, size_t command);
+    virtual void readBack(FrameLog& /*log*/) {}
+    [[nodiscard]] virtual SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords);
+    [[nodiscard]] virtual std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
+    [[nodiscard]] const FrameLog& log() const { return m_log; }
+
+private:
+    void add(Command command);
+
+    const Scene& m_scene;
+    const View& m_view;
+    FrameLog m_log;
+    double m_drawingMilliseconds = 0.0;
+};
+
+/// Measures the time from its construction to its destruction and adds it to a frame as a stage. Drawing does not count.
+class StageTimer {
+public:
+    StageTimer(FrameContext& frame, const char* name);
+    ~StageTimer();
+    StageTimer(const StageTimer&) = delete;
+    StageTimer& operator=(const StageTimer&) = delete;
+
+private:
+    FrameContext& m_frame;
+    const char* m_name;
+    double m_drawingBefore;
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
+
+/// A plane test of a subject: `inner` and `outer` are the signed distances of the bounds' points farthest inside and farthest
+/// outside. The result is Outside or Inside only where these exceed the margin.
+[[nodiscard]] Decision planeTest(const Subject& subject, FrustumPlane plane, double inner, double outer, double margin);
+/// A test of a subject by separating axes (geometry/separation.h), after its planes.
+[[nodiscard]] Decision axisTest(const Subject& subject, bool outside, double margin);
+/// The end of a subject's decisions.
+[[nodiscard]] Decision ending(const Subject& subject, Decision::Outcome outcome, Cause cause = Cause::OutsideFrustum);
+
+}  // namespace cullscope

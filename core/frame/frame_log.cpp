@@ -1,0 +1,111 @@
+#include "core/frame/frame_log.h"
+
+#include <algorithm>
+
+namespace cullscope {
+namespace {
+
+/// The numbers that a picture shows, ascending, each once.
+std::vector<uint32_t> shownTriangles(const FinishedPicture& picture) {
+    std::vector<uint32_t> shown;
+    for (const uint32_t item : picture.triangle)
+        if (item != 0) shown.push_back(item - 1);
+    std::ranges::sort(shown);
+    shown.erase(std::unique(shown.begin(), shown.end()), shown.end());
+    return shown;
+}
+
+}  // namespace
+
+uint64_t FrameLog::consideredTriangles() const {
+    struct Counter {
+        uint64_t operator()(const DrawList& list) const { return list.triangleCount(); }
+        uint64_t operator()(const OwnTrianglesPointer& own) const { return own->triangles.size(); }
+        uint64_t operator()(const FinishedPicturePointer& picture) const { return shownTriangles(*picture).size(); }
+        uint64_t operator()(const AskedBoxes&) const { return 0; }
+    };
+    uint64_t count = 0;
+    for (const Command& command : commands) count += std::visit(Counter{}, command);
+    return count;
+}
+
+bool FrameLog::drawsScene() const {
+    return std::ranges::all_of(commands, [](const Command& command) {
+        const auto* list = std::get_if<DrawList>(&command);
+        return std::holds_alternative<AskedBoxes>(command) || (list != nullptr && list->depth == DepthRule::Nearest);
+    });
+}
+
+size_t FrameLog::commandsWithin(size_t entries) const {
+    size_t before = 0;  // decisions
+    for (size_t command = 0; command < commands.size(); ++command) {
+        while (before < decisions.size() && decisions[before].commands <= command) ++before;
+        if (command + before >= entries) return command;
+    }
+    return std::min(commands.size(), entries);
+}
+
+FrameLog FrameLog::upTo(size_t entries) const {
+    FrameLog part = *this;
+    const size_t drawn = commandsWithin(std::min(entries, this->entries()));
+    part.commands.resize(drawn);
+    part.decisions.resize(std::min(entries - std::min(drawn, entries), decisions.size()));
+    return part;
+}
+
+namespace {
+
+/// Marks the scene triangles that commands drew.
+class DrawnMarks {
+public:
+    explicit DrawnMarks(const Scene& scene) : m_scene(scene), m_drawn(scene.triangleCount(), 0) {}
+
+    void operator()(const DrawList& list) {
+        for (const DrawRange& range : list.ranges) {
+            const uint32_t mesh = m_scene.instances()[range.instance].mesh;
+            const uint64_t first = m_scene.firstTriangle(range.instance);
+            for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
+                m_drawn[first + list.triangleAt(mesh, place)] = 1;
+        }
+    }
+    void operator()(const OwnTrianglesPointer& own) {
+        for (const uint32_t triangle : own->triangles) m_drawn[triangle] = 1;
+    }
+    void operator()(const FinishedPicturePointer& picture) {
+        for (const uint32_t item : picture->triangle)
+            if (item != 0) m_drawn[item - 1] = 1;
+    }
+    void operator()(const AskedBoxes&) {}
+
+    /// Ranges of consecutive triangles, by instance.
+    [[nodiscard]] std::vector<DrawRange> ranges() const {
+        std::vector<DrawRange> found;
+        for (uint32_t instance = 0; instance < m_scene.instances().size(); ++instance) {
+            const uint64_t first = m_scene.firstTriangle(instance), count = m_scene.meshOf(instance).triangleCount();
+            for (uint64_t begin = 0, end = 0; begin < count; begin = end + 1) {
+                while (begin < count && m_drawn[first + begin] == 0) ++begin;
+                for (end = begin; end < count && m_drawn[first + end] != 0;) ++end;
+                if (begin < end) found.push_back({instance, uint32_t(3 * begin), uint32_t(3 * (end - begin))});
+            }
+        }
+        return found;
+    }
+
+private:
+    const Scene& m_scene;
+    std::vector<uint8_t> m_drawn;  ///< by scene triangle number
+};
+
+}  // namespace
+
+DrawList drawnTriangles(const Scene& scene, const FrameLog& log) {
+    const auto isList = [](const Command& command) { return std::holds_alternative<DrawList>(command); };
+    const auto draws = [](const Command& command) { return !std::holds_alternative<AskedBoxes>(command); };
+    if (std::ranges::count_if(log.commands, draws) == 1 && std::ranges::count_if(log.commands, isList) == 1)
+        return std::get<DrawList>(*std::ranges::find_if(log.commands, isList));
+    DrawnMarks marks(scene);
+    for (const Command& command : log.commands) std::visit(marks, command);
+    return {log.facing, marks.ranges(), {}, DepthRule::Nearest};
+}
+
+}  // namespace cullscope

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/frame/cause.h"
+#include "core/frame/commands.h"
+#include "core/frame/decision.h"
+#include "core/scene/scene.h"
+
+namespace cullscope {
+
+/// Time of one part of a frame's decisions.
+struct Stage {
+    std::string name;  ///< English, marked for translation
+    double milliseconds = 0.0;
+};
+
+/// One of a strategy's tests and its result in one frame.
+struct CullPart {
+    std::string name;      ///< English, marked for translation
+    uint64_t objects = 0;  ///< objects that it was applied to
+    uint64_t culledTriangles = 0;
+};
+
+/// A number by its name, as result files have it.
+struct NamedFigure {
+    std::string name;
+    double value = 0.0;
+};
+
+/// What one frame counted.
+struct FrameCounters {
+    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< by Cause; triangles that OpenGL culls itself (back faces) are not
+                                                          ///< known here
+    std::vector<CullPart> parts;                          ///< of strategies that combine several tests: the result of each
+    uint64_t nodesVisited = 0;
+    uint64_t bytesTouched = 0;         ///< of the strategy's structures
+    std::vector<NamedFigure> figures;  ///< what a family counts besides
+};
+
+/// What a strategy keeps of a recorded frame for its own shows, besides the decisions.
+struct FrameNotes {
+    virtual ~FrameNotes() = default;
+};
+
+/// Everything of one frame, in the order in which it happened: the commands as they were executed, the decisions where they were
+/// asked for, counters, and time by stage. The picture, the item buffer, counts, colours by verdict and every explanation are
+/// replays of it.
+struct FrameLog {
+    Camera camera;  ///< the culling view's
+    Viewport size;  ///< the culling view's
+    Facing facing = Facing::TwoSided;
+    std::vector<Command> commands;
+    bool recorded = false;                    ///< whether decisions were asked for
+    std::vector<Decision> decisions;          ///< empty unless `recorded`
+    std::vector<uint32_t> objects;            ///< instances that decisions about nodes refer to
+    std::shared_ptr<const FrameNotes> notes;  ///< null unless `recorded`
+    FrameCounters counters;
+    std::vector<Stage> stages;
+    double cullMilliseconds = 0.0;  ///< the whole frame without the execution of draw commands
+
+    /// What it gave to OpenGL; of a finished picture the triangles that it shows.
+    [[nodiscard]] uint64_t consideredTriangles() const;
+    /// Whether every command draws ranges of the scene with a depth test: then the order of the commands does not matter.
+    [[nodiscard]] bool drawsScene() const;
+    /// Commands and decisions together.
+    [[nodiscard]] size_t entries() const { return commands.size() + decisions.size(); }
+    /// How many commands are among the first `entries` entries.
+    [[nodiscard]] size_t commandsWithin(size_t entries) const;
+    /// The first `entries` entries, for a replay of a part. Counters and stages are those of the whole frame.
+    [[nodiscard]] FrameLog upTo(size_t entries) const;
+    /// The instances of a decision about a node.
+    [[nodiscard]] std::span<const uint32_t> objectsOf(const Decision& decision) const {
+        return std::span(objects).subspan(decision.firstObject, decision.objectCount);
+    }
+};
+
+/// The scene's triangles that a frame drew, each once, as one draw list with the frame's facing rule: what the frame shows from
+/// any other place. Of parts of triangles the whole triangles, of a finished picture those that it shows.
+[[nodiscard]] DrawList drawnTriangles(const Scene& scene, const FrameLog& log);
+
+}  // namespace cullscope

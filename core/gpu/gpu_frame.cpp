@@ -1,0 +1,66 @@
+#include "core/gpu/gpu_frame.h"
+
+#include <algorithm>
+
+namespace cullscope {
+
+GpuFrame::GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& culling, Framebuffer& target,
+                   const DrawStyle& style, bool recording)
+    : FrameContext(buffers.scene(), culling, recording),
+      m_renderer(renderer),
+      m_buffers(buffers),
+      m_style(style),
+      m_target(&target) {
+    m_renderer.clear(culling, target, style);
+}
+
+GpuFrame::GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& culling, bool recording)
+    : FrameContext(buffers.scene(), culling, recording), m_renderer(renderer), m_buffers(buffers) {}
+
+void GpuFrame::execute(const Command& command) {
+    if (m_target != nullptr) m_renderer.execute(m_buffers, view(), command, *m_target, m_style);
+}
+
+void GpuFrame::executeChoice(const GpuChoice& choice, size_t command) {
+    Renderer::Choice chosen = m_renderer.choose(m_buffers, choice);
+    // Client memory cannot be drawn from indirectly: the choice is read back at once.
+    const bool indirect = m_target != nullptr && m_buffers.upload() == Upload::Vbo;
+    if (indirect) m_renderer.execute(view(), chosen, *m_target, m_style);
+    m_choices.push_back({command, std::move(chosen)});
+    if (m_target != nullptr && !indirect)
+        m_renderer.execute(m_buffers, view(), m_choices.back().choice.chosen(), *m_target, m_style);
+}
+
+void GpuFrame::readBack(FrameLog& log) {
+    for (const PendingChoice& pending : m_choices) log.commands[pending.command] = pending.choice.chosen();
+    m_choices.clear();
+}
+
+SelectedBoxes GpuFrame::answerSelection(std::span<const EyeBox> boxes, size_t bufferWords) {
+    return m_renderer.selectBoxes(view(), boxes, bufferWords);
+}
+
+std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question) {
+    if (question == BoxQuestion::DepthSoFar) return m_renderer.queryBoxes(view(), boxes, drawn());
+    return m_renderer.queryBoxes(view(), boxes);
+}
+
+Framebuffer& GpuFrame::drawn() {
+    if (m_target != nullptr) return *m_target;
+    m_own = std::make_unique<Framebuffer>(view().viewport());
+    m_target = m_own.get();
+    m_renderer.clear(view(), *m_target, m_style);
+    size_t command = 0;
+    for (const Command& logged : log().commands) {
+        const auto isThis = [&](const PendingChoice& pending) { return pending.command == command; };
+        const auto pending = std::ranges::find_if(m_choices, isThis);
+        if (pending == m_choices.end())
+            m_renderer.execute(m_buffers, view(), logged, *m_target, m_style);
+        else
+            m_renderer.execute(m_buffers, view(), pending->choice.chosen(), *m_target, m_style);
+        ++command;
+    }
+    return *m_target;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/gpu/renderer.h"
+
+namespace cullscope {
+
+/// A frame on the current context: answers what a strategy asks OpenGL, and draws.
+class GpuFrame final : public FrameContext {
+public:
+    /// Draws into `target`, which has the culling view's size, as the commands come.
+    GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& culling, Framebuffer& target, const DrawStyle& style,
+             bool recording = false);
+    /// Decides only: draws into a framebuffer of its own, and only if an answer depends on what was drawn.
+    GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& culling, bool recording = false);
+
+protected:
+    void execute(const Command& command) override;
+    void executeChoice(const GpuChoice& choice, size_t command) override;
+    void readBack(FrameLog& log) override;
+    [[nodiscard]] SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords) override;
+    [[nodiscard]] std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
+
+private:
+    struct PendingChoice {
+        size_t command = 0;  ///< number of the command whose draw list it is
+        Renderer::Choice choice;
+    };
+
+    /// The target, with everything drawn that was logged.
+    Framebuffer& drawn();
+
+    Renderer& m_renderer;
+    const SceneBuffers& m_buffers;
+    DrawStyle m_style;
+    Framebuffer* m_target = nullptr;  ///< null: nothing had to be drawn yet
+    std::unique_ptr<Framebuffer> m_own;
+    std::vector<PendingChoice> m_choices;
+};
+
+}  // namespace cullscope

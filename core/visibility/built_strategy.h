@@ -1,0 +1,54 @@
+#pragma once
+
+#include "core/visibility/registry.h"
+#include "core/visibility/structure_store.h"
+
+namespace cullscope {
+
+/// A strategy with its parameters and what it built for a scene. Immutable: views, meters and experiments share it, each with a
+/// ViewState of its own.
+class BuiltStrategy {
+public:
+    BuiltStrategy(const RegisteredStrategy& strategy, ParameterSet parameters, StructurePointer structure);
+
+    [[nodiscard]] const StrategyInfo& info() const { return m_info; }
+    [[nodiscard]] const std::string& id() const { return m_info.id; }
+    [[nodiscard]] const ParameterSet& parameters() const { return m_parameters; }
+    [[nodiscard]] const StructurePointer& structure() const { return m_structure; }
+    [[nodiscard]] const StructureReport& report() const { return m_structure->report; }
+    [[nodiscard]] const Scene& scene() const { return m_structure->scene(); }
+    [[nodiscard]] const ScenePointer& scenePointer() const { return m_structure->scenePointer(); }
+
+    [[nodiscard]] Promise promise() const { return m_strategy->promise(*m_structure, m_parameters, m_facing); }
+    [[nodiscard]] Promise promiseAt(const View& view) const {
+        return m_strategy->promiseAt(*m_structure, m_parameters, m_facing, view);
+    }
+    [[nodiscard]] Facing facing() const { return m_facing; }
+    [[nodiscard]] Facing referenceFacing() const { return m_referenceFacing; }
+
+    [[nodiscard]] ViewStatePointer begin() const { return m_strategy->begin(*m_structure); }
+    /// One frame in a context: the strategy decides, and the context executes what it says. Throws Error(OpenGl) where the
+    /// strategy needs OpenGL and the context has none.
+    void draw(FrameContext& frame, ViewState& state) const;
+    /// One frame that is not drawn, for strategies that decide on the processor.
+    [[nodiscard]] FrameLog decide(const View& culling, ViewState& state, bool recording = false) const;
+
+    [[nodiscard]] StructureSnapshot snapshot(const FrameLog& log) const { return m_strategy->snapshot(*m_structure, log); }
+
+private:
+    StrategyInfo m_info;
+    std::shared_ptr<const Strategy> m_strategy;
+    ParameterSet m_parameters;
+    StructurePointer m_structure;
+    Facing m_facing, m_referenceFacing;
+};
+using BuiltStrategyPointer = std::shared_ptr<const BuiltStrategy>;
+
+/// Builds a strategy for a scene, or takes what another one of the scene built with the same build parameters. Throws what
+/// findStrategy and Strategy::build throw.
+[[nodiscard]] BuiltStrategyPointer buildStrategy(const RegisteredStrategy& strategy, const ParameterSet& parameters,
+                                                 const ScenePointer& scene, StructureStore& store, const Progress& progress = {});
+[[nodiscard]] BuiltStrategyPointer buildStrategy(std::string_view id, const ParameterSet& parameters, const ScenePointer& scene,
+                                                 StructureStore& store, const Progress& progress = {});
+
+}  // namespace cullscope

@@ -1,0 +1,44 @@
+#include "core/visibility/structure_store.h"
+
+#include <chrono>
+
+namespace cullscope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// How often a thread that waits for another's structure looks for a stop request.
+constexpr std::chrono::milliseconds kWaiting{50};
+
+}  // namespace
+
+StructurePointer StructureStore::get(const RegisteredStrategy& strategy, const ParameterSet& parameters,
+                                     const ScenePointer& scene, const Progress& progress) {
+    const std::shared_ptr<Place> place = placeOf({scene.get(), strategy.info.id, parameters.buildText()});
+    std::unique_lock lock(place->building, std::defer_lock);
+    while (!lock.try_lock_for(kWaiting)) progress.check();
+    if (StructurePointer known = place->structure.lock()) return known;
+    const Clock::time_point start = Clock::now();
+    const std::shared_ptr<Structure> made = strategy.strategy->build(scene, parameters, progress);
+    made->report.buildMilliseconds = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+    place->structure = made;
+    const std::lock_guard counting(m_mutex);
+    ++m_built;
+    return made;
+}
+
+size_t StructureStore::built() const {
+    const std::lock_guard lock(m_mutex);
+    return m_built;
+}
+
+std::shared_ptr<StructureStore::Place> StructureStore::placeOf(const Key& key) {
+    const std::lock_guard lock(m_mutex);
+    // Of structures without a user only the places are left. One that is being built is held by its builder.
+    std::erase_if(m_places, [](const auto& entry) { return entry.second.use_count() == 1 && entry.second->structure.expired(); });
+    std::shared_ptr<Place>& place = m_places[key];
+    if (!place) place = std::make_shared<Place>();
+    return place;
+}
+
+}  // namespace cullscope

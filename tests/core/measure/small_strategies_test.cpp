@@ -1,0 +1,305 @@
+// What FrameContext can say beyond what the registered strategies need: five small strategies, each judged, replayed, explained
+// and measured as any other, without a line about them outside their file.
+#include "tests/core/measure/small_strategies.h"
+
+#include "core/image/view_picture.h"
+#include "core/measure/accuracy.h"
+#include "core/measure/meter.h"
+#include "core/measure/reference.h"
+#include "core/measure/render_frame.h"
+#include "core/mesh/parametric.h"
+#include "core/visibility/why.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+
+namespace cullscope::test::small_strategies_test {
+namespace {
+
+constexpr Viewport kSize{160, 120};
+
+/// Disjoint spheres of equal size in a box, so that many hide others.
+ScenePointer spheres() {
+    std::vector<Mat4> places;
+    for (int x = 0; x < 3; ++x)
+        for (int y = 0; y < 2; ++y)
+            for (int z = 0; z < 3; ++z) places.push_back(translation({2.4 * x - 2.4, 2.4 * y - 1.2, 2.4 * z - 2.4}));
+    return copiesOf(sphereMesh(320), places);
+}
+
+/// A view from outside all spheres that has some of them in the picture.
+View somewhere(Random& random) {
+    const Vec3 away = random.direction(), aside = random.direction(), up = random.direction();
+    const double distance = random.between(6.0, 14.0);
+    return {{distance * away, 2.0 * aside, up, Angle::fromDegrees(random.between(15.0, 70.0)), 0.1, 100.0}, kSize};
+}
+
+/// One strategy on the spheres.
+class Bench {
+public:
+    explicit Bench(const RegisteredStrategy& strategy)
+        : scene(spheres()),
+          buffers(scene, Upload::Vbo),
+          built(buildStrategy(strategy, ParameterSet(strategy.info.parameters), scene, m_store)),
+          state(built->begin()) {}
+
+    [[nodiscard]] FrameLog decide(const View& view, bool recording = true) {
+        GpuFrame frame(GlEnvironment::renderer(), buffers, view, recording);
+        built->draw(frame, *state);
+        return frame.take();
+    }
+    [[nodiscard]] Reference truth(const View& view) const {
+        return itemBufferReference(GlEnvironment::renderer(), buffers, view, built->referenceFacing());
+    }
+    /// The frame's own picture, drawn as its commands came.
+    [[nodiscard]] std::pair<Picture, FrameLog> drawn(const View& view) {
+        Framebuffer target(view.viewport());
+        FrameResult result = renderFrame(GlEnvironment::renderer(), buffers, *built, *state, view, target);
+        return {Picture{target.readColour(), target.readDepth()}, std::move(result.log)};
+    }
+    [[nodiscard]] Picture replayed(const View& view, const FrameLog& log, const PictureTile& tile) const {
+        Framebuffer target(tile);
+        GlEnvironment::renderer().draw(buffers, view, log, target);
+        return {target.readColour(), target.readDepth()};
+    }
+
+    ScenePointer scene;
+    SceneBuffers buffers;
+
+private:
+    StructureStore m_store;
+
+public:
+    BuiltStrategyPointer built;
+    ViewStatePointer state;
+};
+
+/// Whether what the frame shows was rasterised by itself, by a rule that may differ by the raster's snapping.
+bool hasOwnRaster(const FrameLog& log) {
+    return std::ranges::any_of(log.commands, [](const Command& c) { return std::holds_alternative<FinishedPicturePointer>(c); });
+}
+
+/// The wrong pixels of a frame: missed and extra ones; of a frame that rasters by itself those that the raster's snapping does
+/// not explain.
+uint64_t wrongPixels(const Bench& bench, const FrameLog& log, const Reference& truth) {
+    const View view(log.camera, log.size);
+    Framebuffer target(log.size);
+    const ShownPixels shown = shownPixels(GlEnvironment::renderer(), bench.buffers, log, target);
+    if (hasOwnRaster(log))
+        return missedBeyondSnapping(truth, shown, *bench.scene, view) + extraBeyondSnapping(truth, shown, *bench.scene, view);
+    const Accuracy accuracy = compare(truth, shown, drawnTriangles(*bench.scene, log), *bench.scene);
+    return accuracy.missedPixels + accuracy.extraPixels;
+}
+
+/// Judges and counts frames of 200 random views; `frame(view)` makes the frame that is judged.
+template <typename Frame>
+void expectNothingWrong(Bench& bench, const Frame& frame) {
+    Random random(5);
+    uint64_t wrong = 0, covered = 0;
+    for (uint64_t i = 0; i < howMany(200, 200); ++i) {
+        SCOPED_TRACE("view " + std::to_string(i));
+        const View view = somewhere(random);
+        const FrameLog log = frame(view);
+        const Reference truth = bench.truth(view);
+        wrong += wrongPixels(bench, log, truth);
+        covered += truth.coveredPixels;
+        // Counts: what was drawn and what was left out are all triangles, each once.
+        const TriangleStates states = triangleStates(*bench.scene, log, truth.visible());
+        EXPECT_EQ(std::accumulate(states.counts.begin(), states.counts.end(), uint64_t{0}), bench.scene->triangleCount());
+        const DrawList drawn = drawnTriangles(*bench.scene, log);
+        EXPECT_EQ(drawn.triangleCount(), log.consideredTriangles());
+        const uint64_t left = bench.scene->triangleCount() - drawn.triangleCount();
+        const auto& culled = log.counters.culledTriangles;
+        const uint64_t counted = std::accumulate(culled.begin(), culled.end(), uint64_t{0});
+        if (counted > 0) {
+            EXPECT_EQ(counted, left);
+        }
+    }
+    EXPECT_EQ(wrong, 0u);
+    EXPECT_GT(covered, 0u);
+}
+
+/// The number of pixels at which a picture that is replayed in tiles differs. Rounding may move an edge where a tile begins far
+/// from the middle.
+size_t tilesThatDiffer(const Bench& bench, const View& view, const FrameLog& log, const Picture& whole) {
+    size_t different = 0;
+    for (int x = 0; x < kSize.width; x += 80)
+        for (int y = 0; y < kSize.height; y += 40) {
+            const Picture tile = bench.replayed(view, log, {x, y, {80, 40}});
+            for (size_t i = 0; i < tile.depth.size(); ++i) {
+                const size_t pixel = (size_t(y) + i / 80) * size_t(kSize.width) + size_t(x) + i % 80;
+                const bool sameColour = std::abs(int(tile.colour[4 * i]) - int(whole.colour[4 * pixel])) <= 2;
+                if (!sameColour || std::abs(tile.depth[i] - whole.depth[pixel]) > 1e-5f) ++different;
+            }
+        }
+    return different;
+}
+
+/// Picture, replay, tiles, parts, colours by verdict and the explanation of a few triangles.
+void expectReplays(Bench& bench) {
+    Random random(9);
+    for (int i = 0; i < 5; ++i) {
+        SCOPED_TRACE("view " + std::to_string(i));
+        const View view = somewhere(random);
+        const auto [own, log] = bench.drawn(view);
+        const Picture again = bench.replayed(view, log, {0, 0, kSize});
+        EXPECT_TRUE(own.depth == again.depth && own.colour == again.colour) << "the replay is another picture";
+        EXPECT_LT(tilesThatDiffer(bench, view, log, own), own.depth.size() / 500) << "tiles make another picture";
+        EXPECT_EQ(bench.replayed(view, log.upTo(log.entries()), {0, 0, kSize}), again);
+        const Picture nothing = bench.replayed(view, log.upTo(0), {0, 0, kSize});
+        EXPECT_TRUE(std::ranges::all_of(nothing.depth, [](float depth) { return depth == 0.0f; }));
+        // From elsewhere, and coloured by verdict.
+        const View aside = somewhere(random);
+        Framebuffer target(kSize);
+        const FrameLog recorded = bench.decide(view);
+        const Reference truth = bench.truth(view);
+        const TriangleStates states = triangleStates(*bench.scene, recorded, truth.visible());
+        drawViewPicture(GlEnvironment::renderer(), bench.buffers, *bench.built, recorded, aside, &states,
+                        {.colouring = Colouring::Verdicts}, {}, target);
+        // A sliver that only the raster's snapping shows is not in a picture of rays.
+        EXPECT_LE(states.counts[size_t(TriangleState::WronglyCulled)], hasOwnRaster(recorded) ? 3u : 0u);
+        const std::optional<PickedTriangle> picked = GlEnvironment::renderer().pick(bench.buffers, view, recorded, 80, 60);
+        const uint32_t shown = truth.triangle[size_t(60) * size_t(kSize.width) + 80];
+        if (picked && shown != 0) {
+            EXPECT_EQ(picked->triangle, shown - 1);
+        }
+        for (uint64_t triangle = 0; triangle < bench.scene->triangleCount(); triangle += 701) {
+            const std::vector<WhyStep> steps = why(*bench.built, recorded, triangle);
+            ASSERT_FALSE(steps.empty());
+            const bool given = std::ranges::any_of(
+                steps, [](const WhyStep& step) { return step.sentence.english() == "The triangle is given to OpenGL."; });
+            EXPECT_EQ(given, std::ranges::any_of(drawnTriangles(*bench.scene, recorded).ranges, [&](const DrawRange& range) {
+                          const uint64_t first = bench.scene->firstTriangle(range.instance) + range.firstIndex / 3;
+                          return first <= triangle && triangle < first + range.indexCount / 3;
+                      }));
+        }
+    }
+}
+
+MeasureResult measured(const RegisteredStrategy& strategy, const ScenePointer& scene, std::vector<Camera> poses) {
+    MeasureRequest request;
+    request.scene = scene;
+    request.strategies = {
+        {strategy.info.id, ParameterSet(strategy.info.parameters), std::make_shared<const RegisteredStrategy>(strategy)}};
+    for (const Camera& camera : poses) {
+        request.path.poses.push_back({camera.eye, camera.target, camera.up});
+        request.path.fovy = camera.fovy;
+        request.path.nearDistance = camera.nearDistance;
+        request.path.farDistance = camera.farDistance;
+    }
+    request.size = kSize;
+    request.timing.fixedRepetitions = 2;
+    return measure(request);
+}
+
+Camera lookingFrom(const Vec3& eye, const Vec3& target = Vec3(0.0), double fovyDegrees = 40) {
+    return {eye, target, {0, 1, 0}, Angle::fromDegrees(fovyDegrees), 0.1, 100.0};
+}
+
+void expectMeasured(const RegisteredStrategy& strategy) {
+    const MeasureResult result = measured(strategy, spheres(), {lookingFrom({0, 1, 12}), lookingFrom({0, 1, 12})});
+    ASSERT_EQ(result.runs.size(), 1u);
+    const RunMeasurement& run = result.runs.front();
+    ASSERT_EQ(run.frames.size(), 2u);
+    EXPECT_FALSE(run.promiseBroken());
+    for (const FrameMeasurement& frame : run.frames) {
+        ASSERT_TRUE(frame.accuracy);
+        EXPECT_GT(frame.consideredTriangles, 0u);
+        EXPECT_EQ(frame.ownRaster ? frame.missedBeyondSnapping : frame.accuracy->missedPixels, 0u);
+    }
+}
+
+TEST(SmallStrategies, ownTrianglesInAnOrderOfTheirOwnShowWhatIsVisible) {
+    Bench bench(backToFront());
+    expectNothingWrong(bench, [&](const View& view) { return bench.decide(view); });
+    expectReplays(bench);
+    expectMeasured(backToFront());
+}
+
+TEST(SmallStrategies, pictureMadeOnTheProcessorIsShownAndJudged) {
+    Bench bench(tracedPicture());
+    expectNothingWrong(bench, [&](const View& view) { return bench.decide(view); });
+    expectReplays(bench);
+    expectMeasured(tracedPicture());
+}
+
+TEST(SmallStrategies, halfIsDrawnAndTheRestGoesOnWithTheAnswers) {
+    Bench bench(halfThenAsk());
+    uint64_t left = 0;
+    expectNothingWrong(bench, [&](const View& view) {
+        FrameLog log = bench.decide(view);
+        left += log.counters.culledTriangles[size_t(Cause::Hidden)];
+        return log;
+    });
+    EXPECT_GT(left, 0u) << "nothing was ever hidden";
+    expectReplays(bench);
+    expectMeasured(halfThenAsk());
+}
+
+TEST(SmallStrategies, memoryOfAViewThatStandsLosesNothing) {
+    Bench bench(lastFrame());
+    uint64_t left = 0;
+    expectNothingWrong(bench, [&](const View& view) {
+        bench.state = bench.built->begin();
+        (void)bench.decide(view);
+        FrameLog log = bench.decide(view);
+        left += log.counters.culledTriangles[size_t(Cause::Hidden)];
+        return log;
+    });
+    EXPECT_GT(left, 0u) << "nothing was ever hidden";
+    expectMeasured(lastFrame());
+}
+
+TEST(SmallStrategies, memoryOfAViewThatJumpsShowsItsLossAndMeasureCountsIt) {
+    // The first two poses see the front of one row of spheres, the others that of the next row.
+    const Camera left = lookingFrom({-2.4, 1.2, 12}, {-2.4, 1.2, 0}, 8), right = lookingFrom({2.4, 1.2, 12}, {2.4, 1.2, 0}, 8);
+    const std::vector<Camera> poses{left, left, right, right};
+    const RegisteredStrategy strategy = lastFrame();
+    const RunMeasurement run = measured(strategy, spheres(), poses).runs.front();
+    ASSERT_EQ(run.frames.size(), 4u);
+    EXPECT_EQ(run.frames[0].accuracy->missedPixels, 0u);
+    EXPECT_EQ(run.frames[1].accuracy->missedPixels, 0u);
+    EXPECT_GT(run.frames[2].accuracy->missedPixels, 0u);
+    EXPECT_EQ(run.frames[3].accuracy->missedPixels, 0u);
+    // The same frames, drawn one after the other.
+    Bench bench(strategy);
+    for (size_t pose = 0; pose < poses.size(); ++pose) {
+        const View view(poses[pose], kSize);
+        const FrameLog log = bench.decide(view);
+        EXPECT_EQ(wrongPixels(bench, log, bench.truth(view)), run.frames[pose].accuracy->missedPixels) << pose;
+        EXPECT_EQ(log.consideredTriangles(), run.frames[pose].consideredTriangles) << pose;
+    }
+}
+
+TEST(SmallStrategies, whatAComputeShaderChoseIsReadBackAndJudged) {
+    Bench bench(chosenByGpu());
+    uint64_t left = 0;
+    expectNothingWrong(bench, [&](const View& view) {
+        FrameLog log = bench.decide(view);
+        left += bench.scene->triangleCount() - log.consideredTriangles();
+        return log;
+    });
+    EXPECT_GT(left, 0u) << "nothing was ever outside";
+    expectReplays(bench);
+    expectMeasured(chosenByGpu());
+}
+
+TEST(SmallStrategies, pictureOfAnotherSizeIsRefused) {
+    class Small final : public StrategyWith<Structure> {
+    protected:
+        void fill(Structure& /*structure*/, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {}
+        void decide(FrameContext& frame, const Structure& /*structure*/, ViewState& /*state*/,
+                    const ParameterSet& /*parameters*/) const override {
+            frame.show(
+                std::make_shared<FinishedPicture>(FinishedPicture{{8, 8}, std::vector<uint32_t>(64), std::vector<float>(64)}));
+        }
+        [[nodiscard]] Promise promiseOf(const Structure& /*structure*/, const ParameterSet& /*parameters*/,
+                                        Facing /*facing*/) const override {
+            return Promise::Approximate;
+        }
+    };
+    Bench bench({{"small", "", "", "", {}}, std::make_shared<Small>()});
+    EXPECT_THROW((void)bench.decide(View(lookingFrom({0, 1, 12}), kSize)), Error);
+}
+
+}  // namespace
+}  // namespace cullscope::test::small_strategies_test

@@ -1,0 +1,111 @@
+#include "ui/jobs/view_frames.h"
+
+#include "core/scene/camera_moves.h"
+#include "tests/ui/test_scene.h"
+#include "ui/panels/structure_panel.h"
+#include "ui/panels/why_panel.h"
+#include "ui/session/snapshot_reader.h"
+
+namespace cullscope::ui::view_frames_test {
+namespace {
+
+/// A session with two views of a field of boxes, and all panels that read decisions.
+class ViewFramesTest : public testing::Test {
+protected:
+    ViewFramesTest() {
+        session.setViewCount(2);
+        session.setViewport(0, {160, 120});
+        session.setViewport(1, {160, 120});
+        openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=320,n=4"));
+        reader.readFor(&why);
+    }
+
+    void settle() {
+        ASSERT_TRUE(waitUntil([&] {
+            return session.pictures()->isCurrent(0) && session.pictures()->isCurrent(1) && !session.pictures()->busy() &&
+                   session.metricsSettled() && (!why.isVisible() || reader.fresh());
+        }));
+    }
+
+    [[nodiscard]] size_t decided(int view) const { return session.frames()->decided(view); }
+
+    Session session{sessionOptions(true)};
+    SnapshotReader reader{session};
+    WhyPanel why{session, reader};
+};
+
+TEST_F(ViewFramesTest, aFrameIsDecidedOnceForPictureVerdictsPanelsFiguresAndPick) {
+    session.setMeasuring(true);
+    session.slot(1).choose("frustum-octree");
+    session.setActiveView(1);
+    why.show();
+    settle();
+    const size_t before = decided(1);
+    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), {}));
+    settle();
+    EXPECT_EQ(decided(1), before + 1) << "picture, panels and figures";
+    ViewSetup setup = session.setup(1);
+    setup.look.colouring = Colouring::Verdicts;
+    setup.look.boxes = true;
+    session.setSetup(1, setup);
+    settle();
+    session.pickAt(1, 80, 60);
+    ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
+    settle();
+    EXPECT_FALSE(reader.reading()->why.empty());
+    EXPECT_EQ(decided(1), before + 1) << "colours, boxes, pick and why";
+}
+
+TEST_F(ViewFramesTest, anObserverReplaysTheFrameOfItsView) {
+    session.slot(1).choose("frustum");
+    settle();
+    const size_t before = decided(0);
+    session.observe(1, 0);
+    settle();
+    session.setViewingCamera(1, turned(session.viewingCamera(1), UpAxis::Y, Angle::fromDegrees(20.0), {}));
+    settle();
+    EXPECT_EQ(decided(0), before);
+}
+
+TEST_F(ViewFramesTest, viewsOfOneStrategyShareItsStructure) {
+    // The hidden views build, too.
+    ASSERT_TRUE(waitUntil([&] {
+        for (int view = 0; view < Session::kMostViews; ++view)
+            if (!session.slot(view).built() || session.slot(view).building()) return false;
+        return true;
+    }));
+    for (int view = 2; view < Session::kMostViews; ++view) session.slot(view).choose("all");
+    session.slot(0).choose("frustum");
+    session.slot(1).choose("frustum");
+    settle();
+    const size_t before = session.structures()->built();
+    session.slot(0).choose("spherical-lossless");
+    session.slot(1).choose("spherical-lossless");
+    settle();
+    EXPECT_EQ(session.structures()->built(), before + 1);
+    EXPECT_EQ(session.slot(0).built()->structure(), session.slot(1).built()->structure());
+    for (const char* key : {"cones", "horizon"}) {
+        ParameterSet parameters = session.slot(1).parameters();
+        parameters.set(key, false);
+        session.slot(1).setParameters(parameters);
+        settle();
+        EXPECT_EQ(session.slot(1).built()->parameters(), parameters);
+    }
+    EXPECT_EQ(session.structures()->built(), before + 1) << "a parameter that is read when culling builds nothing";
+    ParameterSet parameters = session.slot(1).parameters();
+    parameters.setFromText("level", "3");
+    session.slot(1).setParameters(parameters);
+    settle();
+    EXPECT_EQ(session.structures()->built(), before + 2);
+}
+
+TEST_F(ViewFramesTest, aScreenshotOfTheSameSizeReplaysTheFrame) {
+    session.slot(1).choose("frustum-octree");
+    settle();
+    const size_t before = decided(1);
+    (void)session.pictures()->drawNow(*session.viewRequest(1));
+    EXPECT_EQ(decided(1), before);
+}
+
+}  // namespace
+}  // namespace cullscope::ui::view_frames_test

@@ -1,0 +1,86 @@
+#include "ui/jobs/view_frames.h"
+
+#include <algorithm>
+
+#include "core/image/overlays.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+// Decisions about up to so many objects are recorded in every frame, so that whatever reads them finds them; of a larger scene
+// only where something reads them, because they take time and memory.
+constexpr size_t kMostObjectsAlwaysRecorded = 20'000;
+
+bool alwaysRecorded(const FrameRequest& request) {
+    return request.strategy->scene().instances().size() <= kMostObjectsAlwaysRecorded;
+}
+
+}  // namespace
+
+ViewFramePointer ViewFrames::of(const FrameRequest& request, bool recorded, Renderer& renderer) {
+    Memory& memory = m_views[request.view];
+    const bool same = memory.frame && memory.frame->request.sameFrame(request);
+    if (same && (memory.frame->log.recorded || !recorded)) return memory.frame;
+    if (!same) {
+        const bool goesOn = memory.frame && memory.frame->request.strategy == request.strategy;
+        memory.before = goesOn ? std::move(memory.after) : request.strategy->begin();
+    }
+    memory.after = memory.before->clone();
+    memory.frame = nullptr;
+    memory.frame = decide(request, recorded, *memory.after, renderer);
+    return memory.frame;
+}
+
+ViewFramePointer ViewFrames::beside(const FrameRequest& request, bool recorded, Renderer& renderer) {
+    const auto found = m_views.find(request.view);
+    const ViewFramePointer shown = found == m_views.end() ? nullptr : found->second.frame;
+    if (shown && shown->request.sameFrame(request) && (shown->log.recorded || !recorded)) return shown;
+    const bool sameStrategy = shown && shown->request.strategy == request.strategy;
+    const ViewStatePointer state = sameStrategy ? found->second.before->clone() : request.strategy->begin();
+    return decide(request, recorded, *state, renderer);
+}
+
+ViewStatePointer ViewFrames::memoryBefore(const FrameRequest& request) const {
+    const auto found = m_views.find(request.view);
+    if (found == m_views.end() || !found->second.frame || !found->second.frame->request.sameFrame(request))
+        return request.strategy->begin();
+    return found->second.before->clone();
+}
+
+void ViewFrames::forget(int view, const BuiltStrategyPointer& present) {
+    const auto found = m_views.find(view);
+    if (found != m_views.end() && (!found->second.frame || found->second.frame->request.strategy != present))
+        m_views.erase(found);
+}
+
+size_t ViewFrames::decided(int view) const {
+    const std::lock_guard lock(m_mutex);
+    const auto found = m_decided.find(view);
+    return found == m_decided.end() ? 0 : found->second;
+}
+
+ViewFramePointer ViewFrames::decide(const FrameRequest& request, bool recorded, ViewState& state, Renderer& renderer) {
+    auto frame = std::make_shared<ViewFrame>();
+    frame->request = request;
+    const View culling(request.culling, request.size);
+    GpuFrame context(renderer, *request.buffers, culling, recorded || alwaysRecorded(request));
+    request.strategy->draw(context, state);
+    frame->log = context.take();
+    const std::lock_guard lock(m_mutex);
+    ++m_decided[request.view];
+    return frame;
+}
+
+ViewLook shownLook(const ViewFrame& frame, ViewLook look) {
+    if (!look.boxes && !look.bands && !look.kernel) return look;
+    const StructureSnapshot snapshot = frame.request.strategy->snapshot(frame.log);
+    look.boxes = look.boxes && !(snapshot.nodes.empty() && snapshot.maps.empty());
+    look.bands = look.bands && std::ranges::any_of(snapshot.maps, [](const spherical::MapSnapshot& map) {
+                     return map.decision.bands.has_value();
+                 });
+    look.kernel = look.kernel && std::ranges::any_of(snapshot.maps, hasKernel);
+    return look;
+}
+
+}  // namespace cullscope::ui

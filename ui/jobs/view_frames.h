@@ -1,0 +1,71 @@
+#pragma once
+
+#include <atomic>
+#include <map>
+#include <memory>
+#include <mutex>
+
+#include "core/gpu/gpu_frame.h"
+#include "core/image/view_picture.h"
+#include "core/visibility/built_strategy.h"
+#include "ui/jobs/gpu_thread.h"
+
+namespace cullscope::ui {
+
+/// All that a frame is decided from.
+struct FrameRequest {
+    SceneBuffersPointer buffers;
+    BuiltStrategyPointer strategy;
+    Camera culling;
+    Viewport size;
+    int view = 0;  ///< whose memory it has
+
+    /// Whether it is the same frame. How the scene was uploaded decides nothing.
+    [[nodiscard]] bool sameFrame(const FrameRequest& other) const {
+        return strategy == other.strategy && culling == other.culling && size == other.size && view == other.view;
+    }
+};
+
+/// A frame that was decided. Its picture from any camera, its panels, its verdicts and its figures are replays of it.
+struct ViewFrame {
+    FrameRequest request;
+    FrameLog log;
+};
+using ViewFramePointer = std::shared_ptr<const ViewFrame>;
+
+/// The frames of the views, each decided once, with each view's memory. Used on the GPU thread; `decided` on any.
+class ViewFrames {
+public:
+    /// The view's frame, decided here if its newest one is another. `recorded`: its decisions are read; a frame that was decided
+    /// without them is decided again from the memory that it began with. Throws what core throws.
+    [[nodiscard]] ViewFramePointer of(const FrameRequest& request, bool recorded, Renderer& renderer);
+    /// The same for a picture that the view does not show, as of another size: with the view's memory, which does not change.
+    [[nodiscard]] ViewFramePointer beside(const FrameRequest& request, bool recorded, Renderer& renderer);
+    /// The memory with which the view's frame began, if its newest frame is this one; else that of a view without a past.
+    [[nodiscard]] ViewStatePointer memoryBefore(const FrameRequest& request) const;
+
+    /// Drops the frames, or those of a view whose strategy is another one by now.
+    void forget() { m_views.clear(); }
+    void forget(int view, const BuiltStrategyPointer& present);
+
+    /// How many frames were decided for a view so far. For tests: a frame is decided once.
+    [[nodiscard]] size_t decided(int view) const;
+
+private:
+    struct Memory {
+        ViewFramePointer frame;
+        ViewStatePointer before, after;  ///< the view's memory before and after `frame`
+    };
+
+    [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, bool recorded, ViewState& state, Renderer& renderer);
+
+    std::map<int, Memory> m_views;
+    mutable std::mutex m_mutex;
+    std::map<int, size_t> m_decided;  ///< guarded by m_mutex
+};
+using ViewFramesPointer = std::shared_ptr<ViewFrames>;
+
+/// Returns `look` without the boxes, bands and kernels that the strategy does not have in this frame, which was recorded.
+[[nodiscard]] ViewLook shownLook(const ViewFrame& frame, ViewLook look);
+
+}  // namespace cullscope::ui
