@@ -174,8 +174,8 @@ std::vector<PaperColumn> timedColumns(std::vector<PaperColumn> setting, const st
                                             {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
                                             {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
                                             {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
-                                            {"speedup_vs_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
-                                            {"speedup_vs_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+                                            {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
+                                            {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
                                             {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
                                             {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
                                             {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
@@ -196,7 +196,7 @@ std::string sizeText(Viewport size) { return std::to_string(size.width) + "×" +
 PaperSetting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
     PaperSetting setting;
     setting.scene = kBunny;
-    setting.strategies = {"all", "backface", "spherical"};
+    setting.strategies = {kAllId, kBackfaceId, "spherical"};
     setting.shown = "spherical";
     setting.path = path;
     setting.size = size;
@@ -213,7 +213,7 @@ void addCases(PaperExperiment& experiment, const Cases& rows, Viewport size, int
         const std::string path = "case-" + std::to_string(i + 1);
         PaperSetting setting = timedSetting(path, size, windows, Upload::Vbo);
         setting.labels["case"] = double(i + 1);
-        setting.paper["all"] = {{"paper_fps", rows[i].fpsAll}};
+        setting.paper[kAllId] = {{"paper_fps", rows[i].fpsAll}};
         setting.paper["spherical"] = {{"paper_fps", rows[i].fpsProposed},
                                       {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
         experiment.settings.push_back(setting);
@@ -243,7 +243,7 @@ PaperExperiment table2() {
     experiment.columns = timedColumns({caseColumn()}, paper);
     addCases(experiment, kTable2, kSmall, 1);
     for (size_t i = 0; i < experiment.settings.size(); ++i) {
-        experiment.settings[i].paper["all"]["paper_faces"] = kFacesOfTable2;
+        experiment.settings[i].paper[kAllId]["paper_faces"] = kFacesOfTable2;
         experiment.settings[i].paper["spherical"]["paper_faces"] = kConsideredOfTable2[i];
     }
     return experiment;
@@ -276,7 +276,7 @@ Cells rangeCells(const Range& range) {
 void addInside(PaperExperiment& experiment, Upload upload, const Range& all, const Range& proposed) {
     PaperSetting setting = timedSetting("fibonacci:12", kLarge, 1, upload);
     setting.strategies.push_back("spherical-horizon");
-    setting.paper["all"] = rangeCells(all);
+    setting.paper[kAllId] = rangeCells(all);
     setting.paper["spherical"] = rangeCells(proposed);
     setting.paper["spherical"]["paper_speedup_vs_all"] = proposed.mean / all.mean;
     experiment.settings.push_back(setting);

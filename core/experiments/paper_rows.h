@@ -14,7 +14,7 @@ using PaperCells = std::map<std::string, PaperValue>;
 [[nodiscard]] inline Message note(const char* text) { return {text, {}}; }
 
 /// The cells that every table has for a run: the setting's labels, the paper's values for the strategy, and the measured views,
-/// frames per second, speed-ups, and losses where they were counted. The run must have frames.
+/// frames per second, ratios, and losses where they were counted. The run must have frames.
 [[nodiscard]] PaperCells rowCells(const PaperSetting& setting, const RunMeasurement& run);
 
 }  // namespace cullscope

@@ -31,7 +31,7 @@ Json rowJson(const PaperTable& table, const std::vector<PaperValue>& row) {
         if (const auto* number = std::get_if<double>(&row[i])) json[key] = *number;
         if (const auto* words = std::get_if<std::string>(&row[i])) json[key] = *words;
         if (const auto* estimate = std::get_if<RatioEstimate>(&row[i])) {
-            json[key] = estimate->mean;
+            json[key] = estimate->ratio;
             json[key + "_ci95"] = estimate->ci95;
         }
     }
@@ -85,7 +85,7 @@ bool hasIntervals(const PaperTable& table, size_t column) {
 
 std::string csvText(const PaperValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
-    if (const auto* estimate = std::get_if<RatioEstimate>(&value)) return fmt::format("{}", estimate->mean);
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value)) return fmt::format("{}", estimate->ratio);
     const auto* words = std::get_if<std::string>(&value);
     if (!words) return "";
     return words->find_first_of(",\"\n") == std::string::npos ? *words : '"' + *words + '"';
@@ -136,7 +136,7 @@ std::string paperText(const PaperColumn& column, const PaperValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
     if (const auto* words = std::get_if<std::string>(&value)) return *words;
     if (const auto* estimate = std::get_if<RatioEstimate>(&value))
-        return numberText(column, estimate->mean) + " [" + numberText(column, estimate->ci95[0]) + ", " +
+        return numberText(column, estimate->ratio) + " [" + numberText(column, estimate->ci95[0]) + ", " +
                numberText(column, estimate->ci95[1]) + "]";
     return "";
 }

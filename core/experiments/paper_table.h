@@ -13,7 +13,7 @@
 
 namespace cullscope {
 
-/// The value of a cell: none, a number, words (an id, or English marked for translation), or a mean with its 95 % interval.
+/// The value of a cell: none, a number, words (an id, or English marked for translation), or a ratio with its 95 % interval.
 using PaperValue = std::variant<std::monostate, double, std::string, RatioEstimate>;
 
 struct PaperColumn {

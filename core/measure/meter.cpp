@@ -1,293 +1,189 @@
 #include "core/measure/meter.h"
 
 #include <algorithm>
-#include <numeric>
 
 #include "core/base/error.h"
-#include "core/gpu/gpu_frame.h"
-#include "core/measure/accuracy.h"
-#include "core/measure/statistics.h"
+#include "core/measure/summary.h"
 
 namespace cullscope {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
 constexpr double kBuilding = 0.1;  // share of the progress
 
-/// A strategy while it is measured.
-struct Contestant {
-    StrategyRequest request;
-    BuiltStrategyPointer strategy;
-    std::vector<ViewStatePointer> states;       ///< by window
-    std::vector<ViewStatePointer> left;         ///< the memories after the last counted frame, of a strategy that remembers
-    FrameLog log;                               ///< of the first window's last counted frame
-    bool askedFor = true;                       ///< false: a baseline measured only for the ratios
-    std::vector<double> frameTimes, cullTimes;  ///< of the current pose
-    RunMeasurement run;
-};
+void requireSomething(const MeasureRequest& request) {
+    if (request.strategies.empty()) throwUsage(CULLSCOPE_TR("No strategy is named: give one with -s."));
+    if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));
+    if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
+}
 
-class Experiment {
+}  // namespace
+
+Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
+                             const Progress& progress) {
+    requireSomething(request);
+    Contestants built;
+    const auto add = [&](const StrategyRequest& strategy, bool askedFor, const Progress& building) {
+        requireAvailable(strategyOf(strategy).info, gl);
+        built.strategies.push_back(
+            {strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene, structures, building), askedFor});
+    };
+    const double step = 1.0 / double(request.strategies.size());
+    for (const StrategyRequest& strategy : request.strategies) {
+        const std::optional<Message> why = unavailable(strategyOf(strategy).info, gl);
+        if (why && request.leaveOutUnavailable) {
+            built.leftOut.push_back(*why);
+            continue;
+        }
+        const double from = step * double(built.strategies.size());
+        add(strategy, true, progress.part(from, from + step));
+    }
+    for (const StrategyRequest& baseline : missingBaselines(request.strategies)) add(baseline, false, {nullptr, progress.stop});
+    return built;
+}
+
+/// The steps of a measurement: at each pose first all frames, then the comparison of each strategy's last one with the truth.
+class Meter::Experiment {
 public:
-    Experiment(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose)
-        : m_request(request),
-          m_progress(progress),
-          m_afterPose(afterPose),
-          m_gl(requireOpenGl45()),
-          m_buffers(request.scene, request.upload) {
+    Experiment(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,
+               std::shared_ptr<const SceneBuffers> buffers)
+        : m_request(request), m_contestants(std::move(contestants)), m_gl(gl), m_buffers(std::move(buffers)) {
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
-        const double step = kBuilding / double(std::max<size_t>(request.strategies.size(), 1));
-        for (const StrategyRequest& strategy : request.strategies) {
-            if (leftOut(strategy)) continue;
-            const double from = step * double(m_contestants.size());
-            add(strategy, true, m_progress.part(from, from + step));
+        for (const Contestant& contestant : m_contestants.strategies) {
+            m_memories.emplace_back();
+            for (size_t window = 0; window < m_targets.size(); ++window)
+                m_memories.back().push_back(contestant.strategy->begin());
+            RunMeasurement run;
+            run.strategy = contestant.request;
+            run.promise = contestant.strategy->promise();
+            run.facing = contestant.strategy->facing();
+            run.referenceFacing = contestant.strategy->referenceFacing();
+            run.structure = contestant.strategy->report();
+            m_runs.push_back(std::move(run));
         }
-        for (const char* baseline : {"all", "backface"})
-            if (indexOf(baseline) == m_contestants.size())
-                add({baseline, ParameterSet(findStrategy(baseline).info.parameters)}, false, {nullptr, m_progress.stop});
     }
 
-    MeasureResult run() {
-        bool interrupted = false;
-        const Progress measuring = m_progress.part(kBuilding, 1.0);
-        for (size_t pose = 0; pose < m_request.path.poses.size() && !interrupted; ++pose) {
-            measuring.tell(double(pose) / double(m_request.path.poses.size()), CULLSCOPE_TR("measuring"));
-            interrupted = !measurePose(pose);
-            if (!interrupted && m_afterPose) m_afterPose([this] { return resultSoFar(); });
-        }
-        MeasureResult result = resultSoFar();
-        result.interrupted = interrupted;
-        return result;
+    [[nodiscard]] size_t poses() const { return m_runs.front().frames.size(); }
+    [[nodiscard]] bool complete() const { return poses() == m_request.path.poses.size(); }
+
+    void step() {
+        if (complete()) return;
+        if (!m_pose) beginPose();
+        if (!m_pose->rounds.complete())
+            return m_pose->rounds.step(m_renderer,
+                                       [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; });
+        recordNext();
+        if (m_pose->frames.size() == m_runs.size()) endPose();
     }
 
-private:
-    void add(const StrategyRequest& request, bool askedFor, const Progress& progress) {
-        Contestant contestant;
-        contestant.request = request;
-        contestant.askedFor = askedFor;
-        requireAvailable(strategyOf(request).info, m_gl);
-        contestant.strategy = buildStrategy(strategyOf(request), request.parameters, m_request.scene, m_structures, progress);
-        for (size_t window = 0; window < m_targets.size(); ++window) contestant.states.push_back(contestant.strategy->begin());
-        contestant.run.strategy = request;
-        contestant.run.promise = contestant.strategy->promise();
-        contestant.run.facing = contestant.strategy->facing();
-        contestant.run.referenceFacing = contestant.strategy->referenceFacing();
-        contestant.run.structure = contestant.strategy->report();
-        m_contestants.push_back(std::move(contestant));
-    }
-
-    /// Whether this OpenGL cannot run a strategy that may be left out; records why.
-    bool leftOut(const StrategyRequest& request) {
-        const std::optional<Message> why = unavailable(strategyOf(request).info, m_gl);
-        if (!why || !m_request.leaveOutUnavailable) return false;
-        m_leftOut.push_back(*why);
-        return true;
-    }
-
-    /// The index of the first contestant with an id; the number of contestants where there is none.
-    [[nodiscard]] size_t indexOf(const std::string& id) const {
-        const auto found =
-            std::find_if(m_contestants.begin(), m_contestants.end(), [&](const Contestant& c) { return c.request.id == id; });
-        return static_cast<size_t>(found - m_contestants.begin());
-    }
-
-    /// Draws one frame: each window is culled and drawn; ends when the GPU has finished. `counts`: its times are recorded.
-    /// A strategy whose frames depend on the ones before draws every repetition with the memory with which the views came here.
-    void drawFrame(Contestant& contestant, const View& view, bool counts) {
-        std::vector<ViewStatePointer> arrived;
-        if (contestant.strategy->info().remembers)
-            for (const ViewStatePointer& state : contestant.states) arrived.push_back(state->clone());
-        std::vector<ViewStatePointer>& states = arrived.empty() ? contestant.states : arrived;
-        std::vector<std::unique_ptr<GpuFrame>> frames;
-        const auto start = Clock::now();
-        for (size_t window = 0; window < m_targets.size(); ++window) {
-            frames.push_back(std::make_unique<GpuFrame>(m_renderer, m_buffers, view, *m_targets[window], DrawStyle{}));
-            contestant.strategy->draw(*frames.back(), *states[window]);
-        }
-        waitForGpu();
-        const double passed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-        if (!counts) return;
-        contestant.frameTimes.push_back(passed);
-        double cull = 0.0;
-        for (const auto& frame : frames) {
-            FrameLog log = frame->take();
-            cull += log.cullMilliseconds;
-            if (frame == frames.front()) contestant.log = std::move(log);
-        }
-        contestant.cullTimes.push_back(cull);
-        contestant.left = std::move(arrived);
-    }
-
-    /// Returns false where a stop was requested before the pose was complete.
-    bool measurePose(size_t pose) {
-        const View view(m_request.path.camera(pose), m_request.size);
-        for (Contestant& contestant : m_contestants) {
-            contestant.frameTimes.clear();
-            contestant.cullTimes.clear();
-            for (int i = 0; i < m_request.timing.warmUp; ++i) {
-                if (m_progress.stopRequested()) return false;
-                drawFrame(contestant, view, false);
-            }
-        }
-        while (!enoughRounds()) {
-            for (Contestant& contestant : m_contestants) {
-                if (m_progress.stopRequested()) return false;
-                drawFrame(contestant, view, true);
-            }
-        }
-        return recordPose(pose, view);
-    }
-
-    [[nodiscard]] bool enoughRounds() const {
-        const TimingProtocol& timing = m_request.timing;
-        const auto rounds = static_cast<int>(m_contestants.front().frameTimes.size());
-        if (timing.fixedRepetitions > 0) return rounds >= timing.fixedRepetitions;
-        if (rounds >= std::max(1, timing.mostRepetitions)) return true;
-        // The median is compared with that of two rounds ago, so at least three rounds are needed.
-        if (rounds < std::max(3, timing.leastRepetitions)) return false;
-        return std::all_of(m_contestants.begin(), m_contestants.end(), [&](const Contestant& contestant) {
-            const double now = quantile(contestant.frameTimes, 0.5);
-            if (now > timing.longFrameMilliseconds) return true;
-            const std::vector<double> before(contestant.frameTimes.begin(), contestant.frameTimes.end() - 2);
-            return std::abs(quantile(before, 0.5) - now) <= timing.steadyWithin * now;
-        });
-    }
-
-    bool recordPose(size_t pose, const View& view) {
-        std::array<std::optional<Reference>, 2> references;
-        std::vector<FrameMeasurement> frames;
-        for (Contestant& contestant : m_contestants) {
-            FrameMeasurement frame;
-            frame.pose = pose;
-            frame.frameMilliseconds = quantile(contestant.frameTimes, 0.5);
-            frame.cullMilliseconds = quantile(contestant.cullTimes, 0.5);
-            frame.repetitions = static_cast<int>(contestant.frameTimes.size());
-            if (m_progress.stopRequested()) return false;
-            if (contestant.strategy->promiseAt(view) == Promise::Approximate) contestant.run.promise = Promise::Approximate;
-            const FrameLog& log = contestant.log;
-            frame.stages = log.stages;
-            frame.consideredTriangles = log.consideredTriangles();
-            frame.culledTriangles = log.counters.culledTriangles;
-            frame.parts = log.counters.parts;
-            frame.figures = log.counters.figures;
-            if (m_request.accuracy && contestant.askedFor) {
-                std::optional<Reference>& reference = references[contestant.run.referenceFacing == Facing::Front ? 1 : 0];
-                if (!reference) reference = itemBufferReference(m_renderer, m_buffers, view, contestant.run.referenceFacing);
-                const ShownPixels shown = shownPixels(m_renderer, m_buffers, log, *m_targets.front());
-                frame.accuracy = compare(*reference, shown, drawnTriangles(*m_request.scene, log), *m_request.scene);
-                frame.ownRaster = !log.drawsScene();
-                if (frame.ownRaster || contestant.run.facing != contestant.run.referenceFacing)
-                    frame.missedBeyondSnapping = missedBeyondSnapping(*reference, shown, *m_request.scene, view);
-            }
-            frames.push_back(frame);
-        }
-        // Only complete poses are kept, so that every ratio has both of its times.
-        for (size_t i = 0; i < frames.size(); ++i) {
-            m_contestants[i].run.frames.push_back(frames[i]);
-            if (!m_contestants[i].left.empty()) m_contestants[i].states = std::move(m_contestants[i].left);
-        }
-        return true;
-    }
-
-    [[nodiscard]] RatioEstimate speedupOver(const char* baseline, const Contestant& contestant) const {
-        const std::vector<FrameMeasurement>& slow = m_contestants[indexOf(baseline)].run.frames;
-        std::vector<double> ratios;
-        for (size_t i = 0; i < contestant.run.frames.size(); ++i)
-            ratios.push_back(slow[i].frameMilliseconds / contestant.run.frames[i].frameMilliseconds);
-        return bootstrapMean(ratios);
-    }
-
-    /// The poses measured completely so far, with their summaries; `interrupted` while poses are missing.
     [[nodiscard]] MeasureResult resultSoFar() const {
         MeasureResult result;
         result.request = m_request;
         result.gl = m_gl;
-        result.leftOut = m_leftOut;
-        result.interrupted = m_contestants.front().run.frames.size() < m_request.path.poses.size();
-        for (const Contestant& contestant : m_contestants) {
-            if (!contestant.askedFor) continue;
-            result.runs.push_back(contestant.run);
-            result.runs.back().summary = summaryOf(contestant);
+        result.leftOut = m_contestants.leftOut;
+        result.interrupted = !complete();
+        for (size_t i = 0; i < m_runs.size(); ++i) {
+            if (!m_contestants.strategies[i].askedFor) continue;
+            result.runs.push_back(m_runs[i]);
+            result.runs.back().summary = summaryOf(m_runs[i], m_runs, *m_request.scene);
         }
         return result;
     }
 
-    [[nodiscard]] Summary summaryOf(const Contestant& contestant) const {
-        const std::vector<FrameMeasurement>& frames = contestant.run.frames;
-        Summary summary;
-        if (frames.empty()) return summary;
-        std::vector<double> times;
-        double cull = 0.0, considered = 0.0;
-        for (const FrameMeasurement& frame : frames) {
-            times.push_back(frame.frameMilliseconds);
-            cull += frame.cullMilliseconds;
-            considered += double(frame.consideredTriangles);
-            summary.fpsMean += 1000.0 / frame.frameMilliseconds / double(frames.size());
-        }
-        const double total = std::accumulate(times.begin(), times.end(), 0.0);
-        summary.fpsOverall = 1000.0 * double(frames.size()) / total;
-        summary.fpsMin = 1000.0 / *std::max_element(times.begin(), times.end());
-        summary.fpsMax = 1000.0 / *std::min_element(times.begin(), times.end());
-        summary.frameMillisecondsMedian = quantile(times, 0.5);
-        summary.frameMillisecondsP95 = quantile(times, 0.95);
-        summary.frameMillisecondsP99 = quantile(times, 0.99);
-        summary.cullShare = cull / total;
-        const double triangles = double(m_request.scene->triangleCount());
-        summary.culledFraction = triangles > 0 ? 1.0 - considered / double(frames.size()) / triangles : 0.0;
-        if (const std::optional<Losses> lost = contestant.run.losses())
-            summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
-        const RatioEstimate all = speedupOver("all", contestant);
-        summary.speedupVsAll = all.mean;
-        summary.speedupVsAllCi95 = all.ci95;
-        const RatioEstimate backface = speedupOver("backface", contestant);
-        summary.speedupVsBackface = backface.mean;
-        summary.speedupVsBackfaceCi95 = backface.ci95;
-        return summary;
+private:
+    /// The pose in progress.
+    struct Pose {
+        View view;
+        TimedRounds rounds;
+        std::array<std::optional<Reference>, 2> references{};  ///< by facing rule
+        std::vector<FrameMeasurement> frames{};                ///< of the strategies recorded so far
+    };
+
+    void beginPose() {
+        const View view(m_request.path.camera(poses()), m_request.size);
+        std::vector<TimedFrames> entrants;
+        for (size_t i = 0; i < m_runs.size(); ++i)
+            entrants.push_back({m_buffers.get(), m_contestants.strategies[i].strategy, view, std::move(m_memories[i])});
+        m_pose.emplace(Pose{view, TimedRounds(std::move(entrants), m_request.timing)});
     }
 
-    const MeasureRequest& m_request;
-    const Progress& m_progress;
-    const PoseObserver& m_afterPose;
+    /// The next strategy's figures, and what its last frame lost: the log of that frame is replayed.
+    void recordNext() {
+        const size_t number = m_pose->frames.size();
+        const TimedFrames& timed = m_pose->rounds.entrants()[number];
+        RunMeasurement& run = m_runs[number];
+        FrameMeasurement frame;
+        frame.pose = poses();
+        frame.frameMilliseconds = quantile(timed.frameMilliseconds, 0.5);
+        frame.cullMilliseconds = quantile(timed.cullMilliseconds, 0.5);
+        frame.frameTimes = timed.frameMilliseconds;
+        frame.repetitions = static_cast<int>(timed.frameMilliseconds.size());
+        if (timed.strategy->promiseAt(timed.view) == Promise::Approximate) run.promise = Promise::Approximate;
+        frame.stages = timed.log.stages;
+        frame.consideredTriangles = timed.log.consideredTriangles();
+        frame.culledTriangles = timed.log.counters.culledTriangles;
+        frame.parts = timed.log.counters.parts;
+        frame.figures = timed.log.counters.figures;
+        if (m_request.accuracy && m_contestants.strategies[number].askedFor) compareWithTruth(frame, timed, run);
+        m_pose->frames.push_back(std::move(frame));
+    }
+
+    void compareWithTruth(FrameMeasurement& frame, const TimedFrames& timed, const RunMeasurement& run) {
+        const Scene& scene = *m_request.scene;
+        std::optional<Reference>& truth = m_pose->references[run.referenceFacing == Facing::Front ? 1 : 0];
+        if (!truth) truth = itemBufferReference(m_renderer, *m_buffers, timed.view, run.referenceFacing);
+        const ShownPixels shown = shownPixels(m_renderer, *m_buffers, timed.log, *m_targets.front());
+        frame.accuracy = compare(*truth, shown, drawnTriangles(scene, timed.log), scene);
+        frame.ownRaster = !timed.log.drawsScene();
+        if (frame.ownRaster || run.facing != run.referenceFacing)
+            frame.missedBeyondSnapping = missedBeyondSnapping(*truth, shown, scene, timed.view);
+    }
+
+    void endPose() {
+        for (size_t i = 0; i < m_runs.size(); ++i) {
+            m_runs[i].frames.push_back(std::move(m_pose->frames[i]));
+            m_memories[i] = m_pose->rounds.entrants()[i].takeMemories();
+        }
+        m_pose.reset();
+    }
+
+    MeasureRequest m_request;
+    Contestants m_contestants;
     GlInfo m_gl;
+    std::shared_ptr<const SceneBuffers> m_buffers;
     Renderer m_renderer;
-    SceneBuffers m_buffers;
-    std::vector<std::unique_ptr<Framebuffer>> m_targets;
-    StructureStore m_structures;
-    std::vector<Contestant> m_contestants;
-    std::vector<Message> m_leftOut;
+    std::vector<std::unique_ptr<Framebuffer>> m_targets;    ///< by window
+    std::vector<RunMeasurement> m_runs;                     ///< by strategy, the baselines that were not asked for among them
+    std::vector<std::vector<ViewStatePointer>> m_memories;  ///< by strategy and window; at the rounds while a pose is in progress
+    std::optional<Pose> m_pose;
 };
 
-}  // namespace
+Meter::Meter(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,
+             std::shared_ptr<const SceneBuffers> buffers)
+    : m_experiment(std::make_unique<Experiment>(request, std::move(contestants), gl, std::move(buffers))) {}
+Meter::~Meter() = default;
 
-std::optional<Losses> RunMeasurement::losses() const {
-    if (frames.empty() || !frames.front().accuracy) return std::nullopt;
-    Losses losses;
-    uint64_t most = 0;
-    for (const FrameMeasurement& frame : frames) {
-        losses.coveredPixels += frame.accuracy->coveredPixels;
-        losses.missedPixels += frame.accuracy->missedPixels;
-        losses.missedBeyondSnapping += frame.missedBeyondSnapping;
-        losses.largestHolePixels = std::max(losses.largestHolePixels, frame.accuracy->largestHolePixels);
-        if (frame.accuracy->missedPixels <= most) continue;
-        most = frame.accuracy->missedPixels;
-        losses.worstPose = frame.pose;
-    }
-    return losses;
-}
-
-bool RunMeasurement::promiseBroken() const {
-    if (promise == Promise::Approximate) return false;
-    return std::any_of(frames.begin(), frames.end(), [&](const FrameMeasurement& frame) {
-        if (frame.ownRaster || facing != referenceFacing) return frame.missedBeyondSnapping > 0;
-        return frame.accuracy && frame.accuracy->missedPixels > 0;
-    });
-}
+void Meter::step() { m_experiment->step(); }
+bool Meter::complete() const { return m_experiment->complete(); }
+size_t Meter::poses() const { return m_experiment->poses(); }
+MeasureResult Meter::resultSoFar() const { return m_experiment->resultSoFar(); }
 
 MeasureResult measure(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose) {
-    if (request.strategies.empty()) throwUsage(CULLSCOPE_TR("No strategy is named: give one with -s."));
-    if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));
-    if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
-    return Experiment(request, progress, afterPose).run();
+    requireSomething(request);
+    const GlInfo gl = requireOpenGl45();
+    auto buffers = std::make_shared<const SceneBuffers>(request.scene, request.upload);
+    StructureStore structures;
+    Meter meter(request, buildContestants(request, gl, structures, progress.part(0.0, kBuilding)), gl, std::move(buffers));
+    const Progress measuring = progress.part(kBuilding, 1.0);
+    while (!meter.complete()) {
+        const size_t pose = meter.poses();
+        measuring.tell(double(pose) / double(request.path.poses.size()), CULLSCOPE_TR("measuring"));
+        while (meter.poses() == pose) {
+            if (measuring.stopRequested()) return meter.resultSoFar();
+            meter.step();
+        }
+        if (afterPose) afterPose([&] { return meter.resultSoFar(); });
+    }
+    return meter.resultSoFar();
 }
 
 }  // namespace cullscope

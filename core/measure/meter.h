@@ -9,21 +9,12 @@
 #include "core/gpu/context.h"
 #include "core/gpu/scene_buffers.h"
 #include "core/measure/accuracy.h"
+#include "core/measure/statistics.h"
+#include "core/measure/timed_rounds.h"
 #include "core/scene/camera_path.h"
-#include "core/visibility/built_strategy.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
-
-/// The number of repetitions of a frame (docs/measuring.md, "Speed").
-struct TimingProtocol {
-    int warmUp = 1;            ///< frames of each strategy and pose that are not counted
-    int fixedRepetitions = 0;  ///< 0: until the median is steady
-    int leastRepetitions = 3;
-    int mostRepetitions = 21;
-    double steadyWithin = 0.02;            ///< relative change of every strategy's median over the last two rounds
-    double longFrameMilliseconds = 250.0;  ///< a strategy with longer frames counts as steady after leastRepetitions
-};
 
 struct MeasureRequest {
     ScenePointer scene;
@@ -43,6 +34,7 @@ struct FrameMeasurement {
     double frameMilliseconds = 0.0;  ///< median; cull + draw of all windows
     double cullMilliseconds = 0.0;   ///< median
     std::vector<Stage> stages;       ///< of one cull
+    std::vector<double> frameTimes;  ///< milliseconds, by repetition; in files only as their median
     int repetitions = 0;
     uint64_t consideredTriangles = 0;                     ///< of one window
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (FrameCounters)
@@ -66,13 +58,11 @@ struct Summary {
     double fpsOverall = 0.0;  ///< poses / total time
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
-    double cullShare = 0.0;                    ///< of the frame time
-    double culledFraction = 0.0;               ///< of the scene's triangles, mean over poses
-    std::optional<double> missedPixelRate;     ///< missed / covered, over all poses
-    double speedupVsAll = 0.0;                 ///< mean over poses of the ratio of frame times
-    std::array<double, 2> speedupVsAllCi95{};  ///< bootstrap over poses
-    double speedupVsBackface = 0.0;
-    std::array<double, 2> speedupVsBackfaceCi95{};
+    double cullShare = 0.0;                         ///< of the frame time
+    double culledFraction = 0.0;                    ///< of the scene's triangles, mean over poses
+    std::optional<double> missedPixelRate;          ///< missed / covered, over all poses
+    RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOfTotals over the poses: what "×" says everywhere
+    RatioEstimate speedupVsAll, speedupVsBackface;  ///< meanOfRatios over the poses, which papers quote
 };
 
 /// The measurement of one strategy over a path.
@@ -99,14 +89,47 @@ struct MeasureResult {
     bool interrupted = false;      ///< stopped early: the runs contain the poses measured until then
 };
 
-/// Called with a function that makes a result of the poses measured so far. That function costs a copy and the bootstrap: call it
-/// only where the result is needed, and only before the observer returns.
+/// A strategy of a measurement, built.
+struct Contestant {
+    StrategyRequest request;
+    BuiltStrategyPointer strategy;
+    bool askedFor = true;  ///< false: a baseline measured only for the ratios
+};
+struct Contestants {
+    std::vector<Contestant> strategies;
+    std::vector<Message> leftOut;  ///< why requested strategies are not among them
+};
+
+/// Builds what a request asks for, and the baselines that it does not ask for, so that every run has its ratios. Needs no
+/// context. Throws Error(Usage) for a request of nothing, Error(OpenGl) for a strategy that `gl` cannot run, and
+/// Error(Interrupted) on a stop request.
+[[nodiscard]] Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
+                                           const Progress& progress = {});
+
+/// A measurement in steps of one frame or one comparison with the truth: every strategy at every pose, in turns. Whoever runs the
+/// steps may do other work in between. Needs the same current context, or one of its share group, in every call but resultSoFar.
+class Meter {
+public:
+    Meter(const MeasureRequest& request, Contestants contestants, const GlInfo& gl, std::shared_ptr<const SceneBuffers> buffers);
+    ~Meter();
+
+    void step();
+    [[nodiscard]] bool complete() const;
+    /// The poses measured completely so far: only those are in results, so that every ratio has both of its times.
+    [[nodiscard]] size_t poses() const;
+    /// Costs a copy and the bootstraps: call it only where the result is needed. `interrupted` while poses are missing.
+    [[nodiscard]] MeasureResult resultSoFar() const;
+
+private:
+    class Experiment;
+    std::unique_ptr<Experiment> m_experiment;
+};
+
+/// Called with a function that makes a result of the poses measured so far; to be called only before the observer returns.
 using PoseObserver = std::function<void(const std::function<MeasureResult()>& resultSoFar)>;
 
-/// Measures every strategy at every pose, interleaved, together with the baselines `all` and `backface` (measured also where they
-/// are not requested, so that every run has its ratios). Needs a current context. A stop request ends it at the next frame, and
-/// the poses measured until then are returned; errors are thrown. `afterPose` is called on the measuring thread after every
-/// complete pose.
+/// Builds, uploads and runs a Meter to its end. Needs a current context. A stop request ends it at the next frame, and the poses
+/// measured until then are returned; errors are thrown. `afterPose` is called on the measuring thread after every complete pose.
 [[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {},
                                     const PoseObserver& afterPose = {});
 

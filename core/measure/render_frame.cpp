@@ -4,16 +4,29 @@
 
 namespace cullscope {
 
-FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, ViewState& state,
-                        const View& view, Framebuffer& target, const DrawStyle& style) {
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const View& view,
+                        std::span<const FrameTarget> pictures, const DrawStyle& style) {
+    std::vector<std::unique_ptr<GpuFrame>> frames;
     const auto start = std::chrono::steady_clock::now();
-    GpuFrame frame(renderer, buffers, view, target, style);
-    strategy.draw(frame, state);
+    for (const FrameTarget& picture : pictures) {
+        frames.push_back(std::make_unique<GpuFrame>(renderer, buffers, view, *picture.target, style));
+        strategy.draw(*frames.back(), *picture.state);
+    }
     waitForGpu();
     FrameResult result;
     result.frameMilliseconds = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    result.log = frame.take();
+    for (const auto& frame : frames) {
+        FrameLog log = frame->take();
+        result.cullMilliseconds += log.cullMilliseconds;
+        if (frame == frames.front()) result.log = std::move(log);
+    }
     return result;
+}
+
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, ViewState& state,
+                        const View& view, Framebuffer& target, const DrawStyle& style) {
+    const FrameTarget picture{&target, &state};
+    return renderFrame(renderer, buffers, strategy, view, {&picture, 1}, style);
 }
 
 }  // namespace cullscope

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "core/gpu/gpu_frame.h"
 #include "core/visibility/built_strategy.h"
 
@@ -7,11 +9,22 @@ namespace cullscope {
 
 /// One decided and drawn frame. Everywhere in the program, fps means 1000 / frameMilliseconds.
 struct FrameResult {
-    FrameLog log;
-    double frameMilliseconds = 0.0;  ///< cull + draw, until the GPU has finished
+    FrameLog log;                    ///< of the first picture
+    double frameMilliseconds = 0.0;  ///< cull + draw of all pictures, until the GPU has finished
+    double cullMilliseconds = 0.0;   ///< of all pictures
 };
 
-/// Runs a strategy's frame into `target`, which has the view's size, and waits for the GPU. `state` is the view's memory.
+/// A picture of a frame: what it is drawn into, which has the view's size, and the memory of its view.
+struct FrameTarget {
+    Framebuffer* target = nullptr;
+    ViewState* state = nullptr;
+};
+
+/// Runs a strategy's frame, culling and drawing for each picture, and waits for the GPU. There is at least one picture.
+FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const View& view,
+                        std::span<const FrameTarget> pictures, const DrawStyle& style = {});
+
+/// The same with one picture.
 FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, ViewState& state,
                         const View& view, Framebuffer& target, const DrawStyle& style = {});
 

@@ -6,21 +6,82 @@
 #include "core/geometry/random.h"
 
 namespace cullscope {
+namespace {
 
-RatioEstimate bootstrapMean(const std::vector<double>& ratios) {
+constexpr size_t kResamples = 2000;
+/// The fewest resamples of one view's repetitions. Among many views a resample of all of them rarely meets the same one twice.
+constexpr size_t kLeastResamplesOfAView = 20;
+
+/// The time of a view, or the total over views.
+struct Times {
+    double baseline = 0.0, subject = 0.0;
+};
+
+size_t pairsOf(const ViewTimes& view) { return std::min(view.baseline.size(), view.subject.size()); }
+
+Times mediansOf(const ViewTimes& view) { return {quantile(view.baseline, 0.5), quantile(view.subject, 0.5)}; }
+
+double ratioOf(const Times& times) { return times.subject > 0.0 ? times.baseline / times.subject : 0.0; }
+
+/// The view's medians over pairs of its repetitions that are drawn with replacement.
+Times resampled(const ViewTimes& view, Random& random, ViewTimes& drawn) {
+    const size_t pairs = pairsOf(view);
+    drawn.baseline.resize(pairs);
+    drawn.subject.resize(pairs);
+    for (size_t i = 0; i < pairs; ++i) {
+        const size_t from = random.bits() % pairs;
+        drawn.baseline[i] = view.baseline[from];
+        drawn.subject[i] = view.subject[from];
+    }
+    return mediansOf(drawn);
+}
+
+std::array<double, 2> middle95(const std::vector<double>& values) { return {quantile(values, 0.025), quantile(values, 0.975)}; }
+
+}  // namespace
+
+RatioEstimate ratioOfTotals(std::span<const ViewTimes> views) {
+    const auto counted =
+        static_cast<size_t>(std::ranges::count_if(views, [](const ViewTimes& view) { return pairsOf(view) > 0; }));
+    if (counted == 0) return {};
+    // Every view is resampled beforehand: a resample of the views takes one of each drawn view's resamples.
+    const size_t each = std::max(kLeastResamplesOfAView, kResamples / counted);
+    Random random(1);
+    Times total;
+    std::vector<Times> ofViews;
+    ofViews.reserve(counted * each);
+    ViewTimes drawn;
+    for (const ViewTimes& view : views) {
+        if (pairsOf(view) == 0) continue;
+        const Times median = mediansOf(view);
+        total.baseline += median.baseline;
+        total.subject += median.subject;
+        for (size_t i = 0; i < each; ++i) ofViews.push_back(resampled(view, random, drawn));
+    }
+    std::vector<double> ratios(kResamples);
+    for (double& ratio : ratios) {
+        Times sum;
+        for (size_t i = 0; i < counted; ++i) {
+            const Times& one = ofViews[random.bits() % ofViews.size()];
+            sum.baseline += one.baseline;
+            sum.subject += one.subject;
+        }
+        ratio = ratioOf(sum);
+    }
+    return {ratioOf(total), middle95(ratios)};
+}
+
+RatioEstimate meanOfRatios(const std::vector<double>& ratios) {
     if (ratios.empty()) return {};
     const auto n = ratios.size();
-    RatioEstimate estimate;
-    estimate.mean = std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(n);
     Random random(1);
-    std::vector<double> means(2000);
+    std::vector<double> means(kResamples);
     for (double& mean : means) {
         double sum = 0.0;
         for (size_t i = 0; i < n; ++i) sum += ratios[random.bits() % n];
         mean = sum / double(n);
     }
-    estimate.ci95 = {quantile(means, 0.025), quantile(means, 0.975)};
-    return estimate;
+    return {std::accumulate(ratios.begin(), ratios.end(), 0.0) / double(n), middle95(means)};
 }
 
 double quantile(std::vector<double> values, double share) {

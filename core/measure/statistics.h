@@ -1,16 +1,33 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 namespace cullscope {
 
-/// Mean of the ratios of all poses and its bootstrap 95 % interval (percentile method, 2000 resamples, fixed seed).
+/// How many times as fast something is as a baseline, with a 95 % interval.
 struct RatioEstimate {
-    double mean = 0.0;
+    double ratio = 0.0;
     std::array<double, 2> ci95{};
+
+    bool operator==(const RatioEstimate&) const = default;
 };
-[[nodiscard]] RatioEstimate bootstrapMean(const std::vector<double>& ratios);
+
+/// The frame times of one view in milliseconds: those at one place were taken in the same turn.
+struct ViewTimes {
+    std::vector<double> baseline, subject;
+};
+
+/// The one estimate behind every "×": the baseline's total time over the views ÷ the subject's, a view's time being the median of
+/// its repetitions. The interval is a bootstrap (percentile method, 2000 resamples, fixed seed) over the views and, within each,
+/// over the pairs of repetitions, so that a single view has one, too. Views without a pair do not count; {0, {0, 0}} for no
+/// views.
+[[nodiscard]] RatioEstimate ratioOfTotals(std::span<const ViewTimes> views);
+
+/// The mean over the views of the ratio of their frame times, as papers quote it; nearly empty views rule it. The interval is a
+/// bootstrap over the views (percentile method, 2000 resamples, fixed seed).
+[[nodiscard]] RatioEstimate meanOfRatios(const std::vector<double>& ratios);
 
 /// The quantile of the values at a share in [0, 1], interpolated linearly between ranks; 0 for no values.
 [[nodiscard]] double quantile(std::vector<double> values, double share);

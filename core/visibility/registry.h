@@ -17,6 +17,10 @@ struct RegisteredStrategy {
 /// Every strategy, in the order in which lists show them. A new strategy needs one pair of files and one line there.
 [[nodiscard]] const std::vector<RegisteredStrategy>& strategies();
 
+/// The baselines by name: direct rendering, which the papers compare with, and OpenGL's own back-face culling, the stronger one.
+inline constexpr const char* kAllId = "all";
+inline constexpr const char* kBackfaceId = "backface";
+
 /// The strategy with this id. Throws Error(Usage) naming the known ids where there is none.
 [[nodiscard]] const RegisteredStrategy& findStrategy(std::string_view id);
 

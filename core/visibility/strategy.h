@@ -40,6 +40,7 @@ struct StrategyInfo {
     std::vector<ParameterDeclaration> parameters;
     GlRequirement glRequirement = GlRequirement::None;
     bool remembers = false;  ///< what it draws depends on the frames before, by its ViewState: a frame is judged with that memory
+    bool baseline = false;   ///< the others are compared with it, so it is measured along with them
 };
 
 /// Why a strategy cannot be used with an OpenGL; none where it can.

@@ -57,6 +57,16 @@ std::vector<StrategyRequest> strategiesFromText(const std::vector<std::string>& 
     return requests;
 }
 
+std::vector<StrategyRequest> missingBaselines(const std::vector<StrategyRequest>& strategies) {
+    std::vector<StrategyRequest> missing;
+    for (const RegisteredStrategy& known : cullscope::strategies()) {
+        const auto same = [&](const StrategyRequest& strategy) { return strategy.id == known.info.id; };
+        if (known.info.baseline && std::ranges::none_of(strategies, same))
+            missing.push_back({known.info.id, ParameterSet(known.info.parameters)});
+    }
+    return missing;
+}
+
 std::vector<std::string> changedParameters(const ParameterSet& parameters) {
     std::vector<std::string> changed;
     for (const ParameterDeclaration& parameter : parameters.declarations())

@@ -35,6 +35,9 @@ struct StrategyRequest {
 /// The same for tables and plots: `id key=value key=value`.
 [[nodiscard]] std::string strategyLabel(const StrategyRequest& strategy);
 
+/// The baselines that are not among the strategies, each at its defaults: with them, every strategy has what it is compared with.
+[[nodiscard]] std::vector<StrategyRequest> missingBaselines(const std::vector<StrategyRequest>& strategies);
+
 /// "key=value" in its parts. Throws Error(Usage) where there is no '=' or nothing before it.
 [[nodiscard]] std::pair<std::string, std::string> keyAndValue(std::string_view text);
 

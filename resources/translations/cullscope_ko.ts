@@ -367,6 +367,11 @@
         <source>Of the missed, beyond the raster&apos;s snapping to 1/256 pixel: %1</source>
         <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
     </message>
+    <message>
+        <source>%1 against backface, with its 95 % interval</source>
+        <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>backface 대비 %1, 괄호 안은 95 % 구간</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -1883,10 +1888,6 @@
         <translation>논문의 방법은 frustum-select이고, frustum은 같은 상자를 프로세서에서 검사합니다. 논문의 최대 배속은 33 fps를 0.83으로 나눈 값입니다.</translation>
     </message>
     <message>
-        <source>A few views with little in them raise the mean of the frames per second; &quot;fps, all views&quot; is views over their total time.</source>
-        <translation>보이는 것이 적은 몇 시점이 초당 프레임 수의 평균을 끌어올립니다. &quot;fps, 모든 시점&quot;은 시점 수를 총시간으로 나눈 값입니다.</translation>
-    </message>
-    <message>
         <source>Culling saves work on triangles, not on pixels: where pixels take much of the frame, as in a software OpenGL, the gain is small.</source>
         <translation>컬링은 삼각형에 드는 일을 줄일 뿐 픽셀에 드는 일은 줄이지 않습니다. 소프트웨어 OpenGL처럼 픽셀이 프레임의 큰 몫을 차지하면 이득이 작습니다.</translation>
     </message>
@@ -2069,6 +2070,14 @@
     <message>
         <source>Tested by separating axes, for several planes cut the bounds: none parts them from the frustum.</source>
         <translation>여러 평면이 경계를 자르므로 분리 축으로 검사: 경계와 절두체를 가르는 축이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A few views with little in them raise the means of the frames per second and of the views&apos; ratios; &quot;fps, all views&quot; and &quot;× all&quot; are of the total times.</source>
+        <translation>보이는 것이 적은 몇 시점이 초당 프레임 수와 시점별 비율의 평균을 끌어올립니다. &quot;fps, 모든 시점&quot;과 &quot;× all&quot;은 총시간으로 구한 값입니다.</translation>
+    </message>
+    <message>
+        <source>mean of the views&apos; × all [95 %]</source>
+        <translation>시점별 × all의 평균 [95 %]</translation>
     </message>
 </context>
 <context>
@@ -3618,14 +3627,6 @@ view</source>
         <translation>전략, 그리고 기본값이 아닌 매개변수</translation>
     </message>
     <message>
-        <source>Frame time of backface divided by this strategy&apos;s: the mean over the views and its 95 % interval</source>
-        <translation>backface의 프레임 시간을 이 전략의 시간으로 나눈 값: 시점 평균과 95 % 구간</translation>
-    </message>
-    <message>
-        <source>Frame time of all divided by this strategy&apos;s: the mean over the views and its 95 % interval</source>
-        <translation>all의 프레임 시간을 이 전략의 시간으로 나눈 값: 시점 평균과 95 % 구간</translation>
-    </message>
-    <message>
         <source>Views divided by the time of all of them; a frame is cull + draw</source>
         <translation>시점의 수를 그 시간의 합으로 나눈 값; 프레임은 컬링 + 그리기</translation>
     </message>
@@ -3670,6 +3671,14 @@ snapping</source>
     <message>
         <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
+    </message>
+    <message>
+        <source>Total time of backface over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <translation>모든 시점에서 backface의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
+    </message>
+    <message>
+        <source>Total time of all over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <translation>모든 시점에서 all의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
     </message>
 </context>
 <context>

@@ -46,14 +46,15 @@ TEST_F(CullbenchContract, measureGivesEveryField) {
                                   "extra_pixels", "covered_pixels", "largest_hole_px", "false_culled_triangles", "case",
                                   "culled_outside_frustum", "culled_back_facing", "culled_hidden", "culled_too_small"})
             EXPECT_TRUE(run["frames"][0].contains(field)) << field;
-        for (const char* field :
-             {"fps_overall", "fps_mean", "fps_min", "fps_max", "frame_ms_median", "frame_ms_p95", "cull_share", "culled_fraction",
-              "missed_pixel_rate", "speedup_vs_all", "speedup_vs_all_ci95", "speedup_vs_backface"})
+        for (const char* field : {"fps_overall", "fps_mean", "fps_min", "fps_max", "frame_ms_median", "frame_ms_p95",
+                                  "cull_share", "culled_fraction", "missed_pixel_rate", "ratio_to_all", "ratio_to_all_ci95",
+                                  "speedup_vs_all", "speedup_vs_all_ci95", "speedup_vs_backface"})
             EXPECT_TRUE(run["summary"].contains(field)) << field;
     }
     EXPECT_EQ(root["runs"][0]["summary"]["missed_pixel_rate"], 0.0);
     EXPECT_GT(root["runs"][0]["frames"][0]["covered_pixels"], 100);
     EXPECT_DOUBLE_EQ(root["runs"][0]["summary"]["speedup_vs_all"], 1.0);
+    EXPECT_DOUBLE_EQ(root["runs"][0]["summary"]["ratio_to_all"], 1.0);
 }
 
 TEST_F(CullbenchContract, csvHasTheFieldsOfJsonAndARowAFrame) {

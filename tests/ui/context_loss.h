@@ -90,7 +90,7 @@ struct ContextLoss : ::testing::Test {
 
     static Session::Options optionsOf(Driver& driver) {
         Session::Options options = sessionOptions(true);
-        options.rounds = {};  // the context is lost between the figures and their times
+        options.rounds = ViewMeter::protocol();  // the context is lost between the figures and their times
         options.gpu = driver.options();
         return options;
     }

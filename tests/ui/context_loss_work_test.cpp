@@ -83,7 +83,8 @@ TEST_F(ContextLoss, aScreenshotUnderWaySaysSoAndLeavesNoFile) {
 
 TEST(ContextLossInAnExperiment, endsItWithWhatWasMeasured) {
     Driver driver;
-    ExperimentRunner runner(nullptr, driver.options());
+    GpuThread gpu(driver.options());
+    ExperimentRunner runner(&gpu, std::make_shared<StructureStore>());
     std::vector<MeasureResult> results;
     std::vector<std::string> failures;
     size_t partials = 0;

@@ -43,7 +43,8 @@ protected:
         QObject::connect(&runner, &ExperimentRunner::cancelled, [this] { ++cancellations; });
     }
 
-    ExperimentRunner runner;
+    GpuThread gpu;
+    ExperimentRunner runner{&gpu, std::make_shared<StructureStore>()};
     std::vector<MeasureResult> partials, results;
     std::vector<Message> failures;
     int cancellations = 0;
@@ -160,8 +161,24 @@ TEST_F(Runner, progressGrowsAndStaysBetweenNothingAndAll) {
     ASSERT_TRUE(waitUntil([&] { return last > 0.0 && !stages.isEmpty(); }));
 }
 
+/// The buffers that views draw are those of the experiment, and pictures need not wait for its end.
+TEST_F(Runner, sharesTheUploadAndTheThread) {
+    ExperimentRunner::Request asked = longRequest();
+    gpu.run([&] { asked.uploaded = gpu.upload(asked.scene); });
+    runner.start(asked);
+    ASSERT_TRUE(waitUntil([this] { return !partials.empty(); }));
+    bool drawn = false;
+    gpu.post([&] { drawn = true; }, Urgency::Picture);
+    ASSERT_TRUE(waitUntil([&] { return drawn; }));
+    EXPECT_TRUE(runner.running()) << "the picture waited for the experiment";
+    runner.cancel();
+    ASSERT_TRUE(waitUntil([this] { return !results.empty(); }));
+    EXPECT_TRUE(waitUntil([&] { return asked.uploaded.use_count() == 1; })) << "the experiment keeps the buffers";
+}
+
 TEST(ExperimentRunner, mayBeDestroyedInTheMiddle) {
-    ExperimentRunner runner;
+    GpuThread gpu;
+    ExperimentRunner runner(&gpu, std::make_shared<StructureStore>());
     runner.start(longRequest());
     QTest::qWait(50);
 }

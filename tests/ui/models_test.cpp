@@ -19,7 +19,7 @@ constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 ViewMetrics someFigures() {
     ViewMetrics figures;
     figures.state = ViewMetrics::State::Ready;
-    figures.speedup = 3.14;
+    figures.speedup = RatioEstimate{3.14, {2.9, 3.3}};
     figures.frameMilliseconds = 4.0;
     figures.consideredTriangles = 15;
     figures.sceneTriangles = 100;

@@ -140,7 +140,8 @@ ExperimentRunner::Request sweepRequest(const std::string& path) {
 }
 
 TEST(Sweep, everyValueIsARunBesideTheBaselines) {
-    ExperimentRunner runner;
+    GpuThread gpu;
+    ExperimentRunner runner(&gpu, std::make_shared<StructureStore>());
     std::optional<MeasureResult> result;
     QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& finished) { result = finished; });
     const ExperimentRunner::Request request = sweepRequest("walk:2");
@@ -154,7 +155,8 @@ TEST(Sweep, everyValueIsARunBesideTheBaselines) {
 }
 
 TEST(Sweep, pointsAppearWhileItRunsAndCancellingKeepsThem) {
-    ExperimentRunner runner;
+    GpuThread gpu;
+    ExperimentRunner runner(&gpu, std::make_shared<StructureStore>());
     std::optional<MeasureResult> partial, result;
     QObject::connect(&runner, &ExperimentRunner::partial, [&](const MeasureResult& some) { partial = some; });
     QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& finished) { result = finished; });

@@ -202,7 +202,7 @@ TEST(PaperTableModel, keepsTheRulesOfModels) {
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
     PaperTable table = emptyTable(findPaperExperiment("table-2"));
     model.setTable(table);
-    table.addRow({{"case", 1.0}, {"strategy", std::string("all")}, {"speedup_vs_all", RatioEstimate{2.0, {1.5, 2.5}}}});
+    table.addRow({{"case", 1.0}, {"strategy", std::string("all")}, {"ratio_to_all", RatioEstimate{2.0, {1.5, 2.5}}}});
     model.setTable(table);
     QStringList cells;
     for (int column = 0; column < model.columnCount(); ++column) cells << model.index(0, column).data().toString();

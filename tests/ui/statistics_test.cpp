@@ -6,13 +6,16 @@
 #include <QTest>
 
 #include "core/image/plot_labels.h"
+#include "core/measure/summary.h"
 #include "tests/ui/made_up_result.h"
+#include "ui/models/metrics_words.h"
 #include "ui/plots/plot_painter.h"
 #include "ui/statistics/pareto_plot.h"
 #include "ui/statistics/pose_strip.h"
 #include "ui/statistics/result_table_model.h"
 #include "ui/statistics/sphere_map.h"
 #include "ui/statistics/time_bar.h"
+#include "ui/text/wording.h"
 
 namespace cullscope::ui::statistics_test {
 namespace {
@@ -20,6 +23,30 @@ namespace {
 constexpr auto kFatal = QAbstractItemModelTester::FailureReportingMode::Fatal;
 
 QString cell(const ResultTableModel& model, int row, int column) { return model.index(row, column).data().toString(); }
+
+/// The times of one view, as a header and as an experiment of one pose have them.
+TEST(ResultTable, timesOfAViewAreTheSameFactorInHeaderTooltipAndTable) {
+    const ViewTimes times{{21.0, 22.0, 20.5, 29.0, 21.5}, {7.0, 7.2, 6.9, 7.1, 9.0}};
+    LiveFigures live{QStringLiteral("A"), test::request("frustum"), Promise::Conservative, {}};
+    live.figures.state = ViewMetrics::State::Ready;
+    live.figures.frameMilliseconds = 7.1;
+    live.figures.speedup = ratioOfTotals({&times, 1});
+
+    MeasureResult result = madeUpResult();
+    result.runs = {run("backface", 21.5, {0}), run("frustum", 7.1, {0})};
+    result.runs[0].frames[0].frameTimes = times.baseline;
+    result.runs[1].frames[0].frameTimes = times.subject;
+    for (RunMeasurement& measured : result.runs) measured.summary = summaryOf(measured, result.runs, *result.request.scene);
+
+    const ResultRow ofExperiment = resultRows(result)[1], ofView = liveRows({live})[0];
+    EXPECT_EQ(ofExperiment.speedup, ofView.speedup);
+    EXPECT_EQ(ResultTableModel::value(ofExperiment, ResultTableModel::Speedup),
+              ResultTableModel::value(ofView, ResultTableModel::Speedup));
+    EXPECT_EQ(runFigures(result)[1].speedup, *ofView.speedup) << "the plots";
+    EXPECT_TRUE(metricsLine(live.figures).startsWith(QStringLiteral("×3.0 ·"))) << metricsLine(live.figures).toStdString();
+    EXPECT_TRUE(metricsDetails(live.figures, {}).contains(speedWithInterval(*ofView.speedup)));
+    EXPECT_EQ(speedWithInterval({3.14, {2.9, 3.3}}), QStringLiteral("×3.1 (2.9 – 3.3)"));
+}
 
 TEST(ResultTable, rowsSayWhatWasMeasured) {
     ResultTableModel model;

@@ -20,7 +20,7 @@ inline constexpr int kPatience = 60'000;  // ms
 inline Session::Options sessionOptions(bool graphics) {
     Session::Options options;
     options.restBeforeMeasuring = 20;
-    options.rounds = {1, 1, 0.0};
+    options.rounds.fixedRepetitions = 1;
     options.graphics = graphics;
     return options;
 }

@@ -1,6 +1,7 @@
 #include "ui/jobs/experiment_runner.h"
 
 #include <QCoreApplication>
+#include <QElapsedTimer>
 #include <algorithm>
 
 #include "core/base/error.h"
@@ -10,18 +11,16 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kInterval = 100;  // ms
+constexpr int kInterval = 100;     // ms
+constexpr qint64 kStep = 20;       // ms after which waiting pictures are drawn
+constexpr double kBuilding = 0.1;  // share of the progress
 
 MeasureRequest measureRequest(const ExperimentRunner::Request& request) {
     MeasureRequest measured;
     measured.scene = request.scene;
     measured.strategies = request.strategies;
     // The time bars and the table show every strategy beside the baselines.
-    for (const char* baseline : {"all", "backface"}) {
-        const bool present = std::any_of(request.strategies.begin(), request.strategies.end(),
-                                         [&](const StrategyRequest& strategy) { return strategy.id == baseline; });
-        if (!present) measured.strategies.push_back({baseline, ParameterSet(findStrategy(baseline).info.parameters)});
-    }
+    std::ranges::move(missingBaselines(request.strategies), std::back_inserter(measured.strategies));
     measured.path = request.path;
     measured.size = request.size;
     measured.windows = request.windows;
@@ -39,6 +38,13 @@ Message experimentLoss() {
             {}};
 }
 
+MeasureResult nothingOf(const MeasureRequest& request) {
+    MeasureResult nothing;
+    nothing.request = request;
+    nothing.interrupted = true;
+    return nothing;
+}
+
 bool stoppedByUser(const std::exception& exception) {
     const auto* error = dynamic_cast<const Error*>(&exception);
     return error != nullptr && error->kind() == ErrorKind::Interrupted;
@@ -51,33 +57,130 @@ Message experimentFailure(const std::exception& failure) {
                       QT_TRANSLATE_NOOP("core", "There is not enough memory for this experiment. Choose a smaller scene."));
 }
 
-ExperimentRunner::ExperimentRunner(QObject* parent, GpuThread::Options gpu) : QObject(parent), m_gpuOptions(std::move(gpu)) {
+/// The measurement under way, all of it on the GPU thread.
+struct ExperimentRunner::Bench {
+    std::shared_ptr<const Ready> ready;  ///< the experiment that the meter is of
+    SceneBuffersPointer buffers;
+    std::unique_ptr<Meter> meter;        ///< null with `ready`: the context that it was in is lost
+    std::optional<MeasureResult> known;  ///< the newest result of poses measured before a loss
+
+    void letGo() {
+        meter.reset();
+        buffers.reset();
+    }
+    void end() {
+        letGo();
+        ready.reset();
+        known.reset();
+    }
+
+    void begin(const std::shared_ptr<const Ready>& next, GpuThread& gpu) {
+        end();
+        ready = next;
+        const MeasureRequest& request = next->request;
+        const bool shared = next->uploaded && gpu.holds(next->uploaded) && next->uploaded->upload() == request.upload &&
+                            next->uploaded->scene().meshes() == request.scene->meshes();
+        buffers = shared ? gpu.share(request.scene, *next->uploaded) : gpu.upload(request.scene, request.upload);
+        meter = std::make_unique<Meter>(request, next->contestants, next->gl, buffers);
+    }
+
+    void tellBoard() const {
+        const std::lock_guard lock(ready->board->mutex);
+        ready->board->share = kBuilding + (1.0 - kBuilding) * double(meter->poses()) / double(ready->request.path.poses.size());
+        ready->board->stage = CULLSCOPE_TR("measuring");
+    }
+
+    void keepResult() {
+        {
+            // The timer has not yet taken the last snapshot: do not make another one.
+            const std::lock_guard lock(ready->board->mutex);
+            if (ready->board->snapshot) return;
+        }
+        known = meter->resultSoFar();
+        const std::lock_guard lock(ready->board->mutex);
+        ready->board->snapshot = known;
+    }
+
+    /// Measures for a moment; returns how the experiment ended, if it did.
+    std::optional<Outcome> step(GpuThread& gpu) {
+        QElapsedTimer clock;
+        clock.start();
+        while (meter && !meter->complete() && !ready->stop.stop_requested() && clock.elapsed() < kStep) {
+            tellBoard();
+            const size_t before = meter->poses();
+            meter->step();
+            if (meter->poses() == before) continue;
+            // A loss cannot be dated to a frame, so the pose just measured is dropped; the result without it is kept.
+            if (gpu.lost()) return Outcome{known, experimentLoss()};
+            keepResult();
+        }
+        if (!meter || gpu.lost()) return Outcome{known, experimentLoss()};
+        if (meter->complete() || ready->stop.stop_requested()) return Outcome{meter->resultSoFar(), {}};
+        return std::nullopt;
+    }
+};
+
+ExperimentRunner::ExperimentRunner(GpuThread* gpu, std::shared_ptr<StructureStore> structures, QObject* parent)
+    : QObject(parent), m_gpu(gpu), m_structures(std::move(structures)), m_bench(std::make_shared<Bench>()) {
     m_poll.setInterval(kInterval);
     connect(&m_poll, &QTimer::timeout, this, &ExperimentRunner::showBoard);
+    if (m_gpu)
+        connect(
+            m_gpu, &GpuThread::contextGoing, this, [bench = m_bench] { bench->letGo(); }, Qt::DirectConnection);
 }
 
-ExperimentRunner::~ExperimentRunner() { m_stop.request_stop(); }
-
-void ExperimentRunner::start(const Request& request) {
+ExperimentRunner::~ExperimentRunner() {
     m_stop.request_stop();
     m_jobs.cancel();
-    try {
-        if (!m_gpu) m_gpu = std::make_unique<GpuThread>(m_gpuOptions);
-    } catch (const Error& error) {
-        m_running = false;
-        m_poll.stop();
-        emit failed(error.message());
-        return;
-    }
+    // What lives on the GPU thread ends there.
+    if (m_gpu) m_gpu->run([this] { m_bench->end(); });
+}
+
+void ExperimentRunner::start(const Request& request) {
+    if (!m_gpu) return;
+    m_stop.request_stop();
+    m_jobs.cancel();
+    m_gpu->post([bench = m_bench] { bench->end(); });
     m_stop = std::stop_source();
     m_board = std::make_shared<Board>();
     m_running = true;
-    m_jobs.start(*m_gpu, [this, &gpu = *m_gpu, measured = measureRequest(request), stop = m_stop.get_token(),
-                          board = m_board](GpuJobs::Step& step) {
-        step.deliver([this, outcome = run(measured, gpu, stop, *board)] { deliver(outcome); });
+    const auto ready =
+        std::make_shared<Ready>(Ready{measureRequest(request), {}, m_gpu->info(), request.uploaded, m_stop.get_token(), m_board});
+    m_building.start([this, ready, structures = m_structures](const std::stop_token&) -> Background::Delivery {
+        Progress progress;
+        progress.stop = ready->stop;
+        progress.report = [&](double share, std::string_view stage) {
+            const std::lock_guard lock(ready->board->mutex);
+            ready->board->share = kBuilding * share;
+            ready->board->stage = stage;
+        };
+        try {
+            ready->contestants = buildContestants(ready->request, ready->gl, *structures, progress);
+            return [this, ready] { measure(ready); };
+        } catch (const std::exception& error) {
+            const Outcome outcome =
+                stoppedByUser(error) ? Outcome{nothingOf(ready->request), {}} : Outcome{std::nullopt, experimentFailure(error)};
+            return [this, outcome] { deliver(outcome); };
+        }
     });
     m_poll.start();
     emit started();
+}
+
+void ExperimentRunner::measure(const std::shared_ptr<Ready>& ready) {
+    m_jobs.start(*m_gpu, [this, &gpu = *m_gpu, bench = m_bench, ready](GpuJobs::Step& step) {
+        std::optional<Outcome> outcome;
+        try {
+            if (bench->ready != ready && ready->stop.stop_requested()) outcome = Outcome{nothingOf(ready->request), {}};
+            if (!outcome && bench->ready != ready) bench->begin(ready, gpu);
+            if (!outcome) outcome = bench->step(gpu);
+        } catch (const std::exception& error) {
+            outcome = gpu.lost() ? Outcome{bench->known, experimentLoss()} : Outcome{std::nullopt, experimentFailure(error)};
+        }
+        if (!outcome) return step.again();
+        bench->end();
+        step.deliver([this, ended = *outcome] { deliver(ended); });
+    });
 }
 
 void ExperimentRunner::cancel() {
@@ -86,40 +189,6 @@ void ExperimentRunner::cancel() {
     m_running = false;
     m_poll.stop();
     emit cancelled();
-}
-
-ExperimentRunner::Outcome ExperimentRunner::run(const MeasureRequest& request, GpuThread& gpu, const std::stop_token& stop,
-                                                Board& board) {
-    Progress progress;
-    progress.stop = stop;
-    progress.report = [&](double share, std::string_view stage) {
-        const std::lock_guard lock(board.mutex);
-        board.share = share;
-        board.stage = stage;
-    };
-    std::optional<MeasureResult> known;
-    const PoseObserver afterPose = [&](const std::function<MeasureResult()>& resultSoFar) {
-        // A loss cannot be dated to a frame, so the pose just measured is dropped; the result without it is kept.
-        if (gpu.lost()) throw Error(ErrorKind::OpenGl, experimentLoss());
-        {
-            // The timer has not yet taken the last snapshot: do not make another one.
-            const std::lock_guard lock(board.mutex);
-            if (board.snapshot) return;
-        }
-        known = resultSoFar();
-        const std::lock_guard lock(board.mutex);
-        board.snapshot = known;
-    };
-    MeasureResult nothing;
-    nothing.request = request;
-    nothing.interrupted = true;
-    try {
-        if (stop.stop_requested()) return {nothing, {}};
-        return {measure(request, progress, afterPose), {}};
-    } catch (const std::exception& error) {
-        if (gpu.lost()) return {known, experimentLoss()};
-        return stoppedByUser(error) ? Outcome{nothing, {}} : Outcome{std::nullopt, experimentFailure(error)};
-    }
 }
 
 void ExperimentRunner::showBoard() {
@@ -139,8 +208,6 @@ void ExperimentRunner::showBoard() {
 }
 
 void ExperimentRunner::deliver(const Outcome& outcome) {
-    // The thread has nothing left to do: joining it takes no time, and its memory is free again.
-    m_gpu.reset();
     m_running = false;
     m_poll.stop();
     if (outcome.result) emit finished(*outcome.result);

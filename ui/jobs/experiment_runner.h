@@ -9,6 +9,8 @@
 
 #include "core/base/message.h"
 #include "core/measure/meter.h"
+#include "core/visibility/structure_store.h"
+#include "ui/jobs/background.h"
 #include "ui/jobs/gpu_jobs.h"
 
 namespace cullscope::ui {
@@ -16,25 +18,28 @@ namespace cullscope::ui {
 /// What the user is told of an experiment that cannot be run.
 [[nodiscard]] Message experimentFailure(const std::exception& failure);
 
-/// Measures strategies over a camera path beside the window, on an OpenGL thread of its own that lives as long as it has work:
-/// one experiment at a time, a newer one takes the place of an older one. Used on the window's thread.
+/// Measures strategies over a camera path on the GPU thread, in small steps, so that pictures are drawn in between; structures
+/// are built beside it. The scene's buffers are those that the views draw. One experiment at a time, a newer one takes the place
+/// of an older one. Used on the window's thread.
 class ExperimentRunner : public QObject {
     Q_OBJECT
 
 public:
     struct Request {
         ScenePointer scene;
-        std::vector<StrategyRequest> strategies;  ///< the baselines `all` and `backface` are added if missing
+        std::vector<StrategyRequest> strategies;  ///< the baselines are added if missing (missingBaselines)
         CameraPath path;
         Viewport size;
         int windows = 1;
         Upload upload = Upload::Vbo;
-        int repetitions = 0;  ///< of each frame; 0: until the median is steady
+        SceneBuffersPointer uploaded{};  ///< with the scene's meshes, uploaded in that way; null: the experiment uploads them
+        int repetitions = 0;             ///< of each frame; 0: until the median is steady
         bool accuracy = true;
         bool leaveOutUnavailable = false;  ///< MeasureRequest::leaveOutUnavailable
     };
 
-    explicit ExperimentRunner(QObject* parent = nullptr, GpuThread::Options gpu = GpuThread::Options());
+    /// `gpu` outlives this object; null: nothing can be measured, and nothing is started.
+    ExperimentRunner(GpuThread* gpu, std::shared_ptr<StructureStore> structures, QObject* parent = nullptr);
     /// Waits for the frame that is being drawn.
     ~ExperimentRunner() override;
 
@@ -70,16 +75,30 @@ private:
         Message failure;
     };
 
-    [[nodiscard]] static Outcome run(const MeasureRequest& request, GpuThread& gpu, const std::stop_token& stop, Board& board);
+    /// What lives on the GPU thread.
+    struct Bench;
+    /// An experiment that is ready to be measured.
+    struct Ready {
+        MeasureRequest request;
+        Contestants contestants;
+        GlInfo gl;
+        SceneBuffersPointer uploaded;
+        std::stop_token stop;
+        std::shared_ptr<Board> board;
+    };
+
+    void measure(const std::shared_ptr<Ready>& ready);
     void showBoard();
     void deliver(const Outcome& outcome);
 
+    GpuThread* m_gpu;
+    std::shared_ptr<StructureStore> m_structures;
+    std::shared_ptr<Bench> m_bench;
     bool m_running = false;
     std::stop_source m_stop;
     std::shared_ptr<Board> m_board;
     QTimer m_poll;
-    GpuThread::Options m_gpuOptions;
-    std::unique_ptr<GpuThread> m_gpu;
+    Background m_building;
     GpuJobs m_jobs;
 };
 

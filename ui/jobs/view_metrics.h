@@ -8,6 +8,7 @@
 #include "core/base/message.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
+#include "core/measure/statistics.h"
 #include "core/visibility/triangle_states.h"
 #include "ui/jobs/view_frames.h"
 
@@ -41,10 +42,10 @@ struct ViewMetrics {
     State state = State::Nothing;
     Message failure;
 
-    double frameMilliseconds = 0.0;  ///< median, cull + draw
-    double cullMilliseconds = 0.0;   ///< median
-    std::optional<double> speedup;   ///< median ratio of the frame time of `backface` to this strategy's
-    bool timed = false;              ///< false: the errors are known, the speed is still being measured
+    double frameMilliseconds = 0.0;        ///< median, cull + draw
+    double cullMilliseconds = 0.0;         ///< median
+    std::optional<RatioEstimate> speedup;  ///< over `backface`: ratioOfTotals of this one view
+    bool timed = false;                    ///< false: the errors are known, the speed is still being measured
     uint64_t consideredTriangles = 0;
     uint64_t sceneTriangles = 0;
     Facing facing = Facing::TwoSided;
@@ -68,8 +69,5 @@ struct ViewMetrics {
         return sceneTriangles == 0 ? 0.0 : double(consideredTriangles) / double(sceneTriangles);
     }
 };
-
-/// The middle value; the mean of the two middle values if their number is even. `values` must not be empty.
-[[nodiscard]] double median(std::vector<double> values);
 
 }  // namespace cullscope::ui

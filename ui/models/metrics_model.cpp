@@ -1,6 +1,7 @@
 #include "ui/models/metrics_model.h"
 
 #include "core/measure/accuracy.h"
+#include "ui/models/metrics_words.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -81,13 +82,18 @@ QString MetricsModel::explanation(int row) {
     }
 }
 
+QString MetricsModel::explanation(const ViewMetrics& figures, int row) {
+    if (row != Speedup || figures.state != ViewMetrics::State::Ready || !figures.speedup) return explanation(row);
+    return speedSentence(*figures.speedup) + QLatin1Char('\n') + explanation(row);
+}
+
 QString MetricsModel::value(const ViewMetrics& figures, int row) {
     if (figures.state == ViewMetrics::State::Stale) return QStringLiteral("…");
     if (figures.state != ViewMetrics::State::Ready) return QStringLiteral("–");
     const Accuracy& accuracy = figures.accuracy;
     switch (row) {
         case Speedup:
-            return figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : QStringLiteral("–");
+            return figures.speedup ? speedText(*figures.speedup) : QStringLiteral("–");
         case Frame:
             return figures.timed ? millisecondsText(figures.frameMilliseconds) : QStringLiteral("…");
         case Fps:
@@ -119,7 +125,7 @@ QVariant MetricsModel::data(const QModelIndex& index, int role) const {
         case Qt::DisplayRole:
             return value(m_columns[size_t(index.column())].figures, index.row());
         case Qt::ToolTipRole:
-            return explanation(index.row());
+            return explanation(m_columns[size_t(index.column())].figures, index.row());
         case Qt::TextAlignmentRole:
             return int(Qt::AlignRight | Qt::AlignVCenter);
         default:

@@ -35,6 +35,8 @@ private:
 
     [[nodiscard]] static QString title(int row);
     [[nodiscard]] static QString explanation(int row);
+    /// The same with the value's interval, where it has one.
+    [[nodiscard]] static QString explanation(const ViewMetrics& figures, int row);
     [[nodiscard]] static QString value(const ViewMetrics& figures, int row);
 
     std::vector<Column> m_columns;

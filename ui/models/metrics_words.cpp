@@ -21,10 +21,15 @@ QString metricsLine(const ViewMetrics& figures) {
         case ViewMetrics::State::Ready:
             break;
     }
-    const QString speed = figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : QStringLiteral("×…");
+    const QString speed = figures.speedup ? speedText(*figures.speedup) : QStringLiteral("×…");
     //: Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.
     return QCoreApplication::translate("Wording", "%1 · %2 % · %3 missed")
         .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
+}
+
+QString speedSentence(const RatioEstimate& speed) {
+    //: Speed against `backface` and its 95 % interval: "×3.1 (2.9 – 3.3)".
+    return QCoreApplication::translate("Wording", "%1 against backface, with its 95 % interval").arg(speedWithInterval(speed));
 }
 
 QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
@@ -32,6 +37,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
     QStringList lines;
     if (figures.state == ViewMetrics::State::Ready) {
         const double fps = figures.frameMilliseconds > 0.0 ? 1000.0 / figures.frameMilliseconds : 0.0;
+        if (figures.speedup) lines << speedSentence(*figures.speedup);
         lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
                      .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds), millisecondsText(figures.cullMilliseconds))
               << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")

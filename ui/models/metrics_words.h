@@ -12,4 +12,7 @@ namespace cullscope::ui {
 /// All metrics that the header does not show, in several lines.
 [[nodiscard]] QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl);
 
+/// The speed of a view with its interval.
+[[nodiscard]] QString speedSentence(const RatioEstimate& speed);
+
 }  // namespace cullscope::ui

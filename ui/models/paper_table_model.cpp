@@ -19,7 +19,7 @@ QString cellText(const PaperColumn& column, const PaperValue& value) {
     if (const auto* words = std::get_if<std::string>(&value)) return translated(*words);
     if (const auto* estimate = std::get_if<RatioEstimate>(&value))
         return QStringLiteral("%1 [%2, %3]")
-            .arg(numberText(column, estimate->mean), numberText(column, estimate->ci95[0]),
+            .arg(numberText(column, estimate->ratio), numberText(column, estimate->ci95[0]),
                  numberText(column, estimate->ci95[1]));
     return {};
 }

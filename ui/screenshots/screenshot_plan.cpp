@@ -72,7 +72,7 @@ PictureSubject subjectOf(const Session& session, int view, const ViewRequest& re
     if (figures.state != ViewMetrics::State::Ready) return subject;
     subject.missedPixels = figures.accuracy.missedPixels;
     subject.figuresSize = figures.size;
-    subject.speedup = figures.speedup;
+    if (figures.speedup) subject.speedup = figures.speedup->ratio;
     return subject;
 }
 

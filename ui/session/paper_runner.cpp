@@ -14,7 +14,8 @@ const QString kMeasuring = QStringLiteral("measuring");
 
 }  // namespace
 
-PaperRunner::PaperRunner(Session& session, QObject* parent) : QObject(parent), m_session(session) {
+PaperRunner::PaperRunner(Session& session, QObject* parent)
+    : QObject(parent), m_session(session), m_runner(session.gpu(), session.structures()) {
     m_shownCheck.setInterval(kShownInterval);
     connect(&m_shownCheck, &QTimer::timeout, this, &PaperRunner::measureWhenShown);
     connect(&m_runner, &ExperimentRunner::progressed, this, [this](double share, const QString& stage) {
@@ -133,6 +134,7 @@ void PaperRunner::measureSetting() {
     asked.size = request.size;
     asked.windows = request.windows;
     asked.upload = request.upload;
+    asked.uploaded = m_session.buffers(request.upload);
     asked.repetitions = m_repetitions;
     asked.leaveOutUnavailable = request.leaveOutUnavailable;
     m_resultDue = true;

@@ -13,8 +13,8 @@
 namespace cullscope::ui {
 
 /// Reproduces a table of a paper while an audience watches: the session shows each setting's scene at the pose being measured, in
-/// as many views of its size as the setting has windows, while an ExperimentRunner measures off-screen. At the end, and after a
-/// cancel, the session's former state is restored. If the user opens another scene, the run stops and that scene stays.
+/// as many views of its size as the setting has windows, while an ExperimentRunner measures between the pictures. At the end, and
+/// after a cancel, the session's former state is restored. If the user opens another scene, the run stops and that scene stays.
 class PaperRunner : public QObject {
     Q_OBJECT
 

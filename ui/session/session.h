@@ -48,9 +48,9 @@ public:
         SceneLoader::Opener opener;      ///< empty: core's openScene
         SceneUpload::Uploader uploader;  ///< empty: GpuThread::upload
         GpuThread::Options gpu;
-        ViewMeter::Rounds rounds;       ///< of the views' speeds
-        int restBeforeMeasuring = 200;  ///< ms without a change, after which the views are measured
-        bool graphics = true;           ///< false: no OpenGL, for tests of the rest
+        TimingProtocol rounds = ViewMeter::protocol();  ///< of the views' speeds
+        int restBeforeMeasuring = 200;                  ///< ms without a change, after which the views are measured
+        bool graphics = true;                           ///< false: no OpenGL, for tests of the rest
     };
 
     /// Throws Error(OpenGl) if `options.graphics` is set and OpenGL 4.5 is not available.
@@ -218,7 +218,7 @@ private:
     void measure(bool asked);
 
     SceneSourceOptions m_sceneSource;
-    ViewMeter::Rounds m_rounds;
+    TimingProtocol m_rounds;
     SceneLoader m_loader;
     OpenedScenePointer m_opened;
     ScenePointer m_scene;

@@ -1,38 +1,20 @@
 #include "ui/session/view_meter.h"
 
 #include <QCoreApplication>
-#include <chrono>
+#include <algorithm>
 #include <map>
 
 #include "core/base/error.h"
 #include "core/measure/accuracy.h"
-#include "core/measure/render_frame.h"
 #include "core/visibility/registry.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr const char* kBaseline = "backface";
-
-/// One strategy to be timed; several views may share it.
-struct Runner {
-    MetricsSubject what;
-    ViewStatePointer state;  ///< the memory with which the next frame begins
-    std::vector<double> frameTimes, cullTimes;
-};
-
 bool sameWork(const MetricsSubject& a, const MetricsSubject& b) {
     return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id() == b.strategy->id() &&
            a.strategy->parameters() == b.strategy->parameters();
-}
-
-/// The index of the runner for this work, which is added if there is none. Work of a view with a memory is its own.
-size_t runnerFor(std::vector<Runner>& runners, const MetricsSubject& what, ViewStatePointer state) {
-    for (size_t i = 0; i < runners.size() && !what.strategy->info().remembers; ++i)
-        if (sameWork(runners[i].what, what)) return i;
-    runners.push_back({what, std::move(state), {}, {}});
-    return runners.size() - 1;
 }
 
 std::vector<LostObject> lostObjects(const Scene& scene, const Reference& truth, const std::vector<uint8_t>& missed) {
@@ -53,14 +35,12 @@ ViewMetrics failure(const Message& message, const MetricsSubject& subject) {
     return figures;
 }
 
-void fillTimes(ViewMetrics& figures, const Runner& runner, const Runner& baseline) {
-    figures.frameMilliseconds = median(runner.frameTimes);
-    figures.cullMilliseconds = median(runner.cullTimes);
+void fillTimes(ViewMetrics& figures, const TimedFrames& subject, const TimedFrames& baseline) {
+    figures.frameMilliseconds = quantile(subject.frameMilliseconds, 0.5);
+    figures.cullMilliseconds = quantile(subject.cullMilliseconds, 0.5);
     figures.timed = true;
-    std::vector<double> ratios;
-    for (size_t i = 0; i < runner.frameTimes.size(); ++i)
-        if (runner.frameTimes[i] > 0.0) ratios.push_back(baseline.frameTimes[i] / runner.frameTimes[i]);
-    if (!ratios.empty()) figures.speedup = median(ratios);
+    const ViewTimes times{baseline.frameMilliseconds, subject.frameMilliseconds};
+    figures.speedup = ratioOfTotals({&times, 1});
 }
 
 }  // namespace
@@ -114,15 +94,6 @@ struct ViewMeter::Bench {
         return truth;
     }
 
-    FrameResult draw(Runner& runner) {
-        const MetricsSubject& what = runner.what;
-        Framebuffer& into = target(what.size);
-        // Every frame of a view with a memory begins with the one that the view had.
-        const ViewStatePointer own = what.strategy->info().remembers ? runner.state->clone() : nullptr;
-        ViewState& state = own ? *own : *runner.state;
-        return renderFrame(*renderer, *what.buffers, *what.strategy, state, View(what.culling, what.size), into);
-    }
-
     /// All metrics of a view's frame but its speed.
     ViewMetrics accuracy(int number, const MetricsSubject& what) {
         const View view(what.culling, what.size);
@@ -153,52 +124,57 @@ struct ViewMeter::Bench {
 
     BuiltStrategyPointer baselineFor(const ScenePointer& scene) {
         if (!baseline || baseline->scenePointer() != scene)
-            baseline = buildStrategy(kBaseline, ParameterSet(findStrategy(kBaseline).info.parameters), scene, *structures);
+            baseline = buildStrategy(kBackfaceId, ParameterSet(findStrategy(kBackfaceId).info.parameters), scene, *structures);
         return baseline;
     }
 };
 
 struct ViewMeter::Job {
-    Rounds rounds;
+    /// Numbers of a subject's frames among those that are timed.
+    struct Place {
+        size_t subject = 0, baseline = 0;
+    };
+
     std::vector<Subject> subjects;
     std::vector<ViewMetrics> figures;
-    std::vector<Runner> runners;
-    std::vector<std::pair<size_t, size_t>> places;  ///< indices of a subject's runner and of its baseline's
-    int round = -1;                                 ///< number of the round; round -1 is a warm-up
-    size_t place = 0;                               ///< index of the next runner in the round
-    double spent = 0.0;                             ///< seconds of drawing
+    std::optional<TimedRounds> rounds;
+    std::vector<Place> places;
 
-    void prepareTiming(Bench& bench) {
+    void prepareTiming(Bench& bench, const TimingProtocol& protocol) {
+        std::vector<MetricsSubject> works;
+        std::vector<TimedFrames> timed;
+        // Several views may share the same work; that of a view with a memory is its own.
+        const auto placeOf = [&](const MetricsSubject& what, ViewStatePointer memory) {
+            for (size_t i = 0; i < works.size() && !what.strategy->info().remembers; ++i)
+                if (sameWork(works[i], what)) return i;
+            works.push_back(what);
+            timed.push_back({what.buffers.get(), what.strategy, View(what.culling, what.size), {}});
+            timed.back().memories.push_back(std::move(memory));
+            return works.size() - 1;
+        };
         for (const Subject& subject : subjects) {
-            MetricsSubject baseline = subject.what;
-            baseline.strategy = bench.baselineFor(subject.what.buffers->scenePointer());
-            const size_t baselinePlace = runnerFor(runners, baseline, baseline.strategy->begin());
             const MetricsSubject& what = subject.what;
+            MetricsSubject baseline = what;
+            baseline.strategy = bench.baselineFor(what.buffers->scenePointer());
+            const size_t baselinePlace = placeOf(baseline, baseline.strategy->begin());
             ViewStatePointer memory =
                 bench.frames->memoryBefore({what.buffers, what.strategy, what.culling, what.size, subject.view});
-            places.emplace_back(runnerFor(runners, what, std::move(memory)), baselinePlace);
+            places.push_back({placeOf(what, std::move(memory)), baselinePlace});
         }
-    }
-
-    /// Times one frame; returns false if the measurement is complete.
-    bool timeOne(Bench& bench) {
-        // Every other round runs in reverse order, so that no strategy always follows the same one.
-        Runner& runner = runners[round % 2 == 0 ? place : runners.size() - 1 - place];
-        const FrameResult frame = bench.draw(runner);
-        spent += frame.frameMilliseconds / 1000.0;
-        if (round >= 0) {
-            runner.frameTimes.push_back(frame.frameMilliseconds);
-            runner.cullTimes.push_back(frame.log.cullMilliseconds);
-        }
-        if (++place < runners.size()) return true;
-        place = 0;
-        ++round;
-        return round < rounds.most && (round < rounds.fewest || spent < rounds.budgetSeconds);
+        rounds.emplace(std::move(timed), protocol);
     }
 };
 
-ViewMeter::ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures, const Rounds& rounds,
-                     QObject* parent)
+TimingProtocol ViewMeter::protocol() {
+    TimingProtocol protocol;
+    protocol.leastRepetitions = 5;
+    protocol.mostRepetitions = 15;
+    protocol.budgetSeconds = 1.0;
+    return protocol;
+}
+
+ViewMeter::ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures,
+                     const TimingProtocol& rounds, QObject* parent)
     : QObject(parent), m_gpu(gpu), m_rounds(rounds), m_bench(std::make_shared<Bench>()) {
     m_bench->frames = std::move(frames);
     m_bench->structures = std::move(structures);
@@ -228,7 +204,6 @@ void ViewMeter::measure(std::vector<Subject> subjects) {
     for (const Subject& subject : subjects) buffers.push_back(subject.what.buffers);
     auto job = std::make_shared<Job>();
     job->subjects = std::move(subjects);
-    job->rounds = m_rounds;
     const auto work = [this, job](GpuJobs::Step& step) {
         try {
             measureNext(*job, step);
@@ -246,12 +221,14 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
         const Subject& subject = job.subjects[job.figures.size()];
         job.figures.push_back(m_bench->accuracy(subject.view, subject.what));
         deliver(step, subject.view, job.figures.back());
-        if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench);
+        if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench, m_rounds);
         return step.again();
     }
-    if (job.timeOne(*m_bench)) return step.again();
+    job.rounds->step(*m_bench->renderer, [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); });
+    if (!job.rounds->complete()) return step.again();
+    const std::vector<TimedFrames>& timed = job.rounds->entrants();
     for (size_t i = 0; i < job.subjects.size(); ++i) {
-        fillTimes(job.figures[i], job.runners[job.places[i].first], job.runners[job.places[i].second]);
+        fillTimes(job.figures[i], timed[job.places[i].subject], timed[job.places[i].baseline]);
         deliver(step, job.subjects[i].view, job.figures[i]);
     }
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/measure/timed_rounds.h"
 #include "core/scene/camera.h"
 #include "ui/jobs/gpu_jobs.h"
 #include "ui/jobs/view_metrics.h"
@@ -11,9 +12,9 @@
 namespace cullscope::ui {
 
 /// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per camera, size
-/// and facing rule), then its speed interleaved with that of `backface`. Works in small steps, so that pictures are drawn in
-/// between. A newer request, or the loss of the thread's context, ends an older one after its present step; no further result of
-/// it is delivered.
+/// and facing rule), then its speed against `backface`, in turns (TimedRounds). Works in small steps, so that pictures are drawn
+/// in between. A newer request, or the loss of the thread's context, ends an older one after its present step; no further result
+/// of it is delivered.
 class ViewMeter : public QObject {
     Q_OBJECT
 
@@ -23,13 +24,10 @@ public:
         MetricsSubject what;
     };
 
-    /// How often a frame is drawn for its time, besides once before that does not count.
-    struct Rounds {
-        int fewest = 3, most = 15;
-        double budgetSeconds = 1.0;  ///< of drawing, after which no further round is begun
-    };
+    /// How often frames are drawn for the times of views: few, because views are measured after every change.
+    [[nodiscard]] static TimingProtocol protocol();
 
-    ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures, const Rounds& rounds,
+    ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures, const TimingProtocol& rounds,
               QObject* parent = nullptr);
     ~ViewMeter() override;
 
@@ -49,7 +47,7 @@ private:
     void deliver(GpuJobs::Step& step, int view, const ViewMetrics& figures);
 
     GpuThread& m_gpu;
-    Rounds m_rounds;
+    TimingProtocol m_rounds;
     std::shared_ptr<Bench> m_bench;
     GpuJobs m_jobs;
 };

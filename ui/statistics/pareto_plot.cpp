@@ -38,7 +38,7 @@ QString ParetoPlot::description() const {
     QStringList lines;
     for (const RunFigures& run : m_runs)
         lines << tr("%1, %2: ×%3 against backface, %4 per million missed")
-                     .arg(run.label, promiseWord(run.promise), ratioText(run.speedup),
+                     .arg(run.label, promiseWord(run.promise), ratioText(run.speedup.ratio),
                           *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel());
     return lines.join(QLatin1Char('\n'));
 }
@@ -93,7 +93,7 @@ std::vector<QColor> ParetoPlot::runColours(const PlotColours& colours) const {
         if (sweep)
             ofRuns.push_back(colours.series(size_t(sweep - m_sweepLines.data())));
         else
-            ofRuns.push_back(m_runs[run].baseline() ? colours.faintText : colours.series(single++));
+            ofRuns.push_back(m_runs[run].baseline ? colours.faintText : colours.series(single++));
     }
     return ofRuns;
 }
@@ -112,7 +112,7 @@ void ParetoPlot::addSweeps(LinePlot& plot, const PlotColours& colours) const {
     for (size_t number = 0; number < m_sweepLines.size(); ++number) {
         std::vector<PlotPoint> points;
         for (const size_t run : m_sweepLines[number].runs)
-            points.push_back({m_runs[run].speedup, height(*m_runs[run].missedPpm)});
+            points.push_back({m_runs[run].speedup.ratio, height(*m_runs[run].missedPpm)});
         const std::string name = sweepName(m_sweepLines[number].id, m_sweepLines[number].key).toStdString();
         plot.lines.push_back(plainLine(name, std::move(points), {colours.series(number).rgba(), 1.4}));
     }
@@ -126,14 +126,14 @@ void ParetoPlot::addRuns(LinePlot& plot, const PlotColours& colours) const {
         // Paler than the sweeps, which run the same way where nothing is missed.
         QColor pale = ofRuns[i];
         pale.setAlphaF(0.5F);
-        plot.lines.push_back(plainLine({}, {{run.speedupCi95[0], y}, {run.speedupCi95[1], y}}, {pale.rgba(), 1.5}));
+        plot.lines.push_back(plainLine({}, {{run.speedup.ci95[0], y}, {run.speedup.ci95[1], y}}, {pale.rgba(), 1.5}));
         // The baselines, both grey, are a dark and a light one.
-        const QColor grey = run.id == QLatin1String("all") ? colours.baselineCull : colours.ground;
+        const QColor grey = run.id == QLatin1String(kAllId) ? colours.baselineCull : colours.ground;
         plot.marks.push_back({sweepOf(i) ? std::string() : run.label.toStdString(),
-                              {run.speedup, y},
+                              {run.speedup.ratio, y},
                               shapeOf(run.promise),
                               {colours.text.rgba(), 1.2},
-                              (run.baseline() ? grey : ofRuns[i]).rgba(),
+                              (run.baseline ? grey : ofRuns[i]).rgba(),
                               shortLabel(i).toStdString()});
     }
     for (const Promise promise : {Promise::Exact, Promise::Conservative, Promise::Approximate})

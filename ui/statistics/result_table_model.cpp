@@ -31,10 +31,9 @@ void addLosses(ResultRow& row, const RunMeasurement& run) {
 
 QString ratio(double value) { return QLocale().toString(value, 'f', 2); }
 
-QString speed(const std::optional<double>& mean, const std::optional<std::array<double, 2>>& interval) {
-    if (!mean) return {};
-    const QString text = QStringLiteral("×") + ratio(*mean);
-    return interval ? QStringLiteral("%1 [%2, %3]").arg(text, ratio((*interval)[0]), ratio((*interval)[1])) : text;
+QString speed(const std::optional<RatioEstimate>& estimate) {
+    if (!estimate) return {};
+    return QStringLiteral("×%1 [%2, %3]").arg(ratio(estimate->ratio), ratio(estimate->ci95[0]), ratio(estimate->ci95[1]));
 }
 
 QString percent(const std::optional<double>& share) { return share ? percentText(*share) + QStringLiteral(" %") : QString(); }
@@ -48,10 +47,8 @@ std::vector<ResultRow> resultRows(const MeasureResult& result) {
         ResultRow row = emptyRow(run.strategy, run.promise);
         const Summary& summary = run.summary;
         row.promiseBroken = run.promiseBroken();
-        row.speedup = summary.speedupVsBackface;
-        row.speedupCi95 = summary.speedupVsBackfaceCi95;
-        row.speedupAll = summary.speedupVsAll;
-        row.speedupAllCi95 = summary.speedupVsAllCi95;
+        row.speedup = summary.ratioToBackface;
+        row.speedupAll = summary.ratioToAll;
         row.fpsOverall = summary.fpsOverall;
         row.fpsMin = summary.fpsMin;
         row.fpsMax = summary.fpsMax;
@@ -130,9 +127,9 @@ QString ResultTableModel::explanation(int column) {
         case Name:
             return tr("The strategy, and its parameters where they are not at their defaults");
         case Speedup:
-            return tr("Frame time of backface divided by this strategy's: the mean over the views and its 95 % interval");
+            return tr("Total time of backface over the views divided by this strategy's, with its 95 % interval");
         case SpeedupAll:
-            return tr("Frame time of all divided by this strategy's: the mean over the views and its 95 % interval");
+            return tr("Total time of all over the views divided by this strategy's, with its 95 % interval");
         case Fps:
             return tr("Views divided by the time of all of them; a frame is cull + draw");
         case FpsRange:
@@ -172,9 +169,9 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
         case Name:
             return row.name;
         case Speedup:
-            return speed(row.speedup, row.speedupCi95);
+            return speed(row.speedup);
         case SpeedupAll:
-            return speed(row.speedupAll, row.speedupAllCi95);
+            return speed(row.speedupAll);
         case Fps:
             return row.fpsOverall ? ratioText(*row.fpsOverall) : QString();
         case FpsRange:

@@ -23,8 +23,7 @@ struct ResultRow {
     QString id;
     Promise promise = Promise::Approximate;
     bool promiseBroken = false;
-    std::optional<double> speedup, speedupAll;
-    std::optional<std::array<double, 2>> speedupCi95, speedupAllCi95;
+    std::optional<RatioEstimate> speedup, speedupAll;  ///< over `backface` and over `all`
     std::optional<double> fpsOverall, fpsMin, fpsMax;
     std::optional<double> cullShare, submittedShare;
     std::optional<uint64_t> missedPixels, missedBeyondSnapping;

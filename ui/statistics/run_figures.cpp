@@ -39,12 +39,12 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         RunFigures figures;
         figures.label = runLabel(run.strategy);
         figures.id = QString::fromStdString(run.strategy.id);
+        figures.baseline = findStrategy(run.strategy.id).info.baseline;
         figures.parameters = run.strategy.parameters;
         figures.promise = run.promise;
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;
         figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;
-        figures.speedup = run.summary.speedupVsBackface;
-        figures.speedupCi95 = run.summary.speedupVsBackfaceCi95;
+        figures.speedup = run.summary.ratioToBackface;
         if (run.summary.missedPixelRate) figures.missedPpm = kPartsPerMillion * *run.summary.missedPixelRate;
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, result));
         all.push_back(std::move(figures));

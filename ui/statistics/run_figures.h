@@ -22,17 +22,14 @@ struct PoseFigures {
 struct RunFigures {
     QString label;  ///< the strategy's id, and its parameters where they differ from the defaults
     QString id;
+    bool baseline = false;  ///< the others are compared with it
     ParameterSet parameters;
     Promise promise = Promise::Approximate;
-    double frameMilliseconds = 0.0;  ///< mean over poses
-    double cullMilliseconds = 0.0;   ///< mean over poses
-    double speedup = 0.0;            ///< over `backface`
-    std::array<double, 2> speedupCi95{};
+    double frameMilliseconds = 0.0;   ///< mean over poses
+    double cullMilliseconds = 0.0;    ///< mean over poses
+    RatioEstimate speedup;            ///< over `backface`
     std::optional<double> missedPpm;  ///< over all poses
     std::vector<PoseFigures> poses;
-
-    /// Whether it is `all` or `backface`, what the others are compared with.
-    [[nodiscard]] bool baseline() const { return id == QLatin1String("all") || id == QLatin1String("backface"); }
 };
 
 /// "frustum", or "frustum box=length" where a parameter is not at its default.

@@ -27,7 +27,7 @@ constexpr int kRowHeight = 22;
 std::vector<TimeBar::Entry> timesOf(const std::vector<RunFigures>& runs) {
     std::vector<TimeBar::Entry> entries;
     for (const RunFigures& run : runs)
-        entries.push_back({run.label, run.cullMilliseconds, run.frameMilliseconds - run.cullMilliseconds, run.baseline()});
+        entries.push_back({run.label, run.cullMilliseconds, run.frameMilliseconds - run.cullMilliseconds, run.baseline});
     return entries;
 }
 
@@ -37,7 +37,7 @@ std::vector<TimeBar::Entry> timesOf(const std::vector<LiveFigures>& views) {
         if (view.figures.state != ViewMetrics::State::Ready) continue;
         const double cull = view.figures.cullMilliseconds;
         entries.push_back({view.view + QStringLiteral(" · ") + runLabel(view.strategy), cull,
-                           view.figures.frameMilliseconds - cull, view.strategy.id == "all" || view.strategy.id == "backface"});
+                           view.figures.frameMilliseconds - cull, findStrategy(view.strategy.id).info.baseline});
     }
     return entries;
 }
@@ -250,7 +250,7 @@ void StatisticsPanel::fillRuns() {
     int usual = 0;
     if (m_result)
         for (const RunMeasurement& run : m_result->runs) {
-            if (labels.size() == usual && (run.strategy.id == "all" || run.strategy.id == "backface")) ++usual;
+            if (labels.size() == usual && findStrategy(run.strategy.id).info.baseline) ++usual;
             labels << runLabel(run.strategy);
         }
     QStringList before;

@@ -50,6 +50,12 @@ QString ratioText(double ratio) {
     return QLocale().toString(ratio, 'f', digits);
 }
 
+QString speedText(const RatioEstimate& speed) { return QStringLiteral("×") + ratioText(speed.ratio); }
+
+QString speedWithInterval(const RatioEstimate& speed) {
+    return QStringLiteral("%1 (%2 – %3)").arg(speedText(speed), ratioText(speed.ci95[0]), ratioText(speed.ci95[1]));
+}
+
 QString percentText(double share) {
     const double percent = 100.0 * share;
     if (percent <= 0.0 || percent >= 100.0) return QLocale().toString(percent, 'f', 0);

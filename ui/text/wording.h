@@ -2,6 +2,7 @@
 
 #include <QString>
 
+#include "core/measure/statistics.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope::ui {
@@ -20,6 +21,9 @@ namespace cullscope::ui {
 
 /// A ratio with two significant digits: "0.97", "3.1", "15".
 [[nodiscard]] QString ratioText(double ratio);
+/// "×3.1", and with its 95 % interval "×3.1 (2.9 – 3.3)".
+[[nodiscard]] QString speedText(const RatioEstimate& speed);
+[[nodiscard]] QString speedWithInterval(const RatioEstimate& speed);
 /// A fraction in per cent: "15", below 10 with one digit: "1.5". Never "0" for a fraction above 0, never "100" for one below 1.
 [[nodiscard]] QString percentText(double share);
 [[nodiscard]] QString countText(uint64_t count);

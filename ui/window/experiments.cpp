@@ -7,7 +7,7 @@
 namespace cullscope::ui {
 
 Experiments::Experiments(Session& session, QObject* parent)
-    : QObject(parent), m_session(session), m_runner(new ExperimentRunner(this)) {
+    : QObject(parent), m_session(session), m_runner(new ExperimentRunner(session.gpu(), session.structures(), this)) {
     wire();
 }
 
@@ -72,10 +72,11 @@ void Experiments::showScene(StatisticsPanel& panel) const {
 }
 
 void Experiments::start(const ExperimentSettings& settings) {
-    if (!m_session.opened()) return;
+    if (!m_session.opened() || !m_session.gpu()) return;
     ExperimentRunner::Request request;
     // Hidden objects are measured too: the result names the scene's file, so it must be of the whole scene.
     request.scene = m_session.opened()->scene;
+    request.uploaded = m_session.buffers(request.upload);
     request.path = settings.path;
     request.size = settings.size;
     request.repetitions = settings.repetitions;

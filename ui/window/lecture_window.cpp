@@ -163,8 +163,7 @@ void LectureWindow::refresh() {
     const ViewMetrics& figures = m_session.figures(view);
     const bool ready = figures.state == ViewMetrics::State::Ready;
     const QString none = QStringLiteral("…");
-    m_numbers[0]->setText(
-        tr("Speed: %1").arg(ready && figures.speedup ? QStringLiteral("×") + ratioText(*figures.speedup) : none));
+    m_numbers[0]->setText(tr("Speed: %1").arg(ready && figures.speedup ? speedText(*figures.speedup) : none));
     m_numbers[1]->setText(tr("Submitted: %1").arg(ready ? percentText(figures.submittedShare()) + QStringLiteral(" %") : none));
     m_numbers[2]->setText(tr("Missed: %1").arg(ready ? countText(figures.accuracy.missedPixels) : none));
     m_back->setText(tr("◀ Back"));

@@ -74,20 +74,26 @@ protected:
 }  // namespace
 
 RegisteredStrategy all() {
-    return {{"all",
+    return {{kAllId,
              CULLSCOPE_TR("All triangles"),
              CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
              "",
-             {}},
+             {},
+             GlRequirement::None,
+             false,
+             true},
             std::make_shared<All>()};
 }
 
 RegisteredStrategy backface() {
-    return {{"backface",
+    return {{kBackfaceId,
              CULLSCOPE_TR("Back-face culling"),
              CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
              "",
-             {}},
+             {},
+             GlRequirement::None,
+             false,
+             true},
             std::make_shared<Backface>()};
 }
 

@@ -18,9 +18,23 @@ const std::vector<std::string> kFrameFields{
     "pose",          "frame_ms",     "cull_ms",        "considered_triangles", "visible_triangles",
     "missed_pixels", "extra_pixels", "covered_pixels", "largest_hole_px",      "false_culled_triangles",
     "case"};
-const std::vector<std::string> kSummaryFields{
-    "fps_overall", "fps_mean",        "fps_min",           "fps_max",        "frame_ms_median",     "frame_ms_p95",
-    "cull_share",  "culled_fraction", "missed_pixel_rate", "speedup_vs_all", "speedup_vs_all_ci95", "speedup_vs_backface"};
+const std::vector<std::string> kSummaryFields{"fps_overall",
+                                              "fps_mean",
+                                              "fps_min",
+                                              "fps_max",
+                                              "frame_ms_median",
+                                              "frame_ms_p95",
+                                              "cull_share",
+                                              "culled_fraction",
+                                              "missed_pixel_rate",
+                                              "ratio_to_all",
+                                              "ratio_to_all_ci95",
+                                              "ratio_to_backface",
+                                              "ratio_to_backface_ci95",
+                                              "speedup_vs_all",
+                                              "speedup_vs_all_ci95",
+                                              "speedup_vs_backface",
+                                              "speedup_vs_backface_ci95"};
 
 void expectFields(const Json& json, const std::vector<std::string>& fields) {
     for (const std::string& field : fields) EXPECT_TRUE(json.contains(field)) << field;
@@ -64,6 +78,7 @@ TEST(ResultJson, everyFieldOfTheContractIsThere) {
         expectFields(run, kRunFields);
         expectFields(run["summary"], kSummaryFields);
         EXPECT_EQ(run["summary"]["speedup_vs_all_ci95"].size(), 2u);
+        EXPECT_EQ(run["summary"]["ratio_to_all_ci95"].size(), 2u);
         ASSERT_EQ(run["frames"].size(), 3u);
         for (const Json& frame : run["frames"]) {
             expectFields(frame, kFrameFields);

@@ -2,6 +2,7 @@
 
 #include "core/base/error.h"
 #include "core/measure/accuracy.h"
+#include "core/measure/summary.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
 
@@ -21,6 +22,8 @@ TEST(Measure, fieldsFitTogether) {
             const FrameMeasurement& frame = run.frames[pose];
             EXPECT_EQ(frame.pose, pose);
             EXPECT_EQ(frame.repetitions, 3);
+            ASSERT_EQ(frame.frameTimes.size(), 3u);
+            EXPECT_EQ(frame.frameMilliseconds, quantile(frame.frameTimes, 0.5));
             EXPECT_GT(frame.frameMilliseconds, 0.0);
             EXPECT_LE(frame.cullMilliseconds, frame.frameMilliseconds);
             ASSERT_TRUE(frame.accuracy.has_value());
@@ -38,21 +41,71 @@ TEST(Measure, fieldsFitTogether) {
         EXPECT_LE(summary.frameMillisecondsP95, summary.frameMillisecondsP99);
         EXPECT_GE(summary.cullShare, 0.0);
         EXPECT_LE(summary.cullShare, 1.0);
-        EXPECT_LE(summary.speedupVsAllCi95[0], summary.speedupVsAll);
-        EXPECT_GE(summary.speedupVsAllCi95[1], summary.speedupVsAll);
+        for (const RatioEstimate& ratio : {summary.ratioToAll, summary.ratioToBackface, summary.speedupVsAll}) {
+            EXPECT_LE(ratio.ci95[0], ratio.ratio);
+            EXPECT_GE(ratio.ci95[1], ratio.ratio);
+        }
         ASSERT_TRUE(summary.missedPixelRate.has_value());
     }
     EXPECT_EQ(result.runs[0].summary.culledFraction, 0.0);
     EXPECT_GT(result.runs[1].summary.culledFraction, 0.1) << "the walk sees all of it";
-    EXPECT_EQ(result.runs[0].summary.speedupVsAll, 1.0) << "a baseline against itself";
-    EXPECT_EQ(result.runs[2].summary.speedupVsBackface, 1.0);
+    const RatioEstimate one{1.0, {1.0, 1.0}};
+    EXPECT_EQ(result.runs[0].summary.ratioToAll, one) << "a baseline against itself";
+    EXPECT_EQ(result.runs[2].summary.ratioToBackface, one);
+    EXPECT_EQ(result.runs[0].summary.speedupVsAll, one);
 }
 
 TEST(Measure, baselinesRunAlongUnasked) {
     const MeasureResult result = measure(smallExperiment({"frustum"}));
     ASSERT_EQ(result.runs.size(), 1u) << "baselines run along, but are not reported";
-    EXPECT_GT(result.runs[0].summary.speedupVsAll, 0.0);
-    EXPECT_GT(result.runs[0].summary.speedupVsBackface, 0.0);
+    const Summary& summary = result.runs[0].summary;
+    for (const RatioEstimate& ratio :
+         {summary.ratioToAll, summary.ratioToBackface, summary.speedupVsAll, summary.speedupVsBackface})
+        EXPECT_GT(ratio.ratio, 0.0);
+}
+
+TEST(Summary, hasTheOneEstimateOverAllViewsAndTheMeanBesideIt) {
+    const auto run = [](const std::string& id, const std::vector<std::vector<double>>& times) {
+        RunMeasurement made;
+        made.strategy = request(id);
+        for (const std::vector<double>& view : times) {
+            made.frames.emplace_back();
+            made.frames.back().frameTimes = view;
+            made.frames.back().frameMilliseconds = quantile(view, 0.5);
+        }
+        return made;
+    };
+    const std::vector<RunMeasurement> runs{run("all", {{40, 41, 44}, {4, 4, 5}}), run("frustum", {{10, 11, 10}, {0.1, 0.2, 0.1}}),
+                                           run("backface", {{20, 22, 21}, {2, 2, 2}})};
+    const Summary summary = summaryOf(runs[1], runs, *smallExperiment({}).scene);
+    EXPECT_DOUBLE_EQ(summary.ratioToAll.ratio, (41 + 4) / (10 + 0.1));
+    EXPECT_DOUBLE_EQ(summary.ratioToBackface.ratio, (21 + 2) / (10 + 0.1));
+    EXPECT_EQ(summary.ratioToBackface, ratioOfTotals(viewTimes(runs[2], runs[1])));
+    EXPECT_DOUBLE_EQ(summary.speedupVsAll.ratio, (41 / 10.0 + 4 / 0.1) / 2);
+    EXPECT_DOUBLE_EQ(summary.speedupVsBackface.ratio, (21 / 10.0 + 2 / 0.1) / 2);
+    EXPECT_EQ(summaryOf(runs[1], {runs[1]}, *smallExperiment({}).scene).ratioToAll, RatioEstimate()) << "nothing to compare with";
+}
+
+TEST(Meter, goesInStepsAndKeepsCompletePoses) {
+    const MeasureRequest experiment = smallExperiment({"frustum"});
+    StructureStore structures;
+    Contestants contestants = buildContestants(experiment, GlEnvironment::info(), structures);
+    ASSERT_EQ(contestants.strategies.size(), 3u) << "with the baselines";
+    EXPECT_FALSE(contestants.strategies[2].askedFor);
+    Meter meter(experiment, std::move(contestants), GlEnvironment::info(),
+                std::make_shared<const SceneBuffers>(experiment.scene, experiment.upload));
+    // A warm-up and three repetitions of each strategy, and then the figures of each.
+    const size_t stepsOfAPose = 3 * (1 + 3) + 3;
+    for (size_t steps = 0; !meter.complete(); ++steps) {
+        ASSERT_EQ(meter.poses(), steps / stepsOfAPose);
+        if (steps == stepsOfAPose + 5) {
+            EXPECT_TRUE(meter.resultSoFar().interrupted);
+            EXPECT_EQ(meter.resultSoFar().runs[0].frames.size(), 1u);
+        }
+        meter.step();
+    }
+    EXPECT_EQ(meter.poses(), 3u);
+    EXPECT_FALSE(meter.resultSoFar().interrupted);
 }
 
 TEST(Measure, accuracyIsNotMeasuredWhereItIsOff) {

@@ -1,0 +1,83 @@
+#include "core/measure/summary.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace cullscope {
+namespace {
+
+/// Sets both ratios of a run's times to a baseline's; neither where no such baseline was measured.
+void compareTo(const char* baseline, const RunMeasurement& run, const std::vector<RunMeasurement>& runs, RatioEstimate& ofTotals,
+               RatioEstimate& mean) {
+    const auto found = std::ranges::find_if(runs, [&](const RunMeasurement& other) { return other.strategy.id == baseline; });
+    if (found == runs.end()) return;
+    std::vector<double> ratios;
+    for (size_t i = 0; i < run.frames.size(); ++i)
+        ratios.push_back(found->frames[i].frameMilliseconds / run.frames[i].frameMilliseconds);
+    mean = meanOfRatios(ratios);
+    ofTotals = ratioOfTotals(viewTimes(*found, run));
+}
+
+}  // namespace
+
+std::vector<ViewTimes> viewTimes(const RunMeasurement& baseline, const RunMeasurement& subject) {
+    std::vector<ViewTimes> views;
+    for (size_t i = 0; i < std::min(baseline.frames.size(), subject.frames.size()); ++i)
+        views.push_back({baseline.frames[i].frameTimes, subject.frames[i].frameTimes});
+    return views;
+}
+
+Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, const Scene& scene) {
+    const std::vector<FrameMeasurement>& frames = run.frames;
+    Summary summary;
+    if (frames.empty()) return summary;
+    std::vector<double> times;
+    double cull = 0.0, considered = 0.0;
+    for (const FrameMeasurement& frame : frames) {
+        times.push_back(frame.frameMilliseconds);
+        cull += frame.cullMilliseconds;
+        considered += double(frame.consideredTriangles);
+        summary.fpsMean += 1000.0 / frame.frameMilliseconds / double(frames.size());
+    }
+    const double total = std::accumulate(times.begin(), times.end(), 0.0);
+    summary.fpsOverall = 1000.0 * double(frames.size()) / total;
+    summary.fpsMin = 1000.0 / *std::max_element(times.begin(), times.end());
+    summary.fpsMax = 1000.0 / *std::min_element(times.begin(), times.end());
+    summary.frameMillisecondsMedian = quantile(times, 0.5);
+    summary.frameMillisecondsP95 = quantile(times, 0.95);
+    summary.frameMillisecondsP99 = quantile(times, 0.99);
+    summary.cullShare = cull / total;
+    const double triangles = double(scene.triangleCount());
+    summary.culledFraction = triangles > 0 ? 1.0 - considered / double(frames.size()) / triangles : 0.0;
+    if (const std::optional<Losses> lost = run.losses())
+        summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
+    compareTo(kAllId, run, runs, summary.ratioToAll, summary.speedupVsAll);
+    compareTo(kBackfaceId, run, runs, summary.ratioToBackface, summary.speedupVsBackface);
+    return summary;
+}
+
+std::optional<Losses> RunMeasurement::losses() const {
+    if (frames.empty() || !frames.front().accuracy) return std::nullopt;
+    Losses losses;
+    uint64_t most = 0;
+    for (const FrameMeasurement& frame : frames) {
+        losses.coveredPixels += frame.accuracy->coveredPixels;
+        losses.missedPixels += frame.accuracy->missedPixels;
+        losses.missedBeyondSnapping += frame.missedBeyondSnapping;
+        losses.largestHolePixels = std::max(losses.largestHolePixels, frame.accuracy->largestHolePixels);
+        if (frame.accuracy->missedPixels <= most) continue;
+        most = frame.accuracy->missedPixels;
+        losses.worstPose = frame.pose;
+    }
+    return losses;
+}
+
+bool RunMeasurement::promiseBroken() const {
+    if (promise == Promise::Approximate) return false;
+    return std::any_of(frames.begin(), frames.end(), [&](const FrameMeasurement& frame) {
+        if (frame.ownRaster || facing != referenceFacing) return frame.missedBeyondSnapping > 0;
+        return frame.accuracy && frame.accuracy->missedPixels > 0;
+    });
+}
+
+}  // namespace cullscope

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <limits>
+#include <vector>
+
+#include "core/gpu/gpu_frame.h"
+#include "core/visibility/built_strategy.h"
+
+namespace cullscope {
+
+/// The number of repetitions of a frame (docs/measuring.md, "Speed").
+struct TimingProtocol {
+    int warmUp = 1;            ///< rounds that are not counted
+    int fixedRepetitions = 0;  ///< 0: until the median is steady
+    int leastRepetitions = 3;
+    int mostRepetitions = 21;
+    double steadyWithin = 0.02;            ///< relative change of every strategy's median over the last two rounds
+    double longFrameMilliseconds = 250.0;  ///< a strategy with longer frames counts as steady after leastRepetitions
+    double budgetSeconds = std::numeric_limits<double>::infinity();  ///< of drawing, after which no round beyond the least begins
+};
+
+/// One strategy at one view: what is drawn, and the times that it took.
+struct TimedFrames {
+    const SceneBuffers* buffers = nullptr;
+    BuiltStrategyPointer strategy;
+    View view;
+    std::vector<ViewStatePointer> memories;  ///< of as many pictures as a frame has; what a strategy that remembers begins with
+
+    std::vector<double> frameMilliseconds{}, cullMilliseconds{};  ///< of the counted frames, cull + draw and cull of all pictures
+    FrameLog log{};                                               ///< of the last counted frame's first picture
+    std::vector<ViewStatePointer> left{};  ///< the memories after the last counted frame, of a strategy that remembers
+
+    /// The memories with which the next view begins.
+    [[nodiscard]] std::vector<ViewStatePointer> takeMemories() { return std::move(left.empty() ? memories : left); }
+};
+
+/// The one protocol by which frames are timed, for both programs: the strategies are drawn in turns, every other round in reverse
+/// order so that none always follows the same one, until the medians are steady. A strategy whose frames depend on the ones
+/// before draws every repetition with the memory with which the view came here. A frame a step, so that it can be left between
+/// frames.
+class TimedRounds {
+public:
+    /// The framebuffer for a picture of a frame, of the size asked for; other pictures of the frame have other framebuffers.
+    using TargetOf = std::function<Framebuffer&(const Viewport& size, size_t picture)>;
+
+    TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol& protocol);
+
+    /// Times the next frame; it ends when the GPU has finished. Needs a current context. Nothing happens once complete.
+    void step(Renderer& renderer, const TargetOf& targetOf);
+    /// Whether no more frames are needed.
+    [[nodiscard]] bool complete() const { return m_complete; }
+    /// In the order in which they were given; of each as many frames are counted.
+    [[nodiscard]] std::vector<TimedFrames>& entrants() { return m_entrants; }
+
+private:
+    [[nodiscard]] bool enough() const;
+
+    std::vector<TimedFrames> m_entrants;
+    TimingProtocol m_protocol;
+    int m_round = 0;         ///< below 0: warm-up
+    size_t m_place = 0;      ///< number of the next frame in the round
+    double m_seconds = 0.0;  ///< of drawing
+    bool m_complete = false;
+};
+
+}  // namespace cullscope
