@@ -4,32 +4,73 @@
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
-#include "core/image/overlays.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope::cullbench {
 namespace {
 
-constexpr const char* kOverlays = "verdicts, boxes, frustum, bands, kernel, index-map, spherical-model";
-constexpr const char* kStrategiesWithMaps = "spherical, spherical-horizon, spherical-lossless";
-constexpr const char* kStrategiesWithBands = "spherical, spherical-horizon";
-constexpr const char* kStrategiesWithCells = "spherical-lossless";
+/// The ids of the pictures that strategies declare, in the form "ID, ".
+std::string pictureList() {
+    std::string text;
+    for (const Show* show : declaredShows(Show::Kind::Picture)) text += show->id + ", ";
+    return text;
+}
+
+/// The ids of all overlays, separated by commas.
+std::string overlayList() {
+    std::string text = std::string(kVerdictsOverlay) + ", " + kBoxesOverlay + ", " + kFrustumOverlay;
+    for (const Show* show : declaredShows(Show::Kind::Overlay)) text += ", " + show->id;
+    return text + ", " + pictureList() + kSphericalModelOverlay;
+}
+
+/// What is said of all overlays in the command line's help.
+std::string overlayHelp() {
+    const auto described = [](Show::Kind kind, const std::string& separator) {
+        std::string text;
+        for (const Show* show : declaredShows(kind)) text += separator + show->id + " (" + show->help + ")";
+        return text;
+    };
+    std::string boxes = "that the strategy tests";
+    for (const Show* show : declaredShows(Show::Kind::Boxes)) boxes += "; " + show->help;
+    std::string pictures;
+    for (const Show* show : declaredShows(Show::Kind::Picture)) pictures += show->id + " (" + show->help + "), ";
+    return "verdicts (colour by verdict, against the truth), boxes (" + boxes + "), frustum (of the culling camera)" +
+           described(Show::Kind::Overlay, ", ") + "; in place of the scene: " + pictures +
+           "spherical-model (what was drawn of the first object, over azimuth and zenith angle); may be given more than once";
+}
+
+/// The picture with this id that a strategy declares; null where there is none.
+const Show* pictureOf(const std::string& id) {
+    for (const Show* show : declaredShows(Show::Kind::Picture))
+        if (show->id == id) return show;
+    return nullptr;
+}
+
+/// The colouring of a picture, by default its first. Throws Error(Usage) naming the known ones for an unknown id.
+std::string colouringOf(const Show& picture, const std::string& id) {
+    if (id.empty()) return picture.colourings.empty() ? std::string() : picture.colourings.front().id;
+    std::string known;
+    for (const ShowColouring& colouring : picture.colourings) {
+        if (colouring.id == id) return id;
+        known += (known.empty() ? "" : ", ") + colouring.id;
+    }
+    throwUsage(CULLSCOPE_TR("There is no colouring of the index map \"%1\". Known: %2."), {id, known});
+}
 
 /// Adds one overlay; returns false for an unknown name.
 bool add(const std::string& name, OverlayChoice& choice) {
-    if (name == "verdicts")
+    if (name == kVerdictsOverlay)
         choice.look.colouring = Colouring::Verdicts;
-    else if (name == "boxes")
+    else if (name == kBoxesOverlay)
         choice.look.boxes = true;
-    else if (name == "frustum")
+    else if (name == kFrustumOverlay)
         choice.look.frustum = true;
-    else if (name == "bands")
-        choice.look.bands = true;
-    else if (name == "kernel")
-        choice.look.kernel = true;
-    else if (name == "spherical-model")
+    else if (name == kSphericalModelOverlay)
         choice.look.sphericalModel = true;
-    else if (name == "index-map")
-        choice.map = MapColouring::Entries;
+    else if (pictureOf(name) != nullptr)
+        choice.picture = name;
+    else if (std::ranges::any_of(declaredShows(Show::Kind::Overlay), [&](const Show* show) { return show->id == name; }))
+        choice.look.show(name, true);
     else
         return false;
     return true;
@@ -38,84 +79,24 @@ bool add(const std::string& name, OverlayChoice& choice) {
 /// Throws Error(Usage) where an overlay that replaces the scene is combined with another.
 void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& names) {
     if (!choice.replacesScene()) return;
-    const std::string alone = choice.map ? "index-map" : "spherical-model";
+    const std::string alone = choice.picture.empty() ? kSphericalModelOverlay : choice.picture;
     for (const std::string& name : names)
         if (name != alone)
             throwUsage(CULLSCOPE_TR("--overlay %1 stands in place of the scene's picture: give it without --overlay %2."),
                        {alone, name});
 }
 
-void requireBands(const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
-    if (snapshot.maps.empty() || snapshot.maps.front().tree)
-        throwUsage(CULLSCOPE_TR("--overlay bands: the strategy \"%1\" has no contour bands. Strategies that have them: %2."),
-                   {strategy, kStrategiesWithBands});
-    for (const spherical::MapSnapshot& map : snapshot.maps)
-        if (map.decision.bands) return;
-    const spherical::SphericalDecision& decision = shownMap(snapshot)->decision;
-    throwUsage(
-        CULLSCOPE_TR("--overlay bands: the object \"%1\" is %2, and only one inside the frustum has contour bands. Choose an "
-                     "eye farther away or a larger --fovy; for what the frustum cuts there are --overlay boxes and "
-                     "--overlay index-map."),
-        {scene.instances()[decision.instance].name, spherical::relationName(decision.relation)});
-}
-
-/// Throws Error(Usage) with the reason where an object has no kernel.
-void requireKernelOf(const spherical::MapSnapshot& map, const std::string& option, const Scene& scene) {
-    const std::string& name = scene.instances()[map.decision.instance].name;
-    if (!map.kernel)
-        throwUsage(CULLSCOPE_TR("%1: no inner kernel was made for the object \"%2\", because the parameter horizon is off or the "
-                                "mesh has too few triangles for it to pay. Choose horizon=true, or a larger mesh."),
-                   {option, name});
-    if (!map.kernel->filled())
-        throwUsage(CULLSCOPE_TR("%1: the object \"%2\" has no inner kernel: %3. Leave it out, or choose another scene."),
-                   {option, name, InnerKernel::stateName(map.kernel->state())});
-}
-
-void requireKernel(const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
-    const std::string option = "--overlay kernel";
-    if (snapshot.maps.empty() || !snapshot.maps.front().tree)
-        throwUsage(CULLSCOPE_TR("%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3."),
-                   {option, strategy, kStrategiesWithCells});
-    if (std::ranges::any_of(snapshot.maps, hasKernel)) return;
-    const spherical::MapSnapshot& shown = *shownMap(snapshot);
-    requireKernelOf(shown, option, scene);
-    throwUsage(CULLSCOPE_TR("%1: the object \"%2\" is %3, so that its inner kernel is not shown. Choose another eye or target."),
-               {option, scene.instances()[shown.decision.instance].name, spherical::relationName(shown.decision.relation)});
-}
-
-void requireMap(MapColouring colouring, const std::string& strategy, const StructureSnapshot& snapshot, const Scene& scene) {
-    if (snapshot.maps.empty())
-        throwUsage(CULLSCOPE_TR("--overlay index-map: the strategy \"%1\" has no index map. Strategies that have one: %2."),
-                   {strategy, kStrategiesWithMaps});
-    const spherical::MapSnapshot& shown = *shownMap(snapshot);
-    if (hasColouring(shown, colouring)) return;
-    const std::string option = std::string("--map-colouring ") + mapColouringId(colouring);
-    if (shown.tree) requireKernelOf(shown, option, scene);
-    throwUsage(CULLSCOPE_TR("%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3."),
-               {option, strategy, kStrategiesWithCells});
-}
-
 }  // namespace
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
-    command
-        .add_option(
-            "--overlay", options.names,
-            "verdicts (colour by verdict, against the truth), boxes (that the strategy tests; bounding spheres, visible "
-            "region and corner rays of spherical strategies, judged cells of spherical-lossless), frustum (of the culling "
-            "camera), bands (contour bands of spherical strategies, with S), kernel (of spherical-lossless: what is filled "
-            "of a solid around its centre, with the horizon that the eye sees of it); in place of the scene: index-map (of "
-            "spherical strategies, of the first "
-            "object in the frustum), spherical-model (what was drawn of the first object, over azimuth and zenith "
-            "angle); may be given more than once")
-        ->allow_extra_args(false);
+    command.add_option("--overlay", options.names, overlayHelp())->allow_extra_args(false);
     command.add_option("--below", options.below,
-                       "a second picture of the same size below the first: index-map, spherical-model, or behind (the same from "
-                       "the other side)");
-    command.add_option(
-        "--map-colouring", options.mapColouring,
-        "of the index map: entries (triangles by cell, the default), radius, state, or of spherical-lossless level (of the "
-        "judged cells) or kernel (its radius)");
+                       "a second picture of the same size below the first: " + pictureList() +
+                           "spherical-model, or behind (the same from the other side)");
+    std::string colourings;
+    for (const Show* show : declaredShows(Show::Kind::Picture))
+        if (!show->colourings.empty()) colourings += (colourings.empty() ? "" : "; ") + show->colouringHelp;
+    command.add_option("--map-colouring", options.mapColouring, colourings);
     command
         .add_option(
             "--box-colouring", options.boxColouring,
@@ -139,7 +120,7 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
 OverlayChoice overlaysOf(const OverlayOptions& options) {
     OverlayChoice choice;
     for (const std::string& name : options.names)
-        if (!add(name, choice)) throwUsage(CULLSCOPE_TR("There is no overlay \"%1\". Known: %2."), {name, kOverlays});
+        if (!add(name, choice)) throwUsage(CULLSCOPE_TR("There is no overlay \"%1\". Known: %2."), {name, overlayList()});
     requireAlone(choice, options.names);
     choice.look.culledToo = !options.drawnOnly;
     if (options.drawnOnly && choice.look.colouring != Colouring::Verdicts)
@@ -147,10 +128,9 @@ OverlayChoice overlaysOf(const OverlayOptions& options) {
     if (!options.boxColouring.empty() && !choice.look.boxes)
         throwUsage(CULLSCOPE_TR("--box-colouring says what --overlay boxes shows: give both."));
     if (options.boxColouring == boxColouringId(BoxColouring::Plane)) choice.look.boxColouring = BoxColouring::Plane;
-    if (options.mapColouring.empty()) return choice;
-    if (choice.map)
-        choice.map = mapColouringFromId(options.mapColouring);
-    else if (options.below != "index-map")
+    if (const Show* picture = pictureOf(choice.picture))
+        choice.colouring = colouringOf(*picture, options.mapColouring);
+    else if (!options.mapColouring.empty() && pictureOf(options.below) == nullptr)
         throwUsage(CULLSCOPE_TR("--map-colouring says what --overlay index-map shows: give both."));
     return choice;
 }
@@ -158,9 +138,12 @@ OverlayChoice overlaysOf(const OverlayOptions& options) {
 std::optional<BelowChoice> belowOf(const OverlayOptions& options, const OverlayChoice& above) {
     if (options.below.empty()) return std::nullopt;
     BelowChoice below;
-    if (options.below == "index-map")
-        below.overlays.map = options.mapColouring.empty() ? MapColouring::Entries : mapColouringFromId(options.mapColouring);
-    else if (options.below == "spherical-model")
+    if (const Show* picture = pictureOf(options.below)) {
+        below.overlays.picture = picture->id;
+        below.overlays.colouring = colouringOf(*picture, options.mapColouring);
+        return below;
+    }
+    if (options.below == kSphericalModelOverlay)
         below.overlays.look.sphericalModel = true;
     else if (options.below != "behind")
         throwUsage(CULLSCOPE_TR("--below %1: index-map, spherical-model or behind can stand below a picture."), {options.below});
@@ -180,19 +163,15 @@ Camera cameraBehind(const Camera& camera, const Scene& scene) {
     return behind;
 }
 
-void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const StructureSnapshot& snapshot,
-                     const Scene& scene) {
-    if (choice.look.boxes && snapshot.nodes.empty() && snapshot.maps.empty())
+void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy, const FrameLog& log) {
+    const auto require = [&](const std::string& id, const std::string& colouring) {
+        if (const std::optional<Message> why = strategy.whyNotShown(id, colouring, log)) throwUsage(why->text, why->arguments);
+    };
+    if (choice.look.boxes && strategy.snapshot(log).nodes.empty())
         throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
-    if (choice.look.bands) requireBands(strategy, snapshot, scene);
-    if (choice.look.kernel) requireKernel(strategy, snapshot, scene);
-    if (choice.map) requireMap(*choice.map, strategy, snapshot, scene);
-}
-
-const spherical::MapSnapshot* shownMap(const StructureSnapshot& snapshot) {
-    for (const spherical::MapSnapshot& map : snapshot.maps)
-        if (map.decision.relation != spherical::SphereRelation::Outside) return &map;
-    return snapshot.maps.empty() ? nullptr : &snapshot.maps.front();
+    for (const Show* show : declaredShows(Show::Kind::Overlay))
+        if (choice.look.shows(show->id)) require(show->id, {});
+    if (!choice.picture.empty()) require(choice.picture, choice.colouring);
 }
 
 Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene) {

@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "core/image/map_picture.h"
 #include "core/image/view_picture.h"
 
 namespace cullscope::cullbench {
@@ -29,13 +28,14 @@ struct OverlayOptions {
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options);
 
-/// The content of a picture: the scene with a look, or an index map in its place.
+/// The content of a picture: the scene with a look, or a picture that the strategy declares in its place.
 struct OverlayChoice {
     ViewLook look;
-    std::optional<MapColouring> map;
+    std::string picture;    ///< id of the strategy's picture; empty: the scene
+    std::string colouring;  ///< of that picture
 
-    [[nodiscard]] bool replacesScene() const { return map || look.sphericalModel; }
-    [[nodiscard]] bool needsDecisions() const { return map || cullscope::needsDecisions(look); }
+    [[nodiscard]] bool replacesScene() const { return !picture.empty() || look.sphericalModel; }
+    [[nodiscard]] bool needsDecisions() const { return !picture.empty() || cullscope::needsDecisions(look); }
 };
 
 /// Throws Error(Usage) for a name that is no overlay, naming those that are, or that cannot be shown together with the others.
@@ -52,13 +52,9 @@ struct BelowChoice {
 /// The camera reflected to the other side of the scene's middle.
 [[nodiscard]] Camera cameraBehind(const Camera& camera, const Scene& scene);
 
-/// Throws Error(Usage), with the reason and what to do, where the strategy has no data at this view for a chosen overlay.
-void requireOverlays(const OverlayChoice& choice, const std::string& strategy, const StructureSnapshot& snapshot,
-                     const Scene& scene);
-
-/// The index map to show: of the first object that is not outside the frustum; where all are outside, of the first object. Null
-/// where the strategy has no maps.
-[[nodiscard]] const spherical::MapSnapshot* shownMap(const StructureSnapshot& snapshot);
+/// Throws Error(Usage), with the reason and what to do, where the strategy has nothing to show of this frame for a chosen
+/// overlay.
+void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy, const FrameLog& log);
 
 /// The viewing camera: the culling camera with the values given on the command line, its depth range fitted to the scene.
 [[nodiscard]] Camera viewingCamera(const OverlayOptions& options, const Camera& culling, const Scene& scene);

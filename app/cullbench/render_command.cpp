@@ -70,7 +70,8 @@ PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& st
     subject.size = viewing.viewport();
     subject.look = choice.look;
     subject.style = style;
-    subject.map = choice.map;
+    subject.picture = choice.picture;
+    subject.pictureColouring = choice.colouring;
     subject.submittedTriangles = log.consideredTriangles();
     return subject;
 }
@@ -89,35 +90,18 @@ std::string described(const TriangleStates& states) {
 struct Drawn {
     TriangleStates states;  ///< empty without `verdicts`
     std::vector<uint8_t> rgba;
-    std::string sphere;  ///< the decision of a spherical strategy about the object whose map is shown
+    std::string line;  ///< what the strategy says of the frame (Strategy::frameLine)
 };
-
-/// The tests of a walk over an object's cells, and how many triangles each of them culled.
-std::string describedWalk(const spherical::CellWalk& walk) {
-    const auto culled = [&](Cause cause) { return fmt::format("{} {}", walk.culled[size_t(cause)], causeName(cause)); };
-    return fmt::format("{} nodes visited; planes: {}; cones: {}; horizon: {}", walk.nodesVisited, culled(Cause::OutsideFrustum),
-                       walk.cones ? culled(Cause::BackFacing) : "not used", walk.horizon ? culled(Cause::Hidden) : "not used");
-}
-
-std::string describedMap(const spherical::MapSnapshot& map, const Scene& scene) {
-    const spherical::SphericalDecision& decision = map.decision;
-    std::string text = fmt::format("the bounding sphere of \"{}\" is {}", scene.instances()[decision.instance].name,
-                                   spherical::relationName(decision.relation));
-    if (decision.region) text += fmt::format(", case {}", decision.region->caseNumber);
-    if (decision.walk) text += "; " + describedWalk(*decision.walk);
-    return text;
-}
 
 /// Replays a frame, with its overlays.
 Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
                   const View& viewing, const OverlayChoice& choice, const DrawStyle& style) {
     const Scene& scene = buffers.scene();
     Drawn drawn;
-    const StructureSnapshot snapshot = choice.needsDecisions() ? strategy.snapshot(log) : StructureSnapshot{};
-    requireOverlays(choice, strategy.id(), snapshot, scene);
-    if (!snapshot.maps.empty()) drawn.sphere = describedMap(*shownMap(snapshot), scene);
-    if (choice.map) {
-        drawn.rgba = mapPicture(*shownMap(snapshot), *choice.map, viewing.viewport(), style);
+    requireOverlays(choice, strategy, log);
+    if (choice.needsDecisions()) drawn.line = strategy.frameLine(log);
+    if (!choice.picture.empty()) {
+        drawn.rgba = strategy.picture(choice.picture, choice.colouring, log, viewing.viewport(), style);
         return drawn;
     }
     Framebuffer target(viewing.viewport());
@@ -176,9 +160,9 @@ void run(const RenderOptions& options, const Context& context) {
         // Rows count from the bottom, so the second picture's rows come first.
         Drawn second = drawPicture(renderer, buffers, *strategy, log, side, below->overlays, style);
         drawn.rgba.insert(drawn.rgba.begin(), second.rgba.begin(), second.rgba.end());
-        if (drawn.sphere.empty()) drawn.sphere = std::move(second.sphere);
+        if (drawn.line.empty()) drawn.line = std::move(second.line);
     }
-    const auto& [states, rgba, sphere] = drawn;
+    const auto& [states, rgba, line] = drawn;
     const Viewport whole{size.width, below ? 2 * size.height : size.height};
     PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, viewingView, style, log));
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
@@ -190,7 +174,7 @@ void run(const RenderOptions& options, const Context& context) {
     fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, log.consideredTriangles(),
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());
     if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
-    if (!sphere.empty()) fmt::print(words, "{}: {}\n", options.output, sphere);
+    if (!line.empty()) fmt::print(words, "{}: {}\n", options.output, line);
 }
 
 }  // namespace

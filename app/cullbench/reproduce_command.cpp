@@ -11,8 +11,6 @@
 namespace cullscope::cullbench {
 namespace {
 
-constexpr const char* kAll = "all";
-
 struct CommandOptions {
     std::string experiment, json, svg;
     int repeat = 0;
@@ -20,7 +18,7 @@ struct CommandOptions {
 
 std::vector<const PaperExperiment*> chosen(const std::string& id) {
     std::vector<const PaperExperiment*> experiments;
-    if (id != kAll) return {&findPaperExperiment(id)};
+    if (id != kAllExperiments) return {&findPaperExperiment(id)};
     for (const PaperExperiment& experiment : paperExperiments()) experiments.push_back(&experiment);
     return experiments;
 }

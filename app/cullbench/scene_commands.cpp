@@ -1,9 +1,7 @@
 #include <fmt/format.h>
 
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <set>
 
 #include "app/cullbench/commands.h"
 #include "core/base/error.h"
@@ -38,33 +36,14 @@ struct InspectOptions {
     std::vector<std::string> parameters;
 };
 
-/// The layout of the meshes' quadtrees, and the number of meshes by the state of their inner kernels.
-struct CellFigures {
-    std::string layout;  ///< empty: the strategy has no quadtrees
-    std::map<std::string, size_t> meshesByKernel;
-};
-
-CellFigures cellFigures(const BuiltStrategy& strategy) {
-    const Scene& scene = strategy.scene();
-    CellFigures figures;
-    const FrameLog log = strategy.decide(View(overviewCamera(scene, 1.0), {64, 64}), *strategy.begin(), true);
-    std::set<uint32_t> seen;
-    for (const spherical::MapSnapshot& map : strategy.snapshot(log).maps) {
-        if (!map.tree || !seen.insert(scene.instances()[map.decision.instance].mesh).second) continue;
-        figures.layout = mapLayoutId(map.tree->layout());
-        ++figures.meshesByKernel[map.kernel ? InnerKernel::stateName(map.kernel->state()) : "not made"];
-    }
-    return figures;
-}
-
 /// The difference between the planes taken from the overview camera's matrix and those that culling uses.
 struct PlaneFigures {
     PlaneDifference byRows, byCorners;
 };
 
 /// None for a strategy that tests no planes.
-std::optional<PlaneFigures> planeFigures(std::string_view id, const Scene& scene) {
-    if (!id.starts_with("frustum")) return std::nullopt;
+std::optional<PlaneFigures> planeFigures(const StrategyInfo& info, const Scene& scene) {
+    if (!info.byPlanes) return std::nullopt;
     const View view(overviewCamera(scene, 1.0), {640, 480});
     const FrustumPlanes& used = view.frustum().planes;
     const auto rows = planesFromRows(view.clipFromEyeRelative(), ClipDepth::ReversedZeroToOne);
@@ -82,10 +61,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
     clearProgress();
     const StructureReport& structure = strategy->report();
     const Scene& scene = *opened.scene;
-    // A strategy that needs OpenGL has no cells, and there is no context here to cull with.
-    const bool needsOpenGl = strategy->info().glRequirement != GlRequirement::None;
-    const CellFigures cells = needsOpenGl ? CellFigures{} : cellFigures(*strategy);
-    const std::optional<PlaneFigures> planes = needsOpenGl ? std::nullopt : planeFigures(request.id, scene);
+    const std::optional<PlaneFigures> planes = planeFigures(strategy->info(), scene);
     const char* facing = strategy->facing() == Facing::Front ? "front" : "two-sided";
     if (!options.json.empty()) {
         nlohmann::ordered_json json{{"scene",
@@ -99,12 +75,12 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                     {"build_ms", structure.buildMilliseconds},
                                     {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
-        if (!cells.layout.empty()) json["layout"] = cells.layout;
+        if (!structure.layout.empty()) json["layout"] = structure.layout;
         if (planes)
             for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
                 json["planes"][way] = {{"degrees", difference.angle.degrees()}, {"offset", difference.offset}};
-        for (const auto& [state, meshes] : cells.meshesByKernel)
-            json["kernels"].push_back({{"state", state}, {"meshes", meshes}});
+        for (const MeshStates& states : strategy->meshStates())
+            for (const auto& [state, meshes] : states.meshes) json[states.key].push_back({{"state", state}, {"meshes", meshes}});
         writeText(options.json, json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n");
     }
     if (options.json == "-") return;
@@ -117,9 +93,10 @@ void runInspect(const InspectOptions& options, const Context& context) {
         for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
             fmt::print("  planes from the matrix's {} differ by at most {:.2g} degrees, {:.2g} in offset\n", way,
                        difference.angle.degrees(), difference.offset);
-    if (!cells.layout.empty()) fmt::print("  layout {}\n", cells.layout);
-    for (const auto& [state, meshes] : cells.meshesByKernel)
-        fmt::print("  inner kernel of {}: {}\n", meshes == 1 ? "1 mesh" : fmt::format("{} meshes", meshes), state);
+    if (!structure.layout.empty()) fmt::print("  layout {}\n", structure.layout);
+    for (const MeshStates& states : strategy->meshStates())
+        for (const auto& [state, meshes] : states.meshes)
+            fmt::print("  {} of {}: {}\n", states.name, meshes == 1 ? "1 mesh" : fmt::format("{} meshes", meshes), state);
 }
 
 struct PathOptions {

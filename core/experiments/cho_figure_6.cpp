@@ -78,13 +78,12 @@ LinePlot framesByViewpoint() {
 PaperSetting walkThroughTheField() {
     PaperSetting setting;
     setting.scene = "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5";
-    setting.strategies = {"all",           "frustum-select",    "frustum:facing=two-sided",
-                          "backface",      "frustum",           "frustum-octree",
-                          "frustum-query", "spherical-lossless"};
+    setting.strategies = {kAllId,           "frustum-select", "frustum:facing=two-sided", kBackfaceId, "frustum",
+                          "frustum-octree", "frustum-query",  "spherical-lossless"};
     setting.shown = "frustum";
     setting.path = "walk:" + std::to_string(kViewpoints);
     setting.size = kSize;
-    setting.paper["all"] = {{"paper_fps_mean", kFpsOfAll}, {"paper_fps_max", kFpsOfAll}};
+    setting.paper[kAllId] = {{"paper_fps_mean", kFpsOfAll}, {"paper_fps_max", kFpsOfAll}};
     for (const char* culled : {"frustum-select", "frustum:facing=two-sided"})
         setting.paper[culled] = {{"paper_fps_mean", kMeanFps},
                                  {"paper_fps_max", kMostFps},

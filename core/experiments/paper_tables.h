@@ -48,6 +48,8 @@ struct PaperExperiment {
 
 /// Every experiment, in the order in which lists show them.
 [[nodiscard]] const std::vector<PaperExperiment>& paperExperiments();
+/// Stands for all of them where one is asked for by its id.
+inline constexpr const char* kAllExperiments = "all";
 
 /// The experiment with this id. Throws Error(Usage) naming the known ids where there is none.
 [[nodiscard]] const PaperExperiment& findPaperExperiment(std::string_view id);

@@ -2,14 +2,18 @@
 
 #include <algorithm>
 
+#include "core/visibility/registry.h"
+
 namespace cullscope {
 
 const std::vector<ParameterSweep>& builtInSweeps() {
-    static const std::vector<ParameterSweep> kSweeps{
-        {"spherical", "rows", {"45", "90", "180", "360"}},
-        {"spherical", "band", {"2.5", "5", "10", "20"}},
-        {"spherical-lossless", "level", {"4", "5", "6", "7", "8", "0"}, "0"},
-    };
+    static const std::vector<ParameterSweep> kSweeps = [] {
+        std::vector<ParameterSweep> sweeps;
+        for (const RegisteredStrategy& strategy : strategies())
+            for (const DeclaredSweep& sweep : strategy.info.sweeps)
+                sweeps.push_back({strategy.info.id, sweep.key, sweep.values, sweep.automatic});
+        return sweeps;
+    }();
     return kSweeps;
 }
 

@@ -16,7 +16,7 @@ struct ParameterSweep {
     std::string automatic{};          ///< the value with which the strategy chooses itself; empty: there is none
 };
 
-/// The built-in sweeps.
+/// The sweeps that the strategies declare.
 [[nodiscard]] const std::vector<ParameterSweep>& builtInSweeps();
 
 /// The strategies with parameters that the sweeps need measured; each once, also where several sweeps contain it.

@@ -10,7 +10,7 @@ std::string text(const Vec3& v) { return text(v.x) + "," + text(v.y) + "," + tex
 
 std::string overlays(const ViewLook& look) {
     std::string names;
-    for (const char* id : overlayIds(look)) names += (names.empty() ? "" : ",") + std::string(id);
+    for (const std::string& id : overlayIds(look)) names += (names.empty() ? "" : ",") + id;
     return names;
 }
 
@@ -40,9 +40,9 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (!(subject.viewing == subject.culling)) addCamera("view_", subject.viewing);
     add("size", sizeText(subject.size));
     if (!(subject.cullingSize == subject.size)) add("culling_size", sizeText(subject.cullingSize));
-    add("overlay", subject.map ? "index-map" : overlays(subject.look));
-    if (subject.map) add("map_colouring", mapColouringId(*subject.map));
-    if (!subject.map && !subject.look.sphericalModel && subject.look.byPlane())
+    add("overlay", subject.picture.empty() ? overlays(subject.look) : subject.picture);
+    add("map_colouring", subject.pictureColouring);
+    if (subject.picture.empty() && !subject.look.sphericalModel && subject.look.byPlane())
         add("box_colouring", boxColouringId(subject.look.boxColouring));
     if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));

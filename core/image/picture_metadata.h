@@ -7,7 +7,6 @@
 #include <utility>
 #include <vector>
 
-#include "core/image/map_picture.h"
 #include "core/image/view_picture.h"
 #include "core/visibility/parameters.h"
 
@@ -28,7 +27,8 @@ struct PictureSubject {
     Viewport cullingSize, size;
     ViewLook look;
     DrawStyle style;
-    std::optional<MapColouring> map;  ///< the index map in place of the scene
+    std::string picture;           ///< id of the strategy's picture in place of the scene; empty: the scene
+    std::string pictureColouring;  ///< with `picture`
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
     std::optional<double> speedup;        ///< against `backface`

@@ -1,9 +1,9 @@
 #include "core/image/spherical_model.h"
 
+#include <algorithm>
 #include <numbers>
 
 #include "core/gpu/colour.h"
-#include "core/image/map_picture.h"
 #include "core/spatial/spherical_search.h"
 
 namespace cullscope {
@@ -14,6 +14,9 @@ constexpr float kFrameWidth = 1.0f;
 constexpr float kModelMargin = 40.0f;
 constexpr double kModelTick = 3.5;
 constexpr double kLongTick = 6.0;
+
+/// Cividis, which can be read with every colour vision (Nuñez, Anderton & Renslow 2018), starting at a slightly lighter colour.
+constexpr std::array<uint32_t, 5> kRelief{0x2C4478, 0x434E6C, 0x7D7C78, 0xBCAF6F, 0xFEE838};
 
 /// The map's border with ticks at φ below and at θ on the left, as world lines at those pixels for the viewing camera.
 std::vector<LineSegment> frameLines(const View& viewing, const MapArea& area, const DrawStyle& style) {
@@ -43,6 +46,12 @@ std::optional<Vec3> directionAt(const MapArea& area, int x, int y) {
 }
 
 }  // namespace
+
+std::array<Vec3f, 5> reliefColours() {
+    std::array<Vec3f, 5> colours;
+    std::transform(kRelief.begin(), kRelief.end(), colours.begin(), colourFromHexadecimal);
+    return colours;
+}
 
 std::optional<uint32_t> sphericalModelInstance(const DrawList& list) {
     if (list.ranges.empty()) return std::nullopt;

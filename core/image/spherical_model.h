@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 #include "core/gpu/renderer.h"
@@ -11,6 +12,10 @@ namespace cullscope {
 
 /// Whether a draw list has every triangle of that object.
 [[nodiscard]] bool hasWholeModel(const Scene& scene, const DrawList& list);
+
+/// The colours of the model in spherical coordinates for equally spaced R. They get lighter with R, because shading is visible on
+/// light colours only.
+[[nodiscard]] std::array<Vec3f, 5> reliefColours();
 
 /// The rectangle of the model in a picture of that size, with a margin for the labels of its ticks.
 [[nodiscard]] MapArea sphericalModelArea(const Viewport& size, const DrawStyle& style);

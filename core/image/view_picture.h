@@ -1,8 +1,12 @@
 #pragma once
 
+#include <set>
+#include <string>
+
 #include "core/gpu/renderer.h"
 #include "core/visibility/built_strategy.h"
 #include "core/visibility/triangle_states.h"
+#include "core/visibility/verdict_palette.h"
 
 namespace cullscope {
 
@@ -21,23 +25,31 @@ struct ViewLook {
     Colouring colouring = Colouring::Shaded;
     bool culledToo = true;  ///< with Verdicts: culled triangles are shown too; false: only what was drawn, holes stay holes
     bool frustum = false;   ///< the culling camera's frustum as lines, its far plane cut to the scene, and its eye
-    bool boxes = false;     ///< the boxes that the strategy tests, coloured by verdict; of strategies with maps of directions:
-                            ///< spheres and rays
-    bool bands = false;     ///< the contour bands on the bounding spheres that lie inside the frustum, with their sizes
-    bool kernel = false;    ///< the inner kernels of the objects that are not outside the frustum, with the horizon
+    bool boxes = false;     ///< the boxes that the strategy tests, coloured by verdict, or the strategy's own form of them
+    std::set<std::string> overlays{};  ///< ids of overlays that strategies declare (visibility/show.h)
     /// Instead of the scene and all overlays: the drawn triangles of one object in spherical coordinates (spherical_model.h).
     bool sphericalModel = false;
     BoxColouring boxColouring = BoxColouring::Verdict;  ///< with `boxes`
 
     /// Whether boxes and frustum have the planes' colours, if the strategy tests any boxes.
     [[nodiscard]] bool byPlane() const { return boxes && boxColouring == BoxColouring::Plane; }
+    /// Whether a declared overlay is shown, and the same look with it or without it.
+    [[nodiscard]] bool shows(const std::string& overlay) const { return overlays.contains(overlay); }
+    void show(const std::string& overlay, bool on) {
+        if (on)
+            overlays.insert(overlay);
+        else
+            overlays.erase(overlay);
+    }
+    /// Takes away all lines that lie over the picture.
+    void leaveOutOverlays() {
+        frustum = boxes = false;
+        overlays.clear();
+    }
     bool operator==(const ViewLook&) const = default;
 };
 /// "verdicts", "boxes", … for all that a look shows: as in files and on the command line.
-[[nodiscard]] std::vector<const char*> overlayIds(const ViewLook& look);
-
-/// The verdicts' colours by TriangleState, for light and dark backgrounds (chosen by the background's luminance).
-[[nodiscard]] std::array<PaletteEntry, kTriangleStateCount> verdictPalette(const Vec3f& background);
+[[nodiscard]] std::vector<std::string> overlayIds(const ViewLook& look);
 
 /// Whether drawViewPicture reads decisions for this look; if not, the frame need not be recorded.
 [[nodiscard]] bool needsDecisions(const ViewLook& look);

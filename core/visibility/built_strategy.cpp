@@ -1,6 +1,9 @@
 #include "core/visibility/built_strategy.h"
 
+#include <algorithm>
 #include <chrono>
+
+#include "core/visibility/overlay.h"
 
 namespace cullscope {
 
@@ -25,6 +28,37 @@ FrameLog BuiltStrategy::decide(const View& culling, ViewState& state, bool recor
     FrameContext frame(scene(), culling, recording);
     draw(frame, state);
     return frame.take();
+}
+
+std::vector<OverlayLines> BuiltStrategy::overlay(std::string_view id, const OverlayContext& context, const FrameLog& log) const {
+    if (m_info.show(id) == nullptr) return {};
+    return m_strategy->overlay(id, context, *m_structure, log);
+}
+
+std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::string_view colouring, const FrameLog& log) const {
+    const auto absent = [&](AbsentShow sentence, std::string_view ofColouring) {
+        return sentence(commandLineOption(id, ofColouring), m_info.id, strategiesShowing(id, ofColouring));
+    };
+    const auto& declared = declaredShows();
+    const auto known = std::ranges::find_if(declared, [&](const Show* show) { return show->id == id; });
+    if (m_info.show(id) == nullptr) {
+        if (known == declared.end() || (*known)->absent == nullptr) return std::nullopt;
+        return absent((*known)->absent, {});
+    }
+    const auto own = m_strategy->whyNotShown(id, colouring, *m_structure, log);
+    if (own || colouring.empty()) return own;
+    const auto has = [&](const Show& show) {
+        return std::ranges::find_if(show.colourings, [&](const ShowColouring& one) { return one.id == colouring; });
+    };
+    if (has(*m_info.show(id)) != m_info.show(id)->colourings.end()) return std::nullopt;
+    const auto elsewhere = has(**known);
+    if (elsewhere == (*known)->colourings.end() || elsewhere->absent == nullptr) return std::nullopt;
+    return absent(elsewhere->absent, colouring);
+}
+
+std::vector<uint8_t> BuiltStrategy::picture(std::string_view id, std::string_view colouring, const FrameLog& log,
+                                            const Viewport& size, const DrawStyle& style) const {
+    return m_strategy->picture(id, colouring, *m_structure, log, size, style);
 }
 
 BuiltStrategyPointer buildStrategy(std::string_view id, const ParameterSet& parameters, const ScenePointer& scene,

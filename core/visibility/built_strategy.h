@@ -35,6 +35,24 @@ public:
 
     [[nodiscard]] StructureSnapshot snapshot(const FrameLog& log) const { return m_strategy->snapshot(*m_structure, log); }
 
+    [[nodiscard]] std::vector<MeshStates> meshStates() const { return m_strategy->meshStates(*m_structure, m_parameters); }
+
+    // Of a recorded frame.
+
+    /// The lines of an overlay that the strategy declares; none for any other id.
+    [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
+                                                    const FrameLog& log) const;
+    /// Why an overlay or a picture that some strategy declares cannot be shown of this frame; none where it can. `colouring`: of
+    /// a picture, else empty.
+    [[nodiscard]] std::optional<Message> whyNotShown(std::string_view id, std::string_view colouring, const FrameLog& log) const;
+    /// A picture that the strategy declares: RGBA, rows from the bottom.
+    [[nodiscard]] std::vector<uint8_t> picture(std::string_view id, std::string_view colouring, const FrameLog& log,
+                                               const Viewport& size, const DrawStyle& style) const;
+    [[nodiscard]] std::string frameLine(const FrameLog& log) const { return m_strategy->frameLine(*m_structure, log); }
+    void addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const {
+        m_strategy->addWhySteps(*m_structure, log, instance, triangle, steps);
+    }
+
 private:
     StrategyInfo m_info;
     std::shared_ptr<const Strategy> m_strategy;

@@ -1,5 +1,7 @@
 #include "core/visibility/registry.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/visibility/baseline/baselines.h"
 #include "core/visibility/frustum/frustum_box_tests.h"
@@ -11,12 +13,62 @@
 namespace cullscope {
 
 const std::vector<RegisteredStrategy>& strategies() {
+    // A line for each.
+    // clang-format off
     static const std::vector<RegisteredStrategy> kStrategies{
-        baseline::all(),          baseline::backface(),          frustum::frustum(),
-        frustum::frustumOctree(), frustum::frustumSelect(),      frustum::frustumQuery(),
-        spherical::spherical(),   spherical::sphericalHorizon(), spherical::sphericalLossless(),
+        baseline::all(),
+        baseline::backface(),
+        frustum::frustum(),
+        frustum::frustumOctree(),
+        frustum::frustumSelect(),
+        frustum::frustumQuery(),
+        spherical::spherical(),
+        spherical::sphericalHorizon(),
+        spherical::sphericalLossless(),
     };
+    // clang-format on
     return kStrategies;
+}
+
+std::vector<const StrategyInfo*> baselines() {
+    std::vector<const StrategyInfo*> result;
+    for (const RegisteredStrategy& strategy : strategies())
+        if (strategy.info.baseline) result.push_back(&strategy.info);
+    return result;
+}
+
+const std::vector<const Show*>& declaredShows() {
+    static const std::vector<const Show*> kShows = [] {
+        std::vector<const Show*> shows;
+        for (const RegisteredStrategy& strategy : strategies())
+            for (const Show& show : strategy.info.shows) {
+                const auto known = std::ranges::find_if(shows, [&](const Show* other) { return other->id == show.id; });
+                if (known == shows.end())
+                    shows.push_back(&show);
+                else if (show.colourings.size() > (*known)->colourings.size())
+                    *known = &show;
+            }
+        return shows;
+    }();
+    return kShows;
+}
+
+std::vector<const Show*> declaredShows(Show::Kind kind) {
+    std::vector<const Show*> result;
+    std::ranges::copy_if(declaredShows(), std::back_inserter(result), [&](const Show* show) { return show->kind == kind; });
+    return result;
+}
+
+std::string strategiesShowing(std::string_view id, std::string_view colouring) {
+    std::string result;
+    for (const RegisteredStrategy& strategy : strategies()) {
+        const Show* show = strategy.info.show(id);
+        if (show == nullptr) continue;
+        const bool has = colouring.empty() ||
+                         std::ranges::any_of(show->colourings, [&](const ShowColouring& one) { return one.id == colouring; });
+        if (has) result += (result.empty() ? "" : ", ") + strategy.info.id;
+    }
+    return result;
 }
 
 const RegisteredStrategy& findStrategy(std::string_view id) {

@@ -21,6 +21,17 @@ struct RegisteredStrategy {
 inline constexpr const char* kAllId = "all";
 inline constexpr const char* kBackfaceId = "backface";
 
+/// The strategies that others are compared with, from the weakest to the strongest.
+[[nodiscard]] std::vector<const StrategyInfo*> baselines();
+
+/// What strategies declare to show, each id once, in the order of the registry. Where several strategies declare it, as the one
+/// with the most colourings does.
+[[nodiscard]] const std::vector<const Show*>& declaredShows();
+/// Those of one kind.
+[[nodiscard]] std::vector<const Show*> declaredShows(Show::Kind kind);
+/// The ids of the strategies that declare a show, and of those that have a colouring of it, separated by commas.
+[[nodiscard]] std::string strategiesShowing(std::string_view id, std::string_view colouring = {});
+
 /// The strategy with this id. Throws Error(Usage) naming the known ids where there is none.
 [[nodiscard]] const RegisteredStrategy& findStrategy(std::string_view id);
 

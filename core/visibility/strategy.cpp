@@ -1,7 +1,11 @@
 #include "core/visibility/strategy.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/overlay.h"
+#include "core/visibility/why.h"
 
 namespace cullscope {
 
@@ -17,12 +21,14 @@ const char* promiseId(Promise promise) {
     return "approximate";
 }
 
+const Show* StrategyInfo::show(std::string_view showId) const {
+    const auto found = std::ranges::find_if(shows, [&](const Show& show) { return show.id == showId; });
+    return found == shows.end() ? nullptr : &*found;
+}
+
 std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl) {
     if (info.glRequirement != GlRequirement::CompatibilityProfile || gl.compatibilityProfile) return std::nullopt;
-    return Message{
-        CULLSCOPE_TR("\"%1\" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL "
-                     "(%2) gives no compatibility profile: \"frustum-query\" asks the same without it."),
-        {info.id, gl.renderer}};
+    return Message{info.withoutProfile, {info.id, gl.renderer}};
 }
 
 void requireAvailable(const StrategyInfo& info, const GlInfo& gl) {
@@ -30,5 +36,25 @@ void requireAvailable(const StrategyInfo& info, const GlInfo& gl) {
 }
 
 Facing Strategy::facing(const Scene& scene, const ParameterSet& parameters) const { return resolveFacing(parameters, scene); }
+
+std::vector<OverlayLines> Strategy::overlay(std::string_view /*id*/, const OverlayContext& /*context*/,
+                                            const Structure& /*structure*/, const FrameLog& /*log*/) const {
+    return {};
+}
+
+std::optional<Message> Strategy::whyNotShown(std::string_view /*id*/, std::string_view /*colouring*/,
+                                             const Structure& /*structure*/, const FrameLog& /*log*/) const {
+    return std::nullopt;
+}
+
+std::vector<uint8_t> Strategy::picture(std::string_view /*id*/, std::string_view /*colouring*/, const Structure& /*structure*/,
+                                       const FrameLog& /*log*/, const Viewport& /*size*/, const DrawStyle& /*style*/) const {
+    return {};
+}
+
+std::string Strategy::frameLine(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
+
+void Strategy::addWhySteps(const Structure& /*structure*/, const FrameLog& /*log*/, uint32_t /*instance*/, uint32_t /*triangle*/,
+                           std::vector<WhyStep>& /*steps*/) const {}
 
 }  // namespace cullscope

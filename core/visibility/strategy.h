@@ -1,8 +1,10 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/message.h"
@@ -12,9 +14,15 @@
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/visibility/parameters.h"
+#include "core/visibility/show.h"
 #include "core/visibility/structure_snapshot.h"
 
 namespace cullscope {
+
+struct DrawStyle;
+struct OverlayContext;
+struct OverlayLines;
+struct WhyStep;
 
 enum class Promise {
     Exact,         ///< draws what is visible and nothing else that could be visible
@@ -31,6 +39,13 @@ enum class GlRequirement {
     CompatibilityProfile  ///< as Context, and features that exist only in a compatibility profile
 };
 
+/// One parameter over several values, all others at their defaults: one line of the plot of speed against lost pixels.
+struct DeclaredSweep {
+    std::string key;
+    std::vector<std::string> values;  ///< as on the command line
+    std::string automatic{};          ///< the value with which the strategy chooses itself; empty: there is none
+};
+
 /// The properties of a strategy that do not depend on a scene.
 struct StrategyInfo {
     std::string id;           ///< on the command line and in files
@@ -41,6 +56,15 @@ struct StrategyInfo {
     GlRequirement glRequirement = GlRequirement::None;
     bool remembers = false;  ///< what it draws depends on the frames before, by its ViewState: a frame is judged with that memory
     bool baseline = false;   ///< the others are compared with it, so it is measured along with them
+    bool byPlanes = false;   ///< decides by the six planes of the frustum alone
+    std::vector<DeclaredSweep> sweeps{};
+    std::vector<Show> shows{};
+    /// With CompatibilityProfile: why it cannot be used with an OpenGL that gives none, and what to use instead. One English
+    /// sentence, marked for translation; %1 is the strategy's id, %2 the name of that OpenGL.
+    std::string withoutProfile{};
+
+    /// The show with this id; null where the strategy declares none.
+    [[nodiscard]] const Show* show(std::string_view showId) const;
 };
 
 /// Why a strategy cannot be used with an OpenGL; none where it can.
@@ -57,6 +81,14 @@ struct StructureReport {
         double value = 0.0;
     };
     std::vector<Figure> figures;
+    std::string layout;  ///< id of the layout of the structures' cells; empty: there is only one
+};
+
+/// Something that a strategy has for each mesh in one of several states, such as an inner kernel.
+struct MeshStates {
+    std::string key;                       ///< in result files
+    std::string name;                      ///< English
+    std::map<std::string, size_t> meshes;  ///< number of meshes by state, English
 };
 
 /// What a strategy built for a scene with those of its parameters that are read when building. Does not change afterwards; every
@@ -117,6 +149,29 @@ public:
     }
     /// The boxes that the strategy tests, with the decisions of a recorded frame; empty for a strategy without boxes.
     [[nodiscard]] virtual StructureSnapshot snapshot(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
+
+    // What the strategy declares in StrategyInfo::shows, of a recorded frame.
+
+    /// The lines of a declared overlay.
+    [[nodiscard]] virtual std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
+                                                            const Structure& structure, const FrameLog& log) const;
+    /// Why a declared show has nothing to show of this frame; none where it has. `colouring`: of a picture, else empty.
+    [[nodiscard]] virtual std::optional<Message> whyNotShown(std::string_view id, std::string_view colouring,
+                                                             const Structure& structure, const FrameLog& log) const;
+    /// A declared picture: RGBA, rows from the bottom.
+    [[nodiscard]] virtual std::vector<uint8_t> picture(std::string_view id, std::string_view colouring,
+                                                       const Structure& structure, const FrameLog& log, const Viewport& size,
+                                                       const DrawStyle& style) const;
+    /// One English line about the frame, which cullbench prints beside a picture; empty: there is nothing to say.
+    [[nodiscard]] virtual std::string frameLine(const Structure& structure, const FrameLog& log) const;
+    /// The states of what it has for the meshes; empty for most strategies.
+    [[nodiscard]] virtual std::vector<MeshStates> meshStates(const Structure& /*structure*/,
+                                                             const ParameterSet& /*parameters*/) const {
+        return {};
+    }
+    /// Appends the strategy's own steps of the decision about a triangle, numbered within its instance's mesh (why.h).
+    virtual void addWhySteps(const Structure& structure, const FrameLog& log, uint32_t instance, uint32_t triangle,
+                             std::vector<WhyStep>& steps) const;
 };
 
 /// A Strategy with a structure and a view's memory of its own types.

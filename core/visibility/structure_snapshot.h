@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/frame/frame_log.h"
-#include "core/visibility/spherical/decision.h"
+#include "core/geometry/bounds.h"
 
 namespace cullscope {
 
@@ -27,17 +28,21 @@ struct SnapshotNode {
     [[nodiscard]] bool isGroup() const { return instance == kGroup; }
 };
 
+/// What only one family has in its snapshot. Only the family's own files know the derived type.
+struct StructureDetails {
+    virtual ~StructureDetails() = default;
+    /// Makes what panels show of an object (none: of the object that they show by themselves), where it is made at its first
+    /// use; called beside the window. Thread-safe.
+    virtual void prepare(const std::optional<uint32_t>& /*instance*/) const {}
+};
+
 /// A strategy's structures and their results after a cull, as plain data, for display.
 struct StructureSnapshot {
-    std::vector<SnapshotNode> nodes;           ///< empty: this strategy has no boxes
-    std::vector<spherical::MapSnapshot> maps;  ///< by instance; empty: this strategy has no maps of directions
-
-    /// The map of an object; null where the strategy has none.
-    [[nodiscard]] const spherical::MapSnapshot* mapOf(uint32_t instance) const {
-        for (const spherical::MapSnapshot& map : maps)
-            if (map.decision.instance == instance) return &map;
-        return nullptr;
-    }
+    std::vector<SnapshotNode> nodes;  ///< empty: this strategy has no boxes
+    /// The sentence about an object's bounds, English and marked for translation: %1 is the object's name, %2 the number of its
+    /// triangles. Null: "tested as one box".
+    const char* objectSentence = nullptr;
+    std::shared_ptr<const StructureDetails> details;  ///< null: there is nothing more
 };
 
 }  // namespace cullscope

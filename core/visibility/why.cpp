@@ -4,7 +4,6 @@
 #include <cstdio>
 
 #include "core/scene/eye_triangle.h"
-#include "core/visibility/spherical/why.h"
 
 namespace cullscope {
 namespace {
@@ -67,14 +66,14 @@ void addCauses(const std::array<uint64_t, kCauseCount>& counts, std::vector<WhyS
 std::optional<WhyStep> boxStep(const Scene& scene, const StructureSnapshot& snapshot, uint32_t instance) {
     for (const SnapshotNode& node : snapshot.nodes)
         if (node.instance == instance)
-            return WhyStep{{snapshot.mapOf(instance) != nullptr
-                                ? CULLSCOPE_TR("The object \"%1\" is tested as one bounding sphere with %2 triangles.")
-                                : CULLSCOPE_TR("The object \"%1\" is tested as one box with %2 triangles."),
-                            {scene.instances()[instance].name, std::to_string(node.triangles)}},
-                           {},
-                           {},
-                           {},
-                           node.containment};
+            return WhyStep{
+                {snapshot.objectSentence != nullptr ? snapshot.objectSentence
+                                                    : CULLSCOPE_TR("The object \"%1\" is tested as one box with %2 triangles."),
+                 {scene.instances()[instance].name, std::to_string(node.triangles)}},
+                {},
+                {},
+                {},
+                node.containment};
     return std::nullopt;
 }
 
@@ -165,7 +164,7 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
         else
             steps.push_back(step(decision));
     }
-    if (const spherical::MapSnapshot* map = snapshot.mapOf(instance)) spherical::addMapSteps(*map, uint32_t(own), steps);
+    strategy.addWhySteps(log, instance, uint32_t(own), steps);
     const bool given = submits(drawnTriangles(scene, log), scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     steps.push_back(

@@ -272,16 +272,8 @@
         <translation>그림</translation>
     </message>
     <message>
-        <source>Contour bands</source>
-        <translation>등고선 띠</translation>
-    </message>
-    <message>
         <source>Model in spherical coordinates</source>
         <translation>구좌표계로 나타낸 모델</translation>
-    </message>
-    <message>
-        <source>Inner kernel and horizon</source>
-        <translation>내부 커널과 지평선</translation>
     </message>
     <message>
         <source>Boxes by the plane that rejected them</source>
@@ -2064,6 +2056,30 @@
         <translation>%1 검사: 경계가 안쪽으로 %2까지 들어옵니다.</translation>
     </message>
     <message>
+        <source>Contour bands</source>
+        <translation>등고선 띠</translation>
+    </message>
+    <message>
+        <source>Inner kernel and horizon</source>
+        <translation>내부 커널과 지평선</translation>
+    </message>
+    <message>
+        <source>&amp;Contour bands</source>
+        <translation>등고선 띠(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
+        <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다. 축에서 뻗은 가는 선은 각 띠의 S입니다</translation>
+    </message>
+    <message>
+        <source>Inner &amp;kernel and horizon</source>
+        <translation>내부 커널과 지평선(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
+        <translation>활성 뷰에 입체의 내부 커널과 컬링 카메라가 본 그 윤곽을 표시합니다. 그 뒤에 있는 것은 무손실 구좌표 전략이 제외합니다</translation>
+    </message>
+    <message>
         <source>A strategy made a picture of %1 × %2 pixels for a view of %3 × %4.</source>
         <translation>전략이 %3 × %4 보기에 대해 %1 × %2 픽셀의 그림을 만들었습니다.</translation>
     </message>
@@ -2130,6 +2146,10 @@ OpenGL %2
     <message>
         <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
         <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>띠</translation>
     </message>
 </context>
 <context>
@@ -4160,10 +4180,6 @@ snapping</source>
         <translation>전략의 내부</translation>
     </message>
     <message>
-        <source>Bands</source>
-        <translation>띠</translation>
-    </message>
-    <message>
         <source>Tree</source>
         <translation>트리</translation>
     </message>
@@ -4800,10 +4816,6 @@ snapping</source>
         <translation>논문의 표를 논문과 같은 창에서 측정하여 수치를 나란히 놓습니다</translation>
     </message>
     <message>
-        <source>&amp;Contour bands</source>
-        <translation>등고선 띠(&amp;C)</translation>
-    </message>
-    <message>
         <source>Model in &amp;spherical coordinates</source>
         <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
     </message>
@@ -4814,18 +4826,6 @@ snapping</source>
     <message>
         <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
         <translation>뷰가 모델을 구좌표로 표시하는 동안에는 쓸 수 없습니다. 카메라가 보는 것이 놓일 자리가 없습니다</translation>
-    </message>
-    <message>
-        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
-        <translation>활성 뷰에서 구좌표 전략의 등고선 띠를 물체의 경계구 위에 표시합니다. 축에서 뻗은 가는 선은 각 띠의 S입니다</translation>
-    </message>
-    <message>
-        <source>Inner &amp;kernel and horizon</source>
-        <translation>내부 커널과 지평선(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
-        <translation>활성 뷰에 입체의 내부 커널과 컬링 카메라가 본 그 윤곽을 표시합니다. 그 뒤에 있는 것은 무손실 구좌표 전략이 제외합니다</translation>
     </message>
     <message>
         <source>Boxes by rejecting &amp;plane</source>

@@ -272,16 +272,8 @@
         <translation>图像</translation>
     </message>
     <message>
-        <source>Contour bands</source>
-        <translation>等高线环带</translation>
-    </message>
-    <message>
         <source>Model in spherical coordinates</source>
         <translation>球坐标中的模型</translation>
-    </message>
-    <message>
-        <source>Inner kernel and horizon</source>
-        <translation>内核与地平线</translation>
     </message>
     <message>
         <source>Boxes by the plane that rejected them</source>
@@ -2064,6 +2056,30 @@
         <translation>针对%1的测试：包围体伸入内侧 %2。</translation>
     </message>
     <message>
+        <source>Contour bands</source>
+        <translation>等高线环带</translation>
+    </message>
+    <message>
+        <source>Inner kernel and horizon</source>
+        <translation>内核与地平线</translation>
+    </message>
+    <message>
+        <source>&amp;Contour bands</source>
+        <translation>等高线环带(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
+        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带；从轴引出的细线是各环带的 S</translation>
+    </message>
+    <message>
+        <source>Inner &amp;kernel and horizon</source>
+        <translation>内核与地平线(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
+        <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略略去</translation>
+    </message>
+    <message>
         <source>A strategy made a picture of %1 × %2 pixels for a view of %3 × %4.</source>
         <translation>策略为 %3 × %4 的视图生成了 %1 × %2 像素的图像。</translation>
     </message>
@@ -2130,6 +2146,10 @@ OpenGL %2
     <message>
         <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
         <translation>扇区按绕视点方向轴的角 β 划分环带，每个扇区单独测试。在您选择之前，显示绘制范围最远的扇区。</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>环带</translation>
     </message>
 </context>
 <context>
@@ -4160,10 +4180,6 @@ snapping</source>
         <translation>策略内部</translation>
     </message>
     <message>
-        <source>Bands</source>
-        <translation>环带</translation>
-    </message>
-    <message>
         <source>Tree</source>
         <translation>树</translation>
     </message>
@@ -4800,10 +4816,6 @@ snapping</source>
         <translation>按论文的窗口测量论文表中的内容，并把它的数字与我们的并列</translation>
     </message>
     <message>
-        <source>&amp;Contour bands</source>
-        <translation>等高线环带(&amp;C)</translation>
-    </message>
-    <message>
         <source>Model in &amp;spherical coordinates</source>
         <translation>球坐标中的模型(&amp;S)</translation>
     </message>
@@ -4814,18 +4826,6 @@ snapping</source>
     <message>
         <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
         <translation>视图以球坐标显示模型时不可用：相机所见的内容在其中没有位置</translation>
-    </message>
-    <message>
-        <source>Show the contour bands of spherical strategies on the objects&apos; bounding spheres in the active view; the thin lines from the axis are each band&apos;s S</source>
-        <translation>在活动视图中，在物体的包围球上显示球坐标策略的等高线环带；从轴引出的细线是各环带的 S</translation>
-    </message>
-    <message>
-        <source>Inner &amp;kernel and horizon</source>
-        <translation>内核与地平线(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Show the solid&apos;s inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it is left out by the lossless spherical strategy</source>
-        <translation>在活动视图中显示实体的内核及剔除相机所见的轮廓：其后的内容会被无损球坐标策略略去</translation>
     </message>
     <message>
         <source>Boxes by rejecting &amp;plane</source>

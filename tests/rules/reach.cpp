@@ -125,7 +125,7 @@ private:
 
     /// The ids of the strategies that a source of a family describes.
     [[nodiscard]] std::vector<std::string> strategiesIn(const std::string& file) const {
-        static const std::regex kInfo(R"re(Info\(\)\s*\{\s*(?:return|StrategyInfo\s+\w+)\s*\{\s*"([a-z][a-z-]*)")re");
+        static const std::regex kInfo(R"re(\w\(\)\s*\{\s*(?:return|StrategyInfo\s+\w+)\s*\{+\s*"([a-z][a-z-]*)")re");
         std::vector<std::string> ids;
         if (!file.starts_with("core/visibility/")) return ids;
         const std::string& text = m_texts.at(file);

@@ -87,6 +87,32 @@ bool knowsFamilies(const fs::path& file) {
            uiFolderOf(file) == "families";
 }
 
+/// The sources of core, ui and app.
+std::vector<fs::path> sourcesOf(const fs::path& root) {
+    std::vector<fs::path> files;
+    for (const char* folder : {"core", "ui", "app"})
+        for (const fs::path& file : filesBelow(root / folder, {".h", ".cpp"})) files.push_back(file);
+    return files;
+}
+
+/// Lines outside a family that name something in its namespace.
+std::vector<Offence> namesOfFamilies(const fs::path& root) {
+    std::set<std::string> families;
+    for (const fs::path& file : filesBelow(root / "core" / "visibility", {".h", ".cpp"}))
+        if (const std::string family = familyOf(fs::relative(file, root)); !family.empty()) families.insert(family);
+    static const std::regex kScope(R"(\b(\w+)::)");
+    std::vector<Offence> offences;
+    for (const fs::path& file : sourcesOf(root)) {
+        const fs::path relative = fs::relative(file, root);
+        if (knowsFamilies(relative)) continue;
+        for (const Line& line : linesOf(file))
+            for (const std::string& scope : matches(line.text.substr(0, line.text.find("//")), kScope))
+                if (families.contains(scope) && scope != familyOf(relative))
+                    offences.push_back({relative, line.number, "names the family " + scope});
+    }
+    return offences;
+}
+
 std::string wrongInApp(const Include& include) {
     if (isCullbench(include.file) && partsOf(include.name)[0] == "ui") return "cullbench includes ui: " + include.name;
     return "";
@@ -141,9 +167,9 @@ const std::vector<std::string>& layers() {
 }
 
 const std::vector<std::string>& uiFolders() {
-    static const std::vector<std::string> kFolders = {"text",    "look",        "jobs",   "models", "session",
-                                                      "views",   "screenshots", "plots",  "panels", "statistics",
-                                                      "dialogs", "window",      "startup"};
+    static const std::vector<std::string> kFolders = {"text",       "look",        "jobs",   "models",   "session",
+                                                      "views",      "screenshots", "plots",  "families", "panels",
+                                                      "statistics", "dialogs",     "window", "startup"};
     return kFolders;
 }
 
@@ -180,19 +206,17 @@ std::vector<Offence> layeringOffences(const fs::path& root) {
     return offences;
 }
 
-std::vector<Offence> familyOffences(const fs::path& root, const std::vector<std::string>& stillKnowFamilies) {
+std::vector<Offence> familyOffences(const fs::path& root) {
     std::vector<Offence> offences;
-    std::set<std::string> found;
     for (const Include& include : includesBelow(root, {"core", "ui", "app"})) {
         const std::string family = familyOf(include.name);
+        const std::vector<std::string> target = partsOf(include.name);
+        if (uiFolderOf(include.name) == "families" && target.size() > 3 && uiFolderOf(include.file) != "families")
+            offences.push_back({include.file, include.line, "knows the family " + target[2] + ": " + include.name});
         if (family.empty() || family == familyOf(include.file) || knowsFamilies(include.file)) continue;
-        const std::string file = include.file.generic_string();
-        found.insert(file);
-        if (std::find(stillKnowFamilies.begin(), stillKnowFamilies.end(), file) != stillKnowFamilies.end()) continue;
         offences.push_back({include.file, include.line, "knows the family " + family + ": " + include.name});
     }
-    for (const std::string& file : stillKnowFamilies)
-        if (!found.contains(file)) offences.push_back({file, 0, "knows no family any more: it leaves the list of those that do"});
+    for (const Offence& offence : namesOfFamilies(root)) offences.push_back(offence);
     for (const fs::path& file : filesBelow(root / "core" / "visibility", {".h", ".cpp"})) {
         const fs::path relative = fs::relative(file, root);
         const std::string family = familyOf(relative);
@@ -201,6 +225,22 @@ std::vector<Offence> familyOffences(const fs::path& root, const std::vector<std:
         const bool opens = std::any_of(lines.begin(), lines.end(),
                                        [&](const Line& line) { return line.text == "namespace cullscope::" + family + " {"; });
         if (!opens) offences.push_back({relative, 0, "has not the namespace of its family: cullscope::" + family});
+    }
+    return offences;
+}
+
+std::vector<Offence> strategyIdOffences(const fs::path& root, const std::vector<std::string>& ids) {
+    static const std::regex kLiteral(R"re((tr\(|translate\()?"([^"\\]*)")re");
+    std::vector<Offence> offences;
+    for (const fs::path& file : sourcesOf(root)) {
+        const fs::path relative = fs::relative(file, root);
+        if (knowsFamilies(relative) || layerOf(relative) == "visibility") continue;
+        for (const Line& line : linesOf(file)) {
+            const std::string code = line.text.substr(0, line.text.find("//"));
+            for (std::sregex_iterator match(code.begin(), code.end(), kLiteral), end; match != end; ++match)
+                if (!(*match)[1].matched && std::find(ids.begin(), ids.end(), (*match)[2]) != ids.end())
+                    offences.push_back({relative, line.number, "names the strategy " + (*match)[2].str()});
+        }
     }
     return offences;
 }

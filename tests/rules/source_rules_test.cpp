@@ -4,6 +4,8 @@
 
 #include <fstream>
 
+#include "core/visibility/registry.h"
+
 namespace cullscope::rules::source_rules_test {
 namespace {
 
@@ -109,12 +111,36 @@ TEST_F(PlantedTree, familyKnownOutsideTheRegistryIsReported) {
     const Offence meter{"core/measure/meter.cpp", 1, "knows the family frustum: core/visibility/frustum/octree.h"};
     const Offence map{"core/visibility/spherical/map.cpp", 1, "knows the family frustum: core/visibility/frustum/octree.h"};
     EXPECT_THAT(familyOffences(root()), ElementsAre(meter, map));
-    EXPECT_THAT(familyOffences(root(), {"core/measure/meter.cpp"}), ElementsAre(map));
 }
 
-TEST_F(PlantedTree, listedFileThatKnowsNoFamilyAnyMoreIsReported) {
-    EXPECT_THAT(familyOffences(root(), {"core/mesh/load.cpp"}),
-                ElementsAre(Offence{"core/mesh/load.cpp", 0, "knows no family any more: it leaves the list of those that do"}));
+TEST_F(PlantedTree, panelsOfAFamilyAreKnownInTheirFolderOnly) {
+    write("ui/families/spherical/panel.h", "#include \"ui/families/spherical/words.h\"\n");
+    write("ui/families/all.cpp", "#include \"ui/families/spherical/panel.h\"\n");
+    write("ui/panels/inside.cpp", "#include \"ui/families/all.h\"\n#include \"ui/families/spherical/panel.h\"\n");
+    EXPECT_THAT(familyOffences(root()),
+                ElementsAre(Offence{"ui/panels/inside.cpp", 2, "knows the family spherical: ui/families/spherical/panel.h"}));
+}
+
+TEST_F(PlantedTree, nameOfAFamilysNamespaceIsReported) {
+    write("core/visibility/spherical/map.h", "namespace cullscope::spherical {\nstruct Map {};\n");
+    write("core/visibility/spherical/map.cpp", "namespace cullscope::spherical {\nspherical::Map map;\n");
+    write("core/image/picture.cpp", "// spherical::Map\nvoid draw(const spherical::Map& map);\n");
+    write("ui/families/spherical/panel.cpp", "spherical::Map map;\n");
+    write("core/experiments/tables.cpp", "spherical::Map map;\n");
+    EXPECT_THAT(familyOffences(root()), ElementsAre(Offence{"core/image/picture.cpp", 2, "names the family spherical"}));
+}
+
+TEST_F(PlantedTree, idOfAStrategyIsReported) {
+    const std::vector<std::string> ids{"all", "frustum"};
+    write("core/measure/meter.cpp", "add(\"all\");  // \"frustum\"\n");
+    write("ui/panel.cpp", "box->setText(tr(\"all\"));\nchoose(\"frustum\"), choose(\"frustum-octree\");\n");
+    write("app/bench.cpp", "if (id.starts_with(\"frustum\")) return;\nsay(\"choose the strategy frustum\");\n");
+    write("core/visibility/frustum/octree.cpp", "StrategyInfo info{\"frustum\"};\n");
+    write("core/experiments/tables.cpp", "run(\"all\");\n");
+    write("ui/families/frustum/panel.cpp", "show(\"frustum\");\n");
+    EXPECT_THAT(strategyIdOffences(root(), ids), ElementsAre(Offence{"core/measure/meter.cpp", 1, "names the strategy all"},
+                                                             Offence{"ui/panel.cpp", 2, "names the strategy frustum"},
+                                                             Offence{"app/bench.cpp", 1, "names the strategy frustum"}));
 }
 
 TEST_F(PlantedTree, sourceOutsideItsFamilysNamespaceIsReported) {
@@ -221,10 +247,12 @@ const fs::path& project() {
 
 TEST(SourceRules, includesAreFoundAtAll) { EXPECT_GT(includesBelow(project(), {"core", "ui", "app", "tests"}).size(), 100u); }
 TEST(SourceRules, dependenciesPointUpTheList) { EXPECT_THAT(layeringOffences(project()), IsEmpty()); }
-/// The data that panels and explanations show is still the spherical family's own.
-const std::vector<std::string> kStillKnowFamilies = {"core/image/map_colours.cpp", "core/visibility/structure_snapshot.h",
-                                                     "core/visibility/why.cpp", "ui/panels/map_layout.h"};
-TEST(SourceRules, familiesAreKnownWhereTheyMayBe) { EXPECT_THAT(familyOffences(project(), kStillKnowFamilies), IsEmpty()); }
+TEST(SourceRules, familiesAreKnownWhereTheyMayBe) { EXPECT_THAT(familyOffences(project()), IsEmpty()); }
+TEST(SourceRules, strategiesAreListedByTheRegistryAlone) {
+    std::vector<std::string> ids;
+    for (const RegisteredStrategy& strategy : strategies()) ids.push_back(strategy.info.id);
+    EXPECT_THAT(strategyIdOffences(project(), ids), IsEmpty());
+}
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }
 TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()), IsEmpty()); }

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "core/mesh/parametric.h"
-#include "core/visibility/structure_snapshot.h"
+#include "core/visibility/spherical/map_details.h"
 
 namespace cullscope::test {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/image/overlays.h"
+#include "core/visibility/overlay.h"
 
 namespace cullscope::test {
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/scene/camera_path.h"
+#include "core/visibility/spherical/map_details.h"
 #include "tests/support/culler.h"
 #include "tests/support/test_scenes.h"
 
@@ -19,7 +20,7 @@ struct LosslessMap {
         snapshot = strategy->snapshot(frame.log);
     }
 
-    [[nodiscard]] const spherical::MapSnapshot& map() const { return snapshot.maps.front(); }
+    [[nodiscard]] const spherical::MapSnapshot& map() const { return spherical::mapsOf(snapshot).front(); }
 
     ScenePointer scene;
     View view;

@@ -1,4 +1,4 @@
-#include "ui/panels/bands_panel.h"
+#include "ui/families/spherical/bands_panel.h"
 
 #include <gtest/gtest.h>
 

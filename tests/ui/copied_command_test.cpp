@@ -98,8 +98,8 @@ TEST_F(CopiedCommand, repeatsFrozenCullingWithOnlyWhatWasDrawn) {
 TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     session.observe(1, 0);
     session.slot(0).choose("spherical");
-    change(1, [](ViewSetup& setup) { setup.look = {.boxes = true, .bands = true}; });
-    EXPECT_TRUE(second.subject().look.boxes && second.subject().look.bands);
+    change(1, [](ViewSetup& setup) { setup.look = {.boxes = true, .overlays = {"bands"}}; });
+    EXPECT_TRUE(second.subject().look.boxes && second.subject().look.shows("bands"));
     expectSame(second);
     change(1, [](ViewSetup& setup) {
         setup.look.sphericalModel = true;
@@ -109,7 +109,7 @@ TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     // A strategy without bands shows none, and the command has no option for them.
     session.slot(0).choose("frustum");
     change(1, [](ViewSetup& setup) { setup.look.sphericalModel = false; });
-    EXPECT_FALSE(second.subject().look.bands);
+    EXPECT_FALSE(second.subject().look.shows("bands"));
 }
 
 TEST_F(CopiedCommand, repeatsAViewWithHiddenObjects) {

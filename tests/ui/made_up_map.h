@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "core/scene/scene_source.h"
-#include "ui/panels/shown_map.h"
+#include "ui/families/spherical/shown_map.h"
 
 namespace cullscope::ui {
 
@@ -36,14 +36,16 @@ inline spherical::MapSnapshot mapOver(const Scene& scene, const SphericalGrid& g
 /// The same maps as a ShownMap.
 inline ShownMap shownAlone(const ScenePointer& scene, const SphericalGrid& grid) {
     auto snapshot = std::make_shared<StructureSnapshot>();
-    snapshot->maps.push_back(mapOver(*scene, grid));
+    spherical::setMaps(*snapshot, {mapOver(*scene, grid)});
     return {scene, snapshot, 0};
 }
 
 /// The same maps with a changed decision.
 inline ShownMap changed(const ShownMap& shown, const std::function<void(spherical::SphericalDecision&)>& how) {
     auto snapshot = std::make_shared<StructureSnapshot>(*shown.snapshot);
-    how(snapshot->maps[shown.place].decision);
+    std::vector<spherical::MapSnapshot> maps = spherical::mapsOf(*snapshot);
+    how(maps[shown.place].decision);
+    spherical::setMaps(*snapshot, std::move(maps));
     return {shown.scene, snapshot, shown.place};
 }
 

@@ -1,11 +1,11 @@
-#include "ui/panels/map_cells.h"
+#include "ui/families/spherical/map_cells.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "tests/ui/made_up_map.h"
-#include "ui/panels/map_layout.h"
+#include "ui/families/spherical/map_layout.h"
 
 namespace cullscope::ui::map_cells_test {
 namespace {
@@ -55,7 +55,8 @@ TEST(MapCells, nothingIsLostInASmallPicture) {
 TEST(MapCells, entriesAndReachGrowWithTheTone) {
     const spherical::MapSnapshot map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
     const SphericalMaps& maps = *map.maps;
-    const CellTones entries = cellTones(map, MapColouring::Entries), reach = cellTones(map, MapColouring::Radius);
+    const CellTones entries = cellTones(map, spherical::MapColouring::Entries),
+                    reach = cellTones(map, spherical::MapColouring::Radius);
     EXPECT_EQ(entries.least, 1.0);
     for (uint32_t a = 0; a < maps.grid().cellCount(); ++a) {
         EXPECT_EQ(entries.tones[a] == 0, maps.triangles(a).empty());

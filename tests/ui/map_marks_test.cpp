@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/ui/made_up_map.h"
-#include "ui/panels/map_overlay.h"
+#include "ui/families/spherical/map_overlay.h"
 
 namespace cullscope::ui::map_marks_test {
 namespace {

@@ -2,8 +2,8 @@
 
 #include "core/scene/camera_moves.h"
 #include "tests/ui/test_scene.h"
-#include "ui/panels/map_panel.h"
-#include "ui/panels/map_words.h"
+#include "ui/families/spherical/map_panel.h"
+#include "ui/families/spherical/map_words.h"
 #include "ui/session/object_pick.h"
 
 namespace cullscope::ui::map_panel_live_test {
@@ -36,7 +36,7 @@ struct LiveMapPanelTest : ::testing::Test {
 
 TEST_F(LiveMapPanelTest, showsThePickedObjectElseTheFirstThatIsNotOutside) {
     ASSERT_FALSE(shown().empty());
-    const std::vector<spherical::MapSnapshot>& maps = reader.reading()->snapshot->maps;
+    const std::vector<spherical::MapSnapshot>& maps = spherical::mapsOf(*reader.reading()->snapshot);
     ASSERT_EQ(maps.size(), 9U);
     const auto first = std::find_if(maps.begin(), maps.end(), [](const spherical::MapSnapshot& map) {
         return map.decision.relation != spherical::SphereRelation::Outside;

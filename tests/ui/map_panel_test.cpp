@@ -1,4 +1,4 @@
-#include "ui/panels/map_panel.h"
+#include "ui/families/spherical/map_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -7,10 +7,10 @@
 
 #include "tests/ui/made_up_map.h"
 #include "tests/ui/test_scene.h"
+#include "ui/families/spherical/map_overlay.h"
+#include "ui/families/spherical/map_words.h"
 #include "ui/look/appearance.h"
 #include "ui/look/verdict_swatch.h"
-#include "ui/panels/map_overlay.h"
-#include "ui/panels/map_words.h"
 #include "ui/plots/plot_file.h"
 #include "ui/session/object_pick.h"
 
@@ -46,7 +46,7 @@ struct MapPanelTest : ::testing::Test {
         shown = changed(shown, how);
         panel.showMap(shown);
     }
-    void colourBy(MapColouring colouring) {
+    void colourBy(spherical::MapColouring colouring) {
         panel.colouring().setCurrentIndex(int(colouring));
         emit panel.colouring().activated(int(colouring));
     }
@@ -136,13 +136,13 @@ TEST_F(MapPanelTest, drawnAndCulledCellsDiffer) {
         decision.drawn = {{drawn, drawn + 1}};
     };
     change(choose);
-    colourBy(MapColouring::State);
+    colourBy(spherical::MapColouring::State);
     const QPalette palette = panel.map().palette();
     EXPECT_EQ(QColor(picture().pixel(pixelOf(drawn))), verdictColour(TriangleState::Visible, palette));
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::OutsideFrustum, palette));
     change([&](spherical::SphericalDecision& decision) { decision.drawn = {{culled, culled + 1}}; });
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
-    for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Radius}) {
+    for (const spherical::MapColouring colouring : {spherical::MapColouring::Entries, spherical::MapColouring::Radius}) {
         colourBy(colouring);
         EXPECT_NE(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
     }

@@ -2,13 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/image/judged_cells.h"
 #include "core/scene/camera_moves.h"
 #include "core/visibility/built_strategy.h"
+#include "core/visibility/spherical/judged_cells.h"
 #include "tests/ui/test_scene.h"
-#include "ui/panels/bands_plot.h"
-#include "ui/panels/map_panel.h"
-#include "ui/panels/map_words.h"
+#include "ui/families/spherical/bands_plot.h"
+#include "ui/families/spherical/map_panel.h"
+#include "ui/families/spherical/map_words.h"
 #include "ui/plots/plot_file.h"
 #include "ui/session/cullbench_command.h"
 #include "ui/session/object_pick.h"
@@ -35,13 +35,13 @@ struct WalkMap : ::testing::Test {
         ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
-    void choose(MapColouring colouring) {
+    void choose(spherical::MapColouring colouring) {
         const int index = panel.colouring().findData(int(colouring));
         ASSERT_GE(index, 0);
         panel.colouring().setCurrentIndex(index);
         emit panel.colouring().activated(index);
     }
-    [[nodiscard]] bool offers(MapColouring colouring) { return panel.colouring().findData(int(colouring)) >= 0; }
+    [[nodiscard]] bool offers(spherical::MapColouring colouring) { return panel.colouring().findData(int(colouring)) >= 0; }
     [[nodiscard]] const ShownMap& shown() { return panel.map().contents().shown; }
     [[nodiscard]] QString words() { return QString::fromUtf8(plotSvg(panel.map(), {960, 560})); }
 
@@ -51,32 +51,32 @@ struct WalkMap : ::testing::Test {
 };
 
 TEST_F(WalkMap, levelAndKernelAreOfferedAndGivenUpWithTheStrategy) {
-    EXPECT_TRUE(offers(MapColouring::Level));
-    EXPECT_TRUE(offers(MapColouring::Kernel));
-    choose(MapColouring::Kernel);
-    EXPECT_EQ(panel.map().colouring(), MapColouring::Kernel);
+    EXPECT_TRUE(offers(spherical::MapColouring::Level));
+    EXPECT_TRUE(offers(spherical::MapColouring::Kernel));
+    choose(spherical::MapColouring::Kernel);
+    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::Kernel);
     EXPECT_TRUE(words().contains(QStringLiteral("R of the kernel"))) << "no scale";
-    choose(MapColouring::Level);
+    choose(spherical::MapColouring::Level);
     EXPECT_TRUE(words().contains(QStringLiteral("level where the walk ended")));
     session.slot(1).choose("spherical");
     settle();
-    EXPECT_FALSE(offers(MapColouring::Level));
-    EXPECT_FALSE(offers(MapColouring::Kernel));
-    EXPECT_EQ(panel.map().colouring(), MapColouring::Entries);
-    EXPECT_EQ(panel.colouring().currentData().toInt(), int(MapColouring::Entries));
-    choose(MapColouring::State);
+    EXPECT_FALSE(offers(spherical::MapColouring::Level));
+    EXPECT_FALSE(offers(spherical::MapColouring::Kernel));
+    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::Entries);
+    EXPECT_EQ(panel.colouring().currentData().toInt(), int(spherical::MapColouring::Entries));
+    choose(spherical::MapColouring::State);
     session.slot(1).choose("spherical-lossless");
     settle();
-    EXPECT_EQ(panel.map().colouring(), MapColouring::State) << "what every map has stays";
+    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::State) << "what every map has stays";
 }
 
 TEST_F(WalkMap, aMeshWithoutAKernelSaysWhyAndHasNoKernelColours) {
-    choose(MapColouring::Kernel);
+    choose(spherical::MapColouring::Kernel);
     open(QStringLiteral("bowl:triangles=4000"));
     settle();
-    EXPECT_TRUE(offers(MapColouring::Level));
-    EXPECT_FALSE(offers(MapColouring::Kernel));
-    EXPECT_EQ(panel.map().colouring(), MapColouring::Entries);
+    EXPECT_TRUE(offers(spherical::MapColouring::Level));
+    EXPECT_FALSE(offers(spherical::MapColouring::Kernel));
+    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::Entries);
     const QStringList said = walkWords(shown());
     ASSERT_EQ(said.size(), 2);
     EXPECT_TRUE(said[1].startsWith(QStringLiteral("No kernel: "))) << said[1].toStdString();
@@ -133,7 +133,7 @@ TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
 TEST_F(WalkMap, legendHasCellsAndHorizonAndTheStatesThatThereAre) {
     EXPECT_TRUE(words().contains(QStringLiteral("cell of the quadtree")));
     EXPECT_TRUE(words().contains(QStringLiteral("horizon of the kernel")));
-    choose(MapColouring::State);
+    choose(spherical::MapColouring::State);
     EXPECT_TRUE(words().contains(QStringLiteral(">back-facing<")));
     session.slot(1).choose("spherical");
     settle();
@@ -153,12 +153,11 @@ TEST_F(WalkMap, aPickedObjectOfAnotherMeshIsShownOnlyWhenItsMapIsMade) {
     settle();
     const size_t before = shown().place;
     const auto other = uint32_t(before == 0 ? 1 : 0);
-    ASSERT_FALSE(shown().snapshot->maps[other].maps == shown().map().maps);
-    pickObject(session, shown().snapshot->maps[other].decision.instance);
+    ASSERT_FALSE(spherical::mapsOf(*shown().snapshot)[other].maps == shown().map().maps);
+    pickObject(session, spherical::mapsOf(*shown().snapshot)[other].decision.instance);
     EXPECT_EQ(shown().place, before) << "its map would be made in the window's thread";
     settle();
     EXPECT_EQ(shown().place, size_t(other));
-    EXPECT_EQ(reader.reading()->map, size_t(other));
     EXPECT_TRUE(panel.map().contents().picked);
 }
 
@@ -180,15 +179,15 @@ TEST_F(WalkMap, bandsAreSaidNotToBeUsed) {
 }
 
 TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {
-    const ViewLook wanted{.kernel = true};
-    EXPECT_TRUE(shownLook(*session.picture(1)->frame, wanted).kernel);
+    const ViewLook wanted{.overlays = {"kernel"}};
+    EXPECT_TRUE(shownLook(*session.picture(1)->frame, wanted).shows("kernel"));
     PictureSubject picture;
     picture.scene = "bunny";
     picture.look = wanted;
     EXPECT_TRUE(cullbenchArguments(picture, {}).join(QLatin1Char(' ')).contains(QStringLiteral("--overlay kernel")));
     session.slot(1).choose("spherical");
     settle();
-    EXPECT_FALSE(shownLook(*session.picture(1)->frame, wanted).kernel);
+    EXPECT_FALSE(shownLook(*session.picture(1)->frame, wanted).shows("kernel"));
 }
 
 }  // namespace

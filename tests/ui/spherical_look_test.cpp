@@ -45,17 +45,17 @@ struct SphericalLook : ::testing::Test {
 
 TEST_F(SphericalLook, commandsChangeThePictureOfTheActiveViewOnly) {
     const QImage plain = session.picture(0)->colour;
-    const QImage bands = pictureAfter(window.actions().bands);
-    EXPECT_TRUE(session.setup(0).look.bands && window.actions().bands->isChecked());
-    EXPECT_FALSE(session.setup(1).look.bands) << "of the active view only";
+    const QImage bands = pictureAfter(window.actions().overlay("bands"));
+    EXPECT_TRUE(session.setup(0).look.shows("bands") && window.actions().overlay("bands")->isChecked());
+    EXPECT_FALSE(session.setup(1).look.shows("bands")) << "of the active view only";
     const QImage model = pictureAfter(window.actions().sphericalModel);
     EXPECT_TRUE(session.setup(0).look.sphericalModel && window.actions().sphericalModel->isChecked());
     EXPECT_TRUE(plain != bands && plain != model && bands != model);
     EXPECT_EQ(pictureAfter(window.actions().sphericalModel), bands);
-    EXPECT_EQ(pictureAfter(window.actions().bands), plain);
+    EXPECT_EQ(pictureAfter(window.actions().overlay("bands")), plain);
     session.setActiveView(1);
     session.setActiveView(0);
-    EXPECT_FALSE(window.actions().bands->isChecked());
+    EXPECT_FALSE(window.actions().overlay("bands")->isChecked());
 }
 
 TEST_F(SphericalLook, viewsMenuHasThem) {
@@ -72,7 +72,7 @@ TEST_F(SphericalLook, viewsMenuHasThem) {
         EXPECT_FALSE(entry(text)->isChecked());
         entry(text)->trigger();
     }
-    EXPECT_TRUE(session.setup(0).look.bands && session.setup(0).look.sphericalModel);
+    EXPECT_TRUE(session.setup(0).look.shows("bands") && session.setup(0).look.sphericalModel);
 }
 
 TEST_F(SphericalLook, nothingThatACameraSeesLiesOverTheModel) {
@@ -103,9 +103,9 @@ TEST_F(SphericalLook, chipCountsNoLossesInDirections) {
 
 TEST_F(SphericalLook, commandsWithoutEffectAreGrey) {
     const WindowActions& actions = window.actions();
-    const std::array camerasOnly{actions.verdicts, actions.frustum, actions.boxes, actions.bands,
+    const std::array camerasOnly{actions.verdicts, actions.frustum, actions.boxes, actions.overlay("bands"),
                                  actions.axes,     actions.truth,   actions.loss};
-    const QString tip = actions.bands->toolTip();
+    const QString tip = actions.overlay("bands")->toolTip();
     (void)pictureAfter(actions.sphericalModel);
     for (const QAction* action : camerasOnly) {
         EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
@@ -114,11 +114,11 @@ TEST_F(SphericalLook, commandsWithoutEffectAreGrey) {
     EXPECT_FALSE(actions.nextLoss->isEnabled());
     EXPECT_TRUE(actions.sphericalModel->isEnabled() && actions.freeze->isEnabled() && actions.loupe->isEnabled());
     session.setActiveView(1);
-    EXPECT_TRUE(actions.bands->isEnabled()) << "of the active view only";
+    EXPECT_TRUE(actions.overlay("bands")->isEnabled()) << "of the active view only";
     session.setActiveView(0);
     (void)pictureAfter(actions.sphericalModel);
     for (const QAction* action : camerasOnly) EXPECT_TRUE(action->isEnabled()) << action->text().toStdString();
-    EXPECT_EQ(actions.bands->toolTip(), tip);
+    EXPECT_EQ(actions.overlay("bands")->toolTip(), tip);
 }
 
 TEST_F(SphericalLook, viewsMenuGreysWhatHasNoEffect) {
@@ -200,13 +200,13 @@ TEST_F(SphericalLook, clickPicksWhatLiesInThatDirection) {
 }
 
 TEST_F(SphericalLook, screenshotWithoutOverlaysHasNoBands) {
-    window.actions().bands->trigger();
+    window.actions().overlay("bands")->trigger();
     settle();
     ScreenshotOptions options;
     const auto extras = [](int) { return PictureExtras{}; };
-    EXPECT_TRUE(planScreenshot(session, options, extras, false).parts.front().request.look.bands);
+    EXPECT_TRUE(planScreenshot(session, options, extras, false).parts.front().request.look.shows("bands"));
     options.overlays = false;
-    EXPECT_FALSE(planScreenshot(session, options, extras, false).parts.front().request.look.bands);
+    EXPECT_FALSE(planScreenshot(session, options, extras, false).parts.front().request.look.shows("bands"));
     options.overlays = true;
     (void)pictureAfter(window.actions().sphericalModel);
     EXPECT_FALSE(planScreenshot(session, options, extras, true).parts.front().wanted.items) << "directions have no depth";

@@ -8,6 +8,8 @@
 #include "core/measure/accuracy.h"
 #include "core/scene/camera_moves.h"
 #include "tests/ui/test_scene.h"
+#include "ui/families/spherical/bands_panel.h"
+#include "ui/families/spherical/map_panel.h"
 #include "ui/jobs/object_verdicts.h"
 #include "ui/session/object_pick.h"
 
@@ -273,15 +275,16 @@ TEST_F(StructurePanelTest, theSectorOfTheShownBandsIsMarkedOnTheMap) {
     camera.eye = camera.target + 2.0 * (camera.eye - camera.target);
     session.setCamera(camera);
     settle();
-    ASSERT_FALSE(panel.bands().plot().empty());
-    const auto marked = [&] { return panel.map().map().contents().sector; };
+    BandsPanel& bands = *panel.findChild<BandsPanel*>();
+    ASSERT_FALSE(bands.plot().empty());
+    const auto marked = [&] { return panel.findChild<MapPanel*>()->map().contents().sector; };
     EXPECT_FALSE(marked()) << "without the chart it means nothing";
-    panel.tabs().setCurrentWidget(&panel.bands());
+    panel.tabs().setCurrentWidget(&bands);
     ASSERT_TRUE(marked());
-    EXPECT_EQ(marked(), panel.bands().plot().sector());
-    panel.bands().sector().setValue(2);
+    EXPECT_EQ(marked(), bands.plot().sector());
+    bands.sector().setValue(2);
     EXPECT_EQ(marked(), 1U);
-    panel.bands().sector().setValue(0);
+    bands.sector().setValue(0);
     EXPECT_FALSE(marked());
 }
 

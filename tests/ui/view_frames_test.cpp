@@ -95,6 +95,7 @@ TEST_F(ViewFramesTest, viewsOfOneStrategyShareItsStructure) {
     ParameterSet parameters = session.slot(1).parameters();
     parameters.setFromText("level", "3");
     session.slot(1).setParameters(parameters);
+    ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->parameters() == parameters; }));
     settle();
     EXPECT_EQ(session.structures()->built(), before + 2);
 }

@@ -118,7 +118,7 @@ QImage ScreenshotTaker::clipboardImage(int view, bool overlays) {
     std::optional<ViewRequest> request = m_session.viewRequest(view);
     if (!request) return {};
     if (!overlays) {
-        request->look.frustum = request->look.boxes = request->look.bands = request->look.kernel = false;
+        request->look.leaveOutOverlays();
         request->wipe = Wipe::Mode::None;
     }
     const ViewPicturePointer shown = m_session.picture(view);

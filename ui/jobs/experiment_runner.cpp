@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QElapsedTimer>
 #include <algorithm>
+#include <iterator>
 
 #include "core/base/error.h"
 #include "core/visibility/registry.h"
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kInterval = 100;     // ms
 constexpr qint64 kStep = 20;       // ms after which waiting pictures are drawn
+constexpr qint64 kRest = 10;       // between two results in the middle, times what one takes
 constexpr double kBuilding = 0.1;  // share of the progress
 
 MeasureRequest measureRequest(const ExperimentRunner::Request& request) {
@@ -64,6 +66,9 @@ struct ExperimentRunner::Bench {
     std::unique_ptr<Meter> meter;        ///< null with `ready`: the context that it was in is lost
     std::optional<MeasureResult> known;  ///< the newest result of poses measured before a loss
 
+    QElapsedTimer sinceKept;  ///< since the making of `known`
+    qint64 rest = 0;          ///< ms from there until another one is made
+
     void letGo() {
         meter.reset();
         buffers.reset();
@@ -72,6 +77,8 @@ struct ExperimentRunner::Bench {
         letGo();
         ready.reset();
         known.reset();
+        sinceKept.invalidate();
+        rest = 0;
     }
 
     void begin(const std::shared_ptr<const Ready>& next, GpuThread& gpu) {
@@ -94,9 +101,11 @@ struct ExperimentRunner::Bench {
         {
             // The timer has not yet taken the last snapshot: do not make another one.
             const std::lock_guard lock(ready->board->mutex);
-            if (ready->board->snapshot) return;
+            if (ready->board->snapshot || (rest > 0 && !sinceKept.hasExpired(rest))) return;
         }
+        sinceKept.start();
         known = meter->resultSoFar();
+        rest = kRest * sinceKept.elapsed();
         const std::lock_guard lock(ready->board->mutex);
         ready->board->snapshot = known;
     }

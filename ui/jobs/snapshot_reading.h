@@ -18,16 +18,11 @@ struct SnapshotReading {
     Viewport size;
     /// Never null; the pointer stays the same while strategy, camera and size do.
     std::shared_ptr<const StructureSnapshot> snapshot;
-    size_t map = 0;                    ///< index into `snapshot->maps`, if there are maps: the map to show
     std::optional<uint64_t> triangle;  ///< the triangle that `why` explains; none: no triangle is picked, or its object is hidden
     std::vector<WhyStep> why;
     std::vector<PlaneDistance> planes;  ///< of the picked object's box to all six planes; empty without a triangle
     Message failure;                    ///< why the frame failed, so that all else is unknown; empty: it succeeded
 };
-
-/// Index of the map to show: the map of `instance`; without one, the first map that is not outside the frustum, else the first.
-/// Needs at least one map.
-[[nodiscard]] size_t placeOfMap(const StructureSnapshot& snapshot, const std::optional<uint32_t>& instance);
 
 using SnapshotReadingPointer = std::shared_ptr<const SnapshotReading>;
 

@@ -1,9 +1,5 @@
 #include "ui/jobs/view_frames.h"
 
-#include <algorithm>
-
-#include "core/image/overlays.h"
-
 namespace cullscope::ui {
 
 namespace {
@@ -73,13 +69,9 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, bool recorded, 
 }
 
 ViewLook shownLook(const ViewFrame& frame, ViewLook look) {
-    if (!look.boxes && !look.bands && !look.kernel) return look;
-    const StructureSnapshot snapshot = frame.request.strategy->snapshot(frame.log);
-    look.boxes = look.boxes && !(snapshot.nodes.empty() && snapshot.maps.empty());
-    look.bands = look.bands && std::ranges::any_of(snapshot.maps, [](const spherical::MapSnapshot& map) {
-                     return map.decision.bands.has_value();
-                 });
-    look.kernel = look.kernel && std::ranges::any_of(snapshot.maps, hasKernel);
+    const BuiltStrategy& strategy = *frame.request.strategy;
+    look.boxes = look.boxes && !strategy.snapshot(frame.log).nodes.empty();
+    std::erase_if(look.overlays, [&](const std::string& id) { return strategy.whyNotShown(id, {}, frame.log).has_value(); });
     return look;
 }
 

@@ -65,7 +65,7 @@ private:
 };
 using ViewFramesPointer = std::shared_ptr<ViewFrames>;
 
-/// Returns `look` without the boxes, bands and kernels that the strategy does not have in this frame, which was recorded.
+/// Returns `look` without the boxes and the declared overlays that the strategy does not have in this frame, which was recorded.
 [[nodiscard]] ViewLook shownLook(const ViewFrame& frame, ViewLook look);
 
 }  // namespace cullscope::ui

@@ -11,7 +11,7 @@
 #include <QSpinBox>
 #include <cmath>
 
-#include "ui/panels/wheel_guard.h"
+#include "ui/look/wheel_guard.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {

@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/visibility/registry.h"
-#include "ui/panels/wheel_guard.h"
+#include "ui/look/wheel_guard.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 

@@ -2,17 +2,16 @@
 
 #include <QTabWidget>
 
-#include "ui/panels/bands_panel.h"
+#include "ui/families/family_pages.h"
 #include "ui/panels/loss_panel.h"
-#include "ui/panels/map_panel.h"
 #include "ui/panels/structure_tree.h"
 #include "ui/panels/why_panel.h"
 #include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
-/// The structure of the active view's strategy: its map at the top, if it has one, and below it the tabs bands, tree, decisions
-/// and losses.
+/// The structure of the active view's strategy: at the top and in the first tabs what its family has, then the tabs tree,
+/// decisions and losses.
 class StructurePanel : public QWidget {
     Q_OBJECT
 
@@ -20,8 +19,6 @@ public:
     StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
-    [[nodiscard]] MapPanel& map() { return *m_map; }
-    [[nodiscard]] BandsPanel& bands() { return *m_bands; }
     [[nodiscard]] StructureTree& tree() { return *m_tree; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
@@ -33,11 +30,9 @@ protected:
 
 private:
     void retranslate();
-    void markSector();
 
-    MapPanel* m_map;
     QTabWidget* m_tabs;
-    BandsPanel* m_bands;
+    std::vector<FamilyPages*> m_families;
     StructureTree* m_tree;
     WhyPanel* m_why;
     LossPanel* m_losses;

@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QFontMetrics>
 #include <cmath>
+#include <set>
 
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
@@ -86,8 +87,7 @@ ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) 
     part.overlays = overlays;
     part.request = *shown;
     if (overlays) return part;
-    ViewLook& look = part.request.look;
-    look.frustum = look.boxes = look.bands = look.kernel = false;
+    part.request.look.leaveOutOverlays();
     part.request.wipe = Wipe::Mode::None;
     return part;
 }
@@ -125,14 +125,16 @@ void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
 }
 
 std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
-    bool verdicts = false, culledToo = false, boxes = false, planes = false, bands = false, marks = false;
+    bool verdicts = false, culledToo = false, boxes = false, planes = false, marks = false;
+    std::set<TriangleState> ofOverlays;
     for (const ScreenshotPlan::Part& part : parts) {
         const bool coloured = part.request.look.colouring == Colouring::Verdicts;
         verdicts = verdicts || coloured;
         culledToo = culledToo || (coloured && part.request.look.culledToo);
         boxes = boxes || part.request.look.boxes;
         planes = planes || part.request.look.byPlane();
-        bands = bands || part.request.look.bands;
+        for (const Show* show : declaredShows(Show::Kind::Overlay))
+            if (part.request.look.shows(show->id)) ofOverlays.insert(show->legend.begin(), show->legend.end());
         marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
     }
     std::vector<LegendEntry> legend;
@@ -141,8 +143,7 @@ std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts
         const auto state = TriangleState(i);
         const bool drawn = state == TriangleState::Visible || state == TriangleState::InVain;
         const bool ofBoxes = state == TriangleState::Visible || state == TriangleState::OutsideFrustum;
-        const bool ofBands = state == TriangleState::Visible || state == TriangleState::Hidden;
-        if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || (bands && ofBands))
+        if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || ofOverlays.contains(state))
             legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
     }
     if (planes) addPlanes(legend, style.background);

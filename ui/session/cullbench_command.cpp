@@ -51,7 +51,7 @@ QStringList cameraWords(const QString& prefix, const Camera& camera) {
 
 QStringList lookWords(const ViewLook& look) {
     QStringList words;
-    for (const char* overlay : overlayIds(look)) words << QStringLiteral("--overlay") << QString::fromLatin1(overlay);
+    for (const std::string& overlay : overlayIds(look)) words << QStringLiteral("--overlay") << QString::fromStdString(overlay);
     if (look.sphericalModel) return words;
     if (look.byPlane()) words << QStringLiteral("--box-colouring") << QString::fromLatin1(boxColouringId(look.boxColouring));
     if (look.colouring == Colouring::Verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");

@@ -12,8 +12,6 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr std::array kFirstStrategies{"all", "backface"};
-
 SceneLoader::Opener openerFor(const Session::Options& options) {
     if (options.opener) return options.opener;
     return [source = options.sceneSource](const std::string& specification, const Progress& progress) {
@@ -21,10 +19,10 @@ SceneLoader::Opener openerFor(const Session::Options& options) {
     };
 }
 
-/// The strategy of a view at the start. The first two views have fixed strategies; the others take those that this machine
+/// The strategy of a view at the start. The first views have the baselines; the others take those that this machine
 /// supports in turn, so that eight views compare eight strategies if there are that many.
 const StrategyInfo& firstStrategy(size_t view, const Session& session) {
-    if (view < kFirstStrategies.size()) return findStrategy(kFirstStrategies[view]).info;
+    if (const std::vector<const StrategyInfo*> first = baselines(); view < first.size()) return *first[view];
     std::vector<const StrategyInfo*> usable;
     for (const RegisteredStrategy& strategy : strategies())
         if (!session.unavailable(strategy.info)) usable.push_back(&strategy.info);

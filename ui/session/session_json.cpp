@@ -1,5 +1,7 @@
 #include "ui/session/session_json.h"
 
+#include "core/visibility/registry.h"
+
 namespace cullscope::ui {
 
 namespace {
@@ -42,25 +44,25 @@ void readViewNumber(const JsonField& group, const char* key, int& value) {
 Json jsonOf(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json jsonOf(const ViewLook& look) {
-    return {{"colouring", wordOf(kColourings, look.colouring)},
-            {"culled_too", look.culledToo},
-            {"frustum", look.frustum},
-            {"boxes", look.boxes},
-            {"box_colouring", wordOf(kBoxColourings, look.boxColouring)},
-            {"bands", look.bands},
-            {"kernel", look.kernel},
-            {"spherical_model", look.sphericalModel}};
+    Json json{{"colouring", wordOf(kColourings, look.colouring)},
+              {"culled_too", look.culledToo},
+              {kFrustumOverlay, look.frustum},
+              {kBoxesOverlay, look.boxes},
+              {"box_colouring", wordOf(kBoxColourings, look.boxColouring)}};
+    for (const Show* show : declaredShows(Show::Kind::Overlay)) json[show->id] = look.shows(show->id);
+    json["spherical_model"] = look.sphericalModel;
+    return json;
 }
 
 ViewLook readLook(const JsonField& field) {
     ViewLook look;
     read(field, "colouring", kColourings, look.colouring);
     read(field, "culled_too", look.culledToo);
-    read(field, "frustum", look.frustum);
-    read(field, "boxes", look.boxes);
+    read(field, kFrustumOverlay, look.frustum);
+    read(field, kBoxesOverlay, look.boxes);
     read(field, "box_colouring", kBoxColourings, look.boxColouring);
-    read(field, "bands", look.bands);
-    read(field, "kernel", look.kernel);
+    for (const Show* show : declaredShows(Show::Kind::Overlay))
+        if (const auto shown = field.find(show->id.c_str())) look.show(show->id, shown->boolean());
     read(field, "spherical_model", look.sphericalModel);
     return look;
 }

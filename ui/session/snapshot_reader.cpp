@@ -20,10 +20,7 @@ void read(SnapshotReading& reading, const FrameLog& log, const std::shared_ptr<c
     reading.snapshot = known ? known : std::make_shared<const StructureSnapshot>(strategy.snapshot(log));
     std::optional<uint32_t> picked;
     if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
-    if (!reading.snapshot->maps.empty()) {
-        reading.map = placeOfMap(*reading.snapshot, picked);
-        (void)*reading.snapshot->maps[reading.map].maps;
-    }
+    if (reading.snapshot->details) reading.snapshot->details->prepare(picked);
     if (!picked) return;
     reading.why = why(strategy, log, *reading.triangle);
     reading.planes = planeDistances(scene, view, *picked);

@@ -1,11 +1,13 @@
 #include "ui/startup/first_views.h"
 
+#include "core/visibility/registry.h"
+
 namespace cullscope::ui {
 
 void showFirstViews(Session& session, const std::vector<std::string>& chosen) {
     session.setActiveView(0);
     if (chosen.empty()) {
-        session.slot(0).choose("backface");
+        session.slot(0).choose(baselines().back()->id);
         session.observe(1, 0);
         ViewSetup watching = session.setup(1);
         watching.look = {Colouring::Verdicts, true, true, false};

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
-#include "ui/panels/wheel_guard.h"
+#include "ui/look/wheel_guard.h"
 #include "ui/statistics/flow_layout.h"
 #include "ui/statistics/run_sweeps.h"
 #include "ui/text/translated.h"

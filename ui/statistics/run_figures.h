@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/measure/meter.h"
+#include "core/visibility/registry.h"
 
 namespace cullscope::ui {
 

@@ -6,7 +6,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/panels/wheel_guard.h"
+#include "ui/look/wheel_guard.h"
 #include "ui/plots/result_exporter.h"
 #include "ui/statistics/flow_layout.h"
 #include "ui/statistics/pareto_plot.h"

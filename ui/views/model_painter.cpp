@@ -3,7 +3,6 @@
 #include <QCoreApplication>
 
 #include "core/gpu/colour.h"
-#include "core/image/map_picture.h"
 #include "core/image/spherical_model.h"
 
 namespace cullscope::ui {

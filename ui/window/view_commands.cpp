@@ -47,10 +47,9 @@ void ViewCommands::wire() {
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.boxes = on; }); });
     connect(m_actions.boxesByPlane, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { showBoxesByPlane(setup.look, on); }); });
-    connect(m_actions.bands, &QAction::triggered, this,
-            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.bands = on; }); });
-    connect(m_actions.kernel, &QAction::triggered, this,
-            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.kernel = on; }); });
+    for (const auto& [id, action] : m_actions.overlays)
+        connect(action, &QAction::triggered, this,
+                [this, id = id](bool on) { edit([&](ViewSetup& setup) { setup.look.show(id, on); }); });
     connect(m_actions.sphericalModel, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.look.sphericalModel = on; }); });
     connect(m_actions.truth, &QAction::triggered, this,
@@ -84,8 +83,7 @@ void ViewCommands::refresh() {
     m_actions.frustum->setChecked(setup.look.frustum);
     m_actions.boxes->setChecked(setup.look.boxes);
     m_actions.boxesByPlane->setChecked(setup.look.byPlane());
-    m_actions.bands->setChecked(setup.look.bands);
-    m_actions.kernel->setChecked(setup.look.kernel);
+    for (const auto& [id, action] : m_actions.overlays) action->setChecked(setup.look.shows(id));
     m_actions.sphericalModel->setChecked(setup.look.sphericalModel);
     m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
     m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);

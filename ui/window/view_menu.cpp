@@ -88,8 +88,9 @@ void ViewMenu::addLook() {
     change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
     change(*menu, tr("Boxes by the plane that rejected them"), look.byPlane(),
            [](ViewSetup& setup) { showBoxesByPlane(setup.look, !setup.look.byPlane()); });
-    change(*menu, tr("Contour bands"), look.bands, [](ViewSetup& setup) { setup.look.bands = !setup.look.bands; });
-    change(*menu, tr("Inner kernel and horizon"), look.kernel, [](ViewSetup& setup) { setup.look.kernel = !setup.look.kernel; });
+    for (const Show* show : declaredShows(Show::Kind::Overlay))
+        change(*menu, translated(show->title), look.shows(show->id),
+               [id = show->id](ViewSetup& setup) { setup.look.show(id, !setup.look.shows(id)); });
     for (QAction* action : menu->actions()) needsCameraPicture(action);
     change(*menu, tr("Model in spherical coordinates"), look.sphericalModel,
            [](ViewSetup& setup) { setup.look.sphericalModel = !setup.look.sphericalModel; });

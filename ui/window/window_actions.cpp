@@ -1,8 +1,10 @@
 #include "ui/window/window_actions.h"
 
 #include <QRegularExpression>
+#include <algorithm>
 
 #include "core/scene/scene_source.h"
+#include "core/visibility/registry.h"
 #include "ui/look/tinted_icon.h"
 #include "ui/text/language.h"
 #include "ui/text/translated.h"
@@ -82,8 +84,7 @@ void WindowActions::makePicture() {
     frustum = toggle({});
     boxes = toggle({});
     boxesByPlane = toggle({});
-    bands = toggle({});
-    kernel = toggle({});
+    for (const Show* show : declaredShows(Show::Kind::Overlay)) overlays.emplace_back(show->id, toggle({}));
     sphericalModel = toggle({});
     truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
     loss = toggle(Qt::Key_M);
@@ -104,6 +105,17 @@ QAction* WindowActions::command(const QKeySequence& shortcut, const QString& ico
     if (!icon.isEmpty()) action->setIcon(tintedIcon(icon));
     m_window->addAction(action);
     return action;
+}
+
+QAction* WindowActions::overlay(const std::string& id) const {
+    const auto found = std::ranges::find_if(overlays, [&](const auto& entry) { return entry.first == id; });
+    return found == overlays.end() ? nullptr : found->second;
+}
+
+QList<QAction*> WindowActions::ofCameraPictures() const {
+    QList<QAction*> actions{verdicts, frustum, boxes, boxesByPlane};
+    for (const auto& [id, action] : overlays) actions << action;
+    return actions << axes << truth << loss << nextLoss;
 }
 
 QAction* WindowActions::toggle(const QKeySequence& shortcut, const QString& icon) {
@@ -151,7 +163,9 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, boxesByPlane, bands, kernel, sphericalModel, axes});
+    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, boxesByPlane});
+    for (const auto& [id, action] : overlays) m_pictureMenu->addAction(action);
+    m_pictureMenu->addActions({sphericalModel, axes});
     m_pictureMenu->setToolTipsVisible(true);
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
@@ -271,12 +285,8 @@ void WindowActions::retranslatePicture() {
     say(boxesByPlane, tr("Boxes by rejecting &plane"),
         tr("Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes "
            "have the same colours"));
-    say(bands, tr("&Contour bands"),
-        tr("Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin lines "
-           "from the axis are each band's S"));
-    say(kernel, tr("Inner &kernel and horizon"),
-        tr("Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies behind it "
-           "is left out by the lossless spherical strategy"));
+    for (const Show* show : declaredShows(Show::Kind::Overlay))
+        say(overlay(show->id), translated(show->action), translated(show->explanation));
     say(sphericalModel, tr("Model in &spherical coordinates"),
         tr("Show what was drawn of one object over azimuth and zenith angle in the active view"));
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));

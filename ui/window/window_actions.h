@@ -7,6 +7,8 @@
 #include <QToolBar>
 #include <QWidget>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace cullscope::ui {
 
@@ -43,8 +45,10 @@ public:
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
-    QAction *freeze, *verdicts, *frustum, *boxes, *boxesByPlane, *bands, *kernel, *sphericalModel, *truth, *loss, *nextLoss,
-        *loupe, *axes;
+    QAction *freeze, *verdicts, *frustum, *boxes, *boxesByPlane, *sphericalModel, *truth, *loss, *nextLoss, *loupe, *axes;
+    /// The overlays that strategies declare, by id, in the order of the menu.
+    std::vector<std::pair<std::string, QAction*>> overlays;
+    [[nodiscard]] QAction* overlay(const std::string& id) const;
     // Path
     QAction *record, *addPose, *savePath, *openPath, *play, *stop;
     // Help
@@ -67,9 +71,7 @@ private:
     void retranslateView();
     void retranslatePicture();
     /// The actions that need a camera's picture.
-    [[nodiscard]] QList<QAction*> ofCameraPictures() const {
-        return {verdicts, frustum, boxes, boxesByPlane, bands, kernel, axes, truth, loss, nextLoss};
-    }
+    [[nodiscard]] QList<QAction*> ofCameraPictures() const;
     QAction* option(QActionGroup* group, const QString& data, const QKeySequence& shortcut = {}, const QString& icon = {});
     void makeLanguages();
     void fillGenerate();

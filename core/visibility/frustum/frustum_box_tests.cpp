@@ -182,23 +182,26 @@ protected:
 }  // namespace
 
 RegisteredStrategy frustumSelect() {
-    return {
-        {"frustum-select",
-         CULLSCOPE_TR("View-frustum culling by selection"),
-         CULLSCOPE_TR("Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view."),
-         "Cho et al.",
-         {facingParameter("two-sided"),
-          {"buffer",
-           ParameterType::Integer,
-           int64_t{4096},
-           1.0,
-           1e7,
-           "",
-           CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
-                        "boxes are drawn again."),
-           {}}},
-         GlRequirement::CompatibilityProfile},
-        std::make_shared<FrustumSelect>()};
+    StrategyInfo info{
+        "frustum-select",
+        CULLSCOPE_TR("View-frustum culling by selection"),
+        CULLSCOPE_TR("Draws the objects' boxes in OpenGL's selection mode: the hit records name the objects in view."),
+        "Cho et al.",
+        {facingParameter("two-sided"),
+         {"buffer",
+          ParameterType::Integer,
+          int64_t{4096},
+          1.0,
+          1e7,
+          "",
+          CULLSCOPE_TR("Words of the hit buffer to begin with, four an object in view: one that overflows is doubled, and the "
+                       "boxes are drawn again."),
+          {}}},
+        GlRequirement::CompatibilityProfile};
+    info.withoutProfile = CULLSCOPE_TR(
+        "\"%1\" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL "
+        "(%2) gives no compatibility profile: \"frustum-query\" asks the same without it.");
+    return {std::move(info), std::make_shared<FrustumSelect>()};
 }
 
 RegisteredStrategy frustumQuery() {

@@ -191,17 +191,18 @@ protected:
 }  // namespace
 
 RegisteredStrategy frustum() {
-    return {{"frustum",
-             CULLSCOPE_TR("View-frustum culling"),
-             CULLSCOPE_TR("Leaves out objects whose bounds lie outside one of the six planes of the view."),
-             "Assarsson & Möller 2000; Orangelie 2023",
-             {facingParameter(),
-              choiceParameter(
-                  "box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
-                  {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
-                   {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
-                   {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}},
-            std::make_shared<FrustumCulling>()};
+    StrategyInfo info{
+        "frustum",
+        CULLSCOPE_TR("View-frustum culling"),
+        CULLSCOPE_TR("Leaves out objects whose bounds lie outside one of the six planes of the view."),
+        "Assarsson & Möller 2000; Orangelie 2023",
+        {facingParameter(),
+         choiceParameter("box", "p-vertex", CULLSCOPE_TR("How a bounding box is tested against a plane."),
+                         {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
+                          {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
+                          {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
+    info.byPlanes = true;
+    return {std::move(info), std::make_shared<FrustumCulling>()};
 }
 
 }  // namespace cullscope::frustum

@@ -87,15 +87,17 @@ protected:
 }  // namespace
 
 RegisteredStrategy frustumOctree() {
-    return {{"frustum-octree",
-             CULLSCOPE_TR("View-frustum culling by groups"),
-             CULLSCOPE_TR("Leaves out whole groups of objects by an octree over their boxes, and draws the rest nearest first."),
-             "Assarsson & Möller 2000; Gottschalk, Lin & Manocha 1996",
-             {facingParameter(),
-              booleanParameter("refine", true,
-                               CULLSCOPE_TR("Whether what several planes cut is tested by separating axes too, which leaves out "
-                                            "what lies beside the frustum's edges."))}},
-            std::make_shared<FrustumOctree>()};
+    StrategyInfo info{
+        "frustum-octree",
+        CULLSCOPE_TR("View-frustum culling by groups"),
+        CULLSCOPE_TR("Leaves out whole groups of objects by an octree over their boxes, and draws the rest nearest first."),
+        "Assarsson & Möller 2000; Gottschalk, Lin & Manocha 1996",
+        {facingParameter(),
+         booleanParameter("refine", true,
+                          CULLSCOPE_TR("Whether what several planes cut is tested by separating axes too, which leaves out "
+                                       "what lies beside the frustum's edges."))}};
+    info.byPlanes = true;
+    return {std::move(info), std::make_shared<FrustumOctree>()};
 }
 
 }  // namespace cullscope::frustum

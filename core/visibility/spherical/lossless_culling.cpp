@@ -8,7 +8,9 @@
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/octree_walk.h"
+#include "core/visibility/spherical/cell_scene.h"
 #include "core/visibility/spherical/cell_walk.h"
+#include "core/visibility/spherical/map_shows.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -20,29 +22,12 @@ constexpr size_t kLeastTrianglesForCells = 1000;
 // From this number of objects, a second thread saves time.
 constexpr size_t kObjectsForThreads = 8;
 
-/// The structures of one mesh; empty for a mesh without triangles or instances.
-struct MeshCells {
-    CellTreePointer tree;
-    InnerKernelPointer kernel;
-    LazyMaps maps;
-};
-
 /// The cause for which most of the culled triangles were culled.
 Cause mainCause(const SphericalDecision& decision) {
     if (!decision.walk) return Cause::OutsideFrustum;
     const std::array<uint64_t, kCauseCount>& culled = decision.walk->culled;
     return static_cast<Cause>(std::max_element(culled.begin(), culled.end()) - culled.begin());
 }
-
-struct CellScene : Structure {
-    using Structure::Structure;
-
-    [[nodiscard]] const MeshCells& meshOf(uint32_t instance) const { return meshes[scene().instances()[instance].mesh]; }
-
-    std::vector<MeshCells> meshes;
-    InstanceOctree octree;
-    TriangleOrderPointer order;
-};
 
 /// The decision about an object that no group test culled.
 struct WalkedObject {
@@ -213,28 +198,19 @@ private:
     bool m_cones, m_horizon;
 };
 
-class SphericalLossless final : public StrategyWith<CellScene> {
+class SphericalLossless final : public StrategyWithMaps<CellScene> {
+    using StrategyWithMaps::StrategyWithMaps;
+
+public:
+    [[nodiscard]] std::vector<MeshStates> meshStates(const Structure& structure, const ParameterSet& parameters) const override {
+        return {kernelStates(own(structure), parameters.boolean("horizon"))};
+    }
+
 protected:
     void fill(CellScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
         const CellTree::Options options{mapLayoutFromId(parameters.choice("layout")), uint32_t(parameters.integer("level")),
                                         kLeastTrianglesForCells};
-        const Scene& scene = structure.scene();
-        structure.meshes.resize(scene.meshes().size());
-        const std::vector<bool> shown = scene.shownMeshes();
-        const auto count = double(structure.meshes.size());
-        for (size_t i = 0; i < structure.meshes.size(); ++i) {
-            if (!shown[i]) continue;
-            const Progress part = progress.part(double(i) / count, double(i + 1) / count);
-            const MeshPointer& mesh = scene.meshes()[i];
-            structure.meshes[i].tree = std::make_shared<CellTree>(mesh, options, part);
-            // Also where the horizon is switched off: switching it on builds nothing.
-            if (mesh->triangleCount() >= kLeastTrianglesForHorizon)
-                structure.meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
-            structure.meshes[i].maps = LazyMaps(mesh);
-        }
-        structure.octree = InstanceOctree(scene);
-        structure.order = orderOfAll(structure.meshes);
-        fillReport(structure);
+        buildCells(structure, options, kLeastTrianglesForHorizon, progress);
     }
 
     void decide(FrameContext& frame, const CellScene& structure, ViewState& /*state*/,
@@ -250,54 +226,19 @@ protected:
     [[nodiscard]] StructureSnapshot snapshotOf(const CellScene& structure, const FrameLog& log) const override {
         const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(log, structure.scene().instances().size());
         StructureSnapshot result;
+        std::vector<MapSnapshot> maps;
         for (const SphericalDecision& decision : decisionsOf(log)) {
             const MeshCells& mesh = structure.meshOf(decision.instance);
-            result.maps.push_back({mesh.maps, decision, mesh.tree, notesOf(log).kernels ? mesh.kernel : nullptr});
+            maps.push_back({mesh.maps, decision, mesh.tree, notesOf(log).kernels ? mesh.kernel : nullptr});
             result.nodes.push_back(nodeOf(structure.scene(), decision));
             result.nodes.back().rejectedBy = rejectedBy[decision.instance];
         }
+        setMaps(result, std::move(maps));
         addGroups(result, structure.octree, structure.scene(), log);
         return result;
     }
 
 private:
-    [[nodiscard]] static TriangleOrderPointer orderOfAll(const std::vector<MeshCells>& meshes) {
-        auto order = std::make_shared<TriangleOrder>();
-        auto owner = std::make_shared<std::vector<CellTreePointer>>();
-        for (const MeshCells& mesh : meshes) {
-            owner->push_back(mesh.tree);
-            order->meshes.push_back(mesh.tree && mesh.tree->divided()
-                                        ? TriangleOrder::OfMesh{mesh.tree->indices(), mesh.tree->triangleOrder()}
-                                        : TriangleOrder::OfMesh{});
-        }
-        order->owner = std::move(owner);
-        return order;
-    }
-
-    static void fillReport(CellScene& structure) {
-        double nodes = 0, leaves = 0, deepest = 0, treeBytes = 0, kernels = 0, kernelBytes = 0;
-        for (const MeshCells& mesh : structure.meshes) {
-            if (!mesh.tree) continue;
-            nodes += double(mesh.tree->nodes().size());
-            leaves += double(mesh.tree->leafCount());
-            deepest = std::max(deepest, double(mesh.tree->deepestLevel()));
-            treeBytes += double(mesh.tree->bytes());
-            if (!mesh.kernel) continue;
-            kernels += mesh.kernel->filled() ? 1 : 0;
-            kernelBytes += double(mesh.kernel->bytes());
-        }
-        structure.report.bytes = uint64_t(treeBytes + kernelBytes) + structure.octree.bytes();
-        structure.report.figures = {{"objects", double(structure.scene().instances().size())},
-                                    {"groups", double(structure.octree.nodes().size())},
-                                    {"cells", nodes},
-                                    {"leaf cells", leaves},
-                                    {"deepest level", deepest},
-                                    {"kernels", kernels},
-                                    {"cell tree bytes", treeBytes},
-                                    {"kernel bytes", kernelBytes},
-                                    {"octree bytes", double(structure.octree.bytes())}};
-    }
-
     [[nodiscard]] static SnapshotNode nodeOf(const Scene& scene, const SphericalDecision& decision) {
         SnapshotNode node;
         node.instance = decision.instance;
@@ -343,7 +284,9 @@ RegisteredStrategy sphericalLossless() {
          booleanParameter("horizon", true,
                           CULLSCOPE_TR("Whether cells behind the solid's inner kernel are left out (where the mesh is "
                                        "closed)."))}};
-    return {std::move(info), std::make_shared<SphericalLossless>()};
+    info.sweeps = {{"level", {"4", "5", "6", "7", "8", "0"}, "0"}};
+    info.shows = showsOfCells();
+    return {info, std::make_shared<SphericalLossless>(info.id)};
 }
 
 }  // namespace cullscope::spherical

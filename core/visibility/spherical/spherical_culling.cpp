@@ -7,6 +7,7 @@
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/spherical/map_shows.h"
 #include "core/visibility/spherical/object_space_view.h"
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
@@ -113,7 +114,9 @@ struct MappedObject {
 };
 
 /// The common part of both strategies: maps, relation to the frustum, draw list, records.
-class SphericalCulling : public StrategyWith<MappedScene> {
+class SphericalCulling : public StrategyWithMaps<MappedScene> {
+    using StrategyWithMaps::StrategyWithMaps;
+
 protected:
     /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
     virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
@@ -161,11 +164,13 @@ protected:
     [[nodiscard]] StructureSnapshot snapshotOf(const MappedScene& structure, const FrameLog& log) const override {
         const std::vector<std::optional<FrustumPlane>> rejectedBy = rejectingPlanes(log, structure.scene().instances().size());
         StructureSnapshot result;
+        std::vector<MapSnapshot> maps;
         for (const SphericalDecision& decision : decisionsOf(log)) {
             result.nodes.push_back(nodeOf(structure.scene(), decision));
             result.nodes.back().rejectedBy = rejectedBy[decision.instance];
-            result.maps.push_back({structure.meshOf(decision.instance).maps, decision});
+            maps.push_back({structure.meshOf(decision.instance).maps, decision});
         }
+        setMaps(result, std::move(maps));
         return result;
     }
 
@@ -244,6 +249,8 @@ private:
 };
 
 class Spherical final : public SphericalCulling {
+    using SphericalCulling::SphericalCulling;
+
 protected:
     [[nodiscard]] Promise promiseOf(const MappedScene& /*structure*/, const ParameterSet& /*parameters*/,
                                     Facing /*facing*/) const override {
@@ -271,6 +278,8 @@ protected:
 };
 
 class SphericalHorizon final : public SphericalCulling {
+    using SphericalCulling::SphericalCulling;
+
     static constexpr size_t kFewTriangles = 500;
 
 protected:
@@ -294,7 +303,6 @@ protected:
             structure.starShaped && structure.starShapedInFront && isStarShaped(*mesh.maps, Facing::Front);
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
-
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
                      SphericalDecision& decision, bool recording) const override {
         // A surface that the near plane cuts hides nothing, and an object of few triangles is drawn faster than it is tested.
@@ -322,7 +330,9 @@ RegisteredStrategy spherical() {
         choiceParameter("joined", "chart", CULLSCOPE_TR("How the four hits are joined to the visible region."),
                         {{"chart", CULLSCOPE_TR("straight on the map, so that the extremes are the hits'")},
                          {"arcs", CULLSCOPE_TR("by great circles, whose extremes may lie between the hits")}}));
-    return {std::move(info), std::make_shared<Spherical>()};
+    info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
+    info.shows = showsOfBands();
+    return {info, std::make_shared<Spherical>(info.id)};
 }
 
 RegisteredStrategy sphericalHorizon() {
@@ -333,7 +343,8 @@ RegisteredStrategy sphericalHorizon() {
                       "Han & Hong 2008, S replaced by the slope",
                       {facingParameter(), rowsParameter()}};
     std::ranges::move(bandParameters(3.0, 72), std::back_inserter(info.parameters));
-    return {std::move(info), std::make_shared<SphericalHorizon>()};
+    info.shows = showsOfBands();
+    return {info, std::make_shared<SphericalHorizon>(info.id)};
 }
 
 }  // namespace cullscope::spherical

@@ -6,6 +6,7 @@
 
 #include "core/gpu/colour.h"
 #include "core/image/view_picture.h"
+#include "core/visibility/spherical/map_overlays.h"
 #include "tests/support/hand_made_map.h"
 #include "tests/support/line_distance.h"
 #include "tests/support/test_scenes.h"
@@ -16,7 +17,7 @@ namespace {
 /// One map over a mesh that is moved, rotated and enlarged, as seen from a viewing camera.
 struct Seen {
     explicit Seen(const spherical::MapSnapshot& map) {
-        snapshot.maps = {map};
+        maps = {map};
         scene = sceneOf({std::make_shared<TriangleMesh>(dataOf(map.maps->mesh()))}, {place});
     }
     static TriangleMesh::Data dataOf(const TriangleMesh& mesh) {
@@ -26,20 +27,19 @@ struct Seen {
         return data;
     }
     /// A point in the map's coordinates, transformed to the world.
-    [[nodiscard]] Vec3 world(const Vec3& point) const {
-        return Vec3(place * Vec4(snapshot.maps[0].maps->sphere().centre + point, 1.0));
-    }
+    [[nodiscard]] Vec3 world(const Vec3& point) const { return Vec3(place * Vec4(maps[0].maps->sphere().centre + point, 1.0)); }
     [[nodiscard]] Vec3 local(const Vec3& point) const {
-        return Vec3(glm::inverse(place) * Vec4(point, 1.0)) - snapshot.maps[0].maps->sphere().centre;
+        return Vec3(glm::inverse(place) * Vec4(point, 1.0)) - maps[0].maps->sphere().centre;
     }
     [[nodiscard]] OverlayContext context() const {
         return {
             *scene, view, style, verdictPalette(style.background), contrastTo(style.background), planePalette(style.background)};
     }
-    [[nodiscard]] double radius() const { return snapshot.maps[0].maps->sphere().radius; }
+    [[nodiscard]] double radius() const { return maps[0].maps->sphere().radius; }
 
     // Rotated by a right angle about x, twice as large, moved.
     Mat4 place = translation({100, -50, 25}) * Mat4(Vec4(2, 0, 0, 0), Vec4(0, 0, 2, 0), Vec4(0, -2, 0, 0), Vec4(0, 0, 0, 1));
+    std::vector<spherical::MapSnapshot> maps;
     StructureSnapshot snapshot;
     ScenePointer scene;
     View view{{Vec3(100, -50, 37), Vec3(100, -50, 25), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {640, 480}};
@@ -52,7 +52,7 @@ TEST(SphereOverlay, circlesAreGreatCircles) {
     spherical::MapSnapshot map = sphereMap();
     map.decision.relation = spherical::SphereRelation::Within;
     const Seen seen(map);
-    const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.snapshot);
+    const std::vector<OverlayLines> overlays = spherical::sphereOverlay(seen.context(), seen.maps);
     for (const LineSegment& line : overlays[0].lines) {
         const Vec3 point = seen.local(line.from);
         EXPECT_NEAR(glm::length(point), seen.radius(), 1e-9);
@@ -68,14 +68,14 @@ TEST(SphereOverlay, circlesAreGreatCircles) {
 
 TEST(SphereOverlay, objectOutsideHasNoLines) {
     const Seen seen(sphereMap());
-    for (const OverlayLines& overlay : sphereOverlay(seen.context(), seen.snapshot)) EXPECT_TRUE(overlay.lines.empty());
+    for (const OverlayLines& overlay : spherical::sphereOverlay(seen.context(), seen.maps)) EXPECT_TRUE(overlay.lines.empty());
 }
 
 TEST(SphereOverlay, regionAndRaysLieInTheirPlaces) {
     for (const auto& [left, right] : {std::pair(100.0, 200.0), std::pair(320.0, 400.0)}) {
         const spherical::MapSnapshot map = cutMap(left, right);
         const Seen seen(map);
-        const std::vector<OverlayLines> overlays = sphereOverlay(seen.context(), seen.snapshot);
+        const std::vector<OverlayLines> overlays = spherical::sphereOverlay(seen.context(), seen.maps);
         const auto onSphere = [&](double theta, double phi) { return seen.world(seen.radius() * directionOf(theta, phi)); };
         for (double phi = left; phi <= right; phi += 4.0) {
             EXPECT_LT(distanceTo(overlays[1].lines, onSphere(60, phi)), kPixel);
@@ -183,8 +183,8 @@ TEST(PlaneOverlay, bordersLieOnTheirPlanes) {
 
 TEST(BandOverlay, circlesLieAtTheirAngles) {
     const Seen seen(bandedMap(directionOf(50, 70)));
-    const spherical::ContourBands& bands = *seen.snapshot.maps[0].decision.bands;
-    const std::vector<OverlayLines> overlays = bandOverlay(seen.context(), seen.snapshot);
+    const spherical::ContourBands& bands = *seen.maps[0].decision.bands;
+    const std::vector<OverlayLines> overlays = spherical::bandOverlay(seen.context(), seen.maps);
     const auto palette = seen.context().palette;
     for (const LineSegment& line : overlays[0].lines) {
         const Vec3 point = seen.local(line.from);
@@ -213,7 +213,7 @@ TEST(BandOverlay, sizesHaveTheirLengths) {
             for (spherical::BandSector& sector : map.decision.bands->table) sector.size = 0.1;
         const Seen seen(map);
         const spherical::ContourBands& bands = *map.decision.bands;
-        const std::vector<LineSegment> sizes = bandOverlay(seen.context(), seen.snapshot)[2].lines;
+        const std::vector<LineSegment> sizes = spherical::bandOverlay(seen.context(), seen.maps)[2].lines;
         ASSERT_EQ(sizes.size(), 2u * bands.bands) << "to either side of the axis";
         for (size_t i = 0; i < sizes.size(); ++i) {
             const Vec3 foot = seen.local(sizes[i].from), tip = seen.local(sizes[i].to);
@@ -234,18 +234,18 @@ TEST(BandOverlay, smallObjectHasFewerLines) {
     const spherical::MapSnapshot map = bandedMap(directionOf(50, 70));
     Seen seen(map);
     size_t near = 0, far = 0;
-    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) near += overlay.lines.size();
+    for (const OverlayLines& overlay : spherical::bandOverlay(seen.context(), seen.maps)) near += overlay.lines.size();
     Camera camera = seen.view.camera();
     camera.eye.z += 200.0;
     seen.view = View(camera, seen.view.viewport());
-    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) far += overlay.lines.size();
+    for (const OverlayLines& overlay : spherical::bandOverlay(seen.context(), seen.maps)) far += overlay.lines.size();
     EXPECT_LT(far, near / 4);
     EXPECT_GT(far, 0u);
 }
 
 TEST(BandOverlay, objectWithoutBandsHasNoLines) {
     const Seen seen(cutMap(100, 200));
-    for (const OverlayLines& overlay : bandOverlay(seen.context(), seen.snapshot)) EXPECT_TRUE(overlay.lines.empty());
+    for (const OverlayLines& overlay : spherical::bandOverlay(seen.context(), seen.maps)) EXPECT_TRUE(overlay.lines.empty());
 }
 
 TEST(Marks, sizeIsTheSameAtEveryDistance) {

@@ -74,11 +74,17 @@ TEST(SphericalModelPicture, showsOnlyWhatWasDrawn) {
     EXPECT_GT(covered("spherical-horizon"), 176u * 356u / 3);
 }
 
+TEST(SphericalModelPicture, coloursGetLighterWithTheDistance) {
+    const std::array<Vec3f, 5> relief = reliefColours();
+    for (size_t i = 1; i < relief.size(); ++i) EXPECT_LT(relativeLuminance(relief[i - 1]), relativeLuminance(relief[i]));
+}
+
 TEST(SphericalModelPicture, overlaysAreNotDrawnOverIt) {
     const ScenePointer scene = sceneOf({knotMesh(3000)});
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style;
-    const ViewLook all{.colouring = Colouring::Verdicts, .frustum = true, .boxes = true, .bands = true, .sphericalModel = true};
+    const ViewLook all{
+        .colouring = Colouring::Verdicts, .frustum = true, .boxes = true, .overlays = {"bands"}, .sphericalModel = true};
     EXPECT_FALSE(needsDecisions(all));
     const std::vector<uint8_t> alone = shown(scene, "spherical", view, {.sphericalModel = true}, style);
     EXPECT_EQ(shown(scene, "spherical", view, all, style), alone);

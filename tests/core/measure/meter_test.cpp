@@ -64,6 +64,19 @@ TEST(Measure, baselinesRunAlongUnasked) {
         EXPECT_GT(ratio.ratio, 0.0);
 }
 
+TEST(Baselines, areAddedWhereTheyAreMissing) {
+    const auto missing = [](const std::vector<std::string>& ids) {
+        std::vector<std::string> added;
+        for (const StrategyRequest& baseline : missingBaselines(smallExperiment(ids).strategies)) added.push_back(baseline.id);
+        return added;
+    };
+    using Ids = std::vector<std::string>;
+    EXPECT_EQ(missing({}), (Ids{"all", "backface"}));
+    EXPECT_EQ(missing({"frustum", "all"}), Ids{"backface"});
+    EXPECT_EQ(missing({"backface", "frustum", "all"}), Ids{});
+    for (const char* id : {kAllId, kBackfaceId}) EXPECT_TRUE(findStrategy(id).info.baseline) << id;
+}
+
 TEST(Summary, hasTheOneEstimateOverAllViewsAndTheMeanBesideIt) {
     const auto run = [](const std::string& id, const std::vector<std::vector<double>>& times) {
         RunMeasurement made;

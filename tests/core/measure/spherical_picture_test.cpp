@@ -9,6 +9,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/frustum_share.h"
 #include "core/scene/scene_source.h"
+#include "core/visibility/spherical/decision.h"
 #include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"

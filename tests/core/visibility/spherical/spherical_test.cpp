@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/visibility/spherical/map_details.h"
 #include "core/visibility/spherical/object_space_view.h"
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
@@ -181,8 +182,9 @@ TEST(Spherical, instancesShareTheirMeshsMaps) {
             << id;
         EXPECT_LT(frame.consideredTriangles, many->triangleCount() / 2) << id;
         const StructureSnapshot snapshot = strategy->snapshot(frame.log);
-        ASSERT_EQ(snapshot.maps.size(), 25u);
-        for (const spherical::MapSnapshot& map : snapshot.maps) EXPECT_EQ(map.maps, snapshot.maps[0].maps);
+        const std::vector<spherical::MapSnapshot>& maps = spherical::mapsOf(snapshot);
+        ASSERT_EQ(maps.size(), 25u);
+        for (const spherical::MapSnapshot& map : maps) EXPECT_EQ(map.maps, maps[0].maps);
     }
 }
 

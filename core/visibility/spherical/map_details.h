@@ -1,0 +1,27 @@
+#pragma once
+
+#include <span>
+
+#include "core/visibility/spherical/decision.h"
+#include "core/visibility/structure_snapshot.h"
+
+namespace cullscope::spherical {
+
+/// What strategies with maps of directions have in a snapshot: the map of each object with triangles, by instance.
+struct MapDetails final : StructureDetails {
+    std::vector<MapSnapshot> maps;
+
+    void prepare(const std::optional<uint32_t>& instance) const override;
+};
+
+/// Gives a snapshot its maps, and the sentence about objects that are tested as spheres.
+void setMaps(StructureSnapshot& snapshot, std::vector<MapSnapshot> maps);
+/// The maps of a snapshot; empty where the strategy has none.
+[[nodiscard]] const std::vector<MapSnapshot>& mapsOf(const StructureSnapshot& snapshot);
+/// The map of an object; null where there is none.
+[[nodiscard]] const MapSnapshot* mapOf(const StructureSnapshot& snapshot, uint32_t instance);
+/// Index of the map to show: the map of `instance`; without one, the first map that is not outside the frustum, else the first.
+/// Needs at least one map.
+[[nodiscard]] size_t placeOfMap(std::span<const MapSnapshot> maps, const std::optional<uint32_t>& instance);
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,176 @@
+#include "core/visibility/spherical/map_shows.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+#include "core/visibility/registry.h"
+#include "core/visibility/spherical/map_overlays.h"
+#include "core/visibility/spherical/map_picture.h"
+#include "core/visibility/spherical/why.h"
+
+namespace cullscope::spherical {
+namespace {
+
+constexpr const char* kBands = "bands";
+constexpr const char* kKernel = "kernel";
+constexpr const char* kIndexMap = "index-map";
+
+Message noBands(const std::string& option, const std::string& strategy, const std::string& having) {
+    return {"%1: the strategy \"%2\" has no contour bands. Strategies that have them: %3.", {option, strategy, having}};
+}
+
+Message noCells(const std::string& option, const std::string& strategy, const std::string& having) {
+    return {"%1: the strategy \"%2\" has no quadtree and no inner kernel. Strategies that have them: %3.",
+            {option, strategy, having}};
+}
+
+Message noMap(const std::string& option, const std::string& strategy, const std::string& having) {
+    return {"%1: the strategy \"%2\" has no index map. Strategies that have one: %3.", {option, strategy, having}};
+}
+
+Show boxesShow() {
+    Show show;
+    show.kind = Show::Kind::Boxes;
+    show.id = kBoxesOverlay;
+    show.help = "bounding spheres, visible region and corner rays of spherical strategies, judged cells of spherical-lossless";
+    return show;
+}
+
+Show bandsShow() {
+    Show show;
+    show.id = kBands;
+    show.help = "contour bands of spherical strategies, with S";
+    show.title = CULLSCOPE_TR("Contour bands");
+    show.action = CULLSCOPE_TR("&Contour bands");
+    show.explanation = CULLSCOPE_TR(
+        "Show the contour bands of spherical strategies on the objects' bounding spheres in the active view; the thin "
+        "lines from the axis are each band's S");
+    show.legend = {TriangleState::Visible, TriangleState::Hidden};
+    show.absent = noBands;
+    return show;
+}
+
+Show kernelShow() {
+    Show show;
+    show.id = kKernel;
+    show.help = "of spherical-lossless: what is filled of a solid around its centre, with the horizon that the eye sees of it";
+    show.title = CULLSCOPE_TR("Inner kernel and horizon");
+    show.action = CULLSCOPE_TR("Inner &kernel and horizon");
+    show.explanation = CULLSCOPE_TR(
+        "Show the solid's inner kernel in the active view, and its outline as the culling camera sees it: what lies "
+        "behind it is left out by the lossless spherical strategy");
+    show.absent = noCells;
+    return show;
+}
+
+Show indexMapShow(bool cells) {
+    Show show;
+    show.kind = Show::Kind::Picture;
+    show.id = kIndexMap;
+    show.help = "of spherical strategies, of the first object in the frustum";
+    show.absent = noMap;
+    for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Radius, MapColouring::State})
+        show.colourings.push_back({mapColouringId(colouring)});
+    if (cells)
+        for (const MapColouring colouring : {MapColouring::Level, MapColouring::Kernel})
+            show.colourings.push_back({mapColouringId(colouring), noCells});
+    show.colouringHelp =
+        "of the index map: entries (triangles by cell, the default), radius, state, or of spherical-lossless level (of the "
+        "judged "
+        "cells) or kernel (its radius)";
+    return show;
+}
+
+const MapSnapshot& shownOf(const std::vector<MapSnapshot>& maps) { return maps[placeOfMap(maps, std::nullopt)]; }
+
+std::string nameOf(const MapSnapshot& map, const Scene& scene) { return scene.instances()[map.decision.instance].name; }
+
+/// Why no object has contour bands.
+Message bandsMissing(const MapSnapshot& shown, const std::string& option, const Scene& scene) {
+    return {
+        "%1: the object \"%2\" is %3, and only one inside the frustum has contour bands. Choose an eye farther away or a larger "
+        "--fovy; for what the frustum cuts there are --overlay boxes and --overlay index-map.",
+        {option, nameOf(shown, scene), relationName(shown.decision.relation)}};
+}
+
+/// Why an object has no kernel; none where it has one.
+std::optional<Message> kernelMissing(const MapSnapshot& map, const std::string& option, const Scene& scene) {
+    if (!map.kernel)
+        return Message{
+            "%1: no inner kernel was made for the object \"%2\", because the parameter horizon is off or the mesh has too "
+            "few triangles for it to pay. Choose horizon=true, or a larger mesh.",
+            {option, nameOf(map, scene)}};
+    if (!map.kernel->filled())
+        return Message{"%1: the object \"%2\" has no inner kernel: %3. Leave it out, or choose another scene.",
+                       {option, nameOf(map, scene), InnerKernel::stateName(map.kernel->state())}};
+    return std::nullopt;
+}
+
+/// The tests of a walk over an object's cells, and how many triangles each of them culled.
+std::string walkLine(const CellWalk& walk) {
+    const auto culled = [&](Cause cause) { return std::to_string(walk.culled[size_t(cause)]) + " " + causeName(cause); };
+    return std::to_string(walk.nodesVisited) + " nodes visited; planes: " + culled(Cause::OutsideFrustum) +
+           "; cones: " + (walk.cones ? culled(Cause::BackFacing) : "not used") +
+           "; horizon: " + (walk.horizon ? culled(Cause::Hidden) : "not used");
+}
+
+}  // namespace
+
+std::vector<Show> showsOfBands() { return {boxesShow(), bandsShow(), indexMapShow(false)}; }
+std::vector<Show> showsOfCells() { return {boxesShow(), kernelShow(), indexMapShow(true)}; }
+
+std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context, const StructureSnapshot& snapshot) {
+    const std::vector<MapSnapshot>& maps = mapsOf(snapshot);
+    if (id == kBands) return bandOverlay(context, maps);
+    if (id == kKernel) return kernelOverlay(context, maps);
+    if (id != kBoxesOverlay) return {};
+    std::vector<OverlayLines> overlays{groupOverlay(context, snapshot)};
+    std::ranges::move(sphereOverlay(context, maps), std::back_inserter(overlays));
+    return overlays;
+}
+
+std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colouring, std::string_view strategy,
+                                    const StructureSnapshot& snapshot, const Scene& scene) {
+    if (id == kBoxesOverlay) return std::nullopt;
+    const std::vector<MapSnapshot>& maps = mapsOf(snapshot);
+    const std::string option = commandLineOption(id);
+    if (maps.empty()) {
+        const AbsentShow absent = id == kBands ? noBands : id == kKernel ? noCells : noMap;
+        return absent(option, std::string(strategy), strategiesShowing(id));
+    }
+    const MapSnapshot& shown = shownOf(maps);
+    if (id == kBands) {
+        if (std::ranges::any_of(maps, [](const MapSnapshot& map) { return map.decision.bands.has_value(); })) return std::nullopt;
+        return bandsMissing(shown, option, scene);
+    }
+    if (id == kKernel) {
+        if (std::ranges::any_of(maps, hasKernel)) return std::nullopt;
+        if (auto missing = kernelMissing(shown, option, scene)) return missing;
+        return Message{"%1: the object \"%2\" is %3, so that its inner kernel is not shown. Choose another eye or target.",
+                       {option, nameOf(shown, scene), relationName(shown.decision.relation)}};
+    }
+    const bool needsKernel = id == kIndexMap && colouring == mapColouringId(MapColouring::Kernel) && shown.tree;
+    return needsKernel ? kernelMissing(shown, commandLineOption(id, colouring), scene) : std::nullopt;
+}
+
+std::vector<uint8_t> shownMapPicture(std::string_view colouring, const StructureSnapshot& snapshot, const Viewport& size,
+                                     const DrawStyle& style) {
+    return mapPicture(shownOf(mapsOf(snapshot)), mapColouringFromId(colouring), size, style);
+}
+
+std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene) {
+    if (mapsOf(snapshot).empty()) return {};
+    const MapSnapshot& map = shownOf(mapsOf(snapshot));
+    const SphericalDecision& decision = map.decision;
+    std::string text = "the bounding sphere of \"" + nameOf(map, scene) + "\" is " + relationName(decision.relation);
+    if (decision.region) text += ", case " + std::to_string(decision.region->caseNumber);
+    if (decision.walk) text += "; " + walkLine(*decision.walk);
+    return text;
+}
+
+void addMapStepsOf(const StructureSnapshot& snapshot, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) {
+    if (const MapSnapshot* map = mapOf(snapshot, instance)) addMapSteps(*map, triangle, steps);
+}
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "core/visibility/spherical/map_details.h"
+#include "core/visibility/strategy.h"
+
+namespace cullscope::spherical {
+
+/// The shows of strategies that decide by cells of maps: spheres with rays, contour bands, and the index map.
+[[nodiscard]] std::vector<Show> showsOfBands();
+/// The shows of strategies that decide by a quadtree over each map: spheres with cells, the inner kernel, and the index map.
+[[nodiscard]] std::vector<Show> showsOfCells();
+
+// What Strategy (strategy.h) says of a show, by the snapshot of a recorded frame.
+
+[[nodiscard]] std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context,
+                                                   const StructureSnapshot& snapshot);
+[[nodiscard]] std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colouring, std::string_view strategy,
+                                                  const StructureSnapshot& snapshot, const Scene& scene);
+[[nodiscard]] std::vector<uint8_t> shownMapPicture(std::string_view colouring, const StructureSnapshot& snapshot,
+                                                   const Viewport& size, const DrawStyle& style);
+[[nodiscard]] std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene);
+/// Appends the steps of the decision about a triangle (why.h).
+void addMapStepsOf(const StructureSnapshot& snapshot, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps);
+
+/// A strategy whose snapshots have MapDetails, with its id.
+template <typename OwnStructure>
+class StrategyWithMaps : public StrategyWith<OwnStructure> {
+public:
+    explicit StrategyWithMaps(std::string id) : m_id(std::move(id)) {}
+
+    [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
+                                                    const Structure& structure, const FrameLog& log) const final {
+        return mapOverlay(id, context, this->snapshot(structure, log));
+    }
+    [[nodiscard]] std::optional<Message> whyNotShown(std::string_view id, std::string_view colouring, const Structure& structure,
+                                                     const FrameLog& log) const final {
+        return whyNoMapShow(id, colouring, m_id, this->snapshot(structure, log), structure.scene());
+    }
+    [[nodiscard]] std::vector<uint8_t> picture(std::string_view /*id*/, std::string_view colouring, const Structure& structure,
+                                               const FrameLog& log, const Viewport& size, const DrawStyle& style) const final {
+        return shownMapPicture(colouring, this->snapshot(structure, log), size, style);
+    }
+    [[nodiscard]] std::string frameLine(const Structure& structure, const FrameLog& log) const final {
+        return mapLine(this->snapshot(structure, log), structure.scene());
+    }
+    void addWhySteps(const Structure& structure, const FrameLog& log, uint32_t instance, uint32_t triangle,
+                     std::vector<WhyStep>& steps) const final {
+        addMapStepsOf(this->snapshot(structure, log), instance, triangle, steps);
+    }
+
+private:
+    std::string m_id;
+};
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,272 @@
+#include "ui/families/spherical/map_painter.h"
+
+#include <QLinearGradient>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/spatial/spherical_triangle.h"
+#include "ui/families/spherical/map_overlay.h"
+#include "ui/families/spherical/map_words.h"
+#include "ui/look/verdict_swatch.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+namespace {
+
+constexpr double kMargin = 4.0;
+constexpr double kScaleLeading = 2.0;
+constexpr double kScaleWidth = 110.0;
+constexpr double kScaleGap = 5.0;
+
+double lineHeight(const QFontMetricsF& metrics) { return metrics.height() + kScaleLeading; }
+
+void append(std::vector<MapLegend::Entry>& entries, const std::vector<MapLegend::Entry>& more) {
+    entries.insert(entries.end(), more.begin(), more.end());
+}
+
+/// Values for which the legend reserves room: their labels are wider than most.
+constexpr double kUsualStep = 22.5 * std::numbers::pi / 180.0;
+constexpr uint32_t kUsualSector = 98;
+
+std::vector<MapLegend::Entry> symbols(const std::vector<MapSymbol>& which) {
+    std::vector<MapLegend::Entry> entries;
+    for (const MapSymbol symbol : which) entries.push_back({symbol, symbolWords(symbol), {}});
+    return entries;
+}
+
+std::vector<MapLegend::Entry> regionSymbols() {
+    using enum MapSymbol;
+    return symbols({Region, Box, CornerHit, CornerMiss, Walked});
+}
+
+std::vector<MapLegend::Entry> bandSymbols(double step, const std::optional<uint32_t>& sector) {
+    using enum MapSymbol;
+    std::vector<MapLegend::Entry> entries{{Contour, contourWords(step), {}}};
+    append(entries, symbols({RightAngle, Start, End}));
+    if (sector) entries.push_back({Sector, sectorWords(*sector), {}});
+    return entries;
+}
+
+std::vector<MapLegend::Entry> walkSymbols(bool horizon) {
+    std::vector<MapLegend::Entry> entries = symbols({MapSymbol::JudgedCell});
+    if (horizon) append(entries, symbols({MapSymbol::Horizon}));
+    return entries;
+}
+
+std::vector<MapLegend::Entry> stateEntries(const std::vector<TriangleState>& states, bool truthKnown) {
+    std::vector<MapLegend::Entry> entries;
+    for (const TriangleState state : states) entries.push_back({MapSymbol::Cells, stateWords(state, truthKnown), {}});
+    return entries;
+}
+
+/// All entries that a map's legend may have at once, for which room is reserved. Most maps show fewer states.
+std::vector<std::vector<MapLegend::Entry>> fullLegends(bool states, bool tree) {
+    using enum TriangleState;
+    if (tree) {
+        std::vector<MapLegend::Entry> walk;
+        if (states) walk = stateEntries({Visible, InVain, OutsideFrustum, BackFacing, Hidden}, true);
+        append(walk, walkSymbols(true));
+        return {walk};
+    }
+    std::vector<MapLegend::Entry> region, bands;
+    if (states) region = stateEntries({Visible, InVain, OutsideFrustum, WronglyCulled}, true);
+    bands = states ? stateEntries({Visible, InVain, Hidden, WronglyCulled}, true) : stateEntries({Hidden}, false);
+    append(region, regionSymbols());
+    append(bands, bandSymbols(kUsualStep, kUsualSector));
+    return {region, bands};
+}
+
+QRectF inner(const QRectF& place) { return place.adjusted(kMargin, 0, -kMargin, 0); }
+
+}  // namespace
+
+double MapPainter::neededHeight(double width, const QFontMetricsF& metrics) const {
+    const double across = width - 2 * kMargin;
+    return std::ceil(2 * lineHeight(metrics) + MapLayout::heightFor(across, metrics) + heightBelow(across, metrics) + kMargin);
+}
+
+double MapPainter::heightBelow(double width, const QFontMetricsF& metrics) const {
+    const bool states = colouring() == spherical::MapColouring::State;
+    double most = 0.0;
+    const bool tree = !contents().shown.empty() && contents().shown.map().tree;
+    for (std::vector<MapLegend::Entry>& entries : fullLegends(states, tree)) {
+        entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
+        most = std::max(most, MapLegend(std::move(entries), metrics).heightFor(width));
+    }
+    return most + (states ? 0.0 : lineHeight(metrics)) + wordsHeight(metrics);
+}
+
+double MapPainter::wordsHeight(const QFontMetricsF& metrics) const {
+    const ShownMap& shown = contents().shown;
+    if (shown.empty() || !shown.map().tree) return 0.0;
+    // The reason why there is no kernel may take two lines.
+    const bool filled = shown.map().kernel && shown.map().kernel->filled();
+    return (filled ? 2 : 3) * lineHeight(metrics);
+}
+
+std::vector<MapLegend::Entry> MapPainter::statesShown(const QPalette& palette) const {
+    std::vector<MapLegend::Entry> entries;
+    const std::vector<uint8_t>& cells = m_cells.tones().tones;
+    for (size_t number = 0; number < kTriangleStateCount; ++number) {
+        const auto state = TriangleState(number);
+        if (std::find(cells.begin(), cells.end(), CellTones::toneOf(state)) == cells.end()) continue;
+        entries.push_back({MapSymbol::Cells, stateWords(state, contents().truth != nullptr), verdictColour(state, palette)});
+    }
+    return entries;
+}
+
+QColor MapPainter::veiledColour(const QPalette& palette) const {
+    return MapColours(palette).veiled(QColor(toneColours(colouring(), palette)[CellTones::kTones / 2]));
+}
+
+MapLegend MapPainter::legend(const QFontMetricsF& metrics, const QPalette& palette) const {
+    std::vector<MapLegend::Entry> entries;
+    if (colouring() == spherical::MapColouring::State) entries = statesShown(palette);
+    if (m_cells.veiled()) entries.push_back({MapSymbol::Cells, stateWords(TriangleState::Hidden, false), veiledColour(palette)});
+    const spherical::SphericalDecision& decision = contents().shown.decision();
+    if (decision.bands) append(entries, bandSymbols(contourStep(*decision.bands), contents().sector));
+    if (decision.region) append(entries, regionSymbols());
+    if (decision.walk) append(entries, walkSymbols(!decision.walk->outline.empty()));
+    if (contents().picked) entries.push_back({MapSymbol::Picked, symbolWords(MapSymbol::Picked), {}});
+    return {std::move(entries), metrics};
+}
+
+MapLayout MapPainter::layout(const QRectF& place, const QFontMetricsF& metrics) const {
+    const QRectF within = inner(place);
+    return {within.adjusted(0, 2 * lineHeight(metrics), 0, -heightBelow(within.width(), metrics) - kMargin), metrics};
+}
+
+std::vector<SphericalGrid::Cell> MapPainter::cellsOf(const SphericalMaps& maps, uint32_t triangle) {
+    const auto [a, b, c] = maps.corners(triangle);
+    std::vector<SphericalGrid::Cell> cells;
+    SphericalTriangle(a, b, c).forEachCell(maps.grid(), [&](const SphericalGrid::Cell& cell) { cells.push_back(cell); });
+    return cells;
+}
+
+SphericalGrid::Cell MapPainter::centroidCell(const SphericalMaps& maps, uint32_t triangle) {
+    const auto [a, b, c] = maps.corners(triangle);
+    return maps.grid().cellOf((a + b + c) / 3.0);
+}
+
+void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& palette,
+                       const std::optional<SphericalGrid::Cell>& cursor) const {
+    const MapColours colours(palette);
+    const QFontMetricsF metrics(painter.font());
+    const ShownMap& shown = contents().shown;
+    const MapLayout layout = this->layout(place, metrics);
+    painter.save();
+    paintCaption(painter, inner(place), colours);
+    m_cells.paint(painter, layout.area, palette, colours.veil);
+    const MapOverlay overlay(painter, layout, colours);
+    overlay.paint(shown.map());
+    if (contents().sector) overlay.paintSector(*shown.decision().bands, *contents().sector);
+    if (contents().picked)
+        overlay.paintPicked(shown.grid(), cellsOf(shown.maps(), *contents().picked),
+                            centroidCell(shown.maps(), *contents().picked));
+    if (cursor) overlay.paintCursor(shown.grid(), *cursor);
+    paintAxes(painter, layout.area, colours);
+    QRectF below = inner(place);
+    below.setTop(layout.area.bottom() + metrics.height() + kMargin);
+    if (colouring() != spherical::MapColouring::State) {
+        paintScale(painter, below, palette);
+        below.setTop(below.top() + lineHeight(metrics));
+    }
+    paintWords(painter, below, colours);
+    below.setTop(below.top() + wordsHeight(metrics));
+    legend(metrics, palette).paint(painter, below, colours);
+    painter.restore();
+}
+
+void MapPainter::paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const {
+    const QFontMetricsF metrics(painter.font());
+    QRectF line(place.left(), place.top(), place.width(), metrics.height());
+    painter.setPen(colours.text);
+    painter.drawText(line, Qt::AlignLeft, metrics.elidedText(objectWords(contents().shown), Qt::ElideMiddle, line.width()));
+    line.translate(0, lineHeight(metrics));
+    QFont bold = painter.font();
+    const QFont plain = bold;
+    bold.setBold(true);
+    painter.setFont(bold);
+    painter.drawText(line, Qt::AlignLeft,
+                     QFontMetricsF(bold).elidedText(decisionWords(contents().shown), Qt::ElideRight, line.width()));
+    painter.setFont(plain);
+}
+
+void MapPainter::paintWords(QPainter& painter, const QRectF& place, const MapColours& colours) const {
+    const QFontMetricsF metrics(painter.font());
+    QRectF line(place.left(), place.top(), place.width(), metrics.height());
+    painter.setPen(colours.text);
+    const QStringList words = walkWords(contents().shown);
+    for (qsizetype i = 0; i < words.size(); ++i) {
+        // The last line takes the remaining height.
+        if (i + 1 == words.size()) line.setBottom(place.top() + wordsHeight(metrics));
+        painter.drawText(line, Qt::AlignLeft | Qt::TextWordWrap, words[i]);
+        line.translate(0, lineHeight(metrics));
+    }
+}
+
+void MapPainter::paintAxes(QPainter& painter, const QRectF& area, const MapColours& colours) {
+    const QFontMetricsF metrics(painter.font());
+    painter.setRenderHint(QPainter::Antialiasing, false);
+    painter.setPen(QPen(colours.faintText, 1.0));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawRect(area);
+    const auto degrees = [](int value) { return QStringLiteral("%1°").arg(value); };
+    constexpr double kTick = 3.0;
+    for (int phi = 0; phi <= 360; phi += 45) {
+        const double x = area.left() + phi / 360.0 * area.width();
+        painter.setPen(colours.faintText);
+        painter.drawLine(QPointF(x, area.bottom()), QPointF(x, area.bottom() + kTick));
+        if (phi % 90 != 0) continue;
+        painter.setPen(colours.text);
+        painter.drawText(QRectF(x - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignHCenter | Qt::AlignTop,
+                         degrees(phi));
+    }
+    for (int theta = 0; theta <= 180; theta += 45) {
+        const double y = area.top() + theta / 180.0 * area.height();
+        painter.setPen(colours.faintText);
+        painter.drawLine(QPointF(area.left() - kTick, y), QPointF(area.left(), y));
+        if (theta % 90 != 0) continue;
+        painter.setPen(colours.text);
+        painter.drawText(QRectF(area.left() - 66.0, y - metrics.height() / 2, 61.0, metrics.height()),
+                         Qt::AlignRight | Qt::AlignVCenter, degrees(theta));
+    }
+    const double step = area.width() / 8, down = area.height() / 4;
+    painter.drawText(QRectF(area.left() + 5 * step - 30.0, area.bottom() + kTick, 60.0, metrics.height()), Qt::AlignCenter,
+                     QStringLiteral("φ"));
+    painter.drawText(QRectF(area.left() - 66.0, area.top() + 3 * down - metrics.height() / 2, 61.0, metrics.height()),
+                     Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("θ"));
+}
+
+void MapPainter::paintScale(QPainter& painter, const QRectF& place, const QPalette& palette) const {
+    const QFontMetricsF metrics(painter.font());
+    const QList<QRgb> colours = toneColours(colouring(), palette);
+    const auto value = [this](double number) {
+        if (colouring() == spherical::MapColouring::Radius) return lengthText(number);
+        if (colouring() == spherical::MapColouring::Kernel)
+            return percentText(number / contents().shown.map().maps.sphere().radius) + QStringLiteral(" %");
+        return countText(uint64_t(number));
+    };
+    const QString least = value(m_cells.tones().least), most = value(m_cells.tones().most);
+    QPointF at = place.topLeft();
+    const auto say = [&](const QString& words) {
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(at + QPointF(0.0, metrics.ascent()), words);
+        at.rx() += metrics.horizontalAdvance(words) + kScaleGap;
+    };
+    say(least);
+    const QRectF bar(at, QSizeF(kScaleWidth, metrics.height() - 2.0));
+    QLinearGradient gradient(bar.topLeft(), bar.topRight());
+    constexpr int kStops = 16;
+    for (int stop = 0; stop <= kStops; ++stop)
+        gradient.setColorAt(double(stop) / kStops, QColor(colours[1 + stop * qsizetype(CellTones::kTones - 2) / kStops]));
+    painter.fillRect(bar, gradient);
+    at.rx() += kScaleWidth + kScaleGap;
+    say(most);
+    at.rx() += kScaleGap;
+    say(scaleWords(colouring()));
+}
+
+}  // namespace cullscope::ui
