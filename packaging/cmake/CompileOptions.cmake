@@ -9,7 +9,7 @@ target_compile_definitions(cullscope_options INTERFACE
   CULLSCOPE_VERSION="${PROJECT_VERSION}" GLM_FORCE_XYZW_ONLY GLM_FORCE_EXPLICIT_CTOR)
 
 if(CULLSCOPE_SANITIZE)
-  target_compile_options(cullscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer -g1)
+  target_compile_options(cullscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(cullscope_options INTERFACE -fsanitize=address,undefined)
 endif()
 

@@ -8,6 +8,7 @@
 
 #include "core/mesh/parametric.h"
 #include "core/spatial/cell_tree.h"
+#include "tests/support/long_mode.h"
 #include "tests/support/spherical_meshes.h"
 
 namespace cullscope::test {
@@ -32,11 +33,12 @@ inline std::string named(const TriangleMesh& mesh, const CellTree::Options& opti
     return mesh.name() + ", " + mapLayoutId(options.layout) + ", level " + std::to_string(options.level);
 }
 
-/// Calls check(tree) for every mesh with every combination of options.
+/// Calls check(tree) for every mesh with every combination of options; in small samples with one level of each layout.
 template <typename Check>
 void forAllTrees(const Check& check) {
     for (const MeshPointer& mesh : testedMeshes())
         for (const CellTree::Options& options : kAllOptions) {
+            if (fewSamples() && options.level != 4) continue;
             SCOPED_TRACE(named(*mesh, options));
             check(CellTree(mesh, options));
             if (testing::Test::HasFatalFailure()) return;

@@ -2,6 +2,7 @@
 #include "core/visibility/example/nearest.h"
 
 #include "core/mesh/parametric.h"
+#include "core/visibility/overlay.h"
 #include "core/visibility/why.h"
 #include "tests/support/culler.h"
 #include "tests/support/test_scenes.h"
@@ -38,6 +39,28 @@ TEST(AddingAStrategy, exampleDrawsTheNearestAndSaysWhy) {
     EXPECT_TRUE(says("It is number 4 by distance, 19 from the eye."));
     EXPECT_TRUE(says("The strategy leaves the object out: too small."));
     EXPECT_TRUE(says("The triangle is not given to OpenGL."));
+}
+
+TEST(AddingAStrategy, overlayOfTheExampleLeadsToEveryDrawnObject) {
+    const RegisteredStrategy strategy = example::nearest();
+    ASSERT_NE(strategy.info.show("sight-lines"), nullptr);
+    ParameterSet parameters(strategy.info.parameters);
+    parameters.setFromText("count", "3");
+    Culler culler(strategy, parameters);
+    const ScenePointer scene = row();
+    culler.build(*scene);
+    const Culled culled = culler.cull(ahead(), Recording::On);
+    const DrawStyle style;
+    const View viewing = ahead();
+    const OverlayContext context{*scene, viewing, style, {}, Vec3f(1.0f)};
+    const std::vector<OverlayLines> lines =
+        strategy.strategy->overlay("sight-lines", context, *culler.built()->structure(), culled.log);
+    ASSERT_EQ(lines.size(), 1u);
+    ASSERT_EQ(lines.front().lines.size(), 3u);
+    for (uint32_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(lines.front().lines[i].from, Vec3(0.0));
+        EXPECT_EQ(lines.front().lines[i].to, scene->instanceSphere(i).centre);
+    }
 }
 
 TEST(AddingAStrategy, exampleBuildsNothingWhenItsCountChanges) {
