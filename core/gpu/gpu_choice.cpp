@@ -87,9 +87,10 @@ Renderer::Choice Renderer::choose(const SceneBuffers& buffers, const GpuChoice& 
     return {buffers, choice.candidates, commands};
 }
 
-void Renderer::execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style) {
+void Renderer::execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style, bool cleared) {
     const DrawList& list = choice.m_candidates;
     const DrawingState state(view, target, list.facing, list.depth);
+    if (cleared) clearTo(style);
     glUseProgram(m_programs->lambert.id());
     glUniform3fv(kSurfaceColour, 1, glm::value_ptr(style.surface));
     VertexInput input(*choice.m_buffers, m_programs->vertexArray, list.order);

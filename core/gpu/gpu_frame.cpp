@@ -10,28 +10,28 @@ GpuFrame::GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& 
       m_renderer(renderer),
       m_buffers(buffers),
       m_style(style),
-      m_target(&target) {
-    m_renderer.clear(culling, target, style);
-}
+      m_target(&target) {}
 
 GpuFrame::GpuFrame(Renderer& renderer, const SceneBuffers& buffers, const View& culling, bool recording)
     : FrameContext(buffers.scene(), culling, recording), m_renderer(renderer), m_buffers(buffers) {}
 
 void GpuFrame::execute(const Command& command) {
-    if (m_target != nullptr) m_renderer.execute(m_buffers, view(), command, *m_target, m_style);
+    if (m_target != nullptr) m_renderer.execute(m_buffers, view(), command, *m_target, m_style, clearsNow());
 }
 
 void GpuFrame::executeChoice(const GpuChoice& choice, size_t command) {
     Renderer::Choice chosen = m_renderer.choose(m_buffers, choice);
     // Client memory cannot be drawn from indirectly: the choice is read back at once.
     const bool indirect = m_target != nullptr && m_buffers.upload() == Upload::Vbo;
-    if (indirect) m_renderer.execute(view(), chosen, *m_target, m_style);
+    if (indirect) m_renderer.execute(view(), chosen, *m_target, m_style, clearsNow());
     m_choices.push_back({command, std::move(chosen)});
     if (m_target != nullptr && !indirect)
-        m_renderer.execute(m_buffers, view(), m_choices.back().choice.chosen(), *m_target, m_style);
+        m_renderer.execute(m_buffers, view(), m_choices.back().choice.chosen(), *m_target, m_style, clearsNow());
 }
 
 void GpuFrame::readBack(FrameLog& log) {
+    // A frame that draws nothing shows the background.
+    if (m_target != nullptr && clearsNow()) m_renderer.clear(view(), *m_target, m_style);
     for (const PendingChoice& pending : m_choices) log.commands[pending.command] = pending.choice.chosen();
     m_choices.clear();
 }
@@ -46,10 +46,14 @@ std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, Bo
 }
 
 Framebuffer& GpuFrame::drawn() {
-    if (m_target != nullptr) return *m_target;
+    if (m_target != nullptr) {
+        if (clearsNow()) m_renderer.clear(view(), *m_target, m_style);
+        return *m_target;
+    }
     m_own = std::make_unique<Framebuffer>(view().viewport());
     m_target = m_own.get();
     m_renderer.clear(view(), *m_target, m_style);
+    m_cleared = true;
     size_t command = 0;
     for (const Command& logged : log().commands) {
         const auto isThis = [&](const PendingChoice& pending) { return pending.command == command; };

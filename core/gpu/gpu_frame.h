@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "core/gpu/renderer.h"
 
 namespace cullscope {
@@ -26,6 +28,8 @@ private:
         Renderer::Choice choice;
     };
 
+    /// Whether the next command is the first that is drawn into the target, and clears it.
+    [[nodiscard]] bool clearsNow() { return !std::exchange(m_cleared, true); }
     /// The target, with everything drawn that was logged.
     Framebuffer& drawn();
 
@@ -34,6 +38,7 @@ private:
     DrawStyle m_style;
     Framebuffer* m_target = nullptr;  ///< null: nothing had to be drawn yet
     std::unique_ptr<Framebuffer> m_own;
+    bool m_cleared = false;  ///< the target
     std::vector<PendingChoice> m_choices;
 };
 

@@ -57,7 +57,7 @@ void Renderer::clear(const View& view, Framebuffer& target, const DrawStyle& sty
 }
 
 void Renderer::execute(const SceneBuffers& buffers, const View& view, const Command& command, Framebuffer& target,
-                       const DrawStyle& style) {
+                       const DrawStyle& style, bool cleared) {
     if (const auto* picture = std::get_if<FinishedPicturePointer>(&command))
         return writePicture(buffers.scene(), view, **picture, style, target);
     const auto begin = [&] {
@@ -66,11 +66,13 @@ void Renderer::execute(const SceneBuffers& buffers, const View& view, const Comm
     };
     if (const auto* list = std::get_if<DrawList>(&command)) {
         const DrawingState state(view, target, list->facing, list->depth);
+        if (cleared) clearTo(style);
         begin();
         submitAll(buffers, view, *list, m_programs->vertexArray);
     }
     if (const auto* own = std::get_if<OwnTrianglesPointer>(&command)) {
         const DrawingState state(view, target, (*own)->facing, (*own)->depth);
+        if (cleared) clearTo(style);
         begin();
         OwnInput(**own, m_programs->vertexArray).draw(buffers.scene(), view, [](const OwnTriangles::Run&) {});
     }
@@ -79,8 +81,13 @@ void Renderer::execute(const SceneBuffers& buffers, const View& view, const Comm
 void Renderer::draw(const SceneBuffers& buffers, const View& view, const FrameLog& log, Framebuffer& target,
                     const DrawStyle& style) {
     if (!replaysFrom(view, log)) return draw(buffers, view, drawnTriangles(buffers.scene(), log), target, style);
-    clear(view, target, style);
-    for (const Command& command : log.commands) execute(buffers, view, command, target, style);
+    bool cleared = false;
+    for (const Command& command : log.commands) {
+        if (std::holds_alternative<AskedBoxes>(command)) continue;
+        execute(buffers, view, command, target, style, !cleared);
+        cleared = true;
+    }
+    if (!cleared) clear(view, target, style);
 }
 
 bool replaysFrom(const View& view, const FrameLog& log) {

@@ -86,10 +86,11 @@ public:
     /// picture is the frame's own. From any other place a finished picture is seen as the triangles that it shows.
     void draw(const SceneBuffers& buffers, const View& view, const FrameLog& log, Framebuffer& target,
               const DrawStyle& style = {});
-    /// The first step of `draw`, and one command: drawn into `target` over what is there.
+    /// The first step of `draw`, and one command: drawn into `target` over what is there, or (`cleared`) into the cleared target.
+    /// A software OpenGL draws what follows a clear at once much faster than what comes after the framebuffer was changed.
     void clear(const View& view, Framebuffer& target, const DrawStyle& style);
     void execute(const SceneBuffers& buffers, const View& view, const Command& command, Framebuffer& target,
-                 const DrawStyle& style);
+                 const DrawStyle& style, bool cleared = false);
 
     /// Ground truth: for every pixel the depth and the lowest triangle number (Scene numbering + 1; 0 = nothing) at that depth.
     /// Draws `list` in a depth pass with the same vertex program as `draw`, then with GL_EQUAL and an atomic minimum.
@@ -169,7 +170,7 @@ public:
     /// Has a compute shader choose among candidates. Throws Error(OpenGl) with the driver's log where the body is refused.
     [[nodiscard]] Choice choose(const SceneBuffers& buffers, const GpuChoice& choice);
     /// Draws what was chosen over what is in `target`. Needs buffer objects (Upload::Vbo).
-    void execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style);
+    void execute(const View& view, const Choice& choice, Framebuffer& target, const DrawStyle& style, bool cleared = false);
 
 private:
     struct Programs;
