@@ -24,8 +24,9 @@ FrameContext::FrameContext(const Scene& scene, const View& culling, bool recordi
 }
 
 void FrameContext::add(Command command) {
-    m_log.commands.push_back(std::move(command));
+    // Its entry in the log belongs to its execution, as a draw call's state does: what remains is the strategy's own time.
     const Clock::time_point start = Clock::now();
+    m_log.commands.push_back(std::move(command));
     execute(m_log.commands.back());
     m_drawingMilliseconds += millisecondsSince(start);
 }
@@ -43,10 +44,9 @@ void FrameContext::show(FinishedPicturePointer picture) {
 }
 
 void FrameContext::drawChosen(const GpuChoice& choice) {
-    DrawList chosen = choice.candidates;
-    chosen.ranges.clear();
-    m_log.commands.emplace_back(std::move(chosen));
     const Clock::time_point start = Clock::now();
+    DrawList chosen{choice.candidates.facing, {}, choice.candidates.order, choice.candidates.depth};
+    m_log.commands.emplace_back(std::move(chosen));
     executeChoice(choice, m_log.commands.size() - 1);
     m_drawingMilliseconds += millisecondsSince(start);
 }

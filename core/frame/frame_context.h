@@ -63,7 +63,7 @@ public:
     [[nodiscard]] Facing facing() const { return m_log.facing; }
     void setFacing(Facing facing) { m_log.facing = facing; }
 
-    /// Time spent in executing draw commands so far.
+    /// Time spent in executing and logging draw commands so far.
     [[nodiscard]] double drawingMilliseconds() const { return m_drawingMilliseconds; }
     void setCullMilliseconds(double milliseconds) { m_log.cullMilliseconds = milliseconds; }
     /// The frame's log, once; what the GPU chose is read back, for which a caller that measures waits first.

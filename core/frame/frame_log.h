@@ -61,7 +61,7 @@ struct FrameLog {
     std::shared_ptr<const FrameNotes> notes;  ///< null unless `recorded`
     FrameCounters counters;
     std::vector<Stage> stages;
-    double cullMilliseconds = 0.0;  ///< the whole frame without the execution of draw commands
+    double cullMilliseconds = 0.0;  ///< the whole frame without executing and logging draw commands
 
     /// What it gave to OpenGL; of a finished picture the triangles that it shows.
     [[nodiscard]] uint64_t consideredTriangles() const;

@@ -157,10 +157,23 @@ protected:
 
     void decide(FrameContext& frame, const ObjectBatches& batches, ViewState& /*state*/,
                 const ParameterSet& parameters) const override {
+        frame.draw(listed(frame, batches, boxTestFromId(parameters.choice("box"))));
+    }
+
+    [[nodiscard]] Promise promiseOf(const ObjectBatches& /*batches*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+    [[nodiscard]] StructureSnapshot snapshotOf(const ObjectBatches& batches, const FrameLog& log) const override {
+        return objectNodes(log, batches.scene());
+    }
+
+private:
+    [[nodiscard]] static DrawList listed(FrameContext& frame, const ObjectBatches& batches, BoxTest test) {
         std::optional<ObjectTests> tests;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("plane tests"));
-            tests.emplace(frame, batches, boxTestFromId(parameters.choice("box")));
+            tests.emplace(frame, batches, test);
         }
         DrawList list{frame.facing(), {}};
         {
@@ -176,15 +189,7 @@ protected:
             frame.counters().nodesVisited = frame.scene().instances().size();
             frame.counters().bytesTouched = batches.report.bytes;
         }
-        frame.draw(std::move(list));
-    }
-
-    [[nodiscard]] Promise promiseOf(const ObjectBatches& /*batches*/, const ParameterSet& /*parameters*/,
-                                    Facing /*facing*/) const override {
-        return Promise::Conservative;
-    }
-    [[nodiscard]] StructureSnapshot snapshotOf(const ObjectBatches& batches, const FrameLog& log) const override {
-        return objectNodes(log, batches.scene());
+        return list;
     }
 };
 

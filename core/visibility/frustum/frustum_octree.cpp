@@ -50,6 +50,22 @@ protected:
 
     void decide(FrameContext& frame, const ObjectOctree& structure, OctreeMemory& memory,
                 const ParameterSet& parameters) const override {
+        frame.draw(listed(frame, structure, memory, parameters));
+    }
+
+    [[nodiscard]] Promise promiseOf(const ObjectOctree& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+    [[nodiscard]] StructureSnapshot snapshotOf(const ObjectOctree& structure, const FrameLog& log) const override {
+        StructureSnapshot result = objectNodes(log, structure.scene());
+        addGroups(result, structure.octree, structure.scene(), log);
+        return result;
+    }
+
+private:
+    [[nodiscard]] static DrawList listed(FrameContext& frame, const ObjectOctree& structure, OctreeMemory& memory,
+                                         const ParameterSet& parameters) {
         OctreeWalkCounters counters;
         std::vector<KeptObject> kept;
         {
@@ -70,17 +86,7 @@ protected:
         counted.culledTriangles[size_t(Cause::OutsideFrustum)] = counters.trianglesCulled;
         counted.nodesVisited = counters.nodesVisited + counters.objectsTested;
         counted.bytesTouched = counters.nodesVisited * sizeof(InstanceOctree::Node) + counters.objectsTested * sizeof(Box3);
-        frame.draw(std::move(list));
-    }
-
-    [[nodiscard]] Promise promiseOf(const ObjectOctree& /*structure*/, const ParameterSet& /*parameters*/,
-                                    Facing /*facing*/) const override {
-        return Promise::Conservative;
-    }
-    [[nodiscard]] StructureSnapshot snapshotOf(const ObjectOctree& structure, const FrameLog& log) const override {
-        StructureSnapshot result = objectNodes(log, structure.scene());
-        addGroups(result, structure.octree, structure.scene(), log);
-        return result;
+        return list;
     }
 };
 

@@ -47,12 +47,15 @@ Picture opaquePicture() {
     return picture;
 }
 
-/// About that many bytes of JSON like a session's: braces, quotes, line breaks, Korean text.
+/// At least that many bytes of JSON like a session's: braces, quotes, line breaks, Korean text.
 std::string longText(size_t bytes) {
+    const auto view = [](size_t number) -> nlohmann::json {
+        const std::string name = "절두체 컬링 " + std::to_string(number);
+        return {{"이름", name}, {"path", "C:\\모델\\\"bunny\".obj"}, {"eye", {1.5, -2, 3e-7}}};
+    };
     nlohmann::json json;
-    for (size_t i = 0; json.dump(1).size() < bytes; ++i)
-        json["views"].push_back(
-            {{"이름", "절두체 컬링 " + std::to_string(i)}, {"path", "C:\\모델\\\"bunny\".obj"}, {"eye", {1.5, -2, 3e-7}}});
+    const size_t views = bytes / view(0).dump().size() + 1;
+    for (size_t i = 0; i < views; ++i) json["views"].push_back(view(i));
     return json.dump(1);
 }
 
