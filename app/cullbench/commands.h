@@ -27,6 +27,7 @@ void addExportCommand(CLI::App& app, Context& context);
 void addInspectCommand(CLI::App& app, Context& context);
 void addPathCommand(CLI::App& app, Context& context);
 void addReproduceCommand(CLI::App& app, Context& context);
+void addSweepCommand(CLI::App& app, Context& context);
 
 /// A progress bar on standard error where that is a terminal; none in a pipe.
 [[nodiscard]] Progress terminalProgress(const Context& context);
@@ -51,6 +52,21 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice);
 /// Strategies from `-s A,B:key=value` and `-p [A.]key=value`. Throws Error(Usage).
 [[nodiscard]] std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
                                                         const std::vector<std::string>& parameters);
+
+/// How `measure` and `sweep` measure.
+struct RunOptions {
+    std::string path;  ///< empty: the scene's default
+    std::string size = "640x480", upload = "vbo";
+    int windows = 1, repeat = 0;
+
+    /// Throws Error(Usage).
+    [[nodiscard]] Viewport viewport() const { return sizeFromText(size); }
+    [[nodiscard]] Upload uploadBy() const { return upload == "vbo" ? Upload::Vbo : Upload::VertexArray; }
+    [[nodiscard]] std::string pathFor(const Scene& scene) const { return path.empty() ? defaultPathName(scene) : path; }
+};
+void addRunOptions(CLI::App& command, RunOptions& options);
+/// `-s` and `-p`; `strategiesOf` reads them.
+void addStrategyOptions(CLI::App& command, std::vector<std::string>& strategies, std::vector<std::string>& parameters);
 
 /// Throws Error(OpenGl) with one sentence where this OpenGL does not meet a strategy's requirement.
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl);

@@ -111,6 +111,29 @@ std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
     return requests;
 }
 
+void addRunOptions(CLI::App& command, RunOptions& options) {
+    command.add_option("--path", options.path,
+                       "camera path: file or built-in name (default: fibonacci:16 for one object, walk:16 for many)");
+    command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
+    command.add_option("--windows", options.windows, "pictures a frame: 1, 4 or 8")
+        ->check(CLI::IsMember({1, 4, 8}))
+        ->capture_default_str();
+    command.add_option("--upload", options.upload, "vbo or vertex-array")
+        ->check(CLI::IsMember({"vbo", "vertex-array"}))
+        ->capture_default_str();
+    command.add_option("--repeat", options.repeat, "repetitions of each frame (default: until the median is steady)")
+        ->check(CLI::Range(1, 100000));
+}
+
+void addStrategyOptions(CLI::App& command, std::vector<std::string>& strategies, std::vector<std::string>& parameters) {
+    command.add_option("-s,--strategy", strategies, "strategies: A,B or A:key=value,key=value,B")
+        ->required()
+        ->delimiter(',')
+        ->allow_extra_args(false);
+    command.add_option("-p,--parameter", parameters, "parameter: A.key=value, or key=value for every strategy that has it")
+        ->allow_extra_args(false);
+}
+
 void requireAvailable(const StrategyRequest& request, const GlInfo& gl) {
     if (const std::optional<Message> why = unavailable(findStrategy(request.id).info, gl)) throw Error(ErrorKind::OpenGl, *why);
 }

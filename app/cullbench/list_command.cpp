@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/cullbench/commands.h"
-#include "core/experiments/paper_tables.h"
+#include "core/experiments/experiment_list.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -85,7 +85,7 @@ Json scenesJson() {
 
 Json experimentsJson() {
     Json list = Json::array();
-    for (const PaperExperiment& experiment : paperExperiments())
+    for (const Experiment& experiment : knownExperiments())
         list.push_back({{"id", experiment.id}, {"title", experiment.title}, {"source", experiment.source}});
     return list;
 }
@@ -125,7 +125,7 @@ void printScenes() {
 
 void printExperiments() {
     fmt::print("Experiments (cullbench reproduce ID)\n");
-    for (const PaperExperiment& experiment : paperExperiments())
+    for (const Experiment& experiment : knownExperiments())
         fmt::print("  {:<12} {}. {}\n", experiment.id, experiment.title, experiment.source);
 }
 

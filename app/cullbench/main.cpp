@@ -57,6 +57,7 @@ int run(int argc, char** argv) {
     addInspectCommand(app, context);
     addPathCommand(app, context);
     addReproduceCommand(app, context);
+    addSweepCommand(app, context);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& failure) {

@@ -12,10 +12,9 @@ namespace {
 
 struct MeasureOptions {
     SceneChoice scene;
-    std::string path, json, csv;
+    RunOptions run;
+    std::string json, csv;
     std::vector<std::string> strategies, parameters;
-    std::string size = "640x480", upload = "vbo";
-    int windows = 1, repeat = 0;
     bool noAccuracy = false;
 };
 
@@ -85,10 +84,10 @@ void printTable(const MeasureResult& result, FILE* out) {
 MeasureRequest requestOf(const MeasureOptions& options) {
     MeasureRequest request;
     request.strategies = strategiesOf(options.strategies, options.parameters);
-    request.size = sizeFromText(options.size);
-    request.windows = options.windows;
-    request.upload = options.upload == "vbo" ? Upload::Vbo : Upload::VertexArray;
-    request.timing.fixedRepetitions = options.repeat;
+    request.size = options.run.viewport();
+    request.windows = options.run.windows;
+    request.upload = options.run.uploadBy();
+    request.timing.fixedRepetitions = options.run.repeat;
     request.accuracy = !options.noAccuracy;
     return request;
 }
@@ -131,7 +130,7 @@ void run(const MeasureOptions& options, Context& context) {
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
     request.scene = opened.scene;
-    request.path = cameraPath(options.path.empty() ? defaultPathName(*opened.scene) : options.path, *opened.scene);
+    request.path = cameraPath(options.run.pathFor(*opened.scene), *opened.scene);
     const MeasureResult result = measure(request, terminalProgress(context));
     clearProgress();
     report(options, result);
@@ -144,24 +143,8 @@ void addMeasureCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("measure", "Times strategies side by side and counts what each one lost");
     auto options = std::make_shared<MeasureOptions>();
     addSceneOptions(*command, options->scene);
-    command->add_option("-s,--strategy", options->strategies, "strategies: A,B or A:key=value,key=value,B")
-        ->required()
-        ->delimiter(',')
-        ->allow_extra_args(false);
-    command
-        ->add_option("-p,--parameter", options->parameters, "parameter: A.key=value, or key=value for every strategy that has it")
-        ->allow_extra_args(false);
-    command->add_option("--path", options->path,
-                        "camera path: file or built-in name (default: fibonacci:16 for one object, walk:16 for many)");
-    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
-    command->add_option("--windows", options->windows, "pictures a frame: 1, 4 or 8")
-        ->check(CLI::IsMember({1, 4, 8}))
-        ->capture_default_str();
-    command->add_option("--upload", options->upload, "vbo or vertex-array")
-        ->check(CLI::IsMember({"vbo", "vertex-array"}))
-        ->capture_default_str();
-    command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
-        ->check(CLI::Range(1, 100000));
+    addStrategyOptions(*command, options->strategies, options->parameters);
+    addRunOptions(*command, options->run);
     command->add_flag("--no-accuracy", options->noAccuracy, "time only");
     command->add_option("--json", options->json, "result file; - is standard output");
     command->add_option("--csv", options->csv, "result file with one row a frame; - is standard output");

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "core/experiments/paper_rows.h"
 #include "core/experiments/result_file.h"
+#include "core/experiments/run_rows.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
 namespace {
 
-using Origin = PaperColumn::Origin;
+using Origin = ResultColumn::Origin;
 
 // ---- What the paper states
 
@@ -39,25 +39,25 @@ std::vector<Message> notes() {
                           "the frames per second. The paper counts no lost pixels."))};
 }
 
-std::vector<PaperColumn> columns() {
-    return {{"strategy", CULLSCOPE_TR("strategy"), Origin::Setting},
-            {"facing", CULLSCOPE_TR("sides drawn"), Origin::Setting},
-            {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Paper, 2},
+std::vector<ResultColumn> columns() {
+    return {{"strategy", CULLSCOPE_TR("strategy"), Origin::Axis},
+            {"facing", CULLSCOPE_TR("sides drawn"), Origin::Axis},
+            {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Stated, 2},
             {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
-            {"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Paper, 2},
+            {"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Stated, 2},
             {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
             {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
             {"fps_overall", CULLSCOPE_TR("fps, all views"), Origin::Measured, 1},
-            {"paper_speedup_vs_all", CULLSCOPE_TR("paper: × all"), Origin::Paper, 1},
+            {"paper_speedup_vs_all", CULLSCOPE_TR("paper: × all"), Origin::Stated, 1},
             {"speedup_vs_all", CULLSCOPE_TR("mean of the views' × all [95 %]"), Origin::Measured, 2},
             {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
-            {"paper_speedup_vs_all_max", CULLSCOPE_TR("paper: × all, max"), Origin::Paper, 1},
+            {"paper_speedup_vs_all_max", CULLSCOPE_TR("paper: × all, max"), Origin::Stated, 1},
             {"speedup_vs_all_max", CULLSCOPE_TR("× all, max"), Origin::Measured, 1},
             {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
-            {"paper_culled_fraction", CULLSCOPE_TR("paper: culled, %"), Origin::Paper, 0, 100.0},
+            {"paper_culled_fraction", CULLSCOPE_TR("paper: culled, %"), Origin::Stated, 0, 100.0},
             {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},
             {"culled_fraction_max", CULLSCOPE_TR("culled max, %"), Origin::Measured, 1, 100.0},
-            {"paper_cull_share", CULLSCOPE_TR("paper: culling, % of the frame"), Origin::Paper, 0, 100.0},
+            {"paper_cull_share", CULLSCOPE_TR("paper: culling, % of the frame"), Origin::Stated, 0, 100.0},
             {"cull_share", CULLSCOPE_TR("culling, % of the frame"), Origin::Measured, 2, 100.0},
             {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
             {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured},
@@ -75,22 +75,22 @@ LinePlot framesByViewpoint() {
     return plot;
 }
 
-PaperSetting walkThroughTheField() {
-    PaperSetting setting;
+Setting walkThroughTheField() {
+    Setting setting;
     setting.scene = "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5";
     setting.strategies = {kAllId,           "frustum-select", "frustum:facing=two-sided", kBackfaceId, "frustum",
                           "frustum-octree", "frustum-query",  "spherical-lossless"};
     setting.shown = "frustum";
     setting.path = "walk:" + std::to_string(kViewpoints);
     setting.size = kSize;
-    setting.paper[kAllId] = {{"paper_fps_mean", kFpsOfAll}, {"paper_fps_max", kFpsOfAll}};
+    setting.stated[kAllId] = {{"paper_fps_mean", kFpsOfAll}, {"paper_fps_max", kFpsOfAll}};
     for (const char* culled : {"frustum-select", "frustum:facing=two-sided"})
-        setting.paper[culled] = {{"paper_fps_mean", kMeanFps},
-                                 {"paper_fps_max", kMostFps},
-                                 {"paper_speedup_vs_all", kSpeedup},
-                                 {"paper_speedup_vs_all_max", kMostFps / kFpsOfAll},
-                                 {"paper_culled_fraction", kCulledFraction},
-                                 {"paper_cull_share", kCullShare}};
+        setting.stated[culled] = {{"paper_fps_mean", kMeanFps},
+                                  {"paper_fps_max", kMostFps},
+                                  {"paper_speedup_vs_all", kSpeedup},
+                                  {"paper_speedup_vs_all_max", kMostFps / kFpsOfAll},
+                                  {"paper_culled_fraction", kCulledFraction},
+                                  {"paper_cull_share", kCullShare}};
     return setting;
 }
 
@@ -117,23 +117,22 @@ double largestCulledFraction(const RunMeasurement& run, const Scene& scene) {
     return 1.0 - double(least) / double(scene.triangleCount());
 }
 
-void addCullingRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
+Rows cullingRows(const Setting& setting, const MeasureResult& result) {
     const RunMeasurement* all = directRendering(result);
+    Rows rows;
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
-        PaperCells cells = rowCells(setting, run);
+        Cells cells = rowCells(setting, run);
         cells["facing"] = std::string(facingId(run.facing));
-        cells["fps_overall"] = run.summary.fpsOverall;
         if (all != nullptr) cells["speedup_vs_all_max"] = largestSpeedup(run, *all);
-        cells["culled_fraction"] = run.summary.culledFraction;
         cells["culled_fraction_max"] = largestCulledFraction(run, *result.request.scene);
-        cells["cull_share"] = run.summary.cullShare;
-        table.addRow(cells);
+        rows.push_back(std::move(cells));
     }
+    return rows;
 }
 
 /// Runs of one strategy have one colour; those that draw front faces only are dashed; the baselines are grey.
-void plotRuns(PaperTable& table, const PaperSetting& /*setting*/, const MeasureResult& result) {
+void plotRuns(ResultTable& table, const Setting& /*setting*/, const MeasureResult& result) {
     LinePlot& plot = table.plots.front();
     plot.lines.clear();
     std::vector<std::string> ids;
@@ -153,17 +152,17 @@ void plotRuns(PaperTable& table, const PaperSetting& /*setting*/, const MeasureR
 
 }  // namespace
 
-PaperExperiment choFigure6() {
-    PaperExperiment experiment;
+Experiment choFigure6() {
+    Experiment experiment;
     experiment.id = "vfc-40-views";
     experiment.title = CULLSCOPE_TR("400 bunnies from 40 viewpoints: view-frustum culling");
     experiment.source = "Cho et al., Figure 6";
     experiment.notes = notes();
     experiment.columns = columns();
-    experiment.plots = {framesByViewpoint()};
+    experiment.plots = {{framesByViewpoint()}};
     experiment.settings = {walkThroughTheField()};
-    experiment.addMeasured = addCullingRuns;
-    experiment.plotMeasured = plotRuns;
+    experiment.rowsOfRuns = cullingRows;
+    experiment.plotFrames = plotRuns;
     return experiment;
 }
 

@@ -4,15 +4,14 @@
 #include <array>
 #include <optional>
 
-#include "core/experiments/paper_rows.h"
+#include "core/experiments/run_rows.h"
 #include "core/scene/frustum_share.h"
 #include "core/spatial/spherical_maps.h"
 
 namespace cullscope {
 namespace {
 
-using Origin = PaperColumn::Origin;
-using Cells = PaperCells;
+using Origin = ResultColumn::Origin;
 
 constexpr const char* kSource = "Han & Hong 2008";
 constexpr const char* kBunny = "mesh:bunny,triangles=144046";
@@ -77,32 +76,34 @@ Message disagreementNote() {
 // ---- Table 1
 
 /// One structure: the paper's megabytes, its formula's bytes, and ours.
-void addStructure(PaperTable& table, const char* name, std::optional<double> stated, std::optional<double> formulaBytes,
-                  uint64_t bytes, std::optional<double> milliseconds) {
+void addStructure(Rows& rows, const char* name, std::optional<double> stated, std::optional<double> formulaBytes, uint64_t bytes,
+                  std::optional<double> milliseconds) {
     Cells cells{{"structure", std::string(name)}, {"bytes", double(bytes)}, {"megabytes", double(bytes) / kMegabyte}};
     if (stated) cells["paper_megabytes"] = *stated;
     if (formulaBytes) cells["paper_formula_megabytes"] = *formulaBytes / kMegabyte;
     if (milliseconds) cells["build_ms"] = *milliseconds;
-    table.addRow(cells);
+    rows.push_back(std::move(cells));
 }
 
-void addStructures(PaperTable& table, const Scene& scene, const Progress& progress) {
+Rows structureRows(const Setting& /*setting*/, const ScenePointer& scene, const Progress& progress) {
     constexpr double kCells = double(SphericalGrid::kColumns) * SphericalGrid::kRows;
-    const SphericalMaps maps(scene.meshes().front(), SphericalGrid(), progress);
+    const SphericalMaps maps(scene->meshes().front(), SphericalGrid(), progress);
     const SphericalMaps::Bytes bytes = maps.bytes();
     const SphericalMaps::BuildTimes& times = maps.buildTimes();
     // float × 4 × faces; float × 2 × 360 × 180 × faces; unsigned int × 4 × 360 × 180
     const double centroid = 4 * 4 * kFaces, index = 4 * 2 * kCells * kFaces, access = 4 * 4 * kCells;
-    addStructure(table, CULLSCOPE_TR("model"), 10.0, std::nullopt, scene.bytes(), std::nullopt);
-    addStructure(table, CULLSCOPE_TR("centroid map"), 4.3, centroid, bytes.centroidMap, times.centroidMap);
-    addStructure(table, CULLSCOPE_TR("triangle index map"), 6.7, index, bytes.indexMap, times.indexMap);
-    addStructure(table, CULLSCOPE_TR("memory access map"), 0.51, access, bytes.accessMap, times.accessMap);
-    addStructure(table, CULLSCOPE_TR("the three maps"), 4.3 + 6.7 + 0.51, centroid + index + access, bytes.all(),
+    Rows rows;
+    addStructure(rows, CULLSCOPE_TR("model"), 10.0, std::nullopt, scene->bytes(), std::nullopt);
+    addStructure(rows, CULLSCOPE_TR("centroid map"), 4.3, centroid, bytes.centroidMap, times.centroidMap);
+    addStructure(rows, CULLSCOPE_TR("triangle index map"), 6.7, index, bytes.indexMap, times.indexMap);
+    addStructure(rows, CULLSCOPE_TR("memory access map"), 0.51, access, bytes.accessMap, times.accessMap);
+    addStructure(rows, CULLSCOPE_TR("the three maps"), 4.3 + 6.7 + 0.51, centroid + index + access, bytes.all(),
                  times.centroidMap + times.indexMap + times.accessMap);
+    return rows;
 }
 
-PaperExperiment table1() {
-    PaperExperiment experiment;
+Experiment table1() {
+    Experiment experiment;
     experiment.id = "table-1";
     experiment.title = CULLSCOPE_TR("Sizes of the three structures");
     experiment.source = std::string(kSource) + ", Table 1";
@@ -113,23 +114,23 @@ PaperExperiment table1() {
         note(CULLSCOPE_TR("In the paper's table the contents stand in the wrong columns: count, start and reference belong to "
                           "the memory access map.")),
         note(CULLSCOPE_TR("All at 360 × 180 cells; 1 MB is 1,000,000 bytes."))};
-    experiment.columns = {{"structure", CULLSCOPE_TR("structure"), Origin::Setting},
-                          {"paper_megabytes", CULLSCOPE_TR("paper: MB"), Origin::Paper, 2},
-                          {"paper_formula_megabytes", CULLSCOPE_TR("paper's formula: MB"), Origin::Paper, 2},
+    experiment.columns = {{"structure", CULLSCOPE_TR("structure"), Origin::Axis},
+                          {"paper_megabytes", CULLSCOPE_TR("paper: MB"), Origin::Stated, 2},
+                          {"paper_formula_megabytes", CULLSCOPE_TR("paper's formula: MB"), Origin::Stated, 2},
                           {"megabytes", CULLSCOPE_TR("here: MB"), Origin::Measured, 2},
                           {"bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
                           {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1}};
-    PaperSetting setting;
+    Setting setting;
     setting.scene = kBunny;
     experiment.settings = {setting};
-    experiment.addBuilt = addStructures;
+    experiment.measured = structureRows;
     return experiment;
 }
 
 // ---- Tables 2 to 5: rows
 
 /// How often each of the cases 1 to 3 occurred, as in "1 ×11, 2 ×1"; empty where none did.
-PaperValue casesFound(const RunMeasurement& run) {
+CellValue casesFound(const RunMeasurement& run) {
     std::map<int, int> counts;
     for (const FrameMeasurement& frame : run.frames)
         for (const NamedFigure& figure : frame.figures)
@@ -137,7 +138,7 @@ PaperValue casesFound(const RunMeasurement& run) {
     std::string words;
     for (const auto& [number, count] : counts)
         words += (words.empty() ? "" : ", ") + std::to_string(number) + " ×" + std::to_string(count);
-    return words.empty() ? PaperValue() : PaperValue(words);
+    return words.empty() ? CellValue() : CellValue(words);
 }
 
 /// Faces that intersect the frustum by an exact test, back faces included: the mean over the poses measured.
@@ -149,8 +150,9 @@ double facesInFrustum(const MeasureResult& result) {
     return faces / double(result.runs.front().frames.size());
 }
 
-void addSphericalRuns(PaperTable& table, const PaperSetting& setting, const MeasureResult& result) {
-    if (result.runs.empty() || result.runs.front().frames.empty()) return;
+Rows sphericalRows(const Setting& setting, const MeasureResult& result) {
+    Rows rows;
+    if (result.runs.empty() || result.runs.front().frames.empty()) return rows;
     const double inFrustum = facesInFrustum(result);
     for (const RunMeasurement& run : result.runs) {
         Cells cells = rowCells(setting, run);
@@ -159,33 +161,34 @@ void addSphericalRuns(PaperTable& table, const PaperSetting& setting, const Meas
         cells["considered_triangles"] = considered / double(run.frames.size());
         cells["triangles_in_frustum"] = inFrustum;
         cells["cases"] = casesFound(run);
-        table.addRow(cells);
+        rows.push_back(std::move(cells));
     }
+    return rows;
 }
 
 /// The columns that every timed table has: `setting` and `paper` first.
-std::vector<PaperColumn> timedColumns(std::vector<PaperColumn> setting, const std::vector<PaperColumn>& paper) {
-    setting.push_back({"strategy", CULLSCOPE_TR("strategy"), Origin::Setting});
+std::vector<ResultColumn> timedColumns(std::vector<ResultColumn> setting, const std::vector<ResultColumn>& paper) {
+    setting.push_back({"strategy", CULLSCOPE_TR("strategy"), Origin::Axis});
     setting.insert(setting.end(), paper.begin(), paper.end());
-    const std::vector<PaperColumn> measured{{"considered_triangles", CULLSCOPE_TR("faces"), Origin::Measured},
-                                            {"triangles_in_frustum", CULLSCOPE_TR("in frustum"), Origin::Measured},
-                                            {"cases", CULLSCOPE_TR("cases found"), Origin::Measured},
-                                            {"poses", CULLSCOPE_TR("views"), Origin::Measured},
-                                            {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
-                                            {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
-                                            {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
-                                            {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
-                                            {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
-                                            {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
-                                            {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
-                                            {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
+    const std::vector<ResultColumn> measured{{"considered_triangles", CULLSCOPE_TR("faces"), Origin::Measured},
+                                             {"triangles_in_frustum", CULLSCOPE_TR("in frustum"), Origin::Measured},
+                                             {"cases", CULLSCOPE_TR("cases found"), Origin::Measured},
+                                             {"poses", CULLSCOPE_TR("views"), Origin::Measured},
+                                             {"fps_max", CULLSCOPE_TR("fps max"), Origin::Measured, 1},
+                                             {"fps_min", CULLSCOPE_TR("fps min"), Origin::Measured, 1},
+                                             {"fps_mean", CULLSCOPE_TR("fps mean"), Origin::Measured, 1},
+                                             {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
+                                             {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+                                             {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
+                                             {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
+                                             {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
     setting.insert(setting.end(), measured.begin(), measured.end());
     return setting;
 }
 
-const std::vector<PaperColumn>& paperFpsColumns() {
-    static const std::vector<PaperColumn> kColumns{{"paper_fps", CULLSCOPE_TR("paper: fps"), Origin::Paper},
-                                                   {"paper_speedup_vs_all", CULLSCOPE_TR("paper: × all"), Origin::Paper, 2}};
+const std::vector<ResultColumn>& paperFpsColumns() {
+    static const std::vector<ResultColumn> kColumns{{"paper_fps", CULLSCOPE_TR("paper: fps"), Origin::Stated},
+                                                    {"paper_speedup_vs_all", CULLSCOPE_TR("paper: × all"), Origin::Stated, 2}};
     return kColumns;
 }
 
@@ -193,8 +196,8 @@ const std::vector<PaperColumn>& paperFpsColumns() {
 
 std::string sizeText(Viewport size) { return std::to_string(size.width) + "×" + std::to_string(size.height); }
 
-PaperSetting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
-    PaperSetting setting;
+Setting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
+    Setting setting;
     setting.scene = kBunny;
     setting.strategies = {kAllId, kBackfaceId, "spherical"};
     setting.shown = "spherical";
@@ -208,59 +211,59 @@ PaperSetting timedSetting(const std::string& path, Viewport size, int windows, U
     return setting;
 }
 
-void addCases(PaperExperiment& experiment, const Cases& rows, Viewport size, int windows) {
+void addCases(Experiment& experiment, const Cases& rows, Viewport size, int windows) {
     for (size_t i = 0; i < rows.size(); ++i) {
         const std::string path = "case-" + std::to_string(i + 1);
-        PaperSetting setting = timedSetting(path, size, windows, Upload::Vbo);
+        Setting setting = timedSetting(path, size, windows, Upload::Vbo);
         setting.labels["case"] = double(i + 1);
-        setting.paper[kAllId] = {{"paper_fps", rows[i].fpsAll}};
-        setting.paper["spherical"] = {{"paper_fps", rows[i].fpsProposed},
-                                      {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
+        setting.stated[kAllId] = {{"paper_fps", rows[i].fpsAll}};
+        setting.stated["spherical"] = {{"paper_fps", rows[i].fpsProposed},
+                                       {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
         experiment.settings.push_back(setting);
     }
 }
 
-PaperExperiment casesExperiment(const char* id, const char* title, const char* table) {
-    PaperExperiment experiment;
+Experiment casesExperiment(const char* id, const char* title, const char* table) {
+    Experiment experiment;
     experiment.id = id;
     experiment.title = title;
     experiment.source = std::string(kSource) + ", " + table;
     experiment.notes = {facesNote(), consideredNote(), baselineNote(), lossNote(), machineNote()};
-    experiment.addMeasured = addSphericalRuns;
+    experiment.rowsOfRuns = sphericalRows;
     return experiment;
 }
 
-const PaperColumn& caseColumn() {
-    static const PaperColumn kColumn{"case", CULLSCOPE_TR("case"), Origin::Setting};
+const ResultColumn& caseColumn() {
+    static const ResultColumn kColumn{"case", CULLSCOPE_TR("case"), Origin::Axis};
     return kColumn;
 }
 
-PaperExperiment table2() {
-    PaperExperiment experiment =
+Experiment table2() {
+    Experiment experiment =
         casesExperiment("table-2", CULLSCOPE_TR("One window of 320 × 240, the object cut by the frustum"), "Table 2");
-    std::vector<PaperColumn> paper = paperFpsColumns();
-    paper.insert(paper.begin(), {"paper_faces", CULLSCOPE_TR("paper: faces"), Origin::Paper});
+    std::vector<ResultColumn> paper = paperFpsColumns();
+    paper.insert(paper.begin(), {"paper_faces", CULLSCOPE_TR("paper: faces"), Origin::Stated});
     experiment.columns = timedColumns({caseColumn()}, paper);
     addCases(experiment, kTable2, kSmall, 1);
     for (size_t i = 0; i < experiment.settings.size(); ++i) {
-        experiment.settings[i].paper[kAllId]["paper_faces"] = kFacesOfTable2;
-        experiment.settings[i].paper["spherical"]["paper_faces"] = kConsideredOfTable2[i];
+        experiment.settings[i].stated[kAllId]["paper_faces"] = kFacesOfTable2;
+        experiment.settings[i].stated["spherical"]["paper_faces"] = kConsideredOfTable2[i];
     }
     return experiment;
 }
 
-PaperExperiment table3() {
-    PaperExperiment experiment = casesExperiment("table-3", CULLSCOPE_TR("Four windows, of two sizes"), "Table 3");
-    experiment.columns = timedColumns({{"size", CULLSCOPE_TR("size"), Origin::Setting}, caseColumn()}, paperFpsColumns());
+Experiment table3() {
+    Experiment experiment = casesExperiment("table-3", CULLSCOPE_TR("Four windows, of two sizes"), "Table 3");
+    experiment.columns = timedColumns({{"size", CULLSCOPE_TR("size"), Origin::Axis}, caseColumn()}, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
     addCases(experiment, kTable3Small, kSmall, 4);
     addCases(experiment, kTable3Large, kLarge, 4);
     return experiment;
 }
 
-PaperExperiment table4() {
-    PaperExperiment experiment = casesExperiment("table-4", CULLSCOPE_TR("Four and eight windows of 320 × 240"), "Table 4");
-    experiment.columns = timedColumns({{"windows", CULLSCOPE_TR("windows"), Origin::Setting}, caseColumn()}, paperFpsColumns());
+Experiment table4() {
+    Experiment experiment = casesExperiment("table-4", CULLSCOPE_TR("Four and eight windows of 320 × 240"), "Table 4");
+    experiment.columns = timedColumns({{"windows", CULLSCOPE_TR("windows"), Origin::Axis}, caseColumn()}, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
     addCases(experiment, kTable4Four, kSmall, 4);
     addCases(experiment, kTable4Eight, kSmall, 8);
@@ -273,22 +276,22 @@ Cells rangeCells(const Range& range) {
     return {{"paper_fps_max", range.most}, {"paper_fps_min", range.least}, {"paper_fps_mean", range.mean}};
 }
 
-void addInside(PaperExperiment& experiment, Upload upload, const Range& all, const Range& proposed) {
-    PaperSetting setting = timedSetting("fibonacci:12", kLarge, 1, upload);
+void addInside(Experiment& experiment, Upload upload, const Range& all, const Range& proposed) {
+    Setting setting = timedSetting("fibonacci:12", kLarge, 1, upload);
     setting.strategies.push_back("spherical-horizon");
-    setting.paper[kAllId] = rangeCells(all);
-    setting.paper["spherical"] = rangeCells(proposed);
-    setting.paper["spherical"]["paper_speedup_vs_all"] = proposed.mean / all.mean;
+    setting.stated[kAllId] = rangeCells(all);
+    setting.stated["spherical"] = rangeCells(proposed);
+    setting.stated["spherical"]["paper_speedup_vs_all"] = proposed.mean / all.mean;
     experiment.settings.push_back(setting);
 }
 
-PaperExperiment table5() {
-    PaperExperiment experiment =
+Experiment table5() {
+    Experiment experiment =
         casesExperiment("table-5", CULLSCOPE_TR("One window of 640 × 480, the object inside the frustum"), "Table 5");
-    experiment.columns = timedColumns({{"upload", CULLSCOPE_TR("upload"), Origin::Setting}},
-                                      {{"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Paper},
-                                       {"paper_fps_min", CULLSCOPE_TR("paper: fps min"), Origin::Paper},
-                                       {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Paper},
+    experiment.columns = timedColumns({{"upload", CULLSCOPE_TR("upload"), Origin::Axis}},
+                                      {{"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Stated},
+                                       {"paper_fps_min", CULLSCOPE_TR("paper: fps min"), Origin::Stated},
+                                       {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Stated},
                                        paperFpsColumns().back()});
     experiment.notes.push_back(note(CULLSCOPE_TR(
         "The paper has \"10 or more\" views and does not say which: here 12, evenly around the object at three radii, all "
@@ -300,6 +303,6 @@ PaperExperiment table5() {
 
 }  // namespace
 
-std::vector<PaperExperiment> hanHongTables() { return {table1(), table2(), table3(), table4(), table5()}; }
+std::vector<Experiment> hanHongTables() { return {table1(), table2(), table3(), table4(), table5()}; }
 
 }  // namespace cullscope

@@ -2,9 +2,76 @@
 
 #include <algorithm>
 
+#include "core/experiments/run_rows.h"
 #include "core/visibility/registry.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope {
+namespace {
+
+using Origin = ResultColumn::Origin;
+
+Axis axisOf(const ParameterSweep& sweep) {
+    return {sweep.key, sweep.key, Axis::Kind::Parameter, {sweep.values.begin(), sweep.values.end()}, sweep.strategy};
+}
+
+std::vector<ResultColumn> sweepColumns() {
+    return {{"strategy", CULLSCOPE_TR("strategy"), Origin::Axis},
+            {"parameter", CULLSCOPE_TR("parameter"), Origin::Axis},
+            {"value", CULLSCOPE_TR("value"), Origin::Axis},
+            {"fps_overall", CULLSCOPE_TR("fps, all views"), Origin::Measured, 1},
+            {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
+            {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
+            {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},
+            {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
+            {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
+            {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured},
+            {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 1},
+            {"structure_bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
+            {"poses", CULLSCOPE_TR("views"), Origin::Measured}};
+}
+
+/// Speed against loss: a line for each sweep, a point for what lies on none.
+RowPlot speedAgainstLoss() {
+    RowPlot described;
+    described.plot.title = CULLSCOPE_TR("Speed against loss");
+    described.plot.x = {CULLSCOPE_TR("× backface"), PlotScale::Linear, 0.0, 0.0, true};
+    described.plot.y = {CULLSCOPE_TR("missed pixels, share"), PlotScale::Linear, 0.0, 0.0, true};
+    described.x = "ratio_to_backface";
+    described.y = {{"missed_pixel_rate"}};
+    described.lines = {"strategy", "parameter"};
+    return described;
+}
+
+const RunMeasurement* runOf(const MeasureResult& result, const StrategyRequest& request) {
+    const auto found = std::find_if(result.runs.begin(), result.runs.end(), [&](const RunMeasurement& run) {
+        return run.strategy.id == request.id && run.strategy.parameters == request.parameters;
+    });
+    return found == result.runs.end() || found->frames.empty() ? nullptr : &*found;
+}
+
+Rows sweepRows(const std::vector<Axis>& axes, const Setting& setting, const MeasureResult& result) {
+    Rows rows;
+    std::vector<const RunMeasurement*> onSweeps;
+    for (const Axis& axis : axes)
+        for (const CellValue& value : axis.values) {
+            StrategyRequest request = strategyFromText(axis.strategy);
+            request.parameters.setFromText(axis.key, std::get<std::string>(value));
+            const RunMeasurement* run = runOf(result, request);
+            if (run == nullptr) continue;
+            onSweeps.push_back(run);
+            rows.push_back(rowCells(setting, *run));
+            rows.back()["strategy"] = axis.strategy;
+            rows.back()["parameter"] = axis.key;
+            rows.back()["value"] = value;
+        }
+    for (const RunMeasurement& run : result.runs)
+        if (!run.frames.empty() && std::find(onSweeps.begin(), onSweeps.end(), &run) == onSweeps.end())
+            rows.push_back(rowCells(setting, run));
+    return rows;
+}
+
+}  // namespace
 
 const std::vector<ParameterSweep>& builtInSweeps() {
     static const std::vector<ParameterSweep> kSweeps = [] {
@@ -17,18 +84,20 @@ const std::vector<ParameterSweep>& builtInSweeps() {
     return kSweeps;
 }
 
-std::vector<StrategyRequest> requestsOf(const std::vector<ParameterSweep>& chosen) {
-    std::vector<StrategyRequest> requests;
-    for (const ParameterSweep& sweep : chosen)
-        for (const std::string& value : sweep.values) {
-            StrategyRequest request{sweep.strategy, ParameterSet(findStrategy(sweep.strategy).info.parameters)};
-            request.parameters.setFromText(sweep.key, value);
-            const bool known = std::any_of(requests.begin(), requests.end(), [&](const StrategyRequest& other) {
-                return other.id == request.id && other.parameters == request.parameters;
-            });
-            if (!known) requests.push_back(std::move(request));
-        }
-    return requests;
+Experiment sweepExperiment(const std::vector<ParameterSweep>& sweeps, const std::vector<std::string>& beside) {
+    Experiment experiment;
+    experiment.id = "sweep";
+    experiment.title = CULLSCOPE_TR("Speed against loss");
+    for (const ParameterSweep& sweep : sweeps) experiment.axes.push_back(axisOf(sweep));
+    Setting common;
+    common.strategies = beside;
+    experiment.settings = settingsOf(experiment.axes, common);
+    experiment.columns = sweepColumns();
+    experiment.plots = {speedAgainstLoss()};
+    experiment.rowsOfRuns = [axes = experiment.axes](const Setting& setting, const MeasureResult& result) {
+        return sweepRows(axes, setting, result);
+    };
+    return experiment;
 }
 
 }  // namespace cullscope

@@ -3,14 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "core/measure/meter.h"
+#include "core/experiments/experiment.h"
 
 namespace cullscope {
 
-/// One parameter of a strategy over several values, all others at their defaults: one line of the plot of speed against lost
-/// pixels.
+/// One parameter of a strategy over several values: one line of the plot of speed against lost pixels.
 struct ParameterSweep {
-    std::string strategy;
+    std::string strategy;  ///< as `strategyFromText` reads it; its other parameters stay as they are there
     std::string key;
     std::vector<std::string> values;  ///< as on the command line
     std::string automatic{};          ///< the value with which the strategy chooses itself; empty: there is none
@@ -19,7 +18,10 @@ struct ParameterSweep {
 /// The sweeps that the strategies declare.
 [[nodiscard]] const std::vector<ParameterSweep>& builtInSweeps();
 
-/// The strategies with parameters that the sweeps need measured; each once, also where several sweeps contain it.
-[[nodiscard]] std::vector<StrategyRequest> requestsOf(const std::vector<ParameterSweep>& chosen);
+/// Sweeps as an experiment of one setting, each an axis: all their values are measured in turns, each strategy once, also where
+/// several sweeps contain it. A row is one value of one sweep. `beside`: strategies measured along with them, as
+/// `strategyFromText` reads them, with a row each. The caller states scene, path and size. Throws Error(Usage) for a strategy,
+/// parameter or value that does not exist.
+[[nodiscard]] Experiment sweepExperiment(const std::vector<ParameterSweep>& sweeps, const std::vector<std::string>& beside = {});
 
 }  // namespace cullscope

@@ -2095,6 +2095,26 @@
         <source>mean of the views&apos; × all [95 %]</source>
         <translation>시점별 × all의 평균 [95 %]</translation>
     </message>
+    <message>
+        <source>parameter</source>
+        <translation>매개변수</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>Speed against loss</source>
+        <translation>속도와 손실</translation>
+    </message>
+    <message>
+        <source>× backface</source>
+        <translation>× backface</translation>
+    </message>
+    <message>
+        <source>missed pixels, share</source>
+        <translation>놓친 픽셀의 비율</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -2095,6 +2095,26 @@
         <source>mean of the views&apos; × all [95 %]</source>
         <translation>各视点 × all 的平均值 [95 %]</translation>
     </message>
+    <message>
+        <source>parameter</source>
+        <translation>参数</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>值</translation>
+    </message>
+    <message>
+        <source>Speed against loss</source>
+        <translation>速度与损失</translation>
+    </message>
+    <message>
+        <source>× backface</source>
+        <translation>× backface</translation>
+    </message>
+    <message>
+        <source>missed pixels, share</source>
+        <translation>丢失像素的比例</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

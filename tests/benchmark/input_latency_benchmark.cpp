@@ -11,9 +11,13 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
+#include <stdexcept>
 #include <thread>
 
+#include "core/measure/statistics.h"
+#include "tests/benchmark/run_experiment.h"
 #include "ui/startup/display.h"
 #include "ui/window/main_window.h"
 
@@ -74,15 +78,20 @@ private:
     std::vector<std::pair<Camera, Clock::time_point>> m_cameras;
 };
 
-double percentile(std::vector<double> values, double share) {
-    if (values.empty()) return 0.0;
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1, size_t(share * double(values.size())))];
+Cells cellsOf(const std::string& strategy, const Watch& watch) {
+    return {{"strategy", strategy},
+            {"moves", double(watch.taken.size())},
+            {"taken_ms", quantile(watch.taken, 0.5)},
+            {"taken_ms_p99", quantile(watch.taken, 0.99)},
+            {"taken_ms_longest", quantile(watch.taken, 1.0)},
+            {"pictures", double(watch.answered.size())},
+            {"shown_ms", quantile(watch.answered, 0.5)},
+            {"shown_ms_p99", quantile(watch.answered, 0.99)},
+            {"shown_ms_longest", quantile(watch.answered, 1.0)}};
 }
 
-/// Drags in a view for that many seconds, with rests in which figures are measured; returns the longest time until a move was
-/// handled.
-double drag(Session& session, MainWindow& window, int view, double seconds) {
+/// Drags in a view for that many seconds, with rests in which figures are measured.
+Cells drag(Session& session, MainWindow& window, int view, double seconds) {
     session.setActiveView(view);
     SceneView& picture = window.views().pane(view).picture();
     Watch watch(session, view);
@@ -108,15 +117,33 @@ double drag(Session& session, MainWindow& window, int view, double seconds) {
     QMouseEvent release(QEvent::MouseButtonRelease, middle, global, Qt::LeftButton, Qt::NoButton, {});
     QApplication::sendEvent(&picture, &release);
     picture.removeEventFilter(&watch);
-    const double longest = percentile(watch.taken, 1.0);
-    std::printf(
-        "%-10s %5zu moves: taken after %.1f ms (median), %.1f (99 %%), %.1f (longest); %4zu pictures: shown after %.0f, %.0f, "
-        "%.0f ms\n",
-        session.slot(view).id().c_str(), watch.taken.size(), percentile(watch.taken, 0.5), percentile(watch.taken, 0.99), longest,
-        watch.answered.size(), percentile(watch.answered, 0.5), percentile(watch.answered, 0.99),
-        percentile(watch.answered, 1.0));
-    std::fflush(stdout);
-    return longest;
+    return cellsOf(session.slot(view).id(), watch);
+}
+
+/// The window's state is the point: the experiment names no scene of its own.
+Experiment inputLatency(Session& session, MainWindow& window, const std::function<void()>& settle, double seconds) {
+    Experiment experiment;
+    experiment.id = "input-latency";
+    experiment.title = "From a mouse move's posting until it is taken, and until its picture is shown";
+    const Viewport size = session.renderSize(0);
+    experiment.notes = {{"%1: %2 triangles, 8 views of %3 x %4",
+                         {session.opened()->specification, std::to_string(session.scene()->triangleCount()),
+                          std::to_string(size.width), std::to_string(size.height)}}};
+    experiment.axes = {{"view", "view", Axis::Kind::Label, {0.0, 1.0, 2.0}}};
+    experiment.settings = settingsOf(experiment.axes);
+    experiment.columns = columnsOf(experiment.axes);
+    experiment.columns.push_back({"strategy", "strategy", ResultColumn::Origin::Axis});
+    for (const char* key :
+         {"moves", "taken_ms", "taken_ms_p99", "taken_ms_longest", "pictures", "shown_ms", "shown_ms_p99", "shown_ms_longest"})
+        experiment.columns.push_back({key, key});
+    experiment.checks = {everyRowCheck("longest wait of a move, ms", {}, "taken_ms_longest", {.most = kLongestWait})};
+    experiment.measured = [&session, &window, settle, seconds](const Setting& setting, const ScenePointer& /*scene*/,
+                                                               const Progress& /*progress*/) {
+        const Cells cells = drag(session, window, int(setting.number("view")), seconds);
+        settle();
+        return Rows{cells};
+    };
+    return experiment;
 }
 
 int run(const QString& scene, double seconds) {
@@ -128,33 +155,26 @@ int run(const QString& scene, double seconds) {
     window.show();
     session.setViewCount(Session::kMostViews);
     session.open(scene);
-    const auto settled = [&] {
-        return session.opened() && session.buffers() && session.metricsSettled() && !session.pictures()->busy();
+    const auto settle = [&] {
+        const auto settled = [&] {
+            return session.opened() && session.buffers() && session.metricsSettled() && !session.pictures()->busy();
+        };
+        if (!QTest::qWaitFor(settled, kPatience)) throw std::runtime_error(scene.toStdString() + " does not open");
     };
-    if (!QTest::qWaitFor(settled, kPatience)) {
-        std::fprintf(stderr, "%s does not open\n", qPrintable(scene));
-        return 2;
-    }
-    std::printf("%s: %llu triangles, 8 views of %dx%d\n", qPrintable(scene),
-                static_cast<unsigned long long>(session.scene()->triangleCount()), session.renderSize(0).width,
-                session.renderSize(0).height);
-    double longest = 0.0;
-    for (const int view : {0, 1, 2}) {
-        longest = std::max(longest, drag(session, window, view, seconds));
-        if (!QTest::qWaitFor(settled, kPatience)) return 2;
-    }
-    std::printf("longest wait of a move: %.1f ms, of at most %.0f: %s\n", longest, kLongestWait,
-                longest <= kLongestWait ? "kept" : "MISSED");
-    return longest <= kLongestWait ? 0 : 1;
+    settle();
+    return benchmark::runAndReport({inputLatency(session, window, settle, seconds)});
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
     setDefaultSurfaceFormat();
     int qtArgc = 1;
     const std::unique_ptr<QApplication> application = makeApplication(qtArgc, argv);
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QDir::tempPath());
     return run(argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("sphere:triangles=144046"),
                argc > 2 ? QString::fromLocal8Bit(argv[2]).toDouble() : 8.0);
+} catch (const std::exception& failure) {
+    std::fprintf(stderr, "%s\n", failure.what());
+    return 2;
 }

@@ -3,98 +3,77 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
+#include <array>
 
-#include "core/base/atomic_file.h"
-#include "core/base/error.h"
-#include "core/image/line_plot.h"
-#include "core/measure/meter.h"
-#include "core/measure/statistics.h"
 #include "core/mesh/parametric.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
-#include "tests/benchmark/lossless_benchmark.h"
+#include "tests/benchmark/experiments.h"
+#include "tests/benchmark/in_turns.h"
+#include "tests/benchmark/lossless_scenes.h"
 
 namespace cullscope::benchmark {
 namespace {
 
+using Origin = ResultColumn::Origin;
+
 constexpr std::array kFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
-constexpr size_t kLeastTimed = 90'000;
+constexpr double kLeastTimed = 90'000;
 constexpr int kBuilds = 5;
+constexpr size_t kShape = 7;
 constexpr double kMostBytes = 14e6;
 constexpr double kMostTimesEmbree = 1.5;
 constexpr double kBytesTolerance = 0.05;
 constexpr double kTimeTolerance = 0.20;
 
-/// Milliseconds for the parts built for one mesh; `all` is the strategy's own build with the bounding sphere, measured
-/// separately.
-struct BuildTimes {
-    double all = 0.0, sphere = 0.0, topology = 0.0, tree = 0.0, kernel = 0.0;
-};
-
-struct BuildSample {
-    std::string mesh;
-    size_t faces = 0;
-    size_t cells = 0;
-    uint64_t bytes = 0;
-    BuildTimes times;
+/// What one build took and made. Milliseconds of the parts, none of what is not built for so large a mesh; `all` is the
+/// strategy's own build with the bounding sphere, measured separately.
+struct Build {
+    double all = 0.0, sphere = 0.0, tree = 0.0;
+    std::optional<double> closedness, kernel;
+    double cells = 0.0, bytes = 0.0;
 };
 
 double figure(const StructureReport& report, const std::string& name) {
     return std::ranges::find(report.figures, name, &StructureReport::Figure::name)->value;
 }
 
-/// Builds the strategy on a mesh without cached properties; fills in bytes and cells.
-double wholeBuild(const TriangleMesh& mesh, BuildSample& sample) {
-    const MeshPointer fresh = freshCopy(mesh);
-    const double sphere = timeOf([&] { static_cast<void>(fresh->localSphere()); });
-    const ScenePointer scene = sceneOf(fresh);
+/// Builds the strategy, and then its parts, each on a mesh without cached properties.
+Build build(const TriangleMesh& mesh) {
+    Build built;
+    const MeshPointer whole = freshCopy(mesh);
+    const double sphere = timeOf([&] { static_cast<void>(whole->localSphere()); });
+    const ScenePointer scene = sceneOf(whole);
     const test::CullerPointer strategy = lossless(MapLayout::Octahedral, 0, true, "auto");
-    const double rest = timeOf([&] { strategy->build(*scene); });
-    sample.bytes = strategy->structure().bytes;
-    sample.cells = size_t(figure(strategy->structure(), "cells"));
-    return sphere + rest;
-}
-
-BuildTimes buildTimes(const TriangleMesh& mesh, BuildSample& sample) {
-    BuildTimes times;
-    times.all = wholeBuild(mesh, sample);
+    built.all = sphere + timeOf([&] { strategy->build(*scene); });
+    built.bytes = double(strategy->structure().bytes);
+    built.cells = figure(strategy->structure(), "cells");
     const MeshPointer fresh = freshCopy(mesh);
-    times.sphere = timeOf([&] { static_cast<void>(fresh->localSphere()); });
-    if (fresh->triangleCount() <= kOptionalAnalysisLimit) times.topology = timeOf([&] { static_cast<void>(fresh->topology()); });
-    times.tree = timeOf([&] { const CellTree tree(fresh, {}); });
-    times.kernel = timeOf([&] { const InnerKernel kernel(*fresh); });
-    return times;
+    built.sphere = timeOf([&] { static_cast<void>(fresh->localSphere()); });
+    const bool all = fresh->triangleCount() <= kOptionalAnalysisLimit;
+    if (all) built.closedness = timeOf([&] { static_cast<void>(fresh->topology()); });
+    built.tree = timeOf([&] { const CellTree tree(fresh, {}); });
+    if (all) built.kernel = timeOf([&] { const InnerKernel kernel(*fresh); });
+    return built;
 }
 
 double leastOf(const std::vector<double>& values) { return *std::ranges::min_element(values); }
 
-/// One time for each part, from several builds.
-BuildTimes reduced(const std::vector<BuildTimes>& builds, double (*reduce)(const std::vector<double>&)) {
-    const auto part = [&](double BuildTimes::*which) {
+/// The parts of several builds of one mesh, one time for each.
+Cells partsOf(const std::vector<Build>& builds, double (*reduce)(const std::vector<double>&)) {
+    const auto part = [&](auto which) -> CellValue {
         std::vector<double> values;
-        for (const BuildTimes& build : builds) values.push_back(build.*which);
-        return reduce(values);
+        for (const Build& each : builds)
+            if (const std::optional<double> value = each.*which) values.push_back(*value);
+        return values.empty() ? CellValue() : CellValue(reduce(values));
     };
-    return {part(&BuildTimes::all), part(&BuildTimes::sphere), part(&BuildTimes::topology), part(&BuildTimes::tree),
-            part(&BuildTimes::kernel)};
+    return {{"sphere_ms", part(&Build::sphere)},  {"closedness_ms", part(&Build::closedness)},
+            {"cell_tree_ms", part(&Build::tree)}, {"kernel_ms", part(&Build::kernel)},
+            {"build_ms", part(&Build::all)},      {"cells", builds.front().cells},
+            {"bytes", builds.front().bytes}};
 }
 
-/// The shortest times, because other programs on the machine only lengthen them.
-BuildSample sampleOf(const TriangleMesh& mesh) {
-    BuildSample sample{mesh.name(), mesh.triangleCount(), 0, 0, {}};
-    std::vector<BuildTimes> builds;
-    for (int i = 0; i < kBuilds; ++i) builds.push_back(buildTimes(mesh, sample));
-    sample.times = reduced(builds, leastOf);
-    const BuildTimes& t = sample.times;
-    std::printf(
-        "%-8s %9zu faces, %7zu cells: %.1f bytes a face, %.2f ms (sphere %.2f, closedness %.2f, cell tree %.2f, kernel %.2f)\n",
-        sample.mesh.c_str(), sample.faces, sample.cells, double(sample.bytes) / double(sample.faces), t.all, t.sphere, t.topology,
-        t.tree, t.kernel);
-    std::fflush(stdout);
-    return sample;
-}
+const std::array<const char*, 5> kTimes{"build_ms", "sphere_ms", "closedness_ms", "cell_tree_ms", "kernel_ms"};
 
 /// Embree's tree over a mesh's triangles.
 class EmbreeTree {
@@ -136,108 +115,116 @@ private:
     std::vector<uint32_t> m_indices;
 };
 
-std::vector<PlotPoint> points(const std::vector<BuildSample>& samples, const std::string& mesh, auto value, size_t least = 0,
-                              size_t most = kFaces.back()) {
-    std::vector<PlotPoint> points;
-    for (const BuildSample& sample : samples)
-        if (sample.mesh == mesh && sample.faces >= least && sample.faces <= most && value(sample) > 0.0)
-            points.push_back({double(sample.faces), value(sample)});
-    return points;
-}
+// ---- Beside Embree
 
-double bytesOf(const BuildSample& sample) { return double(sample.bytes); }
-double timeOfAll(const BuildSample& sample) { return sample.times.all; }
-double timeOfTree(const BuildSample& sample) { return sample.times.tree; }
-
-void writeGrowth(const std::filesystem::path& folder, const std::vector<BuildSample>& samples) {
-    writeFileAtomically(folder / "spherical-lossless-growth.csv", [&](std::ostream& out) {
-        out << "mesh,faces,cells,bytes,bytes_per_face,build_ms,sphere_ms,closedness_ms,cell_tree_ms,kernel_ms\n";
-        for (const BuildSample& s : samples)
-            out << s.mesh << ',' << s.faces << ',' << s.cells << ',' << s.bytes << ',' << double(s.bytes) / double(s.faces) << ','
-                << s.times.all << ',' << s.times.sphere << ',' << s.times.topology << ',' << s.times.tree << ',' << s.times.kernel
-                << '\n';
-    });
-    LinePlot bytes = logPlot("Bytes of spherical-lossless by faces", "faces", "bytes");
-    LinePlot times =
-        logPlot("Build time of spherical-lossless by faces (above five million without closedness and kernel)", "faces", "ms");
-    for (const char* mesh : {"sphere", "star"}) {
-        const auto add = [&](LinePlot& plot, const char* name, auto value) {
-            plot.lines.push_back({std::string(mesh) + ": " + name, points(samples, mesh, value)});
-        };
-        add(bytes, "all", bytesOf);
-        add(times, "all", timeOfAll);
-        add(times, "cell tree", timeOfTree);
-        add(times, "closedness", [](const BuildSample& s) { return s.times.topology; });
-        add(times, "inner kernel", [](const BuildSample& s) { return s.times.topology > 0.0 ? s.times.kernel : 0.0; });
-    }
-    writeFileAtomically(folder / "spherical-lossless-growth.svg", [&](std::ostream& out) {
-        out << linePlotsSvg({bytes, times});
-    });
-}
-
-/// Whether a mesh's structures grow at most linearly; prints the result. Small meshes are excluded from the times, because the
-/// kernel's constant cost dominates there, and the largest from the sum, because less is built for it.
-bool linear(const std::vector<BuildSample>& samples, const std::string& mesh) {
-    const double bytes = exponentOf(points(samples, mesh, bytesOf));
-    const double time = exponentOf(points(samples, mesh, timeOfAll, kLeastTimed, kOptionalAnalysisLimit));
-    const double tree = exponentOf(points(samples, mesh, timeOfTree, kLeastTimed));
-    std::printf(
-        "%s: bytes grow with faces^%.3f; from 100,000 faces on build time up to 3 million with faces^%.3f, the cell tree's up to "
-        "10 million with faces^%.3f\n",
-        mesh.c_str(), bytes, time, tree);
-    return std::abs(bytes - 1.0) <= kBytesTolerance && time <= 1.0 + kTimeTolerance && tree <= 1.0 + kTimeTolerance;
-}
-
-void printBuild(const std::vector<double>& ours, const std::vector<double>& theirs, const BuildSample& sample,
-                const BuildTimes& parts) {
-    std::printf("%s, %zu faces, %d threads, %zu rounds in turns\n", sample.mesh.c_str(), sample.faces,
-                tbb::this_task_arena::max_concurrency(), ours.size());
-    const auto row = [](const char* name, const std::vector<double>& times) {
-        std::printf("%-20s best %8.2f ms, median %8.2f ms\n", name, leastOf(times), medianOf(times));
+/// A tree of the same mesh before and after each build, so that the machine's changes meet both.
+Rows besideEmbree(const TriangleMesh& mesh, int rounds) {
+    const EmbreeTree embree(mesh);
+    std::vector<Build> builds;
+    const auto buildTree = [&] { return embree.build(); };
+    const auto buildOurs = [&] {
+        builds.push_back(build(mesh));
+        return builds.back().all;
     };
-    row("spherical-lossless", ours);
-    row("Embree", theirs);
-    std::printf("parts, medians: sphere %.2f, closedness %.2f, cell tree %.2f, kernel %.2f ms\n", parts.sphere, parts.topology,
-                parts.tree, parts.kernel);
+    const std::vector<std::vector<double>> times = inTurns({buildTree, buildOurs, buildTree}, rounds, 1);
+    builds.erase(builds.begin());  // of the warm-up
+    std::vector<double> theirs;
+    for (size_t i = 0; i < times[0].size(); ++i) theirs.push_back(0.5 * (times[0][i] + times[2][i]));
+    const std::vector<double> ratios = ratiosOf(times[1], theirs);
+    Cells ours = partsOf(builds, medianOf);
+    ours.insert({{"builder", std::string("spherical-lossless")},
+                 {"best_ms", leastOf(times[1])},
+                 {"to_embree", medianOf(ratios)},
+                 {"to_embree_quarter", quantile(ratios, 0.25)},
+                 {"to_embree_three_quarters", quantile(ratios, 0.75)},
+                 {"to_embree_least", leastOf(ratios)},
+                 {"to_embree_most", *std::ranges::max_element(ratios)}});
+    const Cells other{
+        {"builder", std::string("Embree")}, {"best_ms", leastOf(theirs)}, {"build_ms", medianOf(theirs)}, {"to_embree", 1.0}};
+    return {ours, other};
+}
+
+// ---- Growth
+
+RowPlot growthPlot(const char* title, const char* unit, std::vector<RowPlot::Column> columns) {
+    RowPlot described{logPlot(title, "faces", unit)};
+    described.x = "faces";
+    described.y = std::move(columns);
+    described.lines = {"mesh"};
+    return described;
+}
+
+/// That a mesh's structures grow at most linearly. Small meshes are excluded from the times, because the kernel's constant cost
+/// dominates there, and the largest from the sum, because less is built for it.
+std::vector<Check> growthChecks(const std::string& mesh) {
+    const RowFilter rows{{"mesh", {mesh}}};
+    return {
+        exponentCheck(mesh + ": bytes grow with the faces to the power of", {rows, "faces", "bytes"},
+                      {1.0 - kBytesTolerance, 1.0 + kBytesTolerance}),
+        exponentCheck(mesh + ", 100,000 to 3 million faces: build time grows with the faces to the power of",
+                      {rows, "faces", "build_ms", kLeastTimed, double(kOptionalAnalysisLimit)}, {.most = 1.0 + kTimeTolerance}),
+        exponentCheck(mesh + ", from 100,000 faces on: the cell tree's time grows with the faces to the power of",
+                      {rows, "faces", "cell_tree_ms", kLeastTimed}, {.most = 1.0 + kTimeTolerance})};
 }
 
 }  // namespace
 
-int buildBesideEmbree(const std::string& specification, int rounds) {
-    const MeshPointer mesh = meshOf(specification);
-    const EmbreeTree embree(*mesh);
-    BuildSample sample{mesh->name(), mesh->triangleCount(), 0, 0, {}};
-    std::vector<double> ours, theirs, ratios;
-    std::vector<BuildTimes> parts;
-    for (int round = -1; round < rounds; ++round) {
-        const double first = embree.build();
-        const BuildTimes times = buildTimes(*mesh, sample);
-        const double second = embree.build();
-        if (round < 0) continue;  // warm-up
-        parts.push_back(times);
-        ours.push_back(times.all);
-        theirs.push_back(0.5 * (first + second));
-        ratios.push_back(ours.back() / theirs.back());
-    }
-    printBuild(ours, theirs, sample, reduced(parts, medianOf));
-    const double ratio = medianOf(ratios);
-    std::printf("%.2f x Embree's time, half of the rounds within %.2f to %.2f, all within %.2f to %.2f (at most %.1f wanted)\n",
-                ratio, quantile(ratios, 0.25), quantile(ratios, 0.75), leastOf(ratios), *std::ranges::max_element(ratios),
-                kMostTimesEmbree);
-    std::printf("%llu bytes in %zu cells (at most %.0f wanted)\n", static_cast<unsigned long long>(sample.bytes), sample.cells,
-                kMostBytes);
-    return ratio <= kMostTimesEmbree && double(sample.bytes) <= kMostBytes ? 0 : 1;
+Experiment losslessBuild(const std::string& scene, int rounds) {
+    Experiment experiment;
+    experiment.id = "spherical-lossless-build";
+    experiment.title = "Build time of spherical-lossless beside Embree's tree of the same mesh";
+    experiment.notes = {{"%1 threads, %2 rounds in turns; build, sphere, closedness, cell tree and kernel are medians",
+                         {std::to_string(tbb::this_task_arena::max_concurrency()), std::to_string(rounds)}}};
+    experiment.axes = {{"scene", "scene", Axis::Kind::Scene, {scene}},
+                       {"builder", "builder", Axis::Kind::InTurns, {std::string("spherical-lossless"), std::string("Embree")}}};
+    experiment.settings = settingsOf(experiment.axes);
+    experiment.columns = columnsOf(experiment.axes);
+    experiment.columns.push_back({"best_ms", "best_ms", Origin::Measured, 2});
+    for (const char* key : kTimes) experiment.columns.push_back({key, key, Origin::Measured, 2});
+    for (const char* key : {"to_embree", "to_embree_quarter", "to_embree_three_quarters", "to_embree_least", "to_embree_most"})
+        experiment.columns.push_back({key, key, Origin::Measured, 2});
+    for (const char* key : {"cells", "bytes"}) experiment.columns.push_back({key, key});
+    const RowFilter ours{{"builder", {std::string("spherical-lossless")}}};
+    experiment.checks = {everyRowCheck("build time over Embree's", ours, "to_embree", {.most = kMostTimesEmbree}),
+                         everyRowCheck("bytes", ours, "bytes", {.most = kMostBytes})};
+    experiment.measured = [rounds](const Setting& /*setting*/, const ScenePointer& opened, const Progress& /*progress*/) {
+        return besideEmbree(*opened->meshes().front(), rounds);
+    };
+    return experiment;
 }
 
-int growth(const std::filesystem::path& folder) {
-    std::vector<BuildSample> samples;
-    for (const size_t faces : kFaces) {
-        samples.push_back(sampleOf(*sphereMesh(faces)));
-        samples.push_back(sampleOf(*starMesh(7, faces)));
-    }
-    writeGrowth(folder, samples);
-    const bool sphere = linear(samples, "sphere"), star = linear(samples, "star");
-    return sphere && star ? 0 : 1;
+Experiment losslessGrowth() {
+    Experiment experiment;
+    experiment.id = "spherical-lossless-growth";
+    experiment.title = "Bytes and build time of spherical-lossless by faces";
+    experiment.notes = {{"The shortest times of several builds, because other programs on the machine only lengthen them.", {}}};
+    experiment.axes = {{"mesh", "mesh", Axis::Kind::Label, {std::string("sphere"), std::string("star")}},
+                       {"faces", "faces", Axis::Kind::Label, axisValues(kFaces)}};
+    experiment.settings = settingsOf(experiment.axes);
+    experiment.columns = columnsOf(experiment.axes);
+    for (const char* key : {"cells", "bytes"}) experiment.columns.push_back({key, key});
+    experiment.columns.push_back({"bytes_per_face", "bytes_per_face", Origin::Measured, 1});
+    for (const char* key : kTimes) experiment.columns.push_back({key, key, Origin::Measured, 2});
+    experiment.plots = {
+        growthPlot("Bytes of spherical-lossless by faces", "bytes", {{"bytes", "all"}}),
+        growthPlot("Build time of spherical-lossless by faces (above five million without closedness and kernel)", "ms",
+                   {{"build_ms", "all"},
+                    {"cell_tree_ms", "cell tree"},
+                    {"closedness_ms", "closedness"},
+                    {"kernel_ms", "inner kernel"}})};
+    for (const char* mesh : {"sphere", "star"})
+        for (Check& check : growthChecks(mesh)) experiment.checks.push_back(std::move(check));
+    experiment.measured = [](const Setting& setting, const ScenePointer& /*scene*/, const Progress& /*progress*/) {
+        const auto faces = size_t(setting.number("faces"));
+        const MeshPointer mesh = setting.words("mesh") == "star" ? starMesh(kShape, faces) : sphereMesh(faces);
+        std::vector<Build> builds;
+        for (int i = 0; i < kBuilds; ++i) builds.push_back(build(*mesh));
+        Cells cells = partsOf(builds, leastOf);
+        const double triangles = double(mesh->triangleCount());
+        cells.insert({{"faces", triangles}, {"bytes_per_face", builds.front().bytes / triangles}});
+        return Rows{cells};
+    };
+    return experiment;
 }
 
 }  // namespace cullscope::benchmark

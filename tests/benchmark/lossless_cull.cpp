@@ -1,16 +1,15 @@
 // The cost of one cull by the number of faces, with equal pictures: one star shape in ever finer tessellations, the same cameras.
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
-#include "core/base/atomic_file.h"
-#include "core/image/line_plot.h"
 #include "core/mesh/parametric.h"
-#include "tests/benchmark/lossless_benchmark.h"
+#include "tests/benchmark/experiments.h"
+#include "tests/benchmark/in_turns.h"
+#include "tests/benchmark/lossless_scenes.h"
 
 namespace cullscope::benchmark {
 namespace {
+
+using Origin = ResultColumn::Origin;
 
 constexpr std::array kFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
 constexpr size_t kShape = 7;
@@ -42,52 +41,45 @@ constexpr std::array kPaths{PathName{"cut", "the frustum cuts the object, 320 x 
                             PathName{"within", "the object inside the frustum, 320 x 240"},
                             PathName{"within-large", "the object inside the frustum, 1920 x 1080"}};
 
-/// The result of one configuration over a path's views: means over the views, for times means of the views' medians.
-struct CullSample {
-    size_t configuration = 0;
-    std::string path;
-    size_t faces = 0;
-    double nodes = 0.0, milliseconds = 0.0, considered = 0.0;
-    std::array<double, kCauseCount> culled{};  ///< shares of the faces
-};
-
-CullSample countsOf(test::Culler& strategy, const Views& views, size_t faces) {
-    CullSample sample;
-    sample.path = views.name;
-    sample.faces = faces;
-    const double share = 1.0 / double(views.views.size());
-    for (const View& view : views.views) {
+/// The result of one configuration over a path's views: means over the views.
+Cells countsOf(test::Culler& strategy, const Configuration& configuration, const Views& path, double faces) {
+    double nodes = 0.0, considered = 0.0;
+    std::array<double, kCauseCount> culled{};
+    const double share = 1.0 / double(path.views.size());
+    for (const View& view : path.views) {
         const test::Culled frame = strategy.cull(view);
-        sample.nodes += double(frame.nodesVisited) * share;
-        sample.considered += double(frame.consideredTriangles) / double(faces) * share;
+        nodes += double(frame.nodesVisited) * share;
+        considered += double(frame.consideredTriangles) / faces * share;
         for (size_t cause = 0; cause < kCauseCount; ++cause)
-            sample.culled[cause] += double(frame.culledTriangles[cause]) / double(faces) * share;
+            culled[cause] += double(frame.culledTriangles[cause]) / faces * share;
     }
-    return sample;
+    return {{"faces", faces},
+            {"path", path.name},
+            {"configuration", std::string(configuration.name)},
+            {"layout", std::string(mapLayoutId(configuration.layout))},
+            {"level", double(configuration.level)},
+            {"horizon", configuration.horizon ? 1.0 : 0.0},
+            {"nodes_visited", nodes},
+            {"considered_share", considered},
+            {"outside_share", culled[size_t(Cause::OutsideFrustum)]},
+            {"back_facing_share", culled[size_t(Cause::BackFacing)]},
+            {"hidden_share", culled[size_t(Cause::Hidden)]}};
 }
 
-/// Measured in turns. Milliseconds by configuration: the mean over the views of the median over the rounds.
+/// Milliseconds by configuration: the mean over the views of the median over the rounds.
 std::vector<double> cullTimes(const std::vector<test::CullerPointer>& strategies, const std::vector<View>& views) {
     std::vector<double> means(strategies.size(), 0.0);
     for (const View& view : views) {
-        std::vector<std::vector<double>> times(strategies.size());
-        for (int round = 0; round < kRounds; ++round)
-            for (size_t i = 0; i < strategies.size(); ++i) times[i].push_back(strategies[i]->cull(view).log.cullMilliseconds);
+        std::vector<std::function<double()>> culls;
+        for (const test::CullerPointer& strategy : strategies)
+            culls.emplace_back([&view, culler = strategy.get()] { return culler->cull(view).log.cullMilliseconds; });
+        const std::vector<std::vector<double>> times = inTurns(culls, kRounds);
         for (size_t i = 0; i < strategies.size(); ++i) means[i] += medianOf(times[i]) / double(views.size());
     }
     return means;
 }
 
-void print(const CullSample& s) {
-    std::printf(
-        "%9zu faces, %-12s, %-19s: %8.0f nodes, %.4f ms; considered %4.1f %%, outside %4.1f, back-facing %4.1f, hidden %4.1f\n",
-        s.faces, s.path.c_str(), kConfigurations[s.configuration].name, s.nodes, s.milliseconds, 100.0 * s.considered,
-        100.0 * s.culled[size_t(Cause::OutsideFrustum)], 100.0 * s.culled[size_t(Cause::BackFacing)],
-        100.0 * s.culled[size_t(Cause::Hidden)]);
-    std::fflush(stdout);
-}
-
-void addSamples(const MeshPointer& mesh, const std::vector<Views>& paths, std::vector<CullSample>& samples) {
+Rows rowsOf(const MeshPointer& mesh, const std::vector<Views>& paths) {
     const ScenePointer scene = sceneOf(mesh);
     std::vector<test::CullerPointer> strategies;
     for (const Configuration& c : kConfigurations) {
@@ -95,93 +87,86 @@ void addSamples(const MeshPointer& mesh, const std::vector<Views>& paths, std::v
         strategies.push_back(lossless(c.layout, c.level, c.horizon, "front"));
         strategies.back()->build(*scene);
     }
+    Rows rows;
     for (const Views& path : paths) {
         const std::vector<double> times = cullTimes(strategies, path.views);
         for (size_t i = 0; i < strategies.size(); ++i) {
-            samples.push_back(countsOf(*strategies[i], path, mesh->triangleCount()));
-            samples.back().configuration = i;
-            samples.back().milliseconds = times[i];
-            print(samples.back());
+            rows.push_back(countsOf(*strategies[i], kConfigurations[i], path, double(mesh->triangleCount())));
+            rows.back()["cull_ms"] = times[i];
         }
     }
-}
-
-std::vector<PlotPoint> points(const std::vector<CullSample>& samples, const std::string& path, size_t configuration,
-                              double CullSample::*value) {
-    std::vector<PlotPoint> points;
-    for (const CullSample& s : samples)
-        if (s.path == path && s.configuration == configuration) points.push_back({double(s.faces), s.*value});
-    return points;
-}
-
-/// A line that grows with a power of the faces from a line's first point on.
-PlotLine growing(const char* name, const std::vector<PlotPoint>& from, double power) {
-    PlotLine line{name, {}};
-    for (const PlotPoint& point : from)
-        line.points.push_back({point.x, from.front().y * std::pow(point.x / from.front().x, power)});
-    return line;
-}
-
-LinePlot plotOf(const std::vector<CullSample>& samples, const std::string& path, const std::string& title, const char* unit,
-                double CullSample::*value) {
-    LinePlot plot = logPlot(title, "faces", unit);
-    for (size_t i = 0; i < kConfigurations.size(); ++i)
-        plot.lines.push_back({kConfigurations[i].name, points(samples, path, i, value)});
-    plot.lines.push_back(growing("as the faces grow", plot.lines.front().points, 1.0));
-    plot.lines.push_back(growing("as their square root", plot.lines.front().points, 0.5));
-    return plot;
-}
-
-void write(const std::filesystem::path& folder, const std::vector<CullSample>& samples) {
-    writeFileAtomically(folder / "spherical-lossless-cull.csv", [&](std::ostream& out) {
-        out << "faces,path,layout,level,horizon,nodes_visited,cull_ms,considered_share,outside_share,back_facing_share,"
-               "hidden_share\n";
-        for (const CullSample& s : samples) {
-            const Configuration& c = kConfigurations[s.configuration];
-            out << s.faces << ',' << s.path << ',' << mapLayoutId(c.layout) << ',' << c.level << ',' << (c.horizon ? 1 : 0) << ','
-                << s.nodes << ',' << s.milliseconds << ',' << s.considered << ',' << s.culled[size_t(Cause::OutsideFrustum)]
-                << ',' << s.culled[size_t(Cause::BackFacing)] << ',' << s.culled[size_t(Cause::Hidden)] << '\n';
-        }
-    });
-    std::vector<LinePlot> plots;
-    for (const auto& [path, where] : kPaths) {
-        plots.push_back(plotOf(samples, path, std::string("Nodes visited by one cull, ") + where, "nodes", &CullSample::nodes));
-        plots.push_back(plotOf(samples, path, std::string("Time of one cull, ") + where, "ms", &CullSample::milliseconds));
-    }
-    writeFileAtomically(folder / "spherical-lossless-cull.svg", [&](std::ostream& out) { out << linePlotsSvg(plots); });
+    return rows;
 }
 
 /// The cameras for all tessellations, and those of whole objects in a large picture too: triangles smaller than the raster's grid
 /// of 1/256 pixel may be flipped by snapping, so that no cone counts as back-facing.
-std::vector<Views> pathsOfAll() {
-    std::vector<Views> paths = cutAndWithin(*sceneOf(starMesh(kShape, kCamerasBy)), kViewsEach);
-    paths.push_back({kPaths[2].id, {}});
-    for (const View& view : paths[1].views) paths[2].views.emplace_back(view.camera(), kLarge);
-    return paths;
+const std::vector<Views>& pathsOfAll() {
+    static const std::vector<Views> kViews = [] {
+        std::vector<Views> paths = cutAndWithin(*sceneOf(starMesh(kShape, kCamerasBy)), kViewsEach);
+        paths.push_back({kPaths[2].id, {}});
+        for (const View& view : paths[1].views) paths[2].views.emplace_back(view.camera(), kLarge);
+        return paths;
+    }();
+    return kViews;
 }
 
-/// Whether visited nodes grow less than the faces with automatic resolution, and hardly with equal cells; prints the result.
-bool fewerThanFaces(const std::vector<CullSample>& samples) {
-    bool fewer = true;
+RowPlot plotOf(const char* path, const std::string& title, const char* unit, const char* column) {
+    RowPlot described{logPlot(title, "faces", unit)};
+    described.x = "faces";
+    described.y = {{column}};
+    described.lines = {"configuration"};
+    described.rows = {{"path", {std::string(path)}}};
+    described.powers = {{"as the faces grow", 1.0}, {"as their square root", 0.5}};
+    return described;
+}
+
+/// That visited nodes grow less than the faces with automatic resolution, and hardly with equal cells.
+std::vector<Check> checks() {
+    std::vector<Check> all;
     for (const PathName& path : kPaths)
-        for (size_t i = 0; i < kConfigurations.size(); ++i) {
-            const double nodes = exponentOf(points(samples, path.id, i, &CullSample::nodes));
-            const double time = exponentOf(points(samples, path.id, i, &CullSample::milliseconds));
-            std::printf("%-12s, %-19s: nodes grow with faces^%.2f, cull time with faces^%.2f\n", path.id, kConfigurations[i].name,
-                        nodes, time);
-            fewer = fewer && nodes < (kConfigurations[i].level == 0 ? kAutoExponent : kFixedExponent);
+        for (const Configuration& c : kConfigurations) {
+            const RowFilter rows{{"path", {std::string(path.id)}}, {"configuration", {std::string(c.name)}}};
+            const std::string place = std::string(path.id) + ", " + c.name;
+            all.push_back(exponentCheck(place + ": nodes grow with the faces to the power of", {rows, "faces", "nodes_visited"},
+                                        {.most = c.level == 0 ? kAutoExponent : kFixedExponent}));
+            all.push_back(exponentCheck(place + ": cull time grows with the faces to the power of", {rows, "faces", "cull_ms"}));
         }
-    return fewer;
+    return all;
+}
+
+template <typename Things>
+std::vector<CellValue> namesOf(const Things& things, const char* Things::value_type::*name) {
+    std::vector<CellValue> names;
+    for (const auto& thing : things) names.emplace_back(std::string(thing.*name));
+    return names;
 }
 
 }  // namespace
 
-int cullByFaces(const std::filesystem::path& folder) {
-    const std::vector<Views> paths = pathsOfAll();
-    std::vector<CullSample> samples;
-    for (const size_t faces : kFaces) addSamples(starMesh(kShape, faces), paths, samples);
-    write(folder, samples);
-    return fewerThanFaces(samples) ? 0 : 1;
+Experiment losslessCull() {
+    Experiment experiment;
+    experiment.id = "spherical-lossless-cull";
+    experiment.title = "Nodes and time of one cull of spherical-lossless by faces, at equal pictures";
+    experiment.axes = {{"faces", "faces", Axis::Kind::Label, axisValues(kFaces)},
+                       {"path", "path", Axis::Kind::InTurns, namesOf(kPaths, &PathName::id)},
+                       {"configuration", "configuration", Axis::Kind::InTurns, namesOf(kConfigurations, &Configuration::name)}};
+    experiment.settings = settingsOf(experiment.axes);
+    experiment.columns = columnsOf(experiment.axes);
+    for (const char* key : {"layout", "level", "horizon"}) experiment.columns.push_back({key, key, Origin::Axis});
+    experiment.columns.push_back({"nodes_visited", "nodes_visited"});
+    experiment.columns.push_back({"cull_ms", "cull_ms", Origin::Measured, 4});
+    for (const char* key : {"considered_share", "outside_share", "back_facing_share", "hidden_share"})
+        experiment.columns.push_back({key, key, Origin::Measured, 3});
+    for (const PathName& path : kPaths) {
+        const std::string where = path.where;
+        experiment.plots.push_back(plotOf(path.id, "Nodes visited by one cull, " + where, "nodes", "nodes_visited"));
+        experiment.plots.push_back(plotOf(path.id, "Time of one cull, " + where, "ms", "cull_ms"));
+    }
+    experiment.checks = checks();
+    experiment.measured = [](const Setting& setting, const ScenePointer& /*scene*/, const Progress& /*progress*/) {
+        return rowsOf(starMesh(kShape, size_t(setting.number("faces"))), pathsOfAll());
+    };
+    return experiment;
 }
 
 }  // namespace cullscope::benchmark

@@ -1,17 +1,17 @@
 // The latitude-longitude layout against the octahedral one, over meshes and resolutions.
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
-#include "core/base/atomic_file.h"
-#include "core/gpu/context.h"
-#include "core/image/line_plot.h"
 #include "core/measure/render_frame.h"
 #include "core/spatial/cell_tree.h"
-#include "tests/benchmark/lossless_benchmark.h"
+#include "tests/benchmark/experiments.h"
+#include "tests/benchmark/in_turns.h"
+#include "tests/benchmark/lossless_scenes.h"
 
 namespace cullscope::benchmark {
 namespace {
+
+using Origin = ResultColumn::Origin;
 
 constexpr std::array kLayouts{MapLayout::Octahedral, MapLayout::LatitudeLongitude};
 constexpr std::array kLevels{5u, 6u, 7u, 8u, 0u};
@@ -20,23 +20,17 @@ constexpr int kRounds = 5;
 constexpr int kBuilds = 3;
 
 /// A layout at a level, over one mesh.
-struct Contestant {
+struct Racer {
     MapLayout layout = MapLayout::Octahedral;
     uint32_t level = 0;
-    test::CullerPointer strategy;
+    test::CullerPointer strategy{};
     double buildMilliseconds = 0.0;
     size_t nodes = 0, leaves = 0;
     double cellRatio = 1.0;  ///< largest : smallest solid angle of a leaf's cell
 };
 
-/// The means of a contestant over one path's views; times are medians, the ratio is of frames of the same view.
-struct LayoutSample {
-    std::string mesh, path;
-    MapLayout layout = MapLayout::Octahedral;
-    uint32_t level = 0;
-    Facing facing = Facing::TwoSided;
-    double buildMilliseconds = 0.0, bytes = 0.0, cellRatio = 1.0;
-    size_t nodes = 0, leaves = 0;
+/// The means of a racer over one path's views; times are medians, the ratio is of frames of the same view.
+struct Means {
     double visited = 0.0, cullMilliseconds = 0.0, considered = 0.0, framesOfBackface = 0.0;
     std::array<double, kCauseCount> culled{};
 };
@@ -52,77 +46,59 @@ double ratioOfLeaves(const CellTree& tree) {
     return largest / smallest;
 }
 
-Contestant contestant(const ScenePointer& scene, MapLayout layout, uint32_t level) {
-    Contestant result{layout, level, lossless(layout, level, true, "auto"), 0.0, 0, 0, 1.0};
+Racer racerOf(const ScenePointer& scene, MapLayout layout, uint32_t level) {
+    Racer racer{layout, level, lossless(layout, level, true, "auto")};
     std::vector<double> times;
     for (int i = 0; i < kBuilds; ++i) {
-        result.strategy->build(*scene);
-        times.push_back(result.strategy->structure().buildMilliseconds);
+        racer.strategy->build(*scene);
+        times.push_back(racer.strategy->structure().buildMilliseconds);
     }
-    result.buildMilliseconds = medianOf(times);
+    racer.buildMilliseconds = medianOf(times);
     const CellTree tree(scene->meshes().front(), {layout, level});
-    result.nodes = tree.nodes().size();
-    result.leaves = tree.leafCount();
-    result.cellRatio = ratioOfLeaves(tree);
-    return result;
+    racer.nodes = tree.nodes().size();
+    racer.leaves = tree.leafCount();
+    racer.cellRatio = ratioOfLeaves(tree);
+    return racer;
 }
 
-std::vector<Contestant> contestants(const ScenePointer& scene) {
+std::vector<Racer> racersOf(const ScenePointer& scene) {
     static_cast<void>(scene->frontFacesSuffice());  // computed once for all layouts
-    std::vector<Contestant> all;
+    std::vector<Racer> all;
     for (const MapLayout layout : kLayouts)
-        for (const uint32_t level : kLevels) all.push_back(contestant(scene, layout, level));
+        for (const uint32_t level : kLevels) all.push_back(racerOf(scene, layout, level));
     return all;
 }
 
-LayoutSample sampleOf(const Contestant& from, const std::string& mesh, const std::string& path) {
-    LayoutSample sample;
-    sample.mesh = mesh;
-    sample.path = path;
-    sample.layout = from.layout;
-    sample.level = from.level;
-    sample.facing = from.strategy->facing();
-    sample.buildMilliseconds = from.buildMilliseconds;
-    sample.bytes = double(from.strategy->structure().bytes);
-    sample.nodes = from.nodes;
-    sample.leaves = from.leaves;
-    sample.cellRatio = from.cellRatio;
-    return sample;
-}
-
-void addCounts(LayoutSample& sample, const FrameLog& frame, double faces, double share) {
-    sample.visited += double(frame.counters.nodesVisited) * share;
-    sample.considered += double(frame.consideredTriangles()) / faces * share;
+void addCounts(Means& means, const FrameLog& frame, double faces, double share) {
+    means.visited += double(frame.counters.nodesVisited) * share;
+    means.considered += double(frame.consideredTriangles()) / faces * share;
     for (size_t cause = 0; cause < kCauseCount; ++cause)
-        sample.culled[cause] += double(frame.counters.culledTriangles[cause]) / faces * share;
+        means.culled[cause] += double(frame.counters.culledTriangles[cause]) / faces * share;
 }
 
-/// Draws the frames of the contestants and of backface in turns.
+/// Draws the frames of the racers and of backface in turns.
 class FrameRace {
 public:
     explicit FrameRace(const ScenePointer& scene) : m_buffers(scene, Upload::Vbo), m_backface(test::makeCuller("backface")) {
         m_backface->build(*scene);
     }
 
-    void addView(const View& view, std::vector<Contestant>& racers, std::vector<LayoutSample>& samples, double share) {
-        std::vector<double> baseline;
-        std::vector<std::vector<double>> frames(racers.size()), culls(racers.size());
-        for (int round = -1; round < kRounds; ++round) {
-            const double backface = draw(*m_backface, view).frameMilliseconds;
-            if (round >= 0) baseline.push_back(backface);
-            for (size_t i = 0; i < racers.size(); ++i) {
+    void addView(const View& view, std::vector<Racer>& racers, std::vector<Means>& means, double share) {
+        std::vector<std::vector<double>> culls(racers.size());
+        std::vector<std::function<double()>> draws{[&] { return draw(*m_backface, view).frameMilliseconds; }};
+        for (size_t i = 0; i < racers.size(); ++i)
+            draws.emplace_back([&, i] {
                 const FrameResult frame = draw(*racers[i].strategy, view);
-                if (round < 0) {  // warm-up
-                    addCounts(samples[i], frame.log, double(m_buffers.scene().triangleCount()), share);
-                    continue;
-                }
-                frames[i].push_back(frame.frameMilliseconds);
+                // The first is of the warm-up.
+                if (culls[i].empty()) addCounts(means[i], frame.log, double(m_buffers.scene().triangleCount()), share);
                 culls[i].push_back(frame.log.cullMilliseconds);
-            }
-        }
+                return frame.frameMilliseconds;
+            });
+        const std::vector<std::vector<double>> frames = inTurns(draws, kRounds, 1);
         for (size_t i = 0; i < racers.size(); ++i) {
-            samples[i].cullMilliseconds += medianOf(culls[i]) * share;
-            samples[i].framesOfBackface += medianOf(frames[i]) / medianOf(baseline) * share;
+            culls[i].erase(culls[i].begin());
+            means[i].cullMilliseconds += medianOf(culls[i]) * share;
+            means[i].framesOfBackface += medianOf(frames[i + 1]) / medianOf(frames[0]) * share;
         }
     }
 
@@ -139,76 +115,88 @@ private:
 
 std::string levelText(uint32_t level) { return level == 0 ? "auto" : std::to_string(level); }
 
-const char* facingText(Facing facing) { return facing == Facing::Front ? "front" : "two-sided"; }
-
-void print(const LayoutSample& s) {
-    std::printf(
-        "%-7s %-9s %-6s %-18s %4s: build %6.1f ms, %5.1f MB, %6zu nodes, cells %7.1f : 1; %6.0f visited, cull %.3f ms, "
-        "considered "
-        "%4.1f %%, outside %4.1f, back-facing %4.1f, hidden %4.1f; frame %.2f x backface\n",
-        s.mesh.c_str(), facingText(s.facing), s.path.c_str(), mapLayoutId(s.layout), levelText(s.level).c_str(),
-        s.buildMilliseconds, 1e-6 * s.bytes, s.nodes, s.cellRatio, s.visited, s.cullMilliseconds, 100.0 * s.considered,
-        100.0 * s.culled[size_t(Cause::OutsideFrustum)], 100.0 * s.culled[size_t(Cause::BackFacing)],
-        100.0 * s.culled[size_t(Cause::Hidden)], s.framesOfBackface);
-    std::fflush(stdout);
+Cells cellsOf(const Racer& racer, const Means& means) {
+    return {{"facing", std::string(racer.strategy->facing() == Facing::Front ? "front" : "two-sided")},
+            {"layout", std::string(mapLayoutId(racer.layout))},
+            {"level", levelText(racer.level)},
+            {"build_ms", racer.buildMilliseconds},
+            {"bytes", double(racer.strategy->structure().bytes)},
+            {"nodes", double(racer.nodes)},
+            {"leaves", double(racer.leaves)},
+            {"largest_to_smallest_cell", racer.cellRatio},
+            {"nodes_visited", means.visited},
+            {"cull_ms", means.cullMilliseconds},
+            {"considered_share", means.considered},
+            {"outside_share", means.culled[size_t(Cause::OutsideFrustum)]},
+            {"back_facing_share", means.culled[size_t(Cause::BackFacing)]},
+            {"hidden_share", means.culled[size_t(Cause::Hidden)]},
+            {"frame_to_backface", means.framesOfBackface}};
 }
 
-void addMesh(const MeshPointer& mesh, std::vector<LayoutSample>& all) {
+Rows rowsOf(const MeshPointer& mesh) {
     const ScenePointer scene = sceneOf(mesh);
-    std::vector<Contestant> racers = contestants(scene);
+    std::vector<Racer> racers = racersOf(scene);
     FrameRace race(scene);
+    Rows rows;
     for (const Views& path : cutAndWithin(*scene, kViewsEach)) {
-        std::vector<LayoutSample> samples;
-        for (const Contestant& racer : racers) samples.push_back(sampleOf(racer, mesh->name(), path.name));
-        for (const View& view : path.views) race.addView(view, racers, samples, 1.0 / double(path.views.size()));
-        for (const LayoutSample& sample : samples) print(sample);
-        all.insert(all.end(), samples.begin(), samples.end());
+        std::vector<Means> means(racers.size());
+        for (const View& view : path.views) race.addView(view, racers, means, 1.0 / double(path.views.size()));
+        for (size_t i = 0; i < racers.size(); ++i) {
+            rows.push_back(cellsOf(racers[i], means[i]));
+            rows.back().insert({{"mesh", mesh->name()}, {"path", path.name}});
+        }
     }
+    return rows;
 }
 
-void writeTable(const std::filesystem::path& file, const std::vector<LayoutSample>& samples) {
-    writeFileAtomically(file, [&](std::ostream& out) {
-        out << "mesh,facing,path,layout,level,build_ms,bytes,nodes,leaves,largest_to_smallest_cell,nodes_visited,cull_ms,"
-               "considered_"
-               "share,"
-               "outside_share,back_facing_share,hidden_share,frame_to_backface\n";
-        for (const LayoutSample& s : samples)
-            out << s.mesh << ',' << facingText(s.facing) << ',' << s.path << ',' << mapLayoutId(s.layout) << ','
-                << levelText(s.level) << ',' << s.buildMilliseconds << ',' << uint64_t(s.bytes) << ',' << s.nodes << ','
-                << s.leaves << ',' << s.cellRatio << ',' << s.visited << ',' << s.cullMilliseconds << ',' << s.considered << ','
-                << s.culled[size_t(Cause::OutsideFrustum)] << ',' << s.culled[size_t(Cause::BackFacing)] << ','
-                << s.culled[size_t(Cause::Hidden)] << ',' << s.framesOfBackface << '\n';
-    });
-}
-
-/// One plot for each mesh; a line connects the levels of a layout over one path, coarse to fine, without auto.
-void writePlots(const std::filesystem::path& file, const std::vector<LayoutSample>& samples) {
-    std::vector<LinePlot> plots;
-    for (const LayoutSample& s : samples) {
-        if (s.level == 0) continue;
-        const std::string title = s.mesh + (s.facing == Facing::Front ? "" : ", both sides drawn") +
-                                  ": share of the faces considered against what culling costs, levels 5 to 8";
-        if (plots.empty() || plots.back().title != title) plots.push_back(logPlot(title, "ms a cull", "share"));
-        const std::string name = (s.layout == MapLayout::Octahedral ? "octahedral, " : "latitude-longitude, ") + s.path;
-        std::vector<PlotLine>& lines = plots.back().lines;
-        if (lines.empty() || lines.back().name != name) lines.push_back({name, {}});
-        lines.back().points.push_back({s.cullMilliseconds, std::max(s.considered, 1e-6)});
-    }
-    writeFileAtomically(file, [&](std::ostream& out) { out << linePlotsSvg(plots); });
+/// A plot for each mesh; a line connects the levels of a layout over one path, coarse to fine, without auto.
+RowPlot layoutsPlot() {
+    RowPlot described{
+        logPlot("%1, %2: share of the faces considered against what culling costs, levels 5 to 8", "ms a cull", "share")};
+    described.x = "cull_ms";
+    described.y = {{"considered_share"}};
+    described.lines = {"layout", "path"};
+    for (const uint32_t level : kLevels)
+        if (level > 0) described.rows["level"].emplace_back(levelText(level));
+    described.separate = {"mesh", "facing"};
+    return described;
 }
 
 }  // namespace
 
-int layouts(const std::filesystem::path& folder, const std::vector<std::string>& specifications) {
-    const HeadlessContext context;
-    std::printf("%s, 320 x 240\n", context.info().renderer.c_str());
-    std::vector<std::string> all = specifications;
-    for (const char* shape : {"torus", "knot", "sphere"}) all.push_back(std::string(shape) + ":triangles=144046");
-    std::vector<LayoutSample> samples;
-    for (const std::string& specification : all) addMesh(meshOf(specification), samples);
-    writeTable(folder / "spherical-layouts.csv", samples);
-    writePlots(folder / "spherical-layouts.svg", samples);
-    return 0;
+Experiment losslessLayouts(const std::vector<std::string>& scenes) {
+    Experiment experiment;
+    experiment.id = "spherical-layouts";
+    experiment.title = "Both layouts of the map of spherical-lossless, 320 x 240";
+    std::vector<CellValue> layouts, levels;
+    for (const MapLayout layout : kLayouts) layouts.emplace_back(std::string(mapLayoutId(layout)));
+    for (const uint32_t level : kLevels) levels.emplace_back(levelText(level));
+    experiment.axes = {{"scene", "scene", Axis::Kind::Scene, {scenes.begin(), scenes.end()}},
+                       {"path", "path", Axis::Kind::InTurns, {std::string("cut"), std::string("within")}},
+                       {"layout", "layout", Axis::Kind::InTurns, layouts},
+                       {"level", "level", Axis::Kind::InTurns, levels}};
+    experiment.settings = settingsOf(experiment.axes);
+    experiment.columns = columnsOf(experiment.axes);
+    for (const char* key : {"mesh", "facing"}) experiment.columns.push_back({key, key, Origin::Axis});
+    const std::vector<std::pair<const char*, int>> measured{{"build_ms", 1},
+                                                            {"bytes", 0},
+                                                            {"nodes", 0},
+                                                            {"leaves", 0},
+                                                            {"largest_to_smallest_cell", 1},
+                                                            {"nodes_visited", 0},
+                                                            {"cull_ms", 3},
+                                                            {"considered_share", 3},
+                                                            {"outside_share", 3},
+                                                            {"back_facing_share", 3},
+                                                            {"hidden_share", 3},
+                                                            {"frame_to_backface", 2}};
+    for (const auto& [key, decimals] : measured) experiment.columns.push_back({key, key, Origin::Measured, decimals});
+    experiment.plots = {layoutsPlot()};
+    experiment.draws = true;
+    experiment.measured = [](const Setting& /*setting*/, const ScenePointer& scene, const Progress& /*progress*/) {
+        return rowsOf(scene->meshes().front());
+    };
+    return experiment;
 }
 
 }  // namespace cullscope::benchmark

@@ -7,24 +7,24 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <filesystem>
 #include <fstream>
-#include <string>
-#include <vector>
+#include <stdexcept>
 
 #include "core/mesh/load.h"
+#include "tests/benchmark/in_turns.h"
 #include "tests/benchmark/ply_load.h"
+#include "tests/benchmark/run_experiment.h"
 
 namespace {
 
 using namespace cullscope;
+using namespace cullscope::benchmark;
 
 constexpr double kLeastRelativeSpeed = 0.70;
 constexpr double kMostMemoryRatio = 2.5;
+const std::string kCullscope = "loadMeshFile", kOpenMesh = "OpenMesh's bare reader";
 
 struct Run {
     double seconds = 0.0;
@@ -39,11 +39,11 @@ double peakResidentBytes() {
     return 0.0;
 }
 
-/// Runs `load`, which returns the size of its arrays in bytes, in a child process.
+/// Runs `load`, which returns the size of its arrays in bytes, in a child process of its own.
 template <typename Load>
 Run measured(Load&& load) {
     int ends[2];
-    if (pipe(ends) != 0) std::exit(2);
+    if (pipe(ends) != 0) throw std::runtime_error("there is no pipe");
     const pid_t child = fork();
     if (child == 0) {
         Run run;
@@ -64,50 +64,86 @@ Run measured(Load&& load) {
     close(ends[0]);
     int status = 0;
     waitpid(child, &status, 0);
-    if (!whole || status != 0) std::exit(2);
+    if (!whole || status != 0) throw std::runtime_error("a reader failed");
     return run;
 }
 
-double medianSeconds(std::vector<Run> runs) {
-    std::ranges::sort(runs, {}, &Run::seconds);
-    return runs[runs.size() / 2].seconds;
+/// A file that is removed in the end.
+struct TemporarySheet {
+    explicit TemporarySheet(uint64_t faces)
+        : path(std::filesystem::temp_directory_path() / ("cullscope-ply-" + std::to_string(getpid()) + ".ply")) {
+        writeSheet(path, faces);
+    }
+    ~TemporarySheet() {
+        std::error_code ignored;
+        std::filesystem::remove(path, ignored);
+    }
+    TemporarySheet(const TemporarySheet&) = delete;
+    TemporarySheet& operator=(const TemporarySheet&) = delete;
+
+    const std::filesystem::path path;
+};
+
+Cells cellsOf(const std::string& reader, const std::vector<double>& seconds, const std::vector<Run>& runs) {
+    const double peak = std::ranges::max(runs, {}, &Run::peakBytes).peakBytes;
+    return {{"reader", reader},
+            {"seconds", medianOf(seconds)},
+            {"peak_mb", peak / 1e6},
+            {"arrays_mb", runs.front().arrayBytes / 1e6},
+            {"peak_to_arrays", peak / runs.front().arrayBytes}};
 }
 
-double highestPeak(const std::vector<Run>& runs) { return std::ranges::max(runs, {}, &Run::peakBytes).peakBytes; }
-
-Run loadByCullscope(const std::filesystem::path& path) {
-    return measured([&] { return static_cast<double>(loadMeshFile(path).objects.front().mesh->bytes()); });
+/// Both readers in turns: median seconds, and the highest peak.
+Rows readersRows(uint64_t faces, int rounds) {
+    const TemporarySheet sheet(faces);
+    std::vector<Run> own, other;
+    const auto load = [&] {
+        own.push_back(measured([&] { return double(loadMeshFile(sheet.path).objects.front().mesh->bytes()); }));
+        return own.back().seconds;
+    };
+    const auto loadOther = [&] {
+        other.push_back(measured([&] {
+            const BareMesh mesh = loadByOpenMesh(sheet.path);
+            return 4.0 * double(mesh.positions.size() + mesh.indices.size());
+        }));
+        return other.back().seconds;
+    };
+    const std::vector<std::vector<double>> seconds = inTurns({load, loadOther}, rounds);
+    Rows rows{cellsOf(kCullscope, seconds[0], own), cellsOf(kOpenMesh, seconds[1], other)};
+    rows[0]["speed_to_openmesh"] = medianOf(seconds[1]) / medianOf(seconds[0]);
+    return rows;
 }
 
-Run loadByYardstick(const std::filesystem::path& path) {
-    return measured([&] {
-        const benchmark::BareMesh mesh = benchmark::loadByOpenMesh(path);
-        return 4.0 * static_cast<double>(mesh.positions.size() + mesh.indices.size());
-    });
+Experiment plyLoad(uint64_t faces, int rounds) {
+    Experiment experiment;
+    experiment.id = "ply-load";
+    experiment.title = "A binary PLY read by loadMeshFile and by OpenMesh's bare reader";
+    experiment.axes = {{"faces", "faces", Axis::Kind::Label, {double(faces)}},
+                       {"reader", "reader", Axis::Kind::InTurns, {kCullscope, kOpenMesh}}};
+    experiment.settings = settingsOf(experiment.axes);
+    experiment.columns = columnsOf(experiment.axes);
+    const std::vector<std::pair<const char*, int>> columns{
+        {"seconds", 3}, {"speed_to_openmesh", 2}, {"peak_mb", 0}, {"arrays_mb", 0}, {"peak_to_arrays", 2}};
+    for (const auto& [key, decimals] : columns)
+        experiment.columns.push_back({key, key, ResultColumn::Origin::Measured, decimals});
+    const RowFilter ours{{"reader", {kCullscope}}};
+    experiment.checks = {
+        everyRowCheck("speed, of OpenMesh's bare reader", ours, "speed_to_openmesh", {.least = kLeastRelativeSpeed}),
+        everyRowCheck("peak memory, of the arrays", ours, "peak_to_arrays", {.most = kMostMemoryRatio})};
+    experiment.measured = [faces, rounds](const Setting& /*setting*/, const ScenePointer& /*scene*/,
+                                          const Progress& /*progress*/) { return readersRows(faces, rounds); };
+    return experiment;
 }
 
 }  // namespace
 
-int main(int count, char** arguments) {
-    const uint64_t faces = count > 1 ? std::strtoull(arguments[1], nullptr, 10) : 10'000'000;
-    const int rounds = count > 2 ? std::atoi(arguments[2]) : 5;
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("cullscope-ply-" + std::to_string(getpid()) + ".ply");
-    benchmark::writeSheet(path, faces);
-    std::vector<Run> own;
-    std::vector<Run> yardstick;
-    for (int round = 0; round < rounds; ++round) {
-        own.push_back(loadByCullscope(path));
-        yardstick.push_back(loadByYardstick(path));
-        std::printf("round %d: cullscope %.3f s, OpenMesh's bare reader %.3f s\n", round + 1, own.back().seconds,
-                    yardstick.back().seconds);
-    }
-    std::filesystem::remove(path);
-
-    const double speed = medianSeconds(yardstick) / medianSeconds(own);
-    const double memory = highestPeak(own) / own.front().arrayBytes;
-    std::printf("speed: %.2f of OpenMesh's bare reader (at least %.2f)\n", speed, kLeastRelativeSpeed);
-    std::printf("peak memory: %.0f MB, %.2f of the arrays' %.0f MB (at most %.2f); OpenMesh's bare reader %.0f MB\n",
-                highestPeak(own) / 1e6, memory, own.front().arrayBytes / 1e6, kMostMemoryRatio, highestPeak(yardstick) / 1e6);
-    return speed >= kLeastRelativeSpeed && memory <= kMostMemoryRatio ? 0 : 1;
+int main(int argc, char** argv) {
+    return benchmarkMain(argc, argv, "ply_load_benchmark [faces] [rounds]",
+                         [](const std::vector<std::string>& arguments) -> std::optional<BenchmarkRun> {
+                             const uint64_t faces =
+                                 arguments.empty() ? 10'000'000 : std::strtoull(arguments[0].c_str(), nullptr, 10);
+                             const int rounds = arguments.size() < 2 ? 5 : std::atoi(arguments[1].c_str());
+                             if (arguments.size() > 2 || faces < 2 || rounds < 1) return std::nullopt;
+                             return BenchmarkRun{plyLoad(faces, rounds)};
+                         });
 }

@@ -6,44 +6,42 @@
 //   spherical_lossless_benchmark layouts FOLDER [SCENE]… both layouts of the map over given scenes, torus, knot and sphere
 //
 // Tables and plots are written to FOLDER. Exit status 1 where a promise does not hold.
-#include <cstdio>
 #include <cstdlib>
-#include <exception>
 
-#include "tests/benchmark/lossless_benchmark.h"
+#include "tests/benchmark/experiments.h"
+#include "tests/benchmark/run_experiment.h"
 
 namespace {
 
 using namespace cullscope::benchmark;
 
-constexpr int kRounds = 15;
-
-int usage() {
-    std::fprintf(stderr,
-                 "spherical_lossless_benchmark build SCENE [ROUNDS] | growth FOLDER | cull FOLDER | layouts FOLDER [SCENE]...\n");
-    return 2;
+std::optional<BenchmarkRun> buildRun(const std::vector<std::string>& arguments) {
+    constexpr int kRounds = 15;
+    const int rounds = arguments.size() == 3 ? std::atoi(arguments[2].c_str()) : kRounds;
+    if (arguments.size() > 3 || rounds < 1) return std::nullopt;
+    return BenchmarkRun{losslessBuild(arguments[1], rounds)};
 }
 
-int runCommand(const std::string& command, const std::string& first, const std::vector<std::string>& rest) {
-    if (command == "build" && rest.size() <= 1) {
-        const int rounds = rest.empty() ? kRounds : std::atoi(rest.front().c_str());
-        return rounds > 0 ? buildBesideEmbree(first, rounds) : usage();
-    }
-    if (command == "layouts") {
-        std::filesystem::create_directories(first);
-        return layouts(first, rest);
-    }
-    if (!rest.empty() || (command != "growth" && command != "cull")) return usage();
-    std::filesystem::create_directories(first);
-    return command == "growth" ? growth(first) : cullByFaces(first);
+BenchmarkRun layoutsRun(const std::vector<std::string>& arguments) {
+    std::vector<std::string> scenes(arguments.begin() + 2, arguments.end());
+    for (const char* shape : {"torus", "knot", "sphere"}) scenes.push_back(std::string(shape) + ":triangles=144046");
+    return {losslessLayouts(scenes), arguments[1]};
+}
+
+std::optional<BenchmarkRun> runOf(const std::vector<std::string>& arguments) {
+    if (arguments.size() < 2) return std::nullopt;
+    const std::string& command = arguments.front();
+    if (command == "build") return buildRun(arguments);
+    if (command == "layouts") return layoutsRun(arguments);
+    if (arguments.size() == 2 && command == "growth") return BenchmarkRun{losslessGrowth(), arguments[1]};
+    if (arguments.size() == 2 && command == "cull") return BenchmarkRun{losslessCull(), arguments[1]};
+    return std::nullopt;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) try {
-    if (argc < 3) return usage();
-    return runCommand(argv[1], argv[2], {argv + 3, argv + argc});
-} catch (const std::exception& failure) {
-    std::fprintf(stderr, "%s\n", failure.what());
-    return 2;
+int main(int argc, char** argv) {
+    return benchmarkMain(
+        argc, argv, "spherical_lossless_benchmark build SCENE [ROUNDS] | growth FOLDER | cull FOLDER | layouts FOLDER [SCENE]...",
+        runOf);
 }

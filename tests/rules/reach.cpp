@@ -32,6 +32,7 @@ std::string programOf(const std::string& file) {
     if (file.starts_with("tests/app/")) return "cullbench";
     if (file.starts_with("tests/ui/looks/")) return "looks";
     if (file.starts_with("tests/ui/")) return "ui";
+    if (file.starts_with("tests/benchmark/")) return "benchmark";
     return file.starts_with("tests/rules/") ? "rules" : "";
 }
 
@@ -91,11 +92,12 @@ public:
         if (const auto found = m_includers.find(file); found != m_includers.end()) files = found->second;
         if (!file.ends_with(".cpp") || isTestFile(file)) return files;
         const std::string header = file.substr(0, file.size() - 4) + ".h";
-        // A second source of a class has no header of its own: the first of its folder that it includes is the class's. Programs'
-        // sources in tests (benchmarks) have none and pass nothing on.
+        // A second source of a class has no header of its own: the first of its folder that it includes is the class's; so have
+        // benchmarks. Other sources of programs in tests have none and pass nothing on.
         if (m_texts.contains(header))
             files.push_back(header);
-        else if (const auto includes = m_includes.find(file); includes != m_includes.end() && !file.starts_with("tests/"))
+        else if (const auto includes = m_includes.find(file);
+                 includes != m_includes.end() && (!file.starts_with("tests/") || file.starts_with("tests/benchmark/")))
             files.push_back(firstOfFolder(includes->second, file.substr(0, file.rfind('/') + 1)));
         for (const std::string& id : strategiesIn(file))
             for (const std::string& test : testFilesThatName(id)) files.push_back(test);

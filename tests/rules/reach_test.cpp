@@ -54,6 +54,14 @@ TEST_F(Reach, strategyReachesTheTestsThatNameItsId) {
                 ElementsAre(Pair("cullbench", ElementsAre("Planes.cull"))));
 }
 
+TEST_F(Reach, benchmarkReachesTheTestOfBenchmarks) {
+    write("tests/benchmark/experiments.h", "");
+    write("tests/benchmark/octree.cpp", "#include \"core/geometry/bounds.h\"\n#include \"tests/benchmark/experiments.h\"\n");
+    write("tests/benchmark/benchmark_test.cpp", "#include \"tests/benchmark/experiments.h\"\nTEST(Benchmarks, run) {}\n");
+    EXPECT_THAT(testsReached(root(), {"tests/benchmark/octree.cpp"}),
+                ElementsAre(Pair("benchmark", ElementsAre("Benchmarks.run"))));
+}
+
 TEST_F(Reach, headerReachesWhatIncludesIt) {
     EXPECT_THAT(testsReached(root(), {"core/geometry/bounds.h"}),
                 ElementsAre(Pair("cullbench", ElementsAre("Planes.cull")), Pair("geometry", ElementsAre("Bounds.holdPoints"))));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/experiments/experiment_list.h"
 #include "core/visibility/registry.h"
 #include "tests/ui/test_scene.h"
 
@@ -9,10 +10,10 @@ namespace cullscope::ui::paper_runner_test {
 namespace {
 
 /// Table 2 with a generated scene and two settings, the second one in four windows.
-PaperExperiment smallTable(const std::string& path) {
-    PaperExperiment experiment = findPaperExperiment("table-2");
+Experiment smallTable(const std::string& path) {
+    Experiment experiment = findExperiment("table-2");
     experiment.settings.resize(2);
-    for (PaperSetting& setting : experiment.settings) {
+    for (Setting& setting : experiment.settings) {
         setting.scene = "star:seed=7,triangles=500";
         setting.strategies = {"all", "backface", "frustum"};
         setting.shown = "frustum";
@@ -59,7 +60,7 @@ struct Papers : ::testing::Test {
 };
 
 TEST_F(Papers, sessionIsGivenBack) {
-    const PaperExperiment experiment = smallTable("fibonacci:3");
+    const Experiment experiment = smallTable("fibonacci:3");
     runner.start(experiment, 1);
     EXPECT_TRUE(runner.running());
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
@@ -72,7 +73,7 @@ TEST_F(Papers, sessionIsGivenBack) {
 }
 
 TEST_F(Papers, windowShowsWhatIsMeasured) {
-    const PaperExperiment experiment = smallTable("fibonacci:60");
+    const Experiment experiment = smallTable("fibonacci:60");
     double last = 0.0;
     std::vector<Vec3> eyes;
     QObject::connect(&runner, &PaperRunner::progressed, [&](double share, const QString&) {
@@ -84,7 +85,7 @@ TEST_F(Papers, windowShowsWhatIsMeasured) {
     });
     QObject::connect(&runner, &PaperRunner::tableChanged, [&] {
         if (runner.table().rows.empty()) return;
-        const PaperSetting& shown = experiment.settings[runner.table().rows.size() / 3 - 1];
+        const Setting& shown = experiment.settings[runner.table().rows.size() / 3 - 1];
         EXPECT_EQ(session.opened()->scene->triangleCount(), 500u);
         EXPECT_EQ(session.viewCount(), shown.windows);
         for (const int view : session.shownViews()) {
@@ -101,7 +102,7 @@ TEST_F(Papers, windowShowsWhatIsMeasured) {
 }
 
 TEST_F(Papers, buildingDoesNotCountAsMeasuring) {
-    PaperExperiment experiment = smallTable("fibonacci:3");
+    Experiment experiment = smallTable("fibonacci:3");
     experiment.settings.resize(1);
     experiment.settings[0].scene = "sphere:triangles=300000";
     experiment.settings[0].strategies = {"all", "backface", "spherical"};
@@ -118,7 +119,7 @@ TEST_F(Papers, buildingDoesNotCountAsMeasuring) {
 }
 
 TEST_F(Papers, cancelBetweenSettingsKeepsTheRows) {
-    const PaperExperiment experiment = smallTable("fibonacci:3");
+    const Experiment experiment = smallTable("fibonacci:3");
     QObject::connect(&runner, &PaperRunner::tableChanged, [this] {
         if (runner.table().rows.size() == 3) runner.cancel();
     });
@@ -132,7 +133,7 @@ TEST_F(Papers, cancelBetweenSettingsKeepsTheRows) {
 }
 
 TEST_F(Papers, cancelInTheMiddleOfASettingKeepsItsPoses) {
-    const PaperExperiment experiment = smallTable("walk:5000");
+    const Experiment experiment = smallTable("walk:5000");
     QObject::connect(&runner, &PaperRunner::progressed, [this](double share, const QString&) {
         // Opening the scene takes a twentieth of the first half.
         if (share < 0.5 * 0.06) return;
@@ -147,7 +148,7 @@ TEST_F(Papers, cancelInTheMiddleOfASettingKeepsItsPoses) {
 }
 
 TEST_F(Papers, cancelAtOnceGivesTheSessionBack) {
-    const PaperExperiment experiment = smallTable("fibonacci:3");
+    const Experiment experiment = smallTable("fibonacci:3");
     runner.start(experiment, 1);
     runner.cancel();
     EXPECT_EQ(endings, 1);
@@ -158,7 +159,7 @@ TEST_F(Papers, cancelAtOnceGivesTheSessionBack) {
 }
 
 TEST_F(Papers, whatCannotBeMeasuredIsOneSentence) {
-    PaperExperiment experiment = smallTable("fibonacci:3");
+    Experiment experiment = smallTable("fibonacci:3");
     experiment.settings[1].strategies.push_back("no-such-strategy");
     experiment.settings[1].shown = "no-such-strategy";
     runner.start(experiment, 1);
@@ -176,7 +177,7 @@ TEST_F(Papers, whatCannotBeMeasuredIsOneSentence) {
 }
 
 TEST_F(Papers, sceneThatSomebodyOpensMeanwhileStays) {
-    const PaperExperiment experiment = smallTable("walk:5000");
+    const Experiment experiment = smallTable("walk:5000");
     runner.start(experiment, 1);
     ASSERT_TRUE(waitUntil([this] { return session.opened() != opened; }));
     openAndWait(session, QStringLiteral("sphere:triangles=1000"));
@@ -185,7 +186,7 @@ TEST_F(Papers, sceneThatSomebodyOpensMeanwhileStays) {
 }
 
 TEST_F(Papers, structuresAreBuiltBesideTheWindow) {
-    PaperExperiment experiment = findPaperExperiment("table-1");
+    Experiment experiment = findExperiment("table-1");
     experiment.settings[0].scene = "sphere:triangles=5000";
     runner.start(experiment);
     EXPECT_TRUE(runner.table().rows.empty());
@@ -195,8 +196,8 @@ TEST_F(Papers, structuresAreBuiltBesideTheWindow) {
 }
 
 TEST_F(Papers, pointsComeBeforeTheEnd) {
-    PaperExperiment experiment = findPaperExperiment("vfc-40-views");
-    PaperSetting& setting = experiment.settings[0];
+    Experiment experiment = findExperiment("vfc-40-views");
+    Setting& setting = experiment.settings[0];
     setting.scene = "field:mesh=star:triangles=500,n=3,spacing=2.5";
     setting.path = "walk:60";
     setting.size = {64, 64};
@@ -219,7 +220,7 @@ TEST_F(Papers, pointsComeBeforeTheEnd) {
 }
 
 TEST(PaperRunner, mayBeDestroyedInTheMiddle) {
-    const PaperExperiment experiment = smallTable("walk:5000");
+    const Experiment experiment = smallTable("walk:5000");
     Session session{sessionOptions(true)};
     openAndWait(session, QStringLiteral("torus:triangles=300"));
     PaperRunner runner(session);

@@ -132,7 +132,7 @@ ExperimentRunner::Request sweepRequest(const std::string& path) {
     const MeasureRequest small = test::smallExperiment({});
     ExperimentRunner::Request request;
     request.scene = small.scene;
-    request.strategies = requestsOf(builtInSweeps());
+    request.strategies = requestsOf(sweepExperiment(builtInSweeps()).settings.front());
     request.path = cameraPath(path, *small.scene);
     request.size = small.size;
     request.repetitions = 1;

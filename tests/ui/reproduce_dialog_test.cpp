@@ -8,6 +8,7 @@
 #include <QScreen>
 #include <QTemporaryDir>
 
+#include "core/experiments/experiment_list.h"
 #include "core/measure/statistics.h"
 #include "tests/ui/test_scene.h"
 #include "ui/window/main_window.h"
@@ -46,12 +47,12 @@ struct Reproduce : ::testing::Test {
 };
 
 TEST_F(Reproduce, everyTableCanBeChosenAndStatesItsColumns) {
-    EXPECT_EQ(dialog().choice().count(), int(paperExperiments().size()));
+    EXPECT_EQ(dialog().choice().count(), int(knownExperiments().size()));
     EXPECT_TRUE(dialog().isVisible());
     EXPECT_FALSE(dialog().cancelButton().isEnabled());
     for (int table = 0; table < dialog().choice().count(); ++table) {
         dialog().choice().setCurrentIndex(table);
-        EXPECT_EQ(dialog().model().columnCount(), int(paperExperiments()[size_t(table)].columns.size()));
+        EXPECT_EQ(dialog().model().columnCount(), int(knownExperiments()[size_t(table)].columns.size()));
         EXPECT_EQ(dialog().model().rowCount(), 0);
     }
 }
@@ -91,21 +92,21 @@ TEST_F(Reproduce, table1ComesWithThePapersNumbersAndCanBeExported) {
     ASSERT_TRUE(waitUntil([&] { return QFile::exists(csv) && QFile::exists(json); }));
     QFile file(csv);
     ASSERT_TRUE(file.open(QIODevice::ReadOnly));
-    EXPECT_EQ(file.readAll().toStdString(), paperTableCsv(dialog().model().table()));
+    EXPECT_EQ(file.readAll().toStdString(), tableCsv(dialog().model().table()));
 }
 
 TEST_F(Reproduce, tableOutlivesItsDialog) {
     dialog().choice().setCurrentIndex(0);
     QTest::mouseClick(&dialog().startButton(), Qt::LeftButton);
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
-    const std::string measured = paperTableCsv(dialog().model().table());
+    const std::string measured = tableCsv(dialog().model().table());
     dialog().choice().setCurrentIndex(1);
     EXPECT_EQ(dialog().model().rowCount(), 0);
     EXPECT_FALSE(dialog().exportButton().isEnabled());
     dialog().reject();
     ASSERT_TRUE(waitUntil([this] { return window.findChild<ReproduceDialog*>() == nullptr; }));
     EXPECT_EQ(dialog().choice().currentIndex(), 0);
-    EXPECT_EQ(paperTableCsv(dialog().model().table()), measured);
+    EXPECT_EQ(tableCsv(dialog().model().table()), measured);
     EXPECT_TRUE(dialog().exportButton().isEnabled());
     EXPECT_EQ(dialog().progressBar().value(), dialog().progressBar().maximum());
 }
@@ -143,16 +144,16 @@ TEST_F(Reproduce, closingTheDialogStopsTheExperiment) {
 }
 
 int indexOf(const std::string& id) {
-    for (size_t i = 0; i < paperExperiments().size(); ++i)
-        if (paperExperiments()[i].id == id) return int(i);
+    for (size_t i = 0; i < knownExperiments().size(); ++i)
+        if (knownExperiments()[i].id == id) return int(i);
     return -1;
 }
 
 TEST_F(Reproduce, plotIsShownOnlyWhereThereIsOne) {
-    for (size_t i = 0; i < paperExperiments().size(); ++i) {
+    for (size_t i = 0; i < knownExperiments().size(); ++i) {
         dialog().choice().setCurrentIndex(int(i));
-        const bool plot = !paperExperiments()[i].plots.empty();
-        EXPECT_EQ(dialog().pages().tabBar()->isVisible(), plot) << paperExperiments()[i].id;
+        const bool plot = !knownExperiments()[i].plots.empty();
+        EXPECT_EQ(dialog().pages().tabBar()->isVisible(), plot) << knownExperiments()[i].id;
         EXPECT_EQ(dialog().plot().empty(), !plot);
         if (!plot) {
             EXPECT_EQ(dialog().pages().currentWidget(), &dialog().table());
@@ -200,7 +201,7 @@ TEST_F(Reproduce, plotShowsPointsBeforeTheEnd) {
 TEST(PaperTableModel, keepsTheRulesOfModels) {
     PaperTableModel model;
     const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
-    PaperTable table = emptyTable(findPaperExperiment("table-2"));
+    ResultTable table = emptyTable(findExperiment("table-2"));
     model.setTable(table);
     table.addRow({{"case", 1.0}, {"strategy", std::string("all")}, {"ratio_to_all", RatioEstimate{2.0, {1.5, 2.5}}}});
     model.setTable(table);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/experiments/experiment_list.h"
 #include "ui/plots/plot_file.h"
 #include "ui/text/translated.h"
 
@@ -51,7 +52,7 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
       m_close(new QPushButton(tr("C&lose"), this)),
       m_files(new QMenu(this)) {
     setWindowTitle(tr("Reproduce a paper's table"));
-    for (const PaperExperiment& experiment : paperExperiments())
+    for (const Experiment& experiment : knownExperiments())
         m_choice->addItem(QStringLiteral("%1: %2").arg(QString::fromStdString(experiment.id), translated(experiment.title)));
     m_choice->setAccessibleName(tr("Table"));
     m_table->setModel(m_model);
@@ -75,10 +76,9 @@ ReproduceDialog::ReproduceDialog(Session& session, PaperRunner& runner, QWidget*
 
 /// Chooses the experiment measured last, so that a new dialog shows the results of the one closed before.
 void ReproduceDialog::chooseNewest() {
-    const std::vector<PaperExperiment>& all = paperExperiments();
-    const auto newest = std::find_if(all.begin(), all.end(), [this](const PaperExperiment& experiment) {
-        return experiment.id == m_runner.table().experiment;
-    });
+    const std::vector<Experiment>& all = knownExperiments();
+    const auto newest = std::find_if(
+        all.begin(), all.end(), [this](const Experiment& experiment) { return experiment.id == m_runner.table().experiment; });
     if (newest != all.end()) m_choice->setCurrentIndex(int(newest - all.begin()));
 }
 
@@ -136,7 +136,7 @@ void ReproduceDialog::wire(Session& session) {
             [&session](const Message& message) { session.raise(Severity::Error, message); });
 }
 
-const PaperExperiment& ReproduceDialog::chosen() const { return paperExperiments()[size_t(m_choice->currentIndex())]; }
+const Experiment& ReproduceDialog::chosen() const { return knownExperiments()[size_t(m_choice->currentIndex())]; }
 
 void ReproduceDialog::start() {
     m_runner.start(chosen());
@@ -199,7 +199,7 @@ void ReproduceDialog::makeRoom() {
 }
 
 void ReproduceDialog::showChosen() {
-    const PaperTable& newest = m_runner.table();
+    const ResultTable& newest = m_runner.table();
     m_model->setTable(newest.experiment == chosen().id ? newest : emptyTable(chosen()));
     showPlot(m_model->table());
     showNotes();
@@ -207,7 +207,7 @@ void ReproduceDialog::showChosen() {
     makeRoom();
 }
 
-void ReproduceDialog::showPlot(const PaperTable& table) {
+void ReproduceDialog::showPlot(const ResultTable& table) {
     m_pages->tabBar()->setVisible(hasPlot());
     if (!hasPlot()) m_pages->setCurrentWidget(m_table);
     m_plot->setPlot(hasPlot() ? table.plots.front() : LinePlot());
@@ -252,7 +252,7 @@ void ReproduceDialog::showState() {
 
 void ReproduceDialog::showHeading() {
     QString heading = QString::fromStdString(chosen().source);
-    const PaperSetting& setting = chosen().settings.front();
+    const Setting& setting = chosen().settings.front();
     if (m_runner.running() && setting.timed()) {
         QStringList others;
         for (const std::string& strategy : setting.strategies)
@@ -280,7 +280,7 @@ void ReproduceDialog::exportTo(File file, const std::filesystem::path& path) {
         return m_exporter->write(path, [bytes] { return bytes; });
     }
     m_exporter->write(path, [table = m_model->table(), file] {
-        return QByteArray::fromStdString(file == File::Csv ? paperTableCsv(table) : paperTablesJson({table}));
+        return QByteArray::fromStdString(file == File::Csv ? tableCsv(table) : tablesJson({table}));
     });
 }
 

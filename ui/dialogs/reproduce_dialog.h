@@ -46,7 +46,7 @@ public:
     void reject() override;
 
 private:
-    [[nodiscard]] const PaperExperiment& chosen() const;
+    [[nodiscard]] const Experiment& chosen() const;
     void chooseNewest();
     void makeRows();
     void wire(Session& session);
@@ -58,7 +58,7 @@ private:
     void moveOnScreen(const QPoint& corner);
     void showChosen();
     void showTable();
-    void showPlot(const PaperTable& table);
+    void showPlot(const ResultTable& table);
     [[nodiscard]] bool hasPlot() const { return !chosen().plots.empty(); }
     void showNotes();
     void makePages();

@@ -10,11 +10,11 @@ namespace cullscope::ui {
 
 namespace {
 
-QString numberText(const PaperColumn& column, double number) {
+QString numberText(const ResultColumn& column, double number) {
     return QLocale().toString(number * column.scale, 'f', column.decimals);
 }
 
-QString cellText(const PaperColumn& column, const PaperValue& value) {
+QString cellText(const ResultColumn& column, const CellValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
     if (const auto* words = std::get_if<std::string>(&value)) return translated(*words);
     if (const auto* estimate = std::get_if<RatioEstimate>(&value))
@@ -25,7 +25,7 @@ QString cellText(const PaperColumn& column, const PaperValue& value) {
 }
 
 /// A column title with line breaks after its punctuation, because the numbers below it are narrower.
-QString headerText(const PaperColumn& column) {
+QString headerText(const ResultColumn& column) {
     QString text = translated(column.title);
     for (const QString& mark : {QStringLiteral(": "), QStringLiteral(", "), QStringLiteral("："), QStringLiteral("，")})
         text.replace(mark, mark.left(1) + QLatin1Char('\n'));
@@ -34,7 +34,7 @@ QString headerText(const PaperColumn& column) {
 
 }  // namespace
 
-void PaperTableModel::setTable(const PaperTable& table) {
+void PaperTableModel::setTable(const ResultTable& table) {
     beginResetModel();
     m_table = table;
     endResetModel();
@@ -46,11 +46,11 @@ int PaperTableModel::columnCount(const QModelIndex& parent) const { return paren
 
 QVariant PaperTableModel::data(const QModelIndex& index, int role) const {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid | CheckIndexOption::ParentIsInvalid)) return {};
-    const PaperColumn& column = m_table.columns[size_t(index.column())];
+    const ResultColumn& column = m_table.columns[size_t(index.column())];
     if (role == Qt::DisplayRole) return cellText(column, m_table.rows[size_t(index.row())][size_t(index.column())]);
     if (role == Qt::TextAlignmentRole)
-        return int(Qt::AlignVCenter | (column.origin == PaperColumn::Origin::Setting ? Qt::AlignLeft : Qt::AlignRight));
-    if (role == Qt::FontRole && column.origin == PaperColumn::Origin::Paper) {
+        return int(Qt::AlignVCenter | (column.origin == ResultColumn::Origin::Axis ? Qt::AlignLeft : Qt::AlignRight));
+    if (role == Qt::FontRole && column.origin == ResultColumn::Origin::Stated) {
         QFont font;
         font.setItalic(true);
         return font;
@@ -60,11 +60,11 @@ QVariant PaperTableModel::data(const QModelIndex& index, int role) const {
 
 QVariant PaperTableModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) return {};
-    const PaperColumn& column = m_table.columns[size_t(section)];
+    const ResultColumn& column = m_table.columns[size_t(section)];
     if (role == Qt::DisplayRole) return headerText(column);
     if (role != Qt::ToolTipRole) return {};
-    if (column.origin == PaperColumn::Origin::Paper) return tr("As the paper prints it");
-    return column.origin == PaperColumn::Origin::Measured ? tr("Measured here") : QString();
+    if (column.origin == ResultColumn::Origin::Stated) return tr("As the paper prints it");
+    return column.origin == ResultColumn::Origin::Measured ? tr("Measured here") : QString();
 }
 
 }  // namespace cullscope::ui

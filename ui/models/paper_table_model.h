@@ -2,7 +2,7 @@
 
 #include <QAbstractTableModel>
 
-#include "core/experiments/paper_table.h"
+#include "core/experiments/result_table.h"
 
 namespace cullscope::ui {
 
@@ -13,8 +13,8 @@ class PaperTableModel : public QAbstractTableModel {
 public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setTable(const PaperTable& table);
-    [[nodiscard]] const PaperTable& table() const { return m_table; }
+    void setTable(const ResultTable& table);
+    [[nodiscard]] const ResultTable& table() const { return m_table; }
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
@@ -22,7 +22,7 @@ public:
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
-    PaperTable m_table;
+    ResultTable m_table;
 };
 
 }  // namespace cullscope::ui

@@ -26,14 +26,14 @@ PaperRunner::PaperRunner(Session& session, QObject* parent)
         tellProgress(kOpened + (1.0 - kOpened) * measured, stage);
     });
     connect(&m_runner, &ExperimentRunner::partial, this, [this](const MeasureResult& soFar) {
-        if (!running() || m_experiment->plotMeasured == nullptr) return;
-        m_experiment->plotMeasured(m_table, setting(), soFar);
+        if (!running() || !m_experiment->plotFrames) return;
+        m_experiment->plotFrames(m_table, setting(), soFar);
         emit plotsChanged();
     });
     connect(&m_runner, &ExperimentRunner::finished, this, [this](const MeasureResult& result) {
         if (!running()) return;
-        addRows([result, setting = &setting(), experiment = m_experiment](PaperTable& table, const Progress&) {
-            addMeasured(table, *experiment, *setting, result);
+        addRows([result, setting = &setting(), experiment = m_experiment](ResultTable& table, const Progress&) {
+            addRuns(table, *experiment, *setting, result);
         });
     });
     connect(&m_runner, &ExperimentRunner::failed, this, &PaperRunner::fail);
@@ -44,7 +44,7 @@ PaperRunner::PaperRunner(Session& session, QObject* parent)
     });
 }
 
-void PaperRunner::start(const PaperExperiment& experiment, int repetitions) {
+void PaperRunner::start(const Experiment& experiment, int repetitions) {
     if (running()) return;
     m_experiment = &experiment;
     m_repetitions = repetitions;
@@ -98,7 +98,7 @@ void PaperRunner::openScene() {
 }
 
 void PaperRunner::showSetting() {
-    const PaperSetting& shown = setting();
+    const Setting& shown = setting();
     m_session.setActiveView(0);
     m_session.setViewCount(shown.windows);
     ViewSetup setup;
@@ -142,13 +142,12 @@ void PaperRunner::measureSetting() {
 }
 
 void PaperRunner::buildSetting() {
-    addRows([experiment = m_experiment, scene = m_session.opened()->scene](PaperTable& table, const Progress& progress) {
-        addBuilt(table, *experiment, *scene, progress);
-    });
+    addRows([setting = &setting(), experiment = m_experiment, scene = m_session.opened()->scene](
+                ResultTable& table, const Progress& progress) { addMeasured(table, *experiment, *setting, scene, progress); });
 }
 
 /// Runs in the background: hashing the scene and counting what is in view take time.
-void PaperRunner::addRows(std::function<void(PaperTable& table, const Progress& progress)> add) {
+void PaperRunner::addRows(std::function<void(ResultTable& table, const Progress& progress)> add) {
     m_background.start(
         [this, add = std::move(add), table = m_table](const std::stop_token& stop) mutable -> Background::Delivery {
             try {

@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "core/experiments/paper_tables.h"
+#include "core/experiments/experiment.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/experiment_runner.h"
 #include "ui/session/session.h"
@@ -22,12 +22,12 @@ public:
     explicit PaperRunner(Session& session, QObject* parent = nullptr);
 
     /// Starts a run. `repetitions` of each frame; 0: until the median is steady. `experiment` must outlive the run.
-    void start(const PaperExperiment& experiment, int repetitions = 0);
+    void start(const Experiment& experiment, int repetitions = 0);
     /// Stops the run when the current frame is done; the results so far stay in the table.
     void cancel();
     [[nodiscard]] bool running() const { return m_experiment != nullptr; }
     /// The results of the newest run so far.
-    [[nodiscard]] const PaperTable& table() const { return m_table; }
+    [[nodiscard]] const ResultTable& table() const { return m_table; }
     /// The finished fraction of all settings of the newest run, in [0, 1]; never decreases.
     [[nodiscard]] double share() const { return m_share; }
 
@@ -49,13 +49,13 @@ private:
     void measureWhenShown();
     void measureSetting();
     void buildSetting();
-    void addRows(std::function<void(PaperTable& table, const Progress& progress)> add);
+    void addRows(std::function<void(ResultTable& table, const Progress& progress)> add);
     void showPose(double share);
     void settingDone();
     void fail(const Message& message);
     void end();
     void restoreSession();
-    [[nodiscard]] const PaperSetting& setting() const { return m_experiment->settings[m_setting]; }
+    [[nodiscard]] const Setting& setting() const { return m_experiment->settings[m_setting]; }
     [[nodiscard]] Progress progressOn(const std::stop_token& stop);
     void tellProgress(double share, const QString& stage);
 
@@ -63,11 +63,11 @@ private:
     ExperimentRunner m_runner;
     Background m_background;  ///< opens scenes, builds structures, makes rows
     QTimer m_shownCheck;
-    const PaperExperiment* m_experiment = nullptr;  ///< null: no run is active
+    const Experiment* m_experiment = nullptr;  ///< null: no run is active
     size_t m_setting = 0;
     int m_repetitions = 0;
     double m_share = 0.0;
-    PaperTable m_table;
+    ResultTable m_table;
     CameraPath m_path;            ///< path of the setting being measured
     std::string m_specification;  ///< of the scene that the run has opened
     bool m_resultDue = false;     ///< a setting is being measured, or its rows are being made

@@ -80,7 +80,8 @@ void Experiments::start(const ExperimentSettings& settings) {
     request.path = settings.path;
     request.size = settings.size;
     request.repetitions = settings.repetitions;
-    request.strategies = settings.sweeps.empty() ? shownStrategies() : requestsOf(settings.sweeps);
+    request.strategies =
+        settings.sweeps.empty() ? shownStrategies() : requestsOf(sweepExperiment(settings.sweeps).settings.front());
     m_path = settings.path;
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "core/experiments/experiment_list.h"
 #include "core/measure/accuracy.h"
 #include "core/visibility/strategy_request.h"
 #include "tests/support/gl_environment.h"
@@ -15,19 +16,19 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const PaperExperiment& experiment() { return findPaperExperiment("vfc-40-views"); }
+const Experiment& experiment() { return findExperiment("vfc-40-views"); }
 
-const PaperValue& valueOf(const PaperTable& table, size_t row, const std::string& key) {
+const CellValue& valueOf(const ResultTable& table, size_t row, const std::string& key) {
     for (size_t i = 0; i < table.columns.size(); ++i)
         if (table.columns[i].key == key) return table.rows.at(row).at(i);
     ADD_FAILURE() << "there is no column " << key;
-    static const PaperValue kNothing;
+    static const CellValue kNothing;
     return kNothing;
 }
 
-double number(const PaperTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
+double number(const ResultTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
 
-bool empty(const PaperTable& table, size_t row, const std::string& key) {
+bool empty(const ResultTable& table, size_t row, const std::string& key) {
     return std::holds_alternative<std::monostate>(valueOf(table, row, key));
 }
 
@@ -64,15 +65,15 @@ MeasureResult madeUp() {
     return result;
 }
 
-PaperTable madeUpTable() {
-    PaperTable table = emptyTable(experiment());
-    addMeasured(table, experiment(), experiment().settings[0], madeUp());
+ResultTable madeUpTable() {
+    ResultTable table = emptyTable(experiment());
+    addRuns(table, experiment(), experiment().settings[0], madeUp());
     return table;
 }
 
 TEST(ChoFigure6, settingIsThePapers) {
     ASSERT_EQ(experiment().settings.size(), 1u);
-    const PaperSetting& setting = experiment().settings[0];
+    const Setting& setting = experiment().settings[0];
     EXPECT_EQ(setting.scene, "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5");
     EXPECT_EQ(setting.path, "walk:40");
     EXPECT_EQ(setting.size, (Viewport{650, 650}));
@@ -82,11 +83,11 @@ TEST(ChoFigure6, settingIsThePapers) {
     EXPECT_THAT(setting.strategies, testing::Contains(setting.shown));
     for (const std::string& strategy : setting.strategies)
         EXPECT_EQ(strategyText(strategyFromText(strategy)), strategy) << "the paper's figures are looked up by it";
-    for (const auto& [strategy, cells] : setting.paper) EXPECT_THAT(setting.strategies, testing::Contains(strategy));
+    for (const auto& [strategy, cells] : setting.stated) EXPECT_THAT(setting.strategies, testing::Contains(strategy));
 }
 
 TEST(ChoFigure6, figuresAreThoseThatThePaperPrints) {
-    const auto& paper = experiment().settings[0].paper;
+    const auto& paper = experiment().settings[0].stated;
     const auto stated = [&](const std::string& strategy, const std::string& key) {
         return std::get<double>(paper.at(strategy).at(key));
     };
@@ -101,7 +102,7 @@ TEST(ChoFigure6, figuresAreThoseThatThePaperPrints) {
 }
 
 TEST(ChoFigure6, rowsAreWhatWasMeasured) {
-    const PaperTable table = madeUpTable();
+    const ResultTable table = madeUpTable();
     ASSERT_EQ(table.rows.size(), 4u);
     EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "strategy")), "frustum:facing=two-sided");
     EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "facing")), "two-sided");
@@ -119,20 +120,20 @@ TEST(ChoFigure6, rowsAreWhatWasMeasured) {
     EXPECT_EQ(number(table, 1, "poses"), 3.0);
     EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "speedup_vs_all")).ratio, 5.6) << "the paper quotes a mean of ratios";
     EXPECT_EQ(std::get<RatioEstimate>(valueOf(table, 1, "ratio_to_all")).ratio, 3.75);
-    const std::string text = paperTableText(table);
+    const std::string text = tableText(table);
     EXPECT_THAT(text, testing::HasSubstr("56.0")) << "the share is not in per cent";
 }
 
 TEST(ChoFigure6, ratioToAllNeedsAll) {
     MeasureResult result = madeUp();
     result.runs.erase(result.runs.begin());
-    PaperTable table = emptyTable(experiment());
-    addMeasured(table, experiment(), experiment().settings[0], result);
+    ResultTable table = emptyTable(experiment());
+    addRuns(table, experiment(), experiment().settings[0], result);
     EXPECT_TRUE(empty(table, 0, "speedup_vs_all_max"));
 }
 
 TEST(ChoFigure6, figureShowsWhatWasMeasured) {
-    const PaperTable table = madeUpTable();
+    const ResultTable table = madeUpTable();
     ASSERT_EQ(table.plots.size(), 1u);
     const LinePlot& plot = table.plots[0];
     ASSERT_EQ(plot.lines.size(), 4u);
@@ -152,29 +153,29 @@ TEST(ChoFigure6, figureShowsWhatWasMeasured) {
 }
 
 TEST(ChoFigure6, newPointsReplaceThoseOfAnEarlierView) {
-    PaperTable table = emptyTable(experiment());
+    ResultTable table = emptyTable(experiment());
     ASSERT_EQ(table.plots.size(), 1u);
     EXPECT_TRUE(table.plots[0].lines.empty());
     MeasureResult result = madeUp();
     for (RunMeasurement& each : result.runs) each.frames.resize(1);
-    experiment().plotMeasured(table, experiment().settings[0], result);
+    experiment().plotFrames(table, experiment().settings[0], result);
     EXPECT_EQ(table.plots[0].lines.size(), 4u);
     EXPECT_EQ(table.plots[0].lines[0].points.size(), 1u);
-    experiment().plotMeasured(table, experiment().settings[0], madeUp());
+    experiment().plotFrames(table, experiment().settings[0], madeUp());
     EXPECT_EQ(table.plots[0].lines.size(), 4u);
     EXPECT_EQ(table.plots[0].lines[0].points.size(), 3u);
 }
 
 TEST(ChoFigure6, filesHoldTheFigure) {
-    const PaperTable table = madeUpTable();
-    const Json plot = Json::parse(paperTablesJson({table}))["experiments"][0]["plots"][0];
+    const ResultTable table = madeUpTable();
+    const Json plot = Json::parse(tablesJson({table}))["experiments"][0]["plots"][0];
     EXPECT_EQ(plot["x"]["scale"], "linear");
     EXPECT_EQ(plot["y"]["scale"], "logarithmic");
     EXPECT_EQ(plot["lines"][1]["name"], "frustum:facing=two-sided");
     EXPECT_EQ(plot["lines"][1]["points"][2]["x"], 3.0);
     EXPECT_EQ(plot["lines"][1]["points"][2]["y"], 100.0);
     EXPECT_EQ(plot["references"][2]["y"], 0.83);
-    std::istringstream csv(paperTableCsv(table));
+    std::istringstream csv(tableCsv(table));
     std::vector<std::string> lines;
     for (std::string line; std::getline(csv, line);) lines.push_back(line);
     ASSERT_EQ(lines.size(), 1u + 4 + 1 + 1 + 3);
@@ -188,20 +189,20 @@ TEST(ChoFigure6, filesHoldTheFigure) {
 TEST(ChoFigure6, whatWasLeftOutIsSaidOnce) {
     MeasureResult result = madeUp();
     result.leftOut = {{"\"%1\" is not there.", {"frustum-select"}}};
-    PaperTable table = emptyTable(experiment());
-    addMeasured(table, experiment(), experiment().settings[0], result);
-    addMeasured(table, experiment(), experiment().settings[0], result);
+    ResultTable table = emptyTable(experiment());
+    addRuns(table, experiment(), experiment().settings[0], result);
+    addRuns(table, experiment(), experiment().settings[0], result);
     EXPECT_EQ(table.notes.size(), experiment().notes.size() + 1) << "once a table";
     EXPECT_EQ(table.notes.back().english(), "\"frustum-select\" is not there.");
 }
 
 /// The same code over nine bodies: all strategies of the experiment are measured, and none loses a pixel.
 TEST(ChoFigure6, smallWalkIsReproduced) {
-    PaperExperiment small = experiment();
+    Experiment small = experiment();
     small.settings[0].scene = "field:mesh=star:triangles=500,n=4,spacing=2.5";
     small.settings[0].path = "walk:4";
     small.settings[0].size = {65, 65};
-    const PaperTable table = reproduce(small, {{}, 1});
+    const ResultTable table = runExperiment(small, {{}, 1});
     EXPECT_FALSE(table.interrupted);
     EXPECT_EQ(table.rows.size() + table.notes.size(), small.settings[0].strategies.size() + small.notes.size())
         << "a strategy has neither a row nor a note";

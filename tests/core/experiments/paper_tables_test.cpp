@@ -1,4 +1,4 @@
-#include "core/experiments/paper_tables.h"
+#include "core/experiments/experiment_list.h"
 
 #include <gmock/gmock.h>
 
@@ -19,24 +19,24 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Numbers = std::vector<double>;
 
-size_t columnOf(const PaperTable& table, const std::string& key) {
+size_t columnOf(const ResultTable& table, const std::string& key) {
     for (size_t i = 0; i < table.columns.size(); ++i)
         if (table.columns[i].key == key) return i;
     ADD_FAILURE() << table.experiment << " has no column " << key;
     return 0;
 }
 
-const PaperValue& valueOf(const PaperTable& table, size_t row, const std::string& key) {
+const CellValue& valueOf(const ResultTable& table, size_t row, const std::string& key) {
     return table.rows.at(row).at(columnOf(table, key));
 }
 
-double number(const PaperTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
+double number(const ResultTable& table, size_t row, const std::string& key) { return std::get<double>(valueOf(table, row, key)); }
 
 /// The values that the paper states in a column for one strategy, by setting.
 Numbers stated(const std::string& experiment, const std::string& strategy, const std::string& key) {
     Numbers numbers;
-    for (const PaperSetting& setting : findPaperExperiment(experiment).settings)
-        numbers.push_back(std::get<double>(setting.paper.at(strategy).at(key)));
+    for (const Setting& setting : findExperiment(experiment).settings)
+        numbers.push_back(std::get<double>(setting.stated.at(strategy).at(key)));
     return numbers;
 }
 
@@ -74,9 +74,9 @@ MeasureResult madeUp() {
 }
 
 /// A setting of Table 2 whose proposed strategy is `frustum`.
-PaperSetting settingWithFrustum() {
-    PaperSetting setting = findPaperExperiment("table-2").settings[1];
-    setting.paper["frustum"] = setting.paper["spherical"];
+Setting settingWithFrustum() {
+    Setting setting = findExperiment("table-2").settings[1];
+    setting.stated["frustum"] = setting.stated["spherical"];
     return setting;
 }
 
@@ -108,8 +108,7 @@ TEST(PaperTables, settingsAreThePapers) {
     using Setup = std::tuple<std::string, int, int, Upload>;
     const auto setupsOf = [](const std::string& id) {
         std::vector<Setup> setups;
-        for (const PaperSetting& s : findPaperExperiment(id).settings)
-            setups.emplace_back(s.path, s.size.width, s.windows, s.upload);
+        for (const Setting& s : findExperiment(id).settings) setups.emplace_back(s.path, s.size.width, s.windows, s.upload);
         return setups;
     };
     const Upload vbo = Upload::Vbo;
@@ -129,8 +128,8 @@ TEST(PaperTables, settingsAreThePapers) {
                                                        {"case-3", 320, 8, vbo}}));
     EXPECT_EQ(setupsOf("table-5"),
               (std::vector<Setup>{{"fibonacci:12", 640, 1, Upload::VertexArray}, {"fibonacci:12", 640, 1, vbo}}));
-    for (const PaperExperiment& experiment : hanHongTables())
-        for (const PaperSetting& setting : experiment.settings) {
+    for (const Experiment& experiment : hanHongTables())
+        for (const Setting& setting : experiment.settings) {
             EXPECT_EQ(setting.scene, "mesh:bunny,triangles=144046");
             if (!setting.timed()) continue;
             EXPECT_THAT(setting.strategies, testing::IsSupersetOf({"all", "backface", "spherical"}));
@@ -140,7 +139,7 @@ TEST(PaperTables, settingsAreThePapers) {
 
 TEST(PaperTables, viewsOfTable5KeepTheObjectInTheFrustum) {
     const MeasureRequest small = smallExperiment({"all"});
-    const PaperSetting& setting = findPaperExperiment("table-5").settings[0];
+    const Setting& setting = findExperiment("table-5").settings[0];
     const CameraPath path = cameraPath(setting.path, *small.scene);
     EXPECT_GE(path.poses.size(), 10u);
     const Sphere& sphere = small.scene->boundingSphere();
@@ -151,19 +150,19 @@ TEST(PaperTables, viewsOfTable5KeepTheObjectInTheFrustum) {
 }
 
 TEST(PaperTables, columnsHaveKeysOfTheirOwnThatHoldEveryCell) {
-    for (const PaperExperiment& experiment : paperExperiments()) {
+    for (const Experiment& experiment : knownExperiments()) {
         std::set<std::string> keys;
-        for (const PaperColumn& column : experiment.columns) EXPECT_TRUE(keys.insert(column.key).second) << column.key;
-        for (const PaperSetting& setting : experiment.settings)
-            for (const auto& [strategy, cells] : setting.paper)
+        for (const ResultColumn& column : experiment.columns) EXPECT_TRUE(keys.insert(column.key).second) << column.key;
+        for (const Setting& setting : experiment.settings)
+            for (const auto& [strategy, cells] : setting.stated)
                 for (const auto& [key, value] : cells) EXPECT_TRUE(keys.contains(key)) << experiment.id << " loses " << key;
     }
 }
 
 TEST(PaperTables, rowsAreWhatWasMeasured) {
-    const PaperExperiment& experiment = findPaperExperiment("table-2");
-    PaperTable table = emptyTable(experiment);
-    addMeasured(table, experiment, settingWithFrustum(), madeUp());
+    const Experiment& experiment = findExperiment("table-2");
+    ResultTable table = emptyTable(experiment);
+    addRuns(table, experiment, settingWithFrustum(), madeUp());
     ASSERT_EQ(table.rows.size(), 2u);
     EXPECT_EQ(std::get<std::string>(valueOf(table, 1, "strategy")), "frustum");
     EXPECT_EQ(number(table, 0, "case"), 2.0);
@@ -182,27 +181,27 @@ TEST(PaperTables, rowsAreWhatWasMeasured) {
     EXPECT_EQ(number(table, 1, "missed_pixels"), 32.0);
     EXPECT_EQ(number(table, 1, "largest_hole_px"), 7.0);
     EXPECT_DOUBLE_EQ(number(table, 1, "missed_pixel_rate"), 32.0 / 3000.0);
-    EXPECT_EQ(paperText(table.columns[columnOf(table, "ratio_to_all")], valueOf(table, 1, "ratio_to_all")), "2.50 [2.00, 3.00]");
-    EXPECT_EQ(paperText(table.columns[columnOf(table, "missed_pixel_rate")], valueOf(table, 1, "missed_pixel_rate")), "10667");
+    EXPECT_EQ(valueText(table.columns[columnOf(table, "ratio_to_all")], valueOf(table, 1, "ratio_to_all")), "2.50 [2.00, 3.00]");
+    EXPECT_EQ(valueText(table.columns[columnOf(table, "missed_pixel_rate")], valueOf(table, 1, "missed_pixel_rate")), "10667");
 }
 
 TEST(PaperTables, brokenPromiseIsRecordedOnce) {
-    const PaperExperiment& experiment = findPaperExperiment("table-2");
-    PaperTable table = emptyTable(experiment);
+    const Experiment& experiment = findExperiment("table-2");
+    ResultTable table = emptyTable(experiment);
     MeasureResult result = madeUp();
-    addMeasured(table, experiment, settingWithFrustum(), result);
+    addRuns(table, experiment, settingWithFrustum(), result);
     EXPECT_THAT(table.brokenPromises, testing::IsEmpty()) << "approximate strategies promise nothing";
     result.runs[1].promise = Promise::Conservative;
-    addMeasured(table, experiment, settingWithFrustum(), result);
-    addMeasured(table, experiment, settingWithFrustum(), result);
+    addRuns(table, experiment, settingWithFrustum(), result);
+    addRuns(table, experiment, settingWithFrustum(), result);
     EXPECT_THAT(table.brokenPromises, testing::ElementsAre("frustum"));
 }
 
 TEST(PaperTables, jsonHasThePapersAndOurNumbers) {
-    const PaperExperiment& experiment = findPaperExperiment("table-2");
-    PaperTable table = emptyTable(experiment);
-    addMeasured(table, experiment, settingWithFrustum(), madeUp());
-    const Json json = Json::parse(paperTablesJson({table}));
+    const Experiment& experiment = findExperiment("table-2");
+    ResultTable table = emptyTable(experiment);
+    addRuns(table, experiment, settingWithFrustum(), madeUp());
+    const Json json = Json::parse(tablesJson({table}));
     EXPECT_EQ(json["machine"]["gl_renderer"], "made up");
     const Json& written = json["experiments"][0];
     EXPECT_EQ(written["experiment"], "table-2");
@@ -218,10 +217,10 @@ TEST(PaperTables, jsonHasThePapersAndOurNumbers) {
 }
 
 TEST(PaperTables, csvRowsAreOfOneLength) {
-    const PaperExperiment& experiment = findPaperExperiment("table-2");
-    PaperTable table = emptyTable(experiment);
-    addMeasured(table, experiment, settingWithFrustum(), madeUp());
-    std::istringstream csv(paperTableCsv(table));
+    const Experiment& experiment = findExperiment("table-2");
+    ResultTable table = emptyTable(experiment);
+    addRuns(table, experiment, settingWithFrustum(), madeUp());
+    std::istringstream csv(tableCsv(table));
     std::vector<std::string> lines;
     for (std::string line; std::getline(csv, line);) lines.push_back(line);
     ASSERT_EQ(lines.size(), 3u);
@@ -234,10 +233,10 @@ TEST(PaperTables, csvRowsAreOfOneLength) {
 }
 
 /// An experiment over generated scenes: two settings of three poses.
-PaperExperiment smallTable() {
-    PaperExperiment experiment = findPaperExperiment("table-2");
+Experiment smallTable() {
+    Experiment experiment = findExperiment("table-2");
     experiment.settings.resize(2);
-    for (PaperSetting& setting : experiment.settings) {
+    for (Setting& setting : experiment.settings) {
         setting.scene = "star:seed=7,triangles=500";
         setting.strategies = {"all", "backface", "frustum"};
         setting.path = "fibonacci:3";
@@ -248,8 +247,8 @@ PaperExperiment smallTable() {
 
 TEST(Reproduce, measuresWhatIsDeclared) {
     std::vector<size_t> rowsSeen;
-    const PaperTable table =
-        reproduce(smallTable(), {{}, 1}, {}, [&](const PaperTable& soFar) { rowsSeen.push_back(soFar.rows.size()); });
+    const ResultTable table =
+        runExperiment(smallTable(), {{}, 1}, {}, [&](const ResultTable& soFar) { rowsSeen.push_back(soFar.rows.size()); });
     EXPECT_EQ(rowsSeen, (std::vector<size_t>{3, 6}));
     EXPECT_FALSE(table.interrupted);
     EXPECT_FALSE(table.gl.renderer.empty());
@@ -262,7 +261,7 @@ TEST(Reproduce, stopKeepsRows) {
     std::stop_source stop;
     Progress progress;
     progress.stop = stop.get_token();
-    const PaperTable table = reproduce(smallTable(), {{}, 1}, progress, [&](const PaperTable&) { stop.request_stop(); });
+    const ResultTable table = runExperiment(smallTable(), {{}, 1}, progress, [&](const ResultTable&) { stop.request_stop(); });
     EXPECT_TRUE(table.interrupted);
     EXPECT_EQ(table.rows.size(), 3u) << "the first setting was measured whole";
 }
@@ -277,7 +276,7 @@ TEST(Reproduce, stopInTheMiddleOfASettingKeepsItsPoses) {
                                 if (share > 0.5 + 0.5 * (0.05 + 0.95 / 3) - 1e-9) stop.request_stop();
                             },
                             stop.get_token()};
-    const PaperTable table = reproduce(smallTable(), {{}, 1}, progress);
+    const ResultTable table = runExperiment(smallTable(), {{}, 1}, progress);
     EXPECT_TRUE(table.interrupted);
     ASSERT_EQ(table.rows.size(), 6u);
     EXPECT_EQ(number(table, 2, "poses"), 3.0);
@@ -285,9 +284,9 @@ TEST(Reproduce, stopInTheMiddleOfASettingKeepsItsPoses) {
 }
 
 TEST(Reproduce, sizesOfTheMapsAreThoseOfTheStructures) {
-    PaperExperiment experiment = findPaperExperiment("table-1");
+    Experiment experiment = findExperiment("table-1");
     experiment.settings[0].scene = "sphere:triangles=5000";
-    const PaperTable table = reproduce(experiment, {});
+    const ResultTable table = runExperiment(experiment, {});
     ASSERT_EQ(table.rows.size(), 5u);
     const Numbers paper{4.3, 6.7, 0.51};
     double sum = 0.0;
@@ -305,7 +304,7 @@ TEST(Reproduce, sizesOfTheMapsAreThoseOfTheStructures) {
 
 TEST(PaperTables, refusalOfAnUnknownExperimentNamesTheKnownOnes) {
     try {
-        (void)findPaperExperiment("table-9");
+        (void)findExperiment("table-9");
         FAIL() << "found";
     } catch (const Error& error) {
         EXPECT_EQ(error.kind(), ErrorKind::Usage);

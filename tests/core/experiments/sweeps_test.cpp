@@ -36,7 +36,7 @@ TEST(Fronts, everySweepHasItsStrategysDefaultOnIt) {
 
 TEST(Fronts, whereTwoCrossIsMeasuredOnce) {
     const std::vector<ParameterSweep> crossing{{"spherical", "rows", {"45", "180"}}, {"spherical", "band", {"5", "10"}}};
-    const std::vector<StrategyRequest> requests = requestsOf(crossing);
+    const std::vector<StrategyRequest> requests = requestsOf(sweepExperiment(crossing).settings.front());
     ASSERT_EQ(requests.size(), 3u) << "180 rows and bands of 5° are both the default";
     EXPECT_EQ(requests[0].parameters.integer("rows"), 45);
     EXPECT_EQ(requests[0].parameters.real("band"), 5.0);

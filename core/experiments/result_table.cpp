@@ -1,8 +1,9 @@
-#include "core/experiments/paper_table.h"
+#include "core/experiments/result_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -14,16 +15,17 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-const char* originId(PaperColumn::Origin origin) {
-    if (origin == PaperColumn::Origin::Setting) return "setting";
-    return origin == PaperColumn::Origin::Paper ? "paper" : "measured";
+/// As in files of all versions.
+const char* originId(ResultColumn::Origin origin) {
+    if (origin == ResultColumn::Origin::Axis) return "setting";
+    return origin == ResultColumn::Origin::Stated ? "paper" : "measured";
 }
 
-std::string numberText(const PaperColumn& column, double number) {
+std::string numberText(const ResultColumn& column, double number) {
     return fmt::format("{:.{}f}", number * column.scale, column.decimals);
 }
 
-Json rowJson(const PaperTable& table, const std::vector<PaperValue>& row) {
+Json rowJson(const ResultTable& table, const std::vector<CellValue>& row) {
     Json json = Json::object();
     for (size_t i = 0; i < table.columns.size(); ++i) {
         const std::string& key = table.columns[i].key;
@@ -58,7 +60,16 @@ Json plotJson(const LinePlot& plot) {
     return json;
 }
 
-Json tableJson(const PaperTable& table) {
+Json checkJson(const CheckResult& check) {
+    const auto limit = [](double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); };
+    return {{"check", check.sentence},
+            {"value", check.value ? Json(*check.value) : Json(nullptr)},
+            {"least", limit(check.least)},
+            {"most", limit(check.most)},
+            {"holds", check.holds()}};
+}
+
+Json tableJson(const ResultTable& table) {
     Json json{{"experiment", table.experiment},
               {"title", table.title},
               {"source", table.source},
@@ -70,20 +81,21 @@ Json tableJson(const PaperTable& table) {
               {"rows", Json::array()},
               {"plots", Json::array()}};
     for (const Message& note : table.notes) json["notes"].push_back(note.english());
-    for (const PaperColumn& column : table.columns)
+    for (const ResultColumn& column : table.columns)
         json["columns"].push_back({{"key", column.key}, {"title", column.title}, {"from", originId(column.origin)}});
-    for (const std::vector<PaperValue>& row : table.rows) json["rows"].push_back(rowJson(table, row));
+    for (const std::vector<CellValue>& row : table.rows) json["rows"].push_back(rowJson(table, row));
     for (const LinePlot& plot : table.plots) json["plots"].push_back(plotJson(plot));
+    for (const CheckResult& check : table.checks) json["checks"].push_back(checkJson(check));
     return json;
 }
 
 /// Whether any row of the column has a confidence interval.
-bool hasIntervals(const PaperTable& table, size_t column) {
+bool hasIntervals(const ResultTable& table, size_t column) {
     return std::any_of(table.rows.begin(), table.rows.end(),
-                       [&](const std::vector<PaperValue>& row) { return std::holds_alternative<RatioEstimate>(row[column]); });
+                       [&](const std::vector<CellValue>& row) { return std::holds_alternative<RatioEstimate>(row[column]); });
 }
 
-std::string csvText(const PaperValue& value) {
+std::string csvText(const CellValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
     if (const auto* estimate = std::get_if<RatioEstimate>(&value)) return fmt::format("{}", estimate->ratio);
     const auto* words = std::get_if<std::string>(&value);
@@ -123,16 +135,32 @@ std::string padded(const std::string& text, size_t wide, bool left) {
 
 }  // namespace
 
-void PaperTable::addRow(const std::map<std::string, PaperValue>& values) {
-    std::vector<PaperValue> row;
-    for (const PaperColumn& column : columns) {
+void ResultTable::addRow(const Cells& values) {
+    std::vector<CellValue> row;
+    for (const ResultColumn& column : columns) {
         const auto value = values.find(column.key);
-        row.push_back(value == values.end() ? PaperValue() : value->second);
+        row.push_back(value == values.end() ? CellValue() : value->second);
     }
     rows.push_back(std::move(row));
 }
 
-std::string paperText(const PaperColumn& column, const PaperValue& value) {
+CellValue ResultTable::value(size_t row, const std::string& key) const {
+    for (size_t i = 0; i < columns.size(); ++i)
+        if (columns[i].key == key) return rows[row][i];
+    return {};
+}
+
+bool ResultTable::checkFailed() const {
+    return std::any_of(checks.begin(), checks.end(), [](const CheckResult& check) { return !check.holds(); });
+}
+
+std::optional<double> numberOf(const CellValue& value) {
+    if (const auto* number = std::get_if<double>(&value)) return *number;
+    if (const auto* estimate = std::get_if<RatioEstimate>(&value)) return estimate->ratio;
+    return std::nullopt;
+}
+
+std::string valueText(const ResultColumn& column, const CellValue& value) {
     if (const auto* number = std::get_if<double>(&value)) return numberText(column, *number);
     if (const auto* words = std::get_if<std::string>(&value)) return *words;
     if (const auto* estimate = std::get_if<RatioEstimate>(&value))
@@ -141,12 +169,12 @@ std::string paperText(const PaperColumn& column, const PaperValue& value) {
     return "";
 }
 
-std::string paperTablesJson(const std::vector<PaperTable>& tables) {
+std::string tablesJson(const std::vector<ResultTable>& tables) {
     const ToolVersion tool = toolVersion();
     Json json{{"tool", {{"name", tool.name}, {"version", tool.version}, {"commit", tool.commit}}},
               {"machine", {{"cpu", cpuName()}}},
               {"experiments", Json::array()}};
-    for (const PaperTable& table : tables) {
+    for (const ResultTable& table : tables) {
         if (!table.gl.renderer.empty()) {
             json["machine"]["gl_renderer"] = table.gl.renderer;
             json["machine"]["gl_version"] = table.gl.version;
@@ -157,7 +185,7 @@ std::string paperTablesJson(const std::vector<PaperTable>& tables) {
     return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::string paperTableCsv(const PaperTable& table) {
+std::string rowsCsv(const ResultTable& table) {
     std::string csv;
     for (size_t i = 0; i < table.columns.size(); ++i) {
         const std::string& key = table.columns[i].key;
@@ -165,7 +193,7 @@ std::string paperTableCsv(const PaperTable& table) {
         if (hasIntervals(table, i)) csv += "," + key + "_low," + key + "_high";
     }
     csv += '\n';
-    for (const std::vector<PaperValue>& row : table.rows) {
+    for (const std::vector<CellValue>& row : table.rows) {
         for (size_t i = 0; i < row.size(); ++i) {
             csv += (i > 0 ? "," : "") + csvText(row[i]);
             if (!hasIntervals(table, i)) continue;
@@ -174,29 +202,45 @@ std::string paperTableCsv(const PaperTable& table) {
         }
         csv += '\n';
     }
+    return csv;
+}
+
+std::string tableCsv(const ResultTable& table) {
+    std::string csv = rowsCsv(table);
     for (const LinePlot& plot : table.plots) csv += "\n" + plotCsv(plot);
     return csv;
 }
 
-std::string paperTableText(const PaperTable& table) {
+std::string checkText(const CheckResult& check) {
+    std::string limits;
+    if (std::isfinite(check.least)) limits += fmt::format("at least {:g}", check.least);
+    if (std::isfinite(check.most)) limits += fmt::format("{}at most {:g}", limits.empty() ? "" : ", ", check.most);
+    const std::string value = check.value ? fmt::format("{:.3g}", *check.value) : std::string("not measured");
+    const std::string text = check.sentence + ": " + value + (limits.empty() ? "" : " (" + limits + ")");
+    return check.holds() ? text : text + ", DOES NOT HOLD";
+}
+
+std::string tableText(const ResultTable& table) {
     std::vector<size_t> widths;
     for (size_t i = 0; i < table.columns.size(); ++i) {
         widths.push_back(width(table.columns[i].title));
-        for (const auto& row : table.rows) widths[i] = std::max(widths[i], width(paperText(table.columns[i], row[i])));
+        for (const auto& row : table.rows) widths[i] = std::max(widths[i], width(valueText(table.columns[i], row[i])));
     }
     const auto line = [&](const auto& textOf) {
         std::string text;
         for (size_t i = 0; i < table.columns.size(); ++i)
-            text += (i > 0 ? "  " : "") + padded(textOf(i), widths[i], table.columns[i].origin == PaperColumn::Origin::Setting);
+            text += (i > 0 ? "  " : "") + padded(textOf(i), widths[i], table.columns[i].origin == ResultColumn::Origin::Axis);
         return text.substr(0, text.find_last_not_of(' ') + 1) + '\n';
     };
-    std::string text = table.experiment + ": " + table.title + "\n" + table.source + "\n";
+    std::string text = table.experiment + ": " + table.title + "\n";
+    if (!table.source.empty()) text += table.source + "\n";
     if (table.triangles > 0) text += fmt::format("{}: {} triangles\n", table.scene, table.triangles);
     if (!table.gl.renderer.empty())
         text += table.gl.renderer + (table.gl.software ? " (software OpenGL: times are not a GPU's)\n" : "\n");
     text += line([&](size_t i) { return table.columns[i].title; });
-    for (const auto& row : table.rows) text += line([&](size_t i) { return paperText(table.columns[i], row[i]); });
+    for (const auto& row : table.rows) text += line([&](size_t i) { return valueText(table.columns[i], row[i]); });
     for (const Message& note : table.notes) text += "- " + note.english() + "\n";
+    for (const CheckResult& check : table.checks) text += checkText(check) + "\n";
     return text;
 }
 

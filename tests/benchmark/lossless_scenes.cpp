@@ -1,11 +1,6 @@
-#include "tests/benchmark/lossless_benchmark.h"
+#include "tests/benchmark/lossless_scenes.h"
 
-#include <numeric>
-
-#include "core/measure/meter.h"
-#include "core/measure/statistics.h"
 #include "core/scene/camera_path.h"
-#include "core/scene/scene_source.h"
 
 namespace cullscope::benchmark {
 
@@ -23,8 +18,6 @@ ScenePointer sceneOf(MeshPointer mesh) {
     std::string name = mesh->name();
     return std::make_shared<Scene>(name, std::vector<MeshPointer>{std::move(mesh)}, std::vector<Instance>{{0, Mat4(1.0), name}});
 }
-
-MeshPointer meshOf(const std::string& specification) { return openScene(specification).scene->meshes().front(); }
 
 test::CullerPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
     ParameterSet parameters(findStrategy("spherical-lossless").info.parameters);
@@ -45,12 +38,6 @@ std::vector<Views> cutAndWithin(const Scene& scene, size_t each) {
     const CameraPath around = cameraPath("fibonacci:" + std::to_string(each), scene);
     for (size_t i = 0; i < each; ++i) all[1].views.emplace_back(around.camera(i), kSize);
     return all;
-}
-
-double medianOf(const std::vector<double>& values) { return quantile(values, 0.5); }
-
-double meanOf(const std::vector<double>& values) {
-    return std::accumulate(values.begin(), values.end(), 0.0) / double(values.size());
 }
 
 }  // namespace cullscope::benchmark

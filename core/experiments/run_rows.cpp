@@ -1,4 +1,4 @@
-#include "core/experiments/paper_rows.h"
+#include "core/experiments/run_rows.h"
 
 #include "core/measure/statistics.h"
 #include "core/visibility/strategy_request.h"
@@ -6,7 +6,7 @@
 namespace cullscope {
 namespace {
 
-void addLosses(PaperCells& cells, const RunMeasurement& run) {
+void addLosses(Cells& cells, const RunMeasurement& run) {
     const std::optional<Losses> losses = run.losses();
     if (!losses) return;
     cells["missed_pixels"] = double(losses->missedPixels);
@@ -16,22 +16,34 @@ void addLosses(PaperCells& cells, const RunMeasurement& run) {
 
 }  // namespace
 
-PaperCells rowCells(const PaperSetting& setting, const RunMeasurement& run) {
-    PaperCells cells = setting.labels;
+Cells rowCells(const Setting& setting, const RunMeasurement& run) {
+    Cells cells = setting.labels;
     const std::string strategy = strategyText(run.strategy);
-    if (const auto stated = setting.paper.find(strategy); stated != setting.paper.end())
+    if (const auto stated = setting.stated.find(strategy); stated != setting.stated.end())
         cells.insert(stated->second.begin(), stated->second.end());
     const Summary& summary = run.summary;
     cells["strategy"] = strategy;
     cells["poses"] = double(run.frames.size());
+    cells["fps_overall"] = summary.fpsOverall;
     cells["fps_max"] = summary.fpsMax;
     cells["fps_min"] = summary.fpsMin;
     cells["fps_mean"] = summary.fpsMean;
     cells["ratio_to_all"] = summary.ratioToAll;
     cells["ratio_to_backface"] = summary.ratioToBackface;
     cells["speedup_vs_all"] = summary.speedupVsAll;
+    cells["culled_fraction"] = summary.culledFraction;
+    cells["cull_share"] = summary.cullShare;
+    cells["build_ms"] = run.structure.buildMilliseconds;
+    cells["structure_bytes"] = double(run.structure.bytes);
     addLosses(cells, run);
     return cells;
+}
+
+Rows runRows(const Setting& setting, const MeasureResult& result) {
+    Rows rows;
+    for (const RunMeasurement& run : result.runs)
+        if (!run.frames.empty()) rows.push_back(rowCells(setting, run));
+    return rows;
 }
 
 }  // namespace cullscope

@@ -1,0 +1,71 @@
+#include "app/cullbench/tables.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+#include "app/cullbench/commands.h"
+#include "core/base/error.h"
+
+namespace cullscope::cullbench {
+namespace {
+
+/// The options whose file is standard output.
+std::vector<std::string> onStandardOutput(const TableFiles& files) {
+    std::vector<std::string> options;
+    if (files.json == "-") options.emplace_back("--json");
+    if (files.csv == "-") options.emplace_back("--csv");
+    if (files.svg == "-") options.emplace_back("--svg");
+    return options;
+}
+
+std::vector<LinePlot> plotsOf(const std::vector<ResultTable>& tables) {
+    std::vector<LinePlot> plots;
+    for (const ResultTable& table : tables) plots.insert(plots.end(), table.plots.begin(), table.plots.end());
+    return plots;
+}
+
+}  // namespace
+
+void checkTableFiles(const TableFiles& files) {
+    if (const std::vector<std::string> options = onStandardOutput(files); options.size() > 1)
+        throwUsage(CULLSCOPE_TR("%1 and %2 cannot both go to standard output: name a file for one of them."),
+                   {options[0], options[1]});
+    checkOutputPlaces({files.json, files.csv, files.svg});
+}
+
+FILE* tableOutput(const TableFiles& files) { return onStandardOutput(files).empty() ? stdout : stderr; }
+
+void writeTables(const TableFiles& files, const std::vector<ResultTable>& tables) {
+    std::optional<Error> failure;
+    const auto writeTo = [&](const std::string& path, const auto& textOf) {
+        if (path.empty()) return;
+        try {
+            writeText(path, textOf());
+        } catch (const Error& error) {
+            failure = error;
+        }
+    };
+    writeTo(files.json, [&] { return tablesJson(tables); });
+    writeTo(files.csv, [&] { return rowsCsv(tables.front()); });
+    if (const std::vector<LinePlot> plots = plotsOf(tables); !plots.empty())
+        writeTo(files.svg, [&] { return linePlotsSvg(plots); });
+    if (failure) throw *failure;
+}
+
+int tableStatus(const std::vector<ResultTable>& tables) {
+    int status = 0;
+    for (const ResultTable& table : tables)
+        for (const std::string& strategy : table.brokenPromises) {
+            fmt::print(stderr, "cullbench: {}: {} promises to lose no pixel and lost some\n", table.experiment, strategy);
+            status = 1;
+        }
+    for (const ResultTable& table : tables)
+        if (table.checkFailed()) {
+            fmt::print(stderr, "cullbench: {}: a check does not hold\n", table.experiment);
+            status = 1;
+        }
+    return tables.back().interrupted ? static_cast<int>(ErrorKind::Interrupted) : status;
+}
+
+}  // namespace cullscope::cullbench

@@ -1,0 +1,194 @@
+#include "core/experiments/experiment.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/experiments/run_rows.h"
+#include "core/visibility/strategy_request.h"
+
+namespace cullscope {
+namespace {
+
+/// Keeps the newest scene: consecutive settings often use the same one.
+class SceneKeeper {
+public:
+    explicit SceneKeeper(const SceneSourceOptions& options) : m_options(options) {}
+
+    /// Null for no specification.
+    const ScenePointer& open(const std::string& specification, const Progress& progress) {
+        if (specification.empty())
+            m_scene = nullptr;
+        else if (!m_scene || specification != m_specification)
+            m_scene = openScene(specification, m_options, progress).scene;
+        m_specification = specification;
+        return m_scene;
+    }
+
+private:
+    const SceneSourceOptions& m_options;
+    std::string m_specification;
+    ScenePointer m_scene;
+};
+
+void noteScene(ResultTable& table, const Scene& scene) {
+    if (table.scene == scene.name() && table.triangles == scene.triangleCount()) return;
+    table.scene = scene.name();
+    table.sceneSha256 = scene.sha256();
+    table.triangles = scene.triangleCount();
+}
+
+/// Notes why strategies have no row; each reason once in a table.
+void noteLeftOut(ResultTable& table, const MeasureResult& result) {
+    for (const Message& why : result.leftOut) {
+        const auto same = [&](const Message& note) { return note.english() == why.english(); };
+        if (std::none_of(table.notes.begin(), table.notes.end(), same)) table.notes.push_back(why);
+    }
+}
+
+void noteBrokenPromises(ResultTable& table, const MeasureResult& result) {
+    for (const RunMeasurement& run : result.runs) {
+        std::vector<std::string>& broken = table.brokenPromises;
+        const std::string strategy = strategyText(run.strategy);
+        if (run.promiseBroken() && std::find(broken.begin(), broken.end(), strategy) == broken.end()) broken.push_back(strategy);
+    }
+}
+
+/// Adds rows, and what follows from all rows so far.
+void addRows(ResultTable& table, const Experiment& experiment, const Rows& rows) {
+    for (const Cells& row : rows) table.addRow(row);
+    std::vector<LinePlot> plots;
+    for (size_t i = 0; i < experiment.plots.size(); ++i) {
+        if (experiment.plots[i].ofFrames()) {
+            plots.push_back(table.plots[i]);
+            continue;
+        }
+        for (LinePlot& plot : plotsOf(experiment.plots[i], table)) plots.push_back(std::move(plot));
+    }
+    table.plots = std::move(plots);
+    table.checks = checked(experiment.checks, table);
+}
+
+void runSetting(ResultTable& table, const Experiment& experiment, const Setting& setting, SceneKeeper& scenes, int repetitions,
+                const Progress& progress) {
+    constexpr double kOpened = 0.05;
+    const ScenePointer& scene = scenes.open(setting.scene, progress.part(0.0, kOpened));
+    const Progress rest = progress.part(kOpened, 1.0);
+    if (setting.timed())
+        addRuns(table, experiment, setting, measure(measureRequest(setting, scene, repetitions), rest));
+    else
+        addMeasured(table, experiment, setting, scene, rest);
+}
+
+void addStrategies(const Axis& axis, Setting& setting) {
+    for (const CellValue& value : axis.values) {
+        StrategyRequest request = strategyFromText(axis.strategy);
+        request.parameters.setFromText(axis.key, std::get<std::string>(value));
+        const std::string text = strategyText(request);
+        if (std::find(setting.strategies.begin(), setting.strategies.end(), text) == setting.strategies.end())
+            setting.strategies.push_back(text);
+    }
+}
+
+void set(Setting& setting, const Axis& axis, const CellValue& value) {
+    setting.labels[axis.key] = value;
+    if (axis.kind == Axis::Kind::Scene) setting.scene = std::get<std::string>(value);
+    if (axis.kind == Axis::Kind::Path) setting.path = std::get<std::string>(value);
+}
+
+}  // namespace
+
+bool Experiment::needsOpenGl() const {
+    return draws || std::any_of(settings.begin(), settings.end(), [](const Setting& setting) { return setting.timed(); });
+}
+
+std::vector<Setting> settingsOf(const std::vector<Axis>& axes, const Setting& common) {
+    std::vector<Setting> settings{common};
+    for (const Axis& axis : axes) {
+        if (axis.kind == Axis::Kind::Parameter)
+            for (Setting& setting : settings) addStrategies(axis, setting);
+        if (axis.inTurns()) continue;
+        std::vector<Setting> product;
+        for (const Setting& setting : settings)
+            for (const CellValue& value : axis.values) {
+                product.push_back(setting);
+                set(product.back(), axis, value);
+            }
+        settings = std::move(product);
+    }
+    return settings;
+}
+
+std::vector<ResultColumn> columnsOf(const std::vector<Axis>& axes) {
+    std::vector<ResultColumn> columns;
+    for (const Axis& axis : axes) columns.push_back({axis.key, axis.title, ResultColumn::Origin::Axis});
+    return columns;
+}
+
+ResultTable emptyTable(const Experiment& experiment) {
+    ResultTable table;
+    table.experiment = experiment.id;
+    table.title = experiment.title;
+    table.source = experiment.source;
+    table.notes = experiment.notes;
+    table.columns = experiment.columns;
+    for (const RowPlot& described : experiment.plots) table.plots.push_back(described.plot);
+    return table;
+}
+
+std::vector<StrategyRequest> requestsOf(const Setting& setting) {
+    std::vector<StrategyRequest> requests;
+    for (const std::string& strategy : setting.strategies) requests.push_back(strategyFromText(strategy));
+    return requests;
+}
+
+MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, int repetitions) {
+    MeasureRequest request;
+    request.scene = scene;
+    request.strategies = requestsOf(setting);
+    request.leaveOutUnavailable = true;
+    request.path = cameraPath(setting.path, *scene);
+    request.size = setting.size;
+    request.windows = setting.windows;
+    request.upload = setting.upload;
+    request.timing.fixedRepetitions = repetitions;
+    return request;
+}
+
+void addRuns(ResultTable& table, const Experiment& experiment, const Setting& setting, const MeasureResult& result) {
+    noteScene(table, *result.request.scene);
+    table.gl = result.gl;
+    table.interrupted = table.interrupted || result.interrupted;
+    if (experiment.plotFrames) experiment.plotFrames(table, setting, result);
+    addRows(table, experiment, experiment.rowsOfRuns ? experiment.rowsOfRuns(setting, result) : runRows(setting, result));
+    noteLeftOut(table, result);
+    noteBrokenPromises(table, result);
+}
+
+void addMeasured(ResultTable& table, const Experiment& experiment, const Setting& setting, const ScenePointer& scene,
+                 const Progress& progress) {
+    if (scene) noteScene(table, *scene);
+    if (experiment.draws) table.gl = requireOpenGl45();
+    Rows rows = experiment.measured(setting, scene, progress);
+    for (Cells& row : rows) row.insert(setting.labels.begin(), setting.labels.end());
+    addRows(table, experiment, rows);
+}
+
+ResultTable runExperiment(const Experiment& experiment, const ExperimentOptions& options, const Progress& progress,
+                          const TableObserver& afterSetting) {
+    ResultTable table = emptyTable(experiment);
+    SceneKeeper scenes(options.sceneSource);
+    const double settings = double(experiment.settings.size());
+    for (size_t i = 0; i < experiment.settings.size() && !table.interrupted; ++i) {
+        try {
+            runSetting(table, experiment, experiment.settings[i], scenes, options.repetitions,
+                       progress.part(double(i) / settings, double(i + 1) / settings));
+        } catch (const Error& error) {
+            if (error.kind() != ErrorKind::Interrupted) throw;
+            table.interrupted = true;
+        }
+        if (afterSetting) afterSetting(table);
+    }
+    return table;
+}
+
+}  // namespace cullscope

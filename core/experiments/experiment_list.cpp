@@ -1,0 +1,27 @@
+#include "core/experiments/experiment_list.h"
+
+#include "core/base/error.h"
+#include "core/experiments/cho_figure_6.h"
+#include "core/experiments/han_hong_tables.h"
+
+namespace cullscope {
+
+const std::vector<Experiment>& knownExperiments() {
+    static const std::vector<Experiment> kExperiments = [] {
+        std::vector<Experiment> experiments = hanHongTables();
+        experiments.push_back(choFigure6());
+        return experiments;
+    }();
+    return kExperiments;
+}
+
+const Experiment& findExperiment(std::string_view id) {
+    std::string known;
+    for (const Experiment& experiment : knownExperiments()) {
+        if (experiment.id == id) return experiment;
+        known += (known.empty() ? "" : ", ") + experiment.id;
+    }
+    throwUsage(CULLSCOPE_TR("There is no experiment \"%1\". Known: %2."), {std::string(id), known});
+}
+
+}  // namespace cullscope

@@ -1,0 +1,224 @@
+// Every benchmark at its smallest point, so that none rots: what it measures has its columns, plots and files.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "tests/benchmark/experiments.h"
+#include "tests/benchmark/in_turns.h"
+#include "tests/benchmark/run_experiment.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/process.h"
+
+namespace cullscope::benchmark::benchmark_test {
+namespace {
+
+/// Expects that the rows lie on the experiment's axes, and that the table holds all that was measured.
+void expectWhole(const Experiment& experiment, const ResultTable& table) {
+    ASSERT_FALSE(table.rows.empty());
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        for (const Axis& axis : experiment.axes) {
+            // A tessellation has about as many faces as were asked for.
+            if (axis.key == "faces" || std::holds_alternative<std::monostate>(table.value(row, axis.key))) continue;
+            EXPECT_THAT(axis.values, testing::Contains(table.value(row, axis.key))) << axis.key << " of row " << row;
+        }
+    for (size_t column = 0; column < table.columns.size(); ++column) {
+        const auto filled = [&](const std::vector<CellValue>& row) {
+            return !std::holds_alternative<std::monostate>(row[column]);
+        };
+        EXPECT_TRUE(std::any_of(table.rows.begin(), table.rows.end(), filled)) << table.columns[column].key << " is empty";
+    }
+    EXPECT_EQ(table.checks.size(), experiment.checks.size());
+}
+
+/// Runs an experiment whose rows may hold no value that it has no column for.
+ResultTable run(Experiment experiment) {
+    experiment.measured = [measured = experiment.measured, columns = experiment.columns](
+                              const Setting& setting, const ScenePointer& scene, const Progress& progress) {
+        Rows rows = measured(setting, scene, progress);
+        for (const Cells& row : rows)
+            for (const auto& [key, value] : row)
+                EXPECT_NE(std::ranges::find(columns, key, &ResultColumn::key), columns.end()) << key << " has no column";
+        return rows;
+    };
+    return runExperiment(experiment, {});
+}
+
+/// One setting of an experiment.
+ResultTable runOne(Experiment experiment, size_t setting) {
+    const std::vector<Setting> all = experiment.settings;
+    experiment.settings = {all.at(setting)};
+    return run(std::move(experiment));
+}
+
+TEST(InTurns, allTakeTheirTurnInEveryRoundAndTheWarmUpDoesNotCount) {
+    std::string order;
+    double number = 0.0;
+    const auto contestant = [&](char name) {
+        return [&order, &number, name] {
+            order += name;
+            return ++number;
+        };
+    };
+    const std::vector<std::vector<double>> numbers = inTurns({contestant('a'), contestant('b')}, 2, 1);
+    EXPECT_EQ(order, "ababab");
+    EXPECT_THAT(numbers, testing::ElementsAre(testing::ElementsAre(3, 5), testing::ElementsAre(4, 6)));
+}
+
+TEST(Benchmarks, frustumTestsKeepWhatIsInView) {
+    const Experiment experiment = frustumTests(100'000);
+    for (const size_t setting : {size_t{0}, experiment.settings.size() - 2}) {
+        const ResultTable table = runOne(experiment, setting);
+        ASSERT_FALSE(table.rows.empty());
+        const double objects = *numberOf(table.value(0, "objects"));
+        for (size_t row = 0; row < table.rows.size(); ++row) {
+            EXPECT_GT(*numberOf(table.value(row, "ms")), 0.0);
+            EXPECT_LE(*numberOf(table.value(row, "kept")), objects);
+        }
+        if (setting == 0) expectWhole(experiment, table);
+    }
+}
+
+TEST(Benchmarks, frustumTestsHaveEveryPointOnce) {
+    const Experiment experiment = frustumTests(10'000'000);
+    std::vector<Cells> points;
+    for (const Setting& setting : experiment.settings) {
+        EXPECT_THAT(points, testing::Not(testing::Contains(setting.labels)));
+        points.push_back(setting.labels);
+    }
+    // Five counts of boxes and of spheres with four shares each, and four counts around a constant visible set.
+    EXPECT_EQ(points.size(), 5u * 2 * 4 + 4);
+}
+
+TEST(Benchmarks, mapsGrow) {
+    const Experiment experiment = sphericalMapsGrowth();
+    Experiment two = experiment;
+    two.settings.resize(2);
+    const ResultTable table = run(two);
+    expectWhole(two, table);
+    ASSERT_EQ(table.rows.size(), 2u);
+    ASSERT_EQ(table.plots.size(), 2u);
+    EXPECT_EQ(table.plots[0].lines.size(), 4u);
+    EXPECT_EQ(table.plots[0].lines[1].name, "sphere: centroid map");
+    ASSERT_TRUE(table.checks[0].value);
+    EXPECT_NEAR(*table.checks[0].value, 1.0, 0.1) << "bytes by faces";
+}
+
+TEST(Benchmarks, losslessIsBuiltBesideEmbree) {
+    const Experiment experiment = losslessBuild("sphere:triangles=2000", 1);
+    const ResultTable table = run(experiment);
+    expectWhole(experiment, table);
+    ASSERT_EQ(table.rows.size(), 2u);
+    EXPECT_EQ(table.triangles, 2000u);
+    EXPECT_GT(*numberOf(table.value(0, "to_embree")), 0.0);
+}
+
+TEST(Benchmarks, losslessGrows) {
+    const Experiment experiment = losslessGrowth();
+    const ResultTable table = runOne(experiment, 0);
+    expectWhole(experiment, table);
+    EXPECT_EQ(table.plots.size(), 2u);
+    EXPECT_FALSE(table.checks[0].value) << "one point has no exponent";
+    EXPECT_FALSE(table.checkFailed());
+}
+
+TEST(Benchmarks, losslessCulls) {
+    const Experiment experiment = losslessCull();
+    const ResultTable table = runOne(experiment, 0);
+    expectWhole(experiment, table);
+    EXPECT_EQ(table.rows.size(), 3u * 5);
+    EXPECT_EQ(table.plots.size(), 6u);
+    EXPECT_EQ(table.plots[0].lines.size(), 5u + 2) << "five configurations and two powers";
+}
+
+TEST(Benchmarks, layoutsAreDrawnInTurns) {
+    const Experiment experiment = losslessLayouts({"sphere:triangles=500"});
+    EXPECT_TRUE(experiment.needsOpenGl());
+    const ResultTable table = run(experiment);
+    expectWhole(experiment, table);
+    EXPECT_EQ(table.rows.size(), 2u * 2 * 5);
+    EXPECT_FALSE(table.gl.renderer.empty());
+    ASSERT_EQ(table.plots.size(), 1u);
+    EXPECT_TRUE(table.plots[0].title.starts_with("sphere, front: ")) << table.plots[0].title;
+    EXPECT_EQ(table.plots[0].lines.size(), 4u) << "two layouts on two paths";
+}
+
+/// What the programs print and write, by a made-up experiment.
+struct Reports : testing::Test {
+    void SetUp() override {
+        folder = std::filesystem::temp_directory_path() / ("benchmark-test-" + std::to_string(getpid()));
+        experiment.id = "made-up";
+        experiment.title = "Made up";
+        experiment.axes = {{"n", "n", Axis::Kind::Label, {1.0, 2.0, 4.0}}};
+        experiment.settings = settingsOf(experiment.axes);
+        experiment.columns = columnsOf(experiment.axes);
+        experiment.columns.push_back({"ms", "ms"});
+        experiment.plots = {RowPlot{logPlot("Time", "n", "ms"), "n", {{"ms"}}}};
+        experiment.measured = [](const Setting& setting, const ScenePointer&, const Progress&) {
+            return Rows{{{"ms", setting.number("n") * setting.number("n")}}};
+        };
+    }
+    void TearDown() override { std::filesystem::remove_all(folder); }
+    [[nodiscard]] std::string contents(const std::string& name) const {
+        std::ifstream in(folder / name);
+        return {std::istreambuf_iterator<char>(in), {}};
+    }
+
+    std::filesystem::path folder;
+    Experiment experiment;
+};
+
+TEST_F(Reports, tableAndPlotsAreWritten) {
+    EXPECT_EQ(runAndReport({experiment, folder / "inner"}), 0);
+    EXPECT_EQ(contents("inner/made-up.csv"), "n,ms\n1,1\n2,4\n4,16\n");
+    EXPECT_TRUE(contents("inner/made-up.svg").starts_with("<svg"));
+}
+
+TEST_F(Reports, checkThatDoesNotHoldGivesStatus1AndTheFilesAreThere) {
+    experiment.checks = {exponentCheck("time grows with n to the power of", {{}, "n", "ms"}, {.most = 1.5})};
+    testing::internal::CaptureStdout();
+    EXPECT_EQ(runAndReport({experiment, folder}), 1);
+    EXPECT_THAT(testing::internal::GetCapturedStdout(),
+                testing::HasSubstr("time grows with n to the power of: 2 (at most 1.5), DOES NOT HOLD"));
+    EXPECT_FALSE(contents("made-up.csv").empty());
+}
+
+TEST_F(Reports, failureGivesStatus2AndNoFile) {
+    experiment.measured = [](const Setting&, const ScenePointer&, const Progress&) -> Rows { throw std::runtime_error("no"); };
+    const RunOfArguments runOf = [this](const std::vector<std::string>& arguments) -> std::optional<BenchmarkRun> {
+        if (arguments.size() != 1) return std::nullopt;
+        return BenchmarkRun{experiment, folder};
+    };
+    std::string program = "made_up_benchmark", argument = "FOLDER";
+    char* arguments[] = {program.data(), argument.data()};
+    EXPECT_EQ(benchmarkMain(2, arguments, "usage", runOf), 2);
+    EXPECT_EQ(benchmarkMain(1, arguments, "usage", runOf), 2);
+    EXPECT_TRUE(contents("made-up.csv").empty());
+}
+
+std::string programPath(const char* name) { return std::string(BENCHMARKS) + "/" + name; }
+
+TEST(BenchmarkPrograms, readersOfPlyAreTimedInProcessesOfTheirOwn) {
+    const test::ProcessResult result = test::runProcess({programPath("ply_load_benchmark"), "2000", "1"});
+    // So small a file says nothing about the limits.
+    EXPECT_THAT(result.exitStatus, testing::AnyOf(0, 1)) << result.err;
+    EXPECT_THAT(result.out, testing::HasSubstr("peak memory, of the arrays"));
+    EXPECT_EQ(test::runProcess({programPath("ply_load_benchmark"), "none"}).exitStatus, 2);
+}
+
+TEST(BenchmarkPrograms, refuseWhatTheyDoNotKnow) {
+    EXPECT_EQ(test::runProcess({programPath("spherical_maps_benchmark")}).exitStatus, 2);
+    EXPECT_EQ(test::runProcess({programPath("spherical_lossless_benchmark"), "grow", "FOLDER"}).exitStatus, 2);
+}
+
+TEST(BenchmarkPrograms, movesAreTimedInTheWindow) {
+    const std::string program = programPath("input_latency_benchmark");
+    if (!std::filesystem::exists(program)) GTEST_SKIP() << "the desktop is not built";
+    const test::ProcessResult result = test::runProcess({program, "sphere:triangles=500", "0.1"});
+    // Other programs on the machine may take longer than the limit allows.
+    EXPECT_THAT(result.exitStatus, testing::AnyOf(0, 1)) << result.err;
+    EXPECT_THAT(result.out, testing::HasSubstr("longest wait of a move"));
+}
+
+}  // namespace
+}  // namespace cullscope::benchmark::benchmark_test

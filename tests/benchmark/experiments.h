@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/experiments/experiment.h"
+
+namespace cullscope::benchmark {
+
+/// Boxes and spheres a second by the frustum tests: the naive loop, the batch on every level, the hierarchy, and merely reading;
+/// up to so many objects.
+[[nodiscard]] Experiment frustumTests(size_t largest);
+
+/// Bytes and build times of the three spherical maps (Han & Hong 2008, Table 1) over the number of faces, resolution on auto: of
+/// spheres and, where a file is named, of its mesh resampled to the same counts.
+[[nodiscard]] Experiment sphericalMapsGrowth(const std::filesystem::path& meshFile = {});
+
+/// `spherical-lossless`: its build time beside that of Embree's tree of the same mesh, and its bytes.
+[[nodiscard]] Experiment losslessBuild(const std::string& scene, int rounds);
+/// Its bytes and build time over the number of faces.
+[[nodiscard]] Experiment losslessGrowth();
+/// Nodes and time of one of its culls over the number of faces, with equal pictures: one star in ever finer tessellations, the
+/// same cameras.
+[[nodiscard]] Experiment losslessCull();
+/// Both layouts of its map, over scenes and resolutions.
+[[nodiscard]] Experiment losslessLayouts(const std::vector<std::string>& scenes);
+
+}  // namespace cullscope::benchmark

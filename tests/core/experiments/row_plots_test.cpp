@@ -1,0 +1,97 @@
+#include "core/experiments/row_plots.h"
+
+#include <gmock/gmock.h>
+
+namespace cullscope::row_plots_test {
+namespace {
+
+/// Times of two methods over three sizes, of one shape, and one row of another; a time is missing.
+ResultTable table() {
+    ResultTable made;
+    made.columns = {{"shape", ""}, {"method", ""}, {"size", ""}, {"ms", ""}, {"bytes", ""}};
+    const std::string ball = "ball", cube = "cube", fast = "fast", slow = "slow";
+    made.addRow({{"shape", ball}, {"method", fast}, {"size", 1.0}, {"ms", 1.0}, {"bytes", 8.0}});
+    made.addRow({{"shape", ball}, {"method", slow}, {"size", 1.0}, {"ms", 2.0}, {"bytes", 8.0}});
+    made.addRow({{"shape", ball}, {"method", fast}, {"size", 10.0}, {"ms", 10.0}, {"bytes", 80.0}});
+    made.addRow(
+        {{"shape", ball}, {"method", slow}, {"size", 10.0}, {"ms", RatioEstimate{200.0, {190.0, 210.0}}}, {"bytes", 80.0}});
+    made.addRow({{"shape", ball}, {"method", fast}, {"size", 100.0}, {"bytes", 800.0}});
+    made.addRow({{"shape", cube}, {"method", fast}, {"size", 5.0}, {"ms", 7.0}});
+    return made;
+}
+
+RowPlot timeBySize() {
+    RowPlot plot{logPlot("Time", "size", "ms")};
+    plot.x = "size";
+    plot.y = {{"ms"}};
+    plot.lines = {"method"};
+    plot.rows = {{"shape", {std::string("ball")}}};
+    return plot;
+}
+
+TEST(RowPlots, rowsWithTheSameWordsAreALine) {
+    const std::vector<LinePlot> plots = plotsOf(timeBySize(), table());
+    ASSERT_EQ(plots.size(), 1u);
+    EXPECT_EQ(plots[0].title, "Time");
+    ASSERT_EQ(plots[0].lines.size(), 2u);
+    EXPECT_EQ(plots[0].lines[0].name, "fast");
+    EXPECT_EQ(plots[0].lines[0].points.size(), 2u) << "a row without a time is no point";
+    EXPECT_EQ(plots[0].lines[1].name, "slow");
+    EXPECT_EQ(plots[0].lines[1].points[1].x, 10.0);
+    EXPECT_EQ(plots[0].lines[1].points[1].y, 200.0) << "a ratio is a number, too";
+}
+
+TEST(RowPlots, everyColumnIsALineOfEachGroup) {
+    RowPlot plot = timeBySize();
+    plot.y = {{"ms", "time"}, {"bytes", "bytes"}};
+    const std::vector<LinePlot> plots = plotsOf(plot, table());
+    std::vector<std::string> names;
+    for (const PlotLine& line : plots[0].lines) names.push_back(line.name);
+    EXPECT_THAT(names, testing::ElementsAre("fast: time", "fast: bytes", "slow: time", "slow: bytes"));
+}
+
+TEST(RowPlots, separatePlotsTakeTheirValuesIntoTheTitle) {
+    RowPlot plot = timeBySize();
+    plot.rows.clear();
+    plot.separate = {"shape"};
+    plot.plot.title = "Time of a %1";
+    const std::vector<LinePlot> plots = plotsOf(plot, table());
+    ASSERT_EQ(plots.size(), 2u);
+    EXPECT_EQ(plots[0].title, "Time of a ball");
+    EXPECT_EQ(plots[1].title, "Time of a cube");
+    ASSERT_EQ(plots[1].lines.size(), 1u) << "a method that the cube has not is no line";
+    EXPECT_EQ(plots[1].lines[0].points[0].y, 7.0);
+}
+
+TEST(RowPlots, powersBeginAtTheFirstPoint) {
+    RowPlot plot = timeBySize();
+    plot.powers = {{"as the square", 2.0}};
+    plot.namesExponents = true;
+    const std::vector<PlotLine> lines = plotsOf(plot, table())[0].lines;
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0].name, "fast: power 1.00");
+    EXPECT_EQ(lines[1].name, "slow: power 2.00");
+    EXPECT_EQ(lines[2].name, "as the square");
+    EXPECT_DOUBLE_EQ(lines[2].points[1].y, 100.0);
+}
+
+TEST(RowPlots, plotWithoutRowsHasItsAxes) {
+    ResultTable empty = table();
+    empty.rows.clear();
+    const std::vector<LinePlot> plots = plotsOf(timeBySize(), empty);
+    ASSERT_EQ(plots.size(), 1u);
+    EXPECT_TRUE(plots[0].lines.empty());
+    EXPECT_EQ(plots[0].x.title, "size");
+}
+
+TEST(RowPlots, pointsStayWithinTheRangeAndTheFilter) {
+    RowPoints which{{{"method", {std::string("fast")}}}, "size", "bytes", 5.0};
+    EXPECT_EQ(pointsOf(table(), which).size(), 2u);
+    which.mostX = 50.0;
+    EXPECT_EQ(pointsOf(table(), which).size(), 1u);
+    which.rows["no such column"] = {1.0};
+    EXPECT_TRUE(pointsOf(table(), which).empty());
+}
+
+}  // namespace
+}  // namespace cullscope::row_plots_test
