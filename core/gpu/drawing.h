@@ -99,7 +99,9 @@ public:
     /// Binds an instance's mesh as vertex input and sets the instance's uniforms and winding.
     void bind(const View& view, uint32_t instance, Indices indices);
     [[nodiscard]] const void* indexAddress(uint32_t firstIndex) const {
-        return m_indices.client + size_t{firstIndex} * m_indices.bytes;
+        // In a buffer the address is an offset from its start, and no pointer to add to.
+        const size_t offset = size_t{firstIndex} * m_indices.bytes;
+        return m_indices.client != nullptr ? m_indices.client + offset : reinterpret_cast<const void*>(offset);
     }
     [[nodiscard]] GLenum indexType() const { return m_indices.bytes == 2 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT; }
 

@@ -116,7 +116,8 @@ SceneBuffers::OrderBuffers& SceneBuffers::Uploaded::ofOrder(const TriangleOrderP
         if (old.order.expired()) deleteBuffers(old);
         return old.order.expired();
     });
-    return orders.emplace_back(order, std::vector<OrderBuffers>(order->meshes.size())).meshes[mesh];
+    orders.push_back({order, std::vector<OrderBuffers>(order->meshes.size())});
+    return orders.back().meshes[mesh];
 }
 
 GpuIndices SceneBuffers::ownOrder(uint32_t mesh) const {

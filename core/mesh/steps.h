@@ -21,15 +21,15 @@ void inSteps(size_t count, const Progress& progress, Work&& work, size_t step = 
 /// Sorts in pieces and checks for a stop request between them: std::sort over blocks, then merges. Not necessarily stable.
 template <typename Value>
 void sortInSteps(std::span<Value> values, const Progress& progress) {
-    constexpr size_t kBlock = size_t{1} << 18;
+    constexpr size_t kSortedAtOnce = size_t{1} << 18;
     inSteps(
         values.size(), progress, [&](size_t begin, size_t end) { std::sort(values.begin() + begin, values.begin() + end); },
-        kBlock);
-    if (values.size() <= kBlock) return;
+        kSortedAtOnce);
+    if (values.size() <= kSortedAtOnce) return;
     std::vector<Value> other(values.size());
     std::span<Value> from = values;
     std::span<Value> to = other;
-    for (size_t width = kBlock; width < values.size(); width *= 2) {
+    for (size_t width = kSortedAtOnce; width < values.size(); width *= 2) {
         for (size_t begin = 0; begin < values.size(); begin += 2 * width) {
             progress.check();
             const size_t middle = std::min(values.size(), begin + width);

@@ -11,6 +11,7 @@ target_compile_definitions(cullscope_options INTERFACE
 if(CULLSCOPE_SANITIZE)
   target_compile_options(cullscope_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
   target_link_options(cullscope_options INTERFACE -fsanitize=address,undefined)
+  target_compile_definitions(cullscope_options INTERFACE CULLSCOPE_SANITIZED)
 endif()
 
 find_program(CCACHE ccache)

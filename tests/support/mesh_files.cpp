@@ -17,7 +17,7 @@ namespace {
 constexpr rlim_t kChildMemory = rlim_t{2} << 30;
 
 void limitMemory() {
-#ifndef __SANITIZE_ADDRESS__
+#ifndef CULLSCOPE_SANITIZED
     const rlimit limit{kChildMemory, kChildMemory};
     setrlimit(RLIMIT_AS, &limit);
 #endif

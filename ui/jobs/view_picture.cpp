@@ -104,10 +104,23 @@ void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
     else
         renderer.draw(*request.buffers, m_viewing, m_other->log, target, request.style);
     copyTile(target.readColour(), target.tile(), m_picture->other);
-    const std::vector<float> truth = target.readDepth();
+    const std::vector<float> other = target.readDepth();
     std::vector<PixelDifference> differences(mine.size());
-    for (size_t i = 0; i < mine.size(); ++i) differences[i] = pixelDifference(truth[i], mine[i]);
+    for (size_t i = 0; i < mine.size(); ++i) differences[i] = pixelDifference(other[i], mine[i]);
+    if (!log().drawsScene() || (m_other && !m_other->log.drawsScene())) forgetSameTriangles(differences, renderer, target.tile());
     copyTile(differences, target.tile(), m_differences, request.size.width);
+}
+
+/// Surfaces that a strategy made itself have depths that are rounded otherwise: where both show the same triangle, there is no
+/// difference, as in measure/accuracy.h.
+void PictureDrawing::forgetSameTriangles(std::vector<PixelDifference>& differences, Renderer& renderer,
+                                         const PictureTile& tile) const {
+    const SceneBuffers& buffers = *m_picture->request.buffers;
+    const std::vector<uint32_t> mine = renderer.drawItemBuffer(buffers, m_viewing, log(), tile).triangle;
+    const std::vector<uint32_t> other = m_truth ? renderer.drawItemBuffer(buffers, m_viewing, *m_truth, tile).triangle
+                                                : renderer.drawItemBuffer(buffers, m_viewing, m_other->log, tile).triangle;
+    for (size_t i = 0; i < differences.size(); ++i)
+        if (mine[i] == other[i]) differences[i] = PixelDifference::None;
 }
 
 std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {

@@ -77,6 +77,7 @@ public:
 
 private:
     void drawBeside(Renderer& renderer, Framebuffer& target);
+    void forgetSameTriangles(std::vector<PixelDifference>& differences, Renderer& renderer, const PictureTile& tile) const;
 
     std::shared_ptr<ViewPicture> m_picture;
     View m_viewing;

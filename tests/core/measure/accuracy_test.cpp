@@ -21,8 +21,8 @@ Reference handMade(std::vector<float> depth, std::vector<uint32_t> triangle) {
         if (number != 0) reference.visibleTriangles.push_back(number - 1);
     reference.coveredPixels = reference.visibleTriangles.size();
     std::ranges::sort(reference.visibleTriangles);
-    const auto repeated = std::ranges::unique(reference.visibleTriangles);
-    reference.visibleTriangles.erase(repeated.begin(), repeated.end());
+    const auto repeated = std::unique(reference.visibleTriangles.begin(), reference.visibleTriangles.end());
+    reference.visibleTriangles.erase(repeated, reference.visibleTriangles.end());
     return reference;
 }
 
@@ -168,8 +168,7 @@ TEST(Accuracy, removedObjectIsCountedExactly) {
             triangles.push_back(number);
         }
         std::ranges::sort(triangles);
-        const auto repeated = std::ranges::unique(triangles);
-        triangles.erase(repeated.begin(), repeated.end());
+        triangles.erase(std::unique(triangles.begin(), triangles.end()), triangles.end());
 
         const Accuracy accuracy = compare(reference, {picture(buffers, overThree(), lossy).depth, {}}, lossy, *scene);
         EXPECT_GT(pixels, 100u);
