@@ -25,16 +25,17 @@ struct Show {
     enum class Kind {
         Overlay,  ///< lines over a view's picture
         Boxes,    ///< the strategy's own form of the overlay `boxes`
-        Picture   ///< a picture in place of the scene's
+        Picture,  ///< a picture in place of the scene's
+        Curve     ///< values over an axis, of one object (frame/curve.h), in a tab of the desktop's panel "Inside"
     };
     Kind kind = Kind::Overlay;
-    std::string id;                         ///< on the command line, in session files and in metadata
-    std::string help;                       ///< English, for the command line's help
-    std::string title;                      ///< of an Overlay, in a view's menu: English, marked for translation
-    std::string action;                     ///< the same with a marked key, in the window's menu
-    std::string explanation;                ///< one sentence about it, marked for translation
-    std::vector<TriangleState> legend;      ///< the states whose colours it uses
-    AbsentShow absent = nullptr;            ///< never null for Overlay and Picture
+    std::string id;                     ///< on the command line, in session files and in metadata
+    std::string help;                   ///< English, for the command line's help
+    std::string title;                  ///< of an Overlay in a view's menu, of a Curve its tab: English, marked for translation
+    std::string action;                 ///< the same with a marked key, in the window's menu
+    std::string explanation;            ///< one sentence about it, marked for translation
+    std::vector<TriangleState> legend;  ///< the states whose colours it uses
+    AbsentShow absent = nullptr;        ///< never null for what cullbench draws: Overlay and Picture
     std::vector<ShowColouring> colourings;  ///< of a Picture: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
 };

@@ -2095,6 +2095,94 @@
         <source>mean of the views&apos; × all [95 %]</source>
         <translation>시점별 × all의 평균 [95 %]</translation>
     </message>
+    <message>
+        <source>slope</source>
+        <translation>기울기</translation>
+    </message>
+    <message>
+        <source>S, mesh units</source>
+        <translation>S, 메시 단위</translation>
+    </message>
+    <message>
+        <source>Size by contour band</source>
+        <translation>등고선 띠별 크기</translation>
+    </message>
+    <message>
+        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
+        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
+        <translation>%1: %2, 띠를 검사하지 않습니다. 띠를 보려면 물체 전체를 화면에 담으십시오.</translation>
+    </message>
+    <message>
+        <source>α %1 to %2</source>
+        <translation>α %1~%2</translation>
+    </message>
+    <message>
+        <source>drawn: %1 %2</source>
+        <translation>그려짐: %1 %2</translation>
+    </message>
+    <message>
+        <source>hidden: %1 %2</source>
+        <translation>가려짐: %1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing lies here.</source>
+        <translation>여기에는 아무것도 없습니다.</translation>
+    </message>
+    <message>
+        <source>largest nearer: %1</source>
+        <translation>더 가까운 곳의 최댓값: %1</translation>
+    </message>
+    <message>
+        <source>Beyond α = %1 nothing is drawn.</source>
+        <translation>α = %1 너머로는 아무것도 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>그려짐</translation>
+    </message>
+    <message>
+        <source>largest nearer</source>
+        <translation>더 가까운 곳의 최댓값</translation>
+    </message>
+    <message>
+        <source>beyond it nothing is drawn</source>
+        <translation>이 너머로는 그리지 않음</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
+        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 구역은 따로 비교되며, 두 색으로 나뉜 띠는 일부 구역에서는 그려지고 다른 구역에서는 가려집니다.</translation>
+    </message>
+    <message>
+        <source>drawn in some sectors</source>
+        <translation>일부 구역에서 그려짐</translation>
+    </message>
+    <message>
+        <source>hidden in some sectors</source>
+        <translation>일부 구역에서 가려짐</translation>
+    </message>
+    <message>
+        <source>β %1 to %2</source>
+        <translation>β %1~%2</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctor:</source>
+        <translation>구역(&amp;C):</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>전체</translation>
+    </message>
+    <message>
+        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
+        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>띠</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2129,116 +2217,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::BandsPanel</name>
-    <message>
-        <source>β %1 to %2</source>
-        <comment>angles about the axis</comment>
-        <translation>β %1~%2</translation>
-    </message>
-    <message>
-        <source>Se&amp;ctor:</source>
-        <translation>구역(&amp;C):</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>전체</translation>
-    </message>
-    <message>
-        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
-        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
-    </message>
-    <message>
-        <source>Bands</source>
-        <translation>띠</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::BandsPlot</name>
-    <message>
-        <source>slope</source>
-        <translation>기울기</translation>
-    </message>
-    <message>
-        <source>S, mesh units</source>
-        <translation>S, 메시 단위</translation>
-    </message>
-    <message>
-        <source>Size by contour band</source>
-        <translation>등고선 띠별 크기</translation>
-    </message>
-    <message>
-        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
-        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
-    </message>
-    <message>
-        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
-        <translation>이 전략에는 띠가 없습니다. 방향 구를 띠로 나누는 전략은 여기에 띠를 보여 줍니다.</translation>
-    </message>
-    <message>
-        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1: %2, 띠를 검사하지 않습니다. 띠를 보려면 물체 전체를 화면에 담으십시오.</translation>
-    </message>
-    <message>
-        <source>α %1 to %2</source>
-        <translation>α %1~%2</translation>
-    </message>
-    <message>
-        <source>drawn: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>그려짐: %1 %2</translation>
-    </message>
-    <message>
-        <source>hidden: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>가려짐: %1 %2</translation>
-    </message>
-    <message>
-        <source>Nothing lies here.</source>
-        <translation>여기에는 아무것도 없습니다.</translation>
-    </message>
-    <message>
-        <source>largest nearer: %1</source>
-        <translation>더 가까운 곳의 최댓값: %1</translation>
-    </message>
-    <message>
-        <source>Beyond α = %1 nothing is drawn.</source>
-        <translation>α = %1 너머로는 아무것도 그리지 않습니다.</translation>
-    </message>
-    <message>
-        <source>drawn</source>
-        <translation>그려짐</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>가려짐</translation>
-    </message>
-    <message>
-        <source>largest nearer</source>
-        <translation>더 가까운 곳의 최댓값</translation>
-    </message>
-    <message>
-        <source>beyond it nothing is drawn</source>
-        <translation>이 너머로는 그리지 않음</translation>
-    </message>
-    <message>
-        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
-        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 구역은 따로 비교되며, 두 색으로 나뉜 띠는 일부 구역에서는 그려지고 다른 구역에서는 가려집니다.</translation>
-    </message>
-    <message>
-        <source>drawn in some sectors</source>
-        <translation>일부 구역에서 그려짐</translation>
-    </message>
-    <message>
-        <source>hidden in some sectors</source>
-        <translation>일부 구역에서 가려짐</translation>
-    </message>
-    <message>
-        <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
-        <translation>이 전략은 등고선 띠를 쓰지 않고 사분 트리의 셀을 검사합니다. 그 결과는 맵에 나타납니다.</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::BudgetBar</name>
     <message>
         <source>Where the triangles went</source>
@@ -2256,6 +2234,13 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>그 뒤 뷰가 바뀌었습니다. 다시 세는 중.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::CurvePlot</name>
+    <message>
+        <source>This frame has nothing to show here.</source>
+        <translation>이 프레임에는 여기에 보여 줄 것이 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -3048,18 +3033,6 @@ OpenGL %2
     <message>
         <source>sector %1</source>
         <translation>구역 %1</translation>
-    </message>
-    <message>
-        <source>Open a scene to see what a strategy decides about it.</source>
-        <translation>전략이 무엇을 결정하는지 보려면 장면을 여십시오.</translation>
-    </message>
-    <message>
-        <source>The strategy is being prepared…</source>
-        <translation>전략을 준비하고 있습니다…</translation>
-    </message>
-    <message>
-        <source>The strategy could not be built. Choose another one, or other parameters.</source>
-        <translation>전략을 만들 수 없었습니다. 다른 전략이나 다른 매개변수를 선택하십시오.</translation>
     </message>
     <message>
         <source>not used</source>
@@ -3931,6 +3904,21 @@ snapping</source>
     <message>
         <source>Cancel</source>
         <translation>취소</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ShownReading</name>
+    <message>
+        <source>Open a scene to see what a strategy decides about it.</source>
+        <translation>전략이 무엇을 결정하는지 보려면 장면을 여십시오.</translation>
+    </message>
+    <message>
+        <source>The strategy is being prepared…</source>
+        <translation>전략을 준비하고 있습니다…</translation>
+    </message>
+    <message>
+        <source>The strategy could not be built. Choose another one, or other parameters.</source>
+        <translation>전략을 만들 수 없었습니다. 다른 전략이나 다른 매개변수를 선택하십시오.</translation>
     </message>
 </context>
 <context>

@@ -2095,6 +2095,94 @@
         <source>mean of the views&apos; × all [95 %]</source>
         <translation>各视点 × all 的平均值 [95 %]</translation>
     </message>
+    <message>
+        <source>slope</source>
+        <translation>斜率</translation>
+    </message>
+    <message>
+        <source>S, mesh units</source>
+        <translation>S，网格单位</translation>
+    </message>
+    <message>
+        <source>Size by contour band</source>
+        <translation>各等高线环带的大小</translation>
+    </message>
+    <message>
+        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
+        <translation>向上：%1；向右：与视点方向轴的夹角 α；扇区 %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
+        <translation>%1：%2，未测试其环带。要查看环带，请让整个对象位于画面内。</translation>
+    </message>
+    <message>
+        <source>α %1 to %2</source>
+        <translation>α %1 至 %2</translation>
+    </message>
+    <message>
+        <source>drawn: %1 %2</source>
+        <translation>已绘制：%1 %2</translation>
+    </message>
+    <message>
+        <source>hidden: %1 %2</source>
+        <translation>被遮挡：%1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing lies here.</source>
+        <translation>此处没有内容。</translation>
+    </message>
+    <message>
+        <source>largest nearer: %1</source>
+        <translation>更近处的最大值：%1</translation>
+    </message>
+    <message>
+        <source>Beyond α = %1 nothing is drawn.</source>
+        <translation>α = %1 之后不绘制任何内容。</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>已绘制</translation>
+    </message>
+    <message>
+        <source>largest nearer</source>
+        <translation>更近处的最大值</translation>
+    </message>
+    <message>
+        <source>beyond it nothing is drawn</source>
+        <translation>此后不再绘制</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
+        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α。每个扇区单独比较；双色的环带在部分扇区中绘制，在其他扇区中被遮挡。</translation>
+    </message>
+    <message>
+        <source>drawn in some sectors</source>
+        <translation>在部分扇区绘制</translation>
+    </message>
+    <message>
+        <source>hidden in some sectors</source>
+        <translation>在部分扇区被遮挡</translation>
+    </message>
+    <message>
+        <source>β %1 to %2</source>
+        <translation>β %1 至 %2</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctor:</source>
+        <translation>扇区(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
+        <translation>扇区按绕视点方向轴的角 β 划分环带，每个扇区单独测试。在您选择之前，显示绘制范围最远的扇区。</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>环带</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2129,116 +2217,6 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::BandsPanel</name>
-    <message>
-        <source>β %1 to %2</source>
-        <comment>angles about the axis</comment>
-        <translation>β %1 至 %2</translation>
-    </message>
-    <message>
-        <source>Se&amp;ctor:</source>
-        <translation>扇区(&amp;C)：</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
-        <translation>扇区按绕视点方向轴的角 β 划分环带，每个扇区单独测试。在您选择之前，显示绘制范围最远的扇区。</translation>
-    </message>
-    <message>
-        <source>Bands</source>
-        <translation>环带</translation>
-    </message>
-</context>
-<context>
-    <name>cullscope::ui::BandsPlot</name>
-    <message>
-        <source>slope</source>
-        <translation>斜率</translation>
-    </message>
-    <message>
-        <source>S, mesh units</source>
-        <translation>S，网格单位</translation>
-    </message>
-    <message>
-        <source>Size by contour band</source>
-        <translation>各等高线环带的大小</translation>
-    </message>
-    <message>
-        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
-        <translation>向上：%1；向右：与视点方向轴的夹角 α；扇区 %2</translation>
-    </message>
-    <message>
-        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
-        <translation>该策略没有环带。把方向球面切成环带的策略会在此显示它们。</translation>
-    </message>
-    <message>
-        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1：%2，未测试其环带。要查看环带，请让整个对象位于画面内。</translation>
-    </message>
-    <message>
-        <source>α %1 to %2</source>
-        <translation>α %1 至 %2</translation>
-    </message>
-    <message>
-        <source>drawn: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>已绘制：%1 %2</translation>
-    </message>
-    <message>
-        <source>hidden: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>被遮挡：%1 %2</translation>
-    </message>
-    <message>
-        <source>Nothing lies here.</source>
-        <translation>此处没有内容。</translation>
-    </message>
-    <message>
-        <source>largest nearer: %1</source>
-        <translation>更近处的最大值：%1</translation>
-    </message>
-    <message>
-        <source>Beyond α = %1 nothing is drawn.</source>
-        <translation>α = %1 之后不绘制任何内容。</translation>
-    </message>
-    <message>
-        <source>drawn</source>
-        <translation>已绘制</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>被遮挡</translation>
-    </message>
-    <message>
-        <source>largest nearer</source>
-        <translation>更近处的最大值</translation>
-    </message>
-    <message>
-        <source>beyond it nothing is drawn</source>
-        <translation>此后不再绘制</translation>
-    </message>
-    <message>
-        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
-        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α。每个扇区单独比较；双色的环带在部分扇区中绘制，在其他扇区中被遮挡。</translation>
-    </message>
-    <message>
-        <source>drawn in some sectors</source>
-        <translation>在部分扇区绘制</translation>
-    </message>
-    <message>
-        <source>hidden in some sectors</source>
-        <translation>在部分扇区被遮挡</translation>
-    </message>
-    <message>
-        <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
-        <translation>该策略不使用等高线环带，而是测试四叉树的单元。结果显示在图上。</translation>
-    </message>
-</context>
-<context>
     <name>cullscope::ui::BudgetBar</name>
     <message>
         <source>Where the triangles went</source>
@@ -2256,6 +2234,13 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>视图已变化：正在重新统计。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::CurvePlot</name>
+    <message>
+        <source>This frame has nothing to show here.</source>
+        <translation>这一帧在此没有可显示的内容。</translation>
     </message>
 </context>
 <context>
@@ -3048,18 +3033,6 @@ OpenGL %2
     <message>
         <source>sector %1</source>
         <translation>扇区 %1</translation>
-    </message>
-    <message>
-        <source>Open a scene to see what a strategy decides about it.</source>
-        <translation>打开场景即可查看策略对其作出的判断。</translation>
-    </message>
-    <message>
-        <source>The strategy is being prepared…</source>
-        <translation>正在准备策略…</translation>
-    </message>
-    <message>
-        <source>The strategy could not be built. Choose another one, or other parameters.</source>
-        <translation>无法构建该策略。请选择其他策略或其他参数。</translation>
     </message>
     <message>
         <source>not used</source>
@@ -3931,6 +3904,21 @@ snapping</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ShownReading</name>
+    <message>
+        <source>Open a scene to see what a strategy decides about it.</source>
+        <translation>打开场景即可查看策略对其作出的判断。</translation>
+    </message>
+    <message>
+        <source>The strategy is being prepared…</source>
+        <translation>正在准备策略…</translation>
+    </message>
+    <message>
+        <source>The strategy could not be built. Choose another one, or other parameters.</source>
+        <translation>无法构建该策略。请选择其他策略或其他参数。</translation>
     </message>
 </context>
 <context>

@@ -6,7 +6,6 @@
 #include "core/visibility/built_strategy.h"
 #include "core/visibility/spherical/judged_cells.h"
 #include "tests/ui/test_scene.h"
-#include "ui/families/spherical/bands_plot.h"
 #include "ui/families/spherical/map_panel.h"
 #include "ui/families/spherical/map_words.h"
 #include "ui/plots/plot_file.h"
@@ -169,13 +168,6 @@ TEST_F(WalkMap, aCellPicksATriangleAndThePickMarksItsCells) {
     EXPECT_EQ(session.pick()->triangle, shown().maps().centroids(cell).back());
     settle();
     EXPECT_EQ(panel.map().contents().picked, uint32_t(session.pick()->triangle));
-}
-
-TEST_F(WalkMap, bandsAreSaidNotToBeUsed) {
-    BandsPlot plot;
-    plot.setShown(shown());
-    EXPECT_TRUE(plot.empty());
-    EXPECT_THAT(plot.accessibleDescription().toStdString(), ::testing::StartsWith("This strategy uses no contour bands"));
 }
 
 TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {

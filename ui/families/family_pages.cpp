@@ -4,8 +4,8 @@
 
 namespace cullscope::ui {
 
-std::vector<FamilyPages*> makeFamilyPages(Session& session, SnapshotReader& reader, QWidget* panel, QTabWidget* tabs) {
-    return {new SphericalPages(session, reader, panel, tabs)};
+std::vector<FamilyPages*> makeFamilyPages(Session& session, SnapshotReader& reader, QWidget* panel) {
+    return {new SphericalPages(session, reader, panel)};
 }
 
 }  // namespace cullscope::ui

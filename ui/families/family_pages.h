@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QObject>
-#include <QTabWidget>
 #include <vector>
 
 #include "ui/session/snapshot_reader.h"
@@ -18,15 +17,11 @@ public:
 
     /// A widget above the panel's tabs.
     [[nodiscard]] virtual QWidget* top() const = 0;
-    /// A tab, and its name in the present language.
-    [[nodiscard]] virtual QWidget* page() const = 0;
-    [[nodiscard]] virtual QString pageName() const = 0;
-    /// The tab that the panel shows now.
-    virtual void setCurrent(const QWidget* page) = 0;
+    /// The part of the object whose curve the panel shows now, from 1 (core/frame/curve.h); none: there is none.
+    virtual void setPart(const std::optional<uint32_t>& part) = 0;
 };
 
-/// The pages of all families, with their widgets: those above the tabs are children of `panel`, the tabs children of `tabs`.
-[[nodiscard]] std::vector<FamilyPages*> makeFamilyPages(Session& session, SnapshotReader& reader, QWidget* panel,
-                                                        QTabWidget* tabs);
+/// The pages of all families, with their widgets: children of `panel`.
+[[nodiscard]] std::vector<FamilyPages*> makeFamilyPages(Session& session, SnapshotReader& reader, QWidget* panel);
 
 }  // namespace cullscope::ui

@@ -15,6 +15,7 @@ namespace cullscope::ui {
 struct SnapshotReading {
     BuiltStrategyPointer strategy;
     Camera culling;
+    ViewFramePointer frame;  ///< what was read; null: the frame failed
     Viewport size;
     /// Never null; the pointer stays the same while strategy, camera and size do.
     std::shared_ptr<const StructureSnapshot> snapshot;

@@ -37,6 +37,7 @@ SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const V
     reading->triangle = request.triangle;
     reading->failure = failure;
     reading->snapshot = std::make_shared<const StructureSnapshot>();
+    reading->frame = frame;
     if (frame) read(*reading, frame->log, known);
     return reading;
 }

@@ -5,6 +5,7 @@
 #include <iterator>
 
 #include "core/visibility/registry.h"
+#include "core/visibility/spherical/band_curve.h"
 #include "core/visibility/spherical/map_overlays.h"
 #include "core/visibility/spherical/map_picture.h"
 #include "core/visibility/spherical/why.h"
@@ -13,6 +14,7 @@ namespace cullscope::spherical {
 namespace {
 
 constexpr const char* kBands = "bands";
+constexpr const char* kBandCurve = "band-sizes";
 constexpr const char* kKernel = "kernel";
 constexpr const char* kIndexMap = "index-map";
 
@@ -48,6 +50,15 @@ Show bandsShow() {
         "lines from the axis are each band's S");
     show.legend = {TriangleState::Visible, TriangleState::Hidden};
     show.absent = noBands;
+    return show;
+}
+
+Show bandCurveShow() {
+    Show show;
+    show.kind = Show::Kind::Curve;
+    show.id = kBandCurve;
+    show.help = "sizes of the contour bands over the angle from the axis to the eye";
+    show.title = CULLSCOPE_TR("Bands");
     return show;
 }
 
@@ -117,7 +128,7 @@ std::string walkLine(const CellWalk& walk) {
 
 }  // namespace
 
-std::vector<Show> showsOfBands() { return {boxesShow(), bandsShow(), indexMapShow(false)}; }
+std::vector<Show> showsOfBands() { return {boxesShow(), bandsShow(), bandCurveShow(), indexMapShow(false)}; }
 std::vector<Show> showsOfCells() { return {boxesShow(), kernelShow(), indexMapShow(true)}; }
 
 std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context, const StructureSnapshot& snapshot) {
@@ -157,6 +168,14 @@ std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colour
 std::vector<uint8_t> shownMapPicture(std::string_view colouring, const StructureSnapshot& snapshot, const Viewport& size,
                                      const DrawStyle& style) {
     return mapPicture(shownOf(mapsOf(snapshot)), mapColouringFromId(colouring), size, style);
+}
+
+std::optional<Curve> curveOf(const FrameLog& log, const Scene& scene, const std::optional<uint32_t>& object,
+                             const std::optional<uint32_t>& part) {
+    const std::vector<SphericalDecision>& decisions = decisionsOf(log);
+    if (decisions.empty()) return std::nullopt;
+    const SphericalDecision& shown = decisions[placeOfDecision(decisions, object)];
+    return bandCurve(shown, scene.instances()[shown.instance].name, part);
 }
 
 std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene) {

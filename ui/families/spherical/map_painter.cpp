@@ -9,6 +9,7 @@
 #include "ui/families/spherical/map_overlay.h"
 #include "ui/families/spherical/map_words.h"
 #include "ui/look/verdict_swatch.h"
+#include "ui/text/terms.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {

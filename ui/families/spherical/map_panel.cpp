@@ -44,8 +44,8 @@ MapPanel::MapPanel(Session& session, SnapshotReader& reader, QWidget* parent)
     connect(m_colouring, &QComboBox::activated, this,
             [this] { m_map->setColouring(spherical::MapColouring(m_colouring->currentData().toInt())); });
     connect(m_map, &MapWidget::cellChosen, this, &MapPanel::pickIn);
-    followShownMap(session, reader, this, [this] { refresh(); });
-    followMapAbsence(session, this, [this] { showSentence(); });
+    followReading(session, reader, this, [this] { refresh(); });
+    followAbsence(session, this, [this] { showSentence(); });
     connect(&session, &Session::metricsChanged, this, &MapPanel::refresh);
     retranslate();
     refresh();
@@ -100,7 +100,7 @@ void MapPanel::offerColourings(const ShownMap& shown) {
 }
 
 void MapPanel::showSentence() {
-    const QString words = absenceWords(mapAbsence(m_session, m_reader));
+    const QString words = absenceWords(absence(m_session, m_reader));
     m_sentence->setText(words.isEmpty() ? tr("This strategy has no index map.") : words);
     m_sentence->setToolTip(tr("Strategies that look up what is visible by direction show their map here."));
 }

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/visibility/spherical/judged_cells.h"
+#include "ui/text/terms.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -192,27 +193,5 @@ QString symbolWords(MapSymbol symbol) {
 QString contourWords(double step) { return MapWords::tr("contours of α every %1").arg(degreesText(step)); }
 
 QString sectorWords(uint32_t sector) { return MapWords::tr("sector %1").arg(sector + 1); }
-
-QString absenceWords(MapAbsence absence) {
-    switch (absence) {
-        case MapAbsence::NoScene:
-            return MapWords::tr("Open a scene to see what a strategy decides about it.");
-        case MapAbsence::Preparing:
-            return MapWords::tr("The strategy is being prepared…");
-        case MapAbsence::NotBuilt:
-            return MapWords::tr("The strategy could not be built. Choose another one, or other parameters.");
-        default:
-            return {};
-    }
-}
-
-QString lengthText(double length) { return QLocale().toString(length, 'g', 3); }
-
-QString degreesText(double radians) {
-    const double degrees = radians * 180.0 / std::numbers::pi;
-    // Rounded to 0.01°, without trailing zeros.
-    const double rounded = std::round(degrees * 100.0) / 100.0;
-    return QLocale().toString(rounded, 'g', 5) + QStringLiteral("°");
-}
 
 }  // namespace cullscope::ui

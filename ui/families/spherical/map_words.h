@@ -25,17 +25,11 @@ namespace cullscope::ui {
 [[nodiscard]] QString cornerWords(const spherical::SphericalDecision& decision, size_t corner);
 /// The meaning of a cell's colour in a map coloured by state. Without truth a drawn cell is called "drawn", not "visible".
 [[nodiscard]] QString stateWords(TriangleState state, bool truthKnown);
-/// The text in place of a map; empty: the strategy has no maps.
-[[nodiscard]] QString absenceWords(MapAbsence absence);
 /// The meaning of a symbol over the map.
 [[nodiscard]] QString symbolWords(MapSymbol symbol);
 /// The meaning of the contours, which are drawn every `step` of α (radians).
 [[nodiscard]] QString contourWords(double step);
 /// The meaning of the edges of a sector, counted from 0.
 [[nodiscard]] QString sectorWords(uint32_t sector);
-/// A length in the mesh's units with three significant digits.
-[[nodiscard]] QString lengthText(double length);
-/// An angle in degrees, with enough digits to tell the map's cells apart.
-[[nodiscard]] QString degreesText(double radians);
 
 }  // namespace cullscope::ui

@@ -1,12 +1,11 @@
 #pragma once
 
 #include <QString>
-#include <functional>
 #include <memory>
 #include <optional>
 
 #include "core/visibility/spherical/map_details.h"
-#include "ui/session/snapshot_reader.h"
+#include "ui/session/shown_reading.h"
 
 namespace cullscope::ui {
 
@@ -30,19 +29,5 @@ struct ShownMap {
 /// The map that the panels show: that of the picked object, else that of the first object that is not outside the frustum, else
 /// the first one. Empty: the strategy has no maps, or was not read yet.
 [[nodiscard]] ShownMap shownMap(const Session& session, const SnapshotReader& reader);
-
-/// Why there is no map to show.
-enum class MapAbsence {
-    NoScene,
-    Preparing,  ///< the scene is being opened, the strategy is being built, or its maps are being read
-    NotBuilt,   ///< the strategy could not be built
-    NoMaps      ///< the strategy was read and has no maps
-};
-[[nodiscard]] MapAbsence mapAbsence(Session& session, const SnapshotReader& reader);
-
-/// Calls `then` whenever the shown map may have changed, while `context` exists.
-void followShownMap(Session& session, SnapshotReader& reader, QObject* context, const std::function<void()>& then);
-/// Calls `then` whenever the reason for the absence of a map may have changed, while `context` exists.
-void followMapAbsence(Session& session, QObject* context, const std::function<void()>& then);
 
 }  // namespace cullscope::ui

@@ -1,29 +1,22 @@
 #pragma once
 
 #include "ui/families/family_pages.h"
-#include "ui/families/spherical/bands_panel.h"
 #include "ui/families/spherical/map_panel.h"
 
 namespace cullscope::ui {
 
-/// The index map above the tabs and the contour bands in a tab. The map marks the sector that the bands' plot shows.
+/// The index map above the tabs. It marks the sector whose bands are shown below it.
 class SphericalPages : public FamilyPages {
     Q_OBJECT
 
 public:
-    SphericalPages(Session& session, SnapshotReader& reader, QWidget* panel, QTabWidget* tabs);
+    SphericalPages(Session& session, SnapshotReader& reader, QWidget* panel);
 
     [[nodiscard]] QWidget* top() const override { return m_map; }
-    [[nodiscard]] QWidget* page() const override { return m_bands; }
-    [[nodiscard]] QString pageName() const override { return BandsPanel::tr("Bands"); }
-    void setCurrent(const QWidget* page) override;
+    void setPart(const std::optional<uint32_t>& part) override;
 
 private:
-    void markSector();
-
     MapPanel* m_map;
-    BandsPanel* m_bands;
-    bool m_bandsShown = false;
 };
 
 }  // namespace cullscope::ui
