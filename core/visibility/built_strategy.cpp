@@ -62,6 +62,11 @@ std::vector<uint8_t> BuiltStrategy::picture(std::string_view id, std::string_vie
     return m_strategy->picture(id, colouring, *m_structure, log, size, style);
 }
 
+CellMapPointer BuiltStrategy::directionMap(std::string_view id, const FrameLog& log,
+                                           const std::optional<uint32_t>& object) const {
+    return m_info.show(id) == nullptr ? nullptr : m_strategy->directionMap(id, *m_structure, log, object);
+}
+
 std::optional<Curve> BuiltStrategy::curve(std::string_view id, const FrameLog& log, const std::optional<uint32_t>& object,
                                           const std::optional<uint32_t>& part) const {
     if (m_info.show(id) == nullptr) return std::nullopt;

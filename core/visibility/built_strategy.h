@@ -48,6 +48,9 @@ public:
     /// A picture that the strategy declares: RGBA, rows from the bottom.
     [[nodiscard]] std::vector<uint8_t> picture(std::string_view id, std::string_view colouring, const FrameLog& log,
                                                const Viewport& size, const DrawStyle& style) const;
+    /// A map of directions that the strategy declares (strategy.h); null for any other id.
+    [[nodiscard]] CellMapPointer directionMap(std::string_view id, const FrameLog& log,
+                                              const std::optional<uint32_t>& object = {}) const;
     /// A curve that the strategy declares (strategy.h); none for any other id.
     [[nodiscard]] std::optional<Curve> curve(std::string_view id, const FrameLog& log, const std::optional<uint32_t>& object,
                                              const std::optional<uint32_t>& part) const;

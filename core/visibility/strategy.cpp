@@ -53,6 +53,11 @@ std::vector<uint8_t> Strategy::picture(std::string_view /*id*/, std::string_view
     return {};
 }
 
+CellMapPointer Strategy::directionMap(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/,
+                                      const std::optional<uint32_t>& /*object*/) const {
+    return nullptr;
+}
+
 std::optional<Curve> Strategy::curve(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/,
                                      const std::optional<uint32_t>& /*object*/, const std::optional<uint32_t>& /*part*/) const {
     return std::nullopt;

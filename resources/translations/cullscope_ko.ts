@@ -2183,6 +2183,198 @@
         <source>Bands</source>
         <translation>띠</translation>
     </message>
+    <message>
+        <source>Case 1: all azimuths, one range in all</source>
+        <translation>경우 1: 모든 방위각, 전체가 한 구간</translation>
+    </message>
+    <message>
+        <source>Case 2: one clump, one range a row</source>
+        <translation>경우 2: 한 덩어리, 행마다 한 구간</translation>
+    </message>
+    <message>
+        <source>Case 3: split by the seam, two ranges a row</source>
+        <translation>경우 3: 이음매로 갈라짐, 행마다 두 구간</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>왼쪽 아래</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>오른쪽 아래</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>오른쪽 위</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>왼쪽 위</translation>
+    </message>
+    <message>
+        <source>Entries a cell</source>
+        <translation>칸당 항목 수</translation>
+    </message>
+    <message>
+        <source>Farthest R</source>
+        <translation>가장 먼 R</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>상태</translation>
+    </message>
+    <message>
+        <source>farthest R, mesh units</source>
+        <translation>가장 먼 R, 메시 단위</translation>
+    </message>
+    <message>
+        <source>triangles a cell, logarithmic</source>
+        <translation>칸당 삼각형 수, 로그 눈금</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3): %4</source>
+        <translation>%1 (%2/%3): %4</translation>
+    </message>
+    <message>
+        <source>Nothing of it is drawn.</source>
+        <translation>아무것도 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Bands of %1; drawn: %2 of %3 triangles</source>
+        <translation>띠 폭 %1, 그린 삼각형: %2/%3</translation>
+    </message>
+    <message>
+        <source>Everything of it is drawn.</source>
+        <translation>모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>Drawn: %1 of %2 triangles</source>
+        <translation>그린 삼각형: %1/%2</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>행 %1, 열 %2</translation>
+    </message>
+    <message>
+        <source>Triangles in it: %1, of which it owns %2</source>
+        <translation>걸친 삼각형: %1, 그중 속한 것: %2</translation>
+    </message>
+    <message>
+        <source>R %1 to %2 mesh units</source>
+        <translation>R %1~%2 메시 단위</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
+        <translation>모서리 광선 %1, %2: 삼각형 %3에서 교차가 확인되었습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
+        <translation>모서리 광선 %1, %2: 물체를 지나칩니다. 구에 들어가는 점을 씁니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
+        <translation>모서리 광선 %1, %2: 구를 빗나갑니다. 구에서 가장 가까운 점을 씁니다.</translation>
+    </message>
+    <message>
+        <source>visible region</source>
+        <translation>가시 영역</translation>
+    </message>
+    <message>
+        <source>its box</source>
+        <translation>경계 박스</translation>
+    </message>
+    <message>
+        <source>corner: hit</source>
+        <translation>모서리: 교차</translation>
+    </message>
+    <message>
+        <source>corner: miss, nearest point</source>
+        <translation>모서리: 빗나감, 최근접점</translation>
+    </message>
+    <message>
+        <source>walked cells</source>
+        <translation>지나간 칸</translation>
+    </message>
+    <message>
+        <source>nearest to the eye</source>
+        <translation>눈에 가장 가까움</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>반대쪽</translation>
+    </message>
+    <message>
+        <source>contours of α every %1</source>
+        <translation>α의 등고선, %1 간격</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>구역 %1</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>사용 안 함</translation>
+    </message>
+    <message>
+        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
+        <translation>커널 없음: 지평선이 꺼져 있거나 메시가 너무 작습니다</translation>
+    </message>
+    <message>
+        <source>No kernel: %1</source>
+        <translation>커널 없음: %1</translation>
+    </message>
+    <message>
+        <source>Kernel filled to R %1 at least</source>
+        <translation>커널은 적어도 R %1까지 차 있음</translation>
+    </message>
+    <message>
+        <source>Horizon not used: the eye is inside the bounding sphere</source>
+        <translation>지평선 사용 안 함: 눈이 경계구 안에 있음</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, or too far away</source>
+        <translation>지평선 사용 안 함: 근평면에 걸리거나 너무 멉니다</translation>
+    </message>
+    <message>
+        <source>Quadtree: level %1, triangles: %2, %3</source>
+        <translation>사분 트리: 레벨 %1, 삼각형: %2, %3</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>레벨</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>커널</translation>
+    </message>
+    <message>
+        <source>level where the walk ended</source>
+        <translation>순회가 끝난 레벨</translation>
+    </message>
+    <message>
+        <source>R of the kernel, of the sphere&apos;s</source>
+        <translation>커널의 R, 구의 R에 대한 비율</translation>
+    </message>
+    <message>
+        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
+        <translation>제거: 절두체 %1 · 법선 원뿔 %2 · 지평선 %3</translation>
+    </message>
+    <message>
+        <source>cell of the quadtree</source>
+        <translation>사분 트리의 셀</translation>
+    </message>
+    <message>
+        <source>Triangle index map</source>
+        <translation>삼각형 색인 맵</translation>
+    </message>
+    <message>
+        <source>θ %1 to %2, φ %3 to %4</source>
+        <translation>θ %1~%2, φ %3~%4</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2868,10 +3060,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWidget</name>
     <message>
-        <source>Triangle index map</source>
-        <translation>삼각형 색인 맵</translation>
-    </message>
-    <message>
         <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
         <translation>화살표 키로 칸을 옮기고, Shift와 함께 누르면 열 칸씩 옮깁니다. Enter는 칸의 삼각형을 고릅니다.</translation>
     </message>
@@ -2879,220 +3067,16 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWords</name>
     <message>
-        <source>Case 1: all azimuths, one range in all</source>
-        <translation>경우 1: 모든 방위각, 전체가 한 구간</translation>
-    </message>
-    <message>
-        <source>Case 2: one clump, one range a row</source>
-        <translation>경우 2: 한 덩어리, 행마다 한 구간</translation>
-    </message>
-    <message>
-        <source>Case 3: split by the seam, two ranges a row</source>
-        <translation>경우 3: 이음매로 갈라짐, 행마다 두 구간</translation>
-    </message>
-    <message>
-        <source>bottom left</source>
-        <translation>왼쪽 아래</translation>
-    </message>
-    <message>
-        <source>bottom right</source>
-        <translation>오른쪽 아래</translation>
-    </message>
-    <message>
-        <source>top right</source>
-        <translation>오른쪽 위</translation>
-    </message>
-    <message>
-        <source>top left</source>
-        <translation>왼쪽 위</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <comment>a range of numbers</comment>
-        <translation>%1~%2</translation>
-    </message>
-    <message>
         <source>owns no triangle</source>
         <translation>속한 삼각형 없음</translation>
-    </message>
-    <message>
-        <source>Entries a cell</source>
-        <translation>칸당 항목 수</translation>
-    </message>
-    <message>
-        <source>Farthest R</source>
-        <translation>가장 먼 R</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>상태</translation>
-    </message>
-    <message>
-        <source>farthest R, mesh units</source>
-        <translation>가장 먼 R, 메시 단위</translation>
-    </message>
-    <message>
-        <source>triangles a cell, logarithmic</source>
-        <translation>칸당 삼각형 수, 로그 눈금</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of %3): %4</source>
-        <comment>object, its number, how many there are, how it lies to the frustum</comment>
-        <translation>%1 (%2/%3): %4</translation>
-    </message>
-    <message>
-        <source>Nothing of it is drawn.</source>
-        <translation>아무것도 그리지 않습니다.</translation>
-    </message>
-    <message>
-        <source>Bands of %1; drawn: %2 of %3 triangles</source>
-        <translation>띠 폭 %1, 그린 삼각형: %2/%3</translation>
-    </message>
-    <message>
-        <source>Everything of it is drawn.</source>
-        <translation>모두 그립니다.</translation>
-    </message>
-    <message>
-        <source>Drawn: %1 of %2 triangles</source>
-        <translation>그린 삼각형: %1/%2</translation>
-    </message>
-    <message>
-        <source>Row %1, column %2</source>
-        <translation>행 %1, 열 %2</translation>
-    </message>
-    <message>
-        <source>θ %1, φ %2</source>
-        <comment>two ranges of angles</comment>
-        <translation>θ %1, φ %2</translation>
-    </message>
-    <message>
-        <source>Triangles in it: %1, of which it owns %2</source>
-        <translation>걸친 삼각형: %1, 그중 속한 것: %2</translation>
-    </message>
-    <message>
-        <source>R %1 to %2 mesh units</source>
-        <translation>R %1~%2 메시 단위</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
-        <translation>모서리 광선 %1, %2: 삼각형 %3에서 교차가 확인되었습니다.</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
-        <translation>모서리 광선 %1, %2: 물체를 지나칩니다. 구에 들어가는 점을 씁니다.</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
-        <translation>모서리 광선 %1, %2: 구를 빗나갑니다. 구에서 가장 가까운 점을 씁니다.</translation>
     </message>
     <message>
         <source>drawn</source>
         <translation>그려짐</translation>
     </message>
     <message>
-        <source>visible region</source>
-        <translation>가시 영역</translation>
-    </message>
-    <message>
-        <source>its box</source>
-        <translation>경계 박스</translation>
-    </message>
-    <message>
-        <source>corner: hit</source>
-        <translation>모서리: 교차</translation>
-    </message>
-    <message>
-        <source>corner: miss, nearest point</source>
-        <translation>모서리: 빗나감, 최근접점</translation>
-    </message>
-    <message>
-        <source>walked cells</source>
-        <translation>지나간 칸</translation>
-    </message>
-    <message>
-        <source>nearest to the eye</source>
-        <translation>눈에 가장 가까움</translation>
-    </message>
-    <message>
-        <source>opposite</source>
-        <translation>반대쪽</translation>
-    </message>
-    <message>
         <source>picked</source>
         <translation>고른 것</translation>
-    </message>
-    <message>
-        <source>contours of α every %1</source>
-        <translation>α의 등고선, %1 간격</translation>
-    </message>
-    <message>
-        <source>sector %1</source>
-        <translation>구역 %1</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <comment>a test</comment>
-        <translation>사용 안 함</translation>
-    </message>
-    <message>
-        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
-        <translation>커널 없음: 지평선이 꺼져 있거나 메시가 너무 작습니다</translation>
-    </message>
-    <message>
-        <source>No kernel: %1</source>
-        <translation>커널 없음: %1</translation>
-    </message>
-    <message>
-        <source>Kernel filled to R %1 at least</source>
-        <translation>커널은 적어도 R %1까지 차 있음</translation>
-    </message>
-    <message>
-        <source>Horizon not used: the eye is inside the bounding sphere</source>
-        <translation>지평선 사용 안 함: 눈이 경계구 안에 있음</translation>
-    </message>
-    <message>
-        <source>Horizon not used: at the near plane, or too far away</source>
-        <translation>지평선 사용 안 함: 근평면에 걸리거나 너무 멉니다</translation>
-    </message>
-    <message>
-        <source>Quadtree: level %1, triangles: %2, %3</source>
-        <comment>level of a cell, how many it has, what became of it</comment>
-        <translation>사분 트리: 레벨 %1, 삼각형: %2, %3</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <comment>of a quadtree</comment>
-        <translation>레벨</translation>
-    </message>
-    <message>
-        <source>Kernel</source>
-        <translation>커널</translation>
-    </message>
-    <message>
-        <source>level where the walk ended</source>
-        <translation>순회가 끝난 레벨</translation>
-    </message>
-    <message>
-        <source>R of the kernel, of the sphere&apos;s</source>
-        <translation>커널의 R, 구의 R에 대한 비율</translation>
-    </message>
-    <message>
-        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
-        <comment>by which test, triangles</comment>
-        <translation>제거: 절두체 %1 · 법선 원뿔 %2 · 지평선 %3</translation>
-    </message>
-    <message>
-        <source>cell of the quadtree</source>
-        <translation>사분 트리의 셀</translation>
-    </message>
-    <message>
-        <source>horizon of the kernel</source>
-        <translation>커널의 지평선</translation>
     </message>
 </context>
 <context>

@@ -2183,6 +2183,198 @@
         <source>Bands</source>
         <translation>环带</translation>
     </message>
+    <message>
+        <source>Case 1: all azimuths, one range in all</source>
+        <translation>情形 1：所有方位角，总共一个区间</translation>
+    </message>
+    <message>
+        <source>Case 2: one clump, one range a row</source>
+        <translation>情形 2：聚成一团，每行一个区间</translation>
+    </message>
+    <message>
+        <source>Case 3: split by the seam, two ranges a row</source>
+        <translation>情形 3：被接缝分开，每行两个区间</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>Entries a cell</source>
+        <translation>每单元条目数</translation>
+    </message>
+    <message>
+        <source>Farthest R</source>
+        <translation>最远 R</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>farthest R, mesh units</source>
+        <translation>最远 R，网格单位</translation>
+    </message>
+    <message>
+        <source>triangles a cell, logarithmic</source>
+        <translation>每单元三角形数，对数刻度</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3): %4</source>
+        <translation>%1（第 %2 个，共 %3 个）：%4</translation>
+    </message>
+    <message>
+        <source>Nothing of it is drawn.</source>
+        <translation>完全不绘制。</translation>
+    </message>
+    <message>
+        <source>Bands of %1; drawn: %2 of %3 triangles</source>
+        <translation>环带宽 %1；已绘制三角形：%2 / %3</translation>
+    </message>
+    <message>
+        <source>Everything of it is drawn.</source>
+        <translation>全部绘制。</translation>
+    </message>
+    <message>
+        <source>Drawn: %1 of %2 triangles</source>
+        <translation>已绘制三角形：%1 / %2</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
+    </message>
+    <message>
+        <source>Triangles in it: %1, of which it owns %2</source>
+        <translation>其中的三角形：%1，所属：%2</translation>
+    </message>
+    <message>
+        <source>R %1 to %2 mesh units</source>
+        <translation>R %1 至 %2 网格单位</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
+        <translation>角射线 %1，%2：已在三角形 %3 上确认相交。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
+        <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
+        <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
+    </message>
+    <message>
+        <source>visible region</source>
+        <translation>可见区域</translation>
+    </message>
+    <message>
+        <source>its box</source>
+        <translation>其包围框</translation>
+    </message>
+    <message>
+        <source>corner: hit</source>
+        <translation>角：命中</translation>
+    </message>
+    <message>
+        <source>corner: miss, nearest point</source>
+        <translation>角：未命中，最近点</translation>
+    </message>
+    <message>
+        <source>walked cells</source>
+        <translation>经过的单元</translation>
+    </message>
+    <message>
+        <source>nearest to the eye</source>
+        <translation>离视点最近</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>对面</translation>
+    </message>
+    <message>
+        <source>contours of α every %1</source>
+        <translation>α 的等高线，每 %1</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>扇区 %1</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>未使用</translation>
+    </message>
+    <message>
+        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
+        <translation>没有核：地平线已关闭，或网格太小</translation>
+    </message>
+    <message>
+        <source>No kernel: %1</source>
+        <translation>没有核：%1</translation>
+    </message>
+    <message>
+        <source>Kernel filled to R %1 at least</source>
+        <translation>核至少填充到 R %1</translation>
+    </message>
+    <message>
+        <source>Horizon not used: the eye is inside the bounding sphere</source>
+        <translation>未使用地平线：视点在包围球内</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, or too far away</source>
+        <translation>未使用地平线：碰到近平面，或距离太远</translation>
+    </message>
+    <message>
+        <source>Quadtree: level %1, triangles: %2, %3</source>
+        <translation>四叉树：层级 %1，三角形：%2，%3</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>层级</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>核</translation>
+    </message>
+    <message>
+        <source>level where the walk ended</source>
+        <translation>遍历结束的层级</translation>
+    </message>
+    <message>
+        <source>R of the kernel, of the sphere&apos;s</source>
+        <translation>核的 R，占球半径的比例</translation>
+    </message>
+    <message>
+        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
+        <translation>剔除：视锥体 %1 · 法线锥 %2 · 地平线 %3</translation>
+    </message>
+    <message>
+        <source>cell of the quadtree</source>
+        <translation>四叉树单元</translation>
+    </message>
+    <message>
+        <source>Triangle index map</source>
+        <translation>三角形索引图</translation>
+    </message>
+    <message>
+        <source>θ %1 to %2, φ %3 to %4</source>
+        <translation>θ %1 至 %2，φ %3 至 %4</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2868,10 +3060,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWidget</name>
     <message>
-        <source>Triangle index map</source>
-        <translation>三角形索引图</translation>
-    </message>
-    <message>
         <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
         <translation>方向键在单元间移动，按住 Shift 每次移动十个；Enter 选取该单元的一个三角形。</translation>
     </message>
@@ -2879,220 +3067,16 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWords</name>
     <message>
-        <source>Case 1: all azimuths, one range in all</source>
-        <translation>情形 1：所有方位角，总共一个区间</translation>
-    </message>
-    <message>
-        <source>Case 2: one clump, one range a row</source>
-        <translation>情形 2：聚成一团，每行一个区间</translation>
-    </message>
-    <message>
-        <source>Case 3: split by the seam, two ranges a row</source>
-        <translation>情形 3：被接缝分开，每行两个区间</translation>
-    </message>
-    <message>
-        <source>bottom left</source>
-        <translation>左下</translation>
-    </message>
-    <message>
-        <source>bottom right</source>
-        <translation>右下</translation>
-    </message>
-    <message>
-        <source>top right</source>
-        <translation>右上</translation>
-    </message>
-    <message>
-        <source>top left</source>
-        <translation>左上</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <comment>a range of numbers</comment>
-        <translation>%1 至 %2</translation>
-    </message>
-    <message>
         <source>owns no triangle</source>
         <translation>没有所属三角形</translation>
-    </message>
-    <message>
-        <source>Entries a cell</source>
-        <translation>每单元条目数</translation>
-    </message>
-    <message>
-        <source>Farthest R</source>
-        <translation>最远 R</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>状态</translation>
-    </message>
-    <message>
-        <source>farthest R, mesh units</source>
-        <translation>最远 R，网格单位</translation>
-    </message>
-    <message>
-        <source>triangles a cell, logarithmic</source>
-        <translation>每单元三角形数，对数刻度</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of %3): %4</source>
-        <comment>object, its number, how many there are, how it lies to the frustum</comment>
-        <translation>%1（第 %2 个，共 %3 个）：%4</translation>
-    </message>
-    <message>
-        <source>Nothing of it is drawn.</source>
-        <translation>完全不绘制。</translation>
-    </message>
-    <message>
-        <source>Bands of %1; drawn: %2 of %3 triangles</source>
-        <translation>环带宽 %1；已绘制三角形：%2 / %3</translation>
-    </message>
-    <message>
-        <source>Everything of it is drawn.</source>
-        <translation>全部绘制。</translation>
-    </message>
-    <message>
-        <source>Drawn: %1 of %2 triangles</source>
-        <translation>已绘制三角形：%1 / %2</translation>
-    </message>
-    <message>
-        <source>Row %1, column %2</source>
-        <translation>第 %1 行，第 %2 列</translation>
-    </message>
-    <message>
-        <source>θ %1, φ %2</source>
-        <comment>two ranges of angles</comment>
-        <translation>θ %1，φ %2</translation>
-    </message>
-    <message>
-        <source>Triangles in it: %1, of which it owns %2</source>
-        <translation>其中的三角形：%1，所属：%2</translation>
-    </message>
-    <message>
-        <source>R %1 to %2 mesh units</source>
-        <translation>R %1 至 %2 网格单位</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
-        <translation>角射线 %1，%2：已在三角形 %3 上确认相交。</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
-        <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
-        <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
     </message>
     <message>
         <source>drawn</source>
         <translation>已绘制</translation>
     </message>
     <message>
-        <source>visible region</source>
-        <translation>可见区域</translation>
-    </message>
-    <message>
-        <source>its box</source>
-        <translation>其包围框</translation>
-    </message>
-    <message>
-        <source>corner: hit</source>
-        <translation>角：命中</translation>
-    </message>
-    <message>
-        <source>corner: miss, nearest point</source>
-        <translation>角：未命中，最近点</translation>
-    </message>
-    <message>
-        <source>walked cells</source>
-        <translation>经过的单元</translation>
-    </message>
-    <message>
-        <source>nearest to the eye</source>
-        <translation>离视点最近</translation>
-    </message>
-    <message>
-        <source>opposite</source>
-        <translation>对面</translation>
-    </message>
-    <message>
         <source>picked</source>
         <translation>已选取</translation>
-    </message>
-    <message>
-        <source>contours of α every %1</source>
-        <translation>α 的等高线，每 %1</translation>
-    </message>
-    <message>
-        <source>sector %1</source>
-        <translation>扇区 %1</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <comment>a test</comment>
-        <translation>未使用</translation>
-    </message>
-    <message>
-        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
-        <translation>没有核：地平线已关闭，或网格太小</translation>
-    </message>
-    <message>
-        <source>No kernel: %1</source>
-        <translation>没有核：%1</translation>
-    </message>
-    <message>
-        <source>Kernel filled to R %1 at least</source>
-        <translation>核至少填充到 R %1</translation>
-    </message>
-    <message>
-        <source>Horizon not used: the eye is inside the bounding sphere</source>
-        <translation>未使用地平线：视点在包围球内</translation>
-    </message>
-    <message>
-        <source>Horizon not used: at the near plane, or too far away</source>
-        <translation>未使用地平线：碰到近平面，或距离太远</translation>
-    </message>
-    <message>
-        <source>Quadtree: level %1, triangles: %2, %3</source>
-        <comment>level of a cell, how many it has, what became of it</comment>
-        <translation>四叉树：层级 %1，三角形：%2，%3</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <comment>of a quadtree</comment>
-        <translation>层级</translation>
-    </message>
-    <message>
-        <source>Kernel</source>
-        <translation>核</translation>
-    </message>
-    <message>
-        <source>level where the walk ended</source>
-        <translation>遍历结束的层级</translation>
-    </message>
-    <message>
-        <source>R of the kernel, of the sphere&apos;s</source>
-        <translation>核的 R，占球半径的比例</translation>
-    </message>
-    <message>
-        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
-        <comment>by which test, triangles</comment>
-        <translation>剔除：视锥体 %1 · 法线锥 %2 · 地平线 %3</translation>
-    </message>
-    <message>
-        <source>cell of the quadtree</source>
-        <translation>四叉树单元</translation>
-    </message>
-    <message>
-        <source>horizon of the kernel</source>
-        <translation>核的地平线</translation>
     </message>
 </context>
 <context>

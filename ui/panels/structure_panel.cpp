@@ -11,7 +11,7 @@ namespace cullscope::ui {
 
 StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent)
     : QWidget(parent), m_session(session), m_reader(reader), m_tabs(new QTabWidget) {
-    m_families = makeFamilyPages(session, reader, this);
+    m_map = new MapPanel(session, reader, this);
     m_tabs->setParent(this);
     m_tree = new StructureTree(session, reader, m_tabs);
     m_why = new WhyPanel(session, reader, m_tabs);
@@ -19,7 +19,7 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(4);
-    for (FamilyPages* family : m_families) layout->addWidget(family->top());
+    layout->addWidget(m_map);
     for (QWidget* page : std::initializer_list<QWidget*>{m_tree, m_why, m_losses}) m_tabs->addTab(page, QString());
     m_tabs->setCurrentWidget(m_tree);
     m_tabs->setDocumentMode(true);
@@ -74,7 +74,7 @@ CurvePanel* StructurePanel::curveOf(const Show& show) {
 void StructurePanel::markPart() {
     // The mark belongs to the curve in the tab: while the curve is not shown, the mark would need an explanation.
     const auto* curve = qobject_cast<const CurvePanel*>(m_tabs->currentWidget());
-    for (FamilyPages* family : m_families) family->setPart(curve ? curve->shownPart() : std::nullopt);
+    m_map->setPart(curve ? curve->shownPart() : std::nullopt);
 }
 
 void StructurePanel::retranslate() {

@@ -3,17 +3,17 @@
 #include <QTabWidget>
 #include <map>
 
-#include "ui/families/family_pages.h"
 #include "ui/panels/curve_panel.h"
 #include "ui/panels/loss_panel.h"
+#include "ui/panels/map_panel.h"
 #include "ui/panels/structure_tree.h"
 #include "ui/panels/why_panel.h"
 #include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
-/// The structure of the active view's strategy: at the top what its family has, then the tabs: the curves that it declares, tree,
-/// decisions and losses.
+/// The structure of the active view's strategy: at the top its map of directions, then the tabs: the curves that it declares,
+/// tree, decisions and losses.
 class StructurePanel : public QWidget {
     Q_OBJECT
 
@@ -21,6 +21,7 @@ public:
     StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
+    [[nodiscard]] MapPanel& map() { return *m_map; }
     [[nodiscard]] StructureTree& tree() { return *m_tree; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
@@ -49,7 +50,7 @@ private:
     std::map<std::string, CurvePanel*>
         m_madeCurves;    ///< by the show's id: what the user chose in one is kept while it has no tab
     std::string m_left;  ///< id of the curve whose tab was open when its strategy left; empty: none
-    std::vector<FamilyPages*> m_families;
+    MapPanel* m_map;
     StructureTree* m_tree;
     WhyPanel* m_why;
     LossPanel* m_losses;

@@ -6,10 +6,6 @@
 
 namespace cullscope::spherical {
 
-void MapDetails::prepare(const std::optional<uint32_t>& instance) const {
-    if (!maps.empty()) (void)*maps[placeOfMap(maps, instance)].maps;
-}
-
 void setMaps(StructureSnapshot& snapshot, std::vector<MapSnapshot> maps) {
     auto details = std::make_shared<MapDetails>();
     details->maps = std::move(maps);

@@ -10,8 +10,6 @@ namespace cullscope::spherical {
 /// What strategies with maps of directions have in a snapshot: the map of each object with triangles, by instance.
 struct MapDetails final : StructureDetails {
     std::vector<MapSnapshot> maps;
-
-    void prepare(const std::optional<uint32_t>& instance) const override;
 };
 
 /// Gives a snapshot its maps, and the sentence about objects that are tested as spheres.

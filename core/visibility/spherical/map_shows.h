@@ -17,8 +17,10 @@ namespace cullscope::spherical {
                                                    const StructureSnapshot& snapshot);
 [[nodiscard]] std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colouring, std::string_view strategy,
                                                   const StructureSnapshot& snapshot, const Scene& scene);
-[[nodiscard]] std::vector<uint8_t> shownMapPicture(std::string_view colouring, const StructureSnapshot& snapshot,
-                                                   const Viewport& size, const DrawStyle& style);
+/// The decision that is shown: that about `object`, else the one that placeOfDecision (map_details.h) chooses. Null: the frame
+/// has none.
+[[nodiscard]] const SphericalDecision* shownDecision(const FrameLog& log, const std::optional<uint32_t>& object);
+[[nodiscard]] CellMapPointer indexMapOf(MapSnapshot map, const Scene& scene);
 [[nodiscard]] std::optional<Curve> curveOf(const FrameLog& log, const Scene& scene, const std::optional<uint32_t>& object,
                                            const std::optional<uint32_t>& part);
 [[nodiscard]] std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene);
@@ -39,9 +41,11 @@ public:
                                                      const FrameLog& log) const final {
         return whyNoMapShow(id, colouring, m_id, this->snapshot(structure, log), structure.scene());
     }
-    [[nodiscard]] std::vector<uint8_t> picture(std::string_view /*id*/, std::string_view colouring, const Structure& structure,
-                                               const FrameLog& log, const Viewport& size, const DrawStyle& style) const final {
-        return shownMapPicture(colouring, this->snapshot(structure, log), size, style);
+    [[nodiscard]] CellMapPointer directionMap(std::string_view /*id*/, const Structure& structure, const FrameLog& log,
+                                              const std::optional<uint32_t>& object) const final {
+        const SphericalDecision* shown = shownDecision(log, object);
+        if (shown == nullptr) return nullptr;
+        return indexMapOf(mapOfDecision(this->own(structure), log, *shown), structure.scene());
     }
     [[nodiscard]] std::optional<Curve> curve(std::string_view /*id*/, const Structure& structure, const FrameLog& log,
                                              const std::optional<uint32_t>& object,
@@ -55,6 +59,11 @@ public:
                      std::vector<WhyStep>& steps) const final {
         addMapStepsOf(this->snapshot(structure, log), instance, triangle, steps);
     }
+
+protected:
+    /// The map of an object with a frame's decision about it.
+    [[nodiscard]] virtual MapSnapshot mapOfDecision(const OwnStructure& structure, const FrameLog& log,
+                                                    const SphericalDecision& decision) const = 0;
 
 private:
     std::string m_id;

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/mesh/parametric.h"
 #include "core/visibility/built_strategy.h"
 #include "tests/support/test_scenes.h"
 
@@ -17,7 +18,7 @@ TEST(Shows, haveWordsAndSayWhyTheyAreAbsent) {
             EXPECT_FALSE(show.help.empty()) << show.id;
             EXPECT_EQ(common.contains(show.id), show.kind == Show::Kind::Boxes) << show.id;
             // What cullbench draws says why a strategy has it not.
-            const bool drawn = show.kind == Show::Kind::Overlay || show.kind == Show::Kind::Picture;
+            const bool drawn = show.kind != Show::Kind::Boxes && show.kind != Show::Kind::Curve;
             EXPECT_EQ(show.absent != nullptr, drawn) << show.id;
             if (show.kind == Show::Kind::Curve) {
                 EXPECT_FALSE(show.title.empty()) << show.id;
