@@ -9,10 +9,18 @@
 namespace cullscope::cullbench {
 namespace {
 
+/// What strategies declare that stands in place of the scene's picture.
+std::vector<const Show*> declaredPictures() {
+    std::vector<const Show*> pictures;
+    for (const Show* show : declaredShows())
+        if (show->kind == Show::Kind::Picture || show->kind == Show::Kind::DirectionMap) pictures.push_back(show);
+    return pictures;
+}
+
 /// The ids of the pictures that strategies declare, in the form "ID, ".
 std::string pictureList() {
     std::string text;
-    for (const Show* show : declaredShows(Show::Kind::Picture)) text += show->id + ", ";
+    for (const Show* show : declaredPictures()) text += show->id + ", ";
     return text;
 }
 
@@ -33,7 +41,7 @@ std::string overlayHelp() {
     std::string boxes = "that the strategy tests";
     for (const Show* show : declaredShows(Show::Kind::Boxes)) boxes += "; " + show->help;
     std::string pictures;
-    for (const Show* show : declaredShows(Show::Kind::Picture)) pictures += show->id + " (" + show->help + "), ";
+    for (const Show* show : declaredPictures()) pictures += show->id + " (" + show->help + "), ";
     return "verdicts (colour by verdict, against the truth), boxes (" + boxes + "), frustum (of the culling camera)" +
            described(Show::Kind::Overlay, ", ") + "; in place of the scene: " + pictures +
            "spherical-model (what was drawn of the first object, over azimuth and zenith angle); may be given more than once";
@@ -41,7 +49,7 @@ std::string overlayHelp() {
 
 /// The picture with this id that a strategy declares; null where there is none.
 const Show* pictureOf(const std::string& id) {
-    for (const Show* show : declaredShows(Show::Kind::Picture))
+    for (const Show* show : declaredPictures())
         if (show->id == id) return show;
     return nullptr;
 }
@@ -94,7 +102,7 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
                        "a second picture of the same size below the first: " + pictureList() +
                            "spherical-model, or behind (the same from the other side)");
     std::string colourings;
-    for (const Show* show : declaredShows(Show::Kind::Picture))
+    for (const Show* show : declaredPictures())
         if (!show->colourings.empty()) colourings += (colourings.empty() ? "" : "; ") + show->colouringHelp;
     command.add_option("--map-colouring", options.mapColouring, colourings);
     command

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
 #include "core/gpu/gpu_frame.h"
+#include "core/image/cell_map_picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/picture_metadata.h"
 
@@ -101,7 +102,9 @@ Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltSt
     requireOverlays(choice, strategy, log);
     if (choice.needsDecisions()) drawn.line = strategy.frameLine(log);
     if (!choice.picture.empty()) {
-        drawn.rgba = strategy.picture(choice.picture, choice.colouring, log, viewing.viewport(), style);
+        const CellMapPointer map = strategy.directionMap(choice.picture, log);
+        drawn.rgba = map ? cellMapPicture(*map, choice.colouring, viewing.viewport(), style)
+                         : strategy.picture(choice.picture, choice.colouring, log, viewing.viewport(), style);
         return drawn;
     }
     Framebuffer target(viewing.viewport());

@@ -49,12 +49,12 @@ std::vector<std::string> linesOf(const std::string& words, double width, const P
 }
 
 /// What is written around a plot.
-struct Words {
+struct PlacedWords {
     std::vector<std::string> title, up, across;
     double top = 0.0;  ///< between the lines above and the plot
     double below = 0.0;
 
-    Words(const LinePlot& plot, double width, const PlotStyle& style)
+    PlacedWords(const LinePlot& plot, double width, const PlotStyle& style)
         : title(linesOf(plot.title, width / kBold, style)),
           up(linesOf(plot.y.title, width, style)),
           across(linesOf(plot.x.title, width, style)) {
@@ -196,7 +196,7 @@ private:
     const LinePlot& m_plot;
     const PlotStyle& m_style;
     PlotDrawing& m_drawing;
-    Words m_words;
+    PlacedWords m_words;
     PlotPlace m_place;
     std::vector<PlotTick> m_across, m_up;
     double m_beyond = 0.0;  ///< what stands beyond the right end: a half of the last number, or the numbers of the levels
@@ -234,7 +234,7 @@ double neededHeight(const std::vector<LinePlot>& plots, double width, const Plot
     const double across = legend.widthBeside(inner) / (beside ? double(plots.size()) : 1.0);
     double most = 0.0;
     for (const LinePlot& plot : plots) {
-        const Words words(plot, across, style);
+        const PlacedWords words(plot, across, style);
         most = std::max(most, words.above(style) + kLeastHeight + words.below);
     }
     return legend.heightWith(beside ? most : most * double(plots.size()), inner) + 2 * kPlotMargin;

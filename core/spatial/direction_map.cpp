@@ -6,8 +6,8 @@
 
 #include "core/base/error.h"
 #include "core/geometry/angle.h"
+#include "core/geometry/spherical_grid.h"
 #include "core/geometry/triangle.h"
-#include "core/spatial/spherical_grid.h"
 
 namespace cullscope {
 namespace {

@@ -2,9 +2,9 @@
 
 #include <memory>
 
+#include "core/geometry/spherical_grid.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/spatial/cell_lists.h"
-#include "core/spatial/spherical_grid.h"
 
 namespace cullscope {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <optional>
 
-#include "core/spatial/spherical_grid.h"
+#include "core/geometry/spherical_grid.h"
 
 namespace cullscope {
 

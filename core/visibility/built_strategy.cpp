@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/frame/curve.h"
 #include "core/visibility/overlay.h"
 
 namespace cullscope {
@@ -59,6 +60,17 @@ std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::stri
 std::vector<uint8_t> BuiltStrategy::picture(std::string_view id, std::string_view colouring, const FrameLog& log,
                                             const Viewport& size, const DrawStyle& style) const {
     return m_strategy->picture(id, colouring, *m_structure, log, size, style);
+}
+
+CellMapPointer BuiltStrategy::directionMap(std::string_view id, const FrameLog& log,
+                                           const std::optional<uint32_t>& object) const {
+    return m_info.show(id) == nullptr ? nullptr : m_strategy->directionMap(id, *m_structure, log, object);
+}
+
+std::optional<Curve> BuiltStrategy::curve(std::string_view id, const FrameLog& log, const std::optional<uint32_t>& object,
+                                          const std::optional<uint32_t>& part) const {
+    if (m_info.show(id) == nullptr) return std::nullopt;
+    return m_strategy->curve(id, *m_structure, log, object, part);
 }
 
 BuiltStrategyPointer buildStrategy(std::string_view id, const ParameterSet& parameters, const ScenePointer& scene,

@@ -48,6 +48,12 @@ public:
     /// A picture that the strategy declares: RGBA, rows from the bottom.
     [[nodiscard]] std::vector<uint8_t> picture(std::string_view id, std::string_view colouring, const FrameLog& log,
                                                const Viewport& size, const DrawStyle& style) const;
+    /// A map of directions that the strategy declares (strategy.h); null for any other id.
+    [[nodiscard]] CellMapPointer directionMap(std::string_view id, const FrameLog& log,
+                                              const std::optional<uint32_t>& object = {}) const;
+    /// A curve that the strategy declares (strategy.h); none for any other id.
+    [[nodiscard]] std::optional<Curve> curve(std::string_view id, const FrameLog& log, const std::optional<uint32_t>& object,
+                                             const std::optional<uint32_t>& part) const;
     [[nodiscard]] std::string frameLine(const FrameLog& log) const { return m_strategy->frameLine(*m_structure, log); }
     void addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const {
         m_strategy->addWhySteps(*m_structure, log, instance, triangle, steps);

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/frame/curve.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/overlay.h"
 #include "core/visibility/why.h"
@@ -50,6 +51,16 @@ std::optional<Message> Strategy::whyNotShown(std::string_view /*id*/, std::strin
 std::vector<uint8_t> Strategy::picture(std::string_view /*id*/, std::string_view /*colouring*/, const Structure& /*structure*/,
                                        const FrameLog& /*log*/, const Viewport& /*size*/, const DrawStyle& /*style*/) const {
     return {};
+}
+
+CellMapPointer Strategy::directionMap(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/,
+                                      const std::optional<uint32_t>& /*object*/) const {
+    return nullptr;
+}
+
+std::optional<Curve> Strategy::curve(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/,
+                                     const std::optional<uint32_t>& /*object*/, const std::optional<uint32_t>& /*part*/) const {
+    return std::nullopt;
 }
 
 std::string Strategy::frameLine(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }

@@ -19,10 +19,14 @@
 
 namespace cullscope {
 
+struct CellMap;
+struct Curve;
 struct DrawStyle;
 struct OverlayContext;
 struct OverlayLines;
 struct WhyStep;
+
+using CellMapPointer = std::shared_ptr<const CellMap>;
 
 enum class Promise {
     Exact,         ///< draws what is visible and nothing else that could be visible
@@ -162,6 +166,16 @@ public:
     [[nodiscard]] virtual std::vector<uint8_t> picture(std::string_view id, std::string_view colouring,
                                                        const Structure& structure, const FrameLog& log, const Viewport& size,
                                                        const DrawStyle& style) const;
+    /// A declared map of directions of one object; null where the frame tells nothing of it. `object` as for a curve. May take as
+    /// long as the strategy's own structures do: it is called beside the window.
+    [[nodiscard]] virtual CellMapPointer directionMap(std::string_view id, const Structure& structure, const FrameLog& log,
+                                                      const std::optional<uint32_t>& object) const;
+    /// A declared curve of one object; none where the frame tells nothing of it. `object`: an instance; none, or one that the
+    /// frame did not decide about: the one that the strategy shows by itself. `part`: one of CurveParts; none, or one that there
+    /// is not: the one that the strategy shows by itself. Cheap enough for the window's thread.
+    [[nodiscard]] virtual std::optional<Curve> curve(std::string_view id, const Structure& structure, const FrameLog& log,
+                                                     const std::optional<uint32_t>& object,
+                                                     const std::optional<uint32_t>& part) const;
     /// One English line about the frame, which cullbench prints beside a picture; empty: there is nothing to say.
     [[nodiscard]] virtual std::string frameLine(const Structure& structure, const FrameLog& log) const;
     /// The states of what it has for the meshes; empty for most strategies.

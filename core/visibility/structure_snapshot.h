@@ -31,9 +31,6 @@ struct SnapshotNode {
 /// What only one family has in its snapshot. Only the family's own files know the derived type.
 struct StructureDetails {
     virtual ~StructureDetails() = default;
-    /// Makes what panels show of an object (none: of the object that they show by themselves), where it is made at its first
-    /// use; called beside the window. Thread-safe.
-    virtual void prepare(const std::optional<uint32_t>& /*instance*/) const {}
 };
 
 /// A strategy's structures and their results after a cull, as plain data, for display.

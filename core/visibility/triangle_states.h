@@ -7,12 +7,10 @@
 #include <vector>
 
 #include "core/frame/frame_log.h"
+#include "core/frame/triangle_state.h"
 
 namespace cullscope {
 
-/// The state of a triangle in one frame, by the first cause that applied. In the order of the legend.
-enum class TriangleState : uint8_t { Visible, InVain, OutsideFrustum, BackFacing, Hidden, TooSmall, WronglyCulled };
-inline constexpr size_t kTriangleStateCount = 7;
 /// English, marked for translation.
 [[nodiscard]] const char* triangleStateName(TriangleState state);
 /// The state of triangles culled for that cause.

@@ -83,8 +83,7 @@ std::string familyOf(const fs::path& path) {
 
 /// Whether a file may include the headers of every family: the registry, and experiments, which compare the methods.
 bool knowsFamilies(const fs::path& file) {
-    return file.generic_string() == "core/visibility/registry.cpp" || layerOf(file) == "experiments" ||
-           uiFolderOf(file) == "families";
+    return file.generic_string() == "core/visibility/registry.cpp" || layerOf(file) == "experiments";
 }
 
 /// The sources of core, ui and app.
@@ -167,9 +166,9 @@ const std::vector<std::string>& layers() {
 }
 
 const std::vector<std::string>& uiFolders() {
-    static const std::vector<std::string> kFolders = {"text",       "look",        "jobs",   "models",   "session",
-                                                      "views",      "screenshots", "plots",  "families", "panels",
-                                                      "statistics", "dialogs",     "window", "startup"};
+    static const std::vector<std::string> kFolders = {"text",    "look",        "jobs",   "models", "session",
+                                                      "views",   "screenshots", "plots",  "panels", "statistics",
+                                                      "dialogs", "window",      "startup"};
     return kFolders;
 }
 
@@ -210,9 +209,6 @@ std::vector<Offence> familyOffences(const fs::path& root) {
     std::vector<Offence> offences;
     for (const Include& include : includesBelow(root, {"core", "ui", "app"})) {
         const std::string family = familyOf(include.name);
-        const std::vector<std::string> target = partsOf(include.name);
-        if (uiFolderOf(include.name) == "families" && target.size() > 3 && uiFolderOf(include.file) != "families")
-            offences.push_back({include.file, include.line, "knows the family " + target[2] + ": " + include.name});
         if (family.empty() || family == familyOf(include.file) || knowsFamilies(include.file)) continue;
         offences.push_back({include.file, include.line, "knows the family " + family + ": " + include.name});
     }

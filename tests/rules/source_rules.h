@@ -40,12 +40,12 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 [[nodiscard]] std::vector<Offence> layeringOffences(const std::filesystem::path& root);
 
 /// Includes of a family's headers (core/visibility/FAMILY) by another family, by the contract that all share, and by what stands
-/// above, and names of a family's namespace (`FAMILY::`) there: only the registry, the experiments and ui/families may know
-/// families. Includes of ui/families/FAMILY outside ui/families. Sources of a family outside its namespace.
+/// above, and names of a family's namespace (`FAMILY::`) there: only the registry and the experiments may know families. Sources
+/// of a family outside its namespace.
 [[nodiscard]] std::vector<Offence> familyOffences(const std::filesystem::path& root);
 
-/// String literals that are the id of a strategy, outside core/visibility, core/experiments and ui/families: lists of strategies
-/// come from the registry. Texts of widgets, in tr(), are no ids.
+/// String literals that are the id of a strategy, outside core/visibility and core/experiments: lists of strategies come from
+/// the registry. Texts of widgets, in tr(), are no ids.
 [[nodiscard]] std::vector<Offence> strategyIdOffences(const std::filesystem::path& root, const std::vector<std::string>& ids);
 
 /// Includes of Qt in core or in cullbench, of OpenGL outside core/gpu, and of OpenMesh outside core/mesh.

@@ -113,21 +113,14 @@ TEST_F(PlantedTree, familyKnownOutsideTheRegistryIsReported) {
     EXPECT_THAT(familyOffences(root()), ElementsAre(meter, map));
 }
 
-TEST_F(PlantedTree, panelsOfAFamilyAreKnownInTheirFolderOnly) {
-    write("ui/families/spherical/panel.h", "#include \"ui/families/spherical/words.h\"\n");
-    write("ui/families/all.cpp", "#include \"ui/families/spherical/panel.h\"\n");
-    write("ui/panels/inside.cpp", "#include \"ui/families/all.h\"\n#include \"ui/families/spherical/panel.h\"\n");
-    EXPECT_THAT(familyOffences(root()),
-                ElementsAre(Offence{"ui/panels/inside.cpp", 2, "knows the family spherical: ui/families/spherical/panel.h"}));
-}
-
 TEST_F(PlantedTree, nameOfAFamilysNamespaceIsReported) {
     write("core/visibility/spherical/map.h", "namespace cullscope::spherical {\nstruct Map {};\n");
     write("core/visibility/spherical/map.cpp", "namespace cullscope::spherical {\nspherical::Map map;\n");
     write("core/image/picture.cpp", "// spherical::Map\nvoid draw(const spherical::Map& map);\n");
-    write("ui/families/spherical/panel.cpp", "spherical::Map map;\n");
+    write("ui/panels/panel.cpp", "spherical::Map map;\n");
     write("core/experiments/tables.cpp", "spherical::Map map;\n");
-    EXPECT_THAT(familyOffences(root()), ElementsAre(Offence{"core/image/picture.cpp", 2, "names the family spherical"}));
+    EXPECT_THAT(familyOffences(root()), ElementsAre(Offence{"core/image/picture.cpp", 2, "names the family spherical"},
+                                                    Offence{"ui/panels/panel.cpp", 1, "names the family spherical"}));
 }
 
 TEST_F(PlantedTree, idOfAStrategyIsReported) {
@@ -137,7 +130,6 @@ TEST_F(PlantedTree, idOfAStrategyIsReported) {
     write("app/bench.cpp", "if (id.starts_with(\"frustum\")) return;\nsay(\"choose the strategy frustum\");\n");
     write("core/visibility/frustum/octree.cpp", "StrategyInfo info{\"frustum\"};\n");
     write("core/experiments/tables.cpp", "run(\"all\");\n");
-    write("ui/families/frustum/panel.cpp", "show(\"frustum\");\n");
     EXPECT_THAT(strategyIdOffences(root(), ids), ElementsAre(Offence{"core/measure/meter.cpp", 1, "names the strategy all"},
                                                              Offence{"ui/panel.cpp", 2, "names the strategy frustum"},
                                                              Offence{"app/bench.cpp", 1, "names the strategy frustum"}));

@@ -4,7 +4,8 @@
 #include <numbers>
 
 #include "core/scene/scene_source.h"
-#include "ui/families/spherical/shown_map.h"
+#include "core/visibility/spherical/index_map.h"
+#include "ui/plots/shown_map.h"
 
 namespace cullscope::ui {
 
@@ -28,26 +29,23 @@ inline spherical::SphericalDecision withinDecision(const Vec3& eye) {
     return decision;
 }
 
-/// The maps of a scene's first object with the decision withinDecision().
-inline spherical::MapSnapshot mapOver(const Scene& scene, const SphericalGrid& grid) {
-    return {std::make_shared<SphericalMaps>(scene.meshes()[scene.instances()[0].mesh], grid), withinDecision({0, 0, 5})};
-}
+/// A map of a scene's first object with the decision withinDecision().
+struct MadeUpMap {
+    MadeUpMap() = default;
+    MadeUpMap(ScenePointer ofScene, const SphericalGrid& grid)
+        : scene(std::move(ofScene)),
+          maps(std::make_shared<SphericalMaps>(scene->meshes()[scene->instances()[0].mesh], grid)),
+          decision(withinDecision({0, 0, 5})) {}
 
-/// The same maps as a ShownMap.
-inline ShownMap shownAlone(const ScenePointer& scene, const SphericalGrid& grid) {
-    auto snapshot = std::make_shared<StructureSnapshot>();
-    spherical::setMaps(*snapshot, {mapOver(*scene, grid)});
-    return {scene, snapshot, 0};
-}
+    /// As strategies show it.
+    [[nodiscard]] ShownMap shown() const {
+        return {scene, spherical::indexMap({maps, decision}, scene->instances()[0].name, scene->instances().size())};
+    }
 
-/// The same maps with a changed decision.
-inline ShownMap changed(const ShownMap& shown, const std::function<void(spherical::SphericalDecision&)>& how) {
-    auto snapshot = std::make_shared<StructureSnapshot>(*shown.snapshot);
-    std::vector<spherical::MapSnapshot> maps = spherical::mapsOf(*snapshot);
-    how(maps[shown.place].decision);
-    spherical::setMaps(*snapshot, std::move(maps));
-    return {shown.scene, snapshot, shown.place};
-}
+    ScenePointer scene;
+    SphericalMapsPointer maps;
+    spherical::SphericalDecision decision;
+};
 
 /// A decision for a sphere that the frustum cuts: the visible region between two corners (θ, φ), all four of which miss the
 /// object.

@@ -1,11 +1,11 @@
-#include "ui/families/spherical/map_cells.h"
+#include "ui/plots/map_cells.h"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
 #include "tests/ui/made_up_map.h"
-#include "ui/families/spherical/map_layout.h"
+#include "ui/plots/map_layout.h"
 
 namespace cullscope::ui::map_cells_test {
 namespace {
@@ -53,11 +53,11 @@ TEST(MapCells, nothingIsLostInASmallPicture) {
 }
 
 TEST(MapCells, entriesAndReachGrowWithTheTone) {
-    const spherical::MapSnapshot map = mapOver(*openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
-    const SphericalMaps& maps = *map.maps;
-    const CellTones entries = cellTones(map, spherical::MapColouring::Entries),
-                    reach = cellTones(map, spherical::MapColouring::Radius);
-    EXPECT_EQ(entries.least, 1.0);
+    const MadeUpMap made(openScene("knot:triangles=4000").scene, SphericalGrid(64, 32));
+    const SphericalMaps& maps = *made.maps;
+    const CellMapPointer map = made.shown().map;
+    const CellTones entries = cellTones(*map, "entries"), reach = cellTones(*map, "radius");
+    EXPECT_EQ(entries.least, Term::count(1));
     for (uint32_t a = 0; a < maps.grid().cellCount(); ++a) {
         EXPECT_EQ(entries.tones[a] == 0, maps.triangles(a).empty());
         EXPECT_EQ(reach.tones[a] == 0, maps.extent(a).empty());
@@ -74,17 +74,17 @@ TEST(MapCells, entriesAndReachGrowWithTheTone) {
 
 TEST(MapCells, aCellIsAsItsWorstTriangle) {
     const ScenePointer scene = openScene("knot:triangles=4000").scene;
-    ShownMap shown = shownAlone(scene, SphericalGrid(64, 32));
+    const ShownMap shown = MadeUpMap(scene, SphericalGrid(64, 32)).shown();
     uint32_t cell = 0;
-    while (shown.maps().centroids(cell).size() < 3) ++cell;
+    while (shown.source().owned(cell).size() < 3) ++cell;
     TriangleStates truth;
     truth.againstTruth = true;
     truth.states.assign(scene->triangleCount(), TriangleState::InVain);
     const auto tone = [&] { return stateTone(shown, &truth, cell); };
     EXPECT_EQ(tone(), CellTones::toneOf(TriangleState::InVain));
-    truth.states[shown.maps().centroids(cell)[0]] = TriangleState::Visible;
+    truth.states[shown.source().owned(cell)[0]] = TriangleState::Visible;
     EXPECT_EQ(tone(), CellTones::toneOf(TriangleState::Visible));
-    truth.states[shown.maps().centroids(cell)[1]] = TriangleState::WronglyCulled;
+    truth.states[shown.source().owned(cell)[1]] = TriangleState::WronglyCulled;
     EXPECT_EQ(tone(), CellTones::toneOf(TriangleState::WronglyCulled));
     EXPECT_EQ(stateTone(shown, nullptr, cell), CellTones::toneOf(TriangleState::Hidden));
     EXPECT_EQ(stateTones(shown, &truth).tones[cell], tone());

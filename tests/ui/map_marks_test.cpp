@@ -1,8 +1,8 @@
-// The positions of corner numbers and sector edges on the map.
+// The positions of numbers beside marks and of sector edges on the map.
 #include <gtest/gtest.h>
 
 #include "tests/ui/made_up_map.h"
-#include "ui/families/spherical/map_overlay.h"
+#include "ui/plots/map_overlay.h"
 
 namespace cullscope::ui::map_marks_test {
 namespace {
@@ -14,12 +14,14 @@ TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
                                    {{0.9, -0.05}, {1.9, 0.05}},
                                    {{0.02, 1.0}, {0.3, 2.0}},
                                    {{2.9, 5.9}, {3.13, 6.26}}}) {
-        const spherical::SphericalDecision decision = cutDecision(from, to, 2);
-        const std::array<QRectF, 4> numbers = cornerNumbers(layout, decision, metrics);
+        std::vector<MapMark> marks;
+        for (const spherical::CornerRay& ray : cutDecision(from, to, 2).rays)
+            marks.push_back({MapSymbol::Miss, mapAngles(ray.point), uint32_t(marks.size() + 1), {}});
+        const std::vector<QRectF> numbers = markNumbers(layout, marks, metrics);
         for (size_t i = 0; i < numbers.size(); ++i) {
             EXPECT_TRUE(layout.area.adjusted(1, 1, -1, -1).contains(numbers[i])) << "on the frame";
-            for (const spherical::CornerRay& ray : decision.rays)
-                EXPECT_FALSE(numbers[i].adjusted(-3, -3, 3, 3).contains(layout.placeOf(cornerOf(ray)))) << from.x << " " << i;
+            for (const MapMark& mark : marks)
+                EXPECT_FALSE(numbers[i].adjusted(-3, -3, 3, 3).contains(layout.placeOf(mark.place))) << from.x << " " << i;
             for (size_t j = 0; j < i; ++j) EXPECT_FALSE(numbers[i].intersects(numbers[j])) << from.x;
         }
     }
@@ -31,7 +33,7 @@ TEST(MapMarks, edgesOfSectorsKeepTheirAngleOverThePolesToo) {
     bands.side = {0, 1, 0};
     bands.over = {0, 0, 1};
     for (const double beta : {0.7, std::numbers::pi / 2, 4.0}) {
-        const std::vector<std::vector<Vec2>> lines = sectorEdge(bands, beta);
+        const std::vector<std::vector<Vec2>> lines = meridianOnMap(bands, beta);
         EXPECT_EQ(lines.size(), beta == std::numbers::pi / 2 ? 2U : 1U) << beta;
         for (const std::vector<Vec2>& line : lines)
             for (size_t i = 0; i < line.size(); ++i) {

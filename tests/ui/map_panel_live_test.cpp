@@ -1,10 +1,11 @@
 #include <gtest/gtest.h>
 
 #include "core/scene/camera_moves.h"
+#include "core/visibility/spherical/map_details.h"
 #include "tests/ui/test_scene.h"
-#include "ui/families/spherical/map_panel.h"
-#include "ui/families/spherical/map_words.h"
+#include "ui/panels/map_panel.h"
 #include "ui/session/object_pick.h"
+#include "ui/text/terms.h"
 
 namespace cullscope::ui::map_panel_live_test {
 namespace {
@@ -42,14 +43,16 @@ TEST_F(LiveMapPanelTest, showsThePickedObjectElseTheFirstThatIsNotOutside) {
         return map.decision.relation != spherical::SphereRelation::Outside;
     });
     ASSERT_NE(first, maps.end());
-    EXPECT_EQ(shown().decision().instance, first->decision.instance);
+    const uint32_t shownFirst = first->decision.instance;
+    EXPECT_EQ(shown().map->object, shownFirst);
     pickObject(session, 5);
     settle();
-    EXPECT_EQ(shown().decision().instance, 5U);
-    EXPECT_TRUE(objectWords(shown()).contains(QStringLiteral("(6 of 9)")));
+    EXPECT_EQ(shown().map->object, 5U);
+    EXPECT_TRUE(translated(shown().map->objectWords).contains(QStringLiteral("(6 of 9)")));
     EXPECT_TRUE(panel.map().contents().picked);
     session.setPick(std::nullopt);
-    EXPECT_EQ(shown().decision().instance, first->decision.instance);
+    settle();
+    EXPECT_EQ(shown().map->object, shownFirst);
     EXPECT_FALSE(panel.map().contents().picked);
 }
 
@@ -60,13 +63,13 @@ TEST_F(LiveMapPanelTest, hiddenObjectsDoNotShiftThePicks) {
     settle();
     pickObject(session, 5);
     settle();
-    EXPECT_EQ(shown().decision().instance, 3U);
+    EXPECT_EQ(shown().map->object, 3U);
     uint32_t cell = 0;
-    while (shown().maps().centroids(cell).empty()) ++cell;
+    while (shown().source().owned(cell).empty()) ++cell;
     panel.pickIn(cell);
     EXPECT_EQ(session.pick()->object, 5U);
     const auto own = uint32_t(session.pick()->triangle - session.opened()->scene->firstTriangle(5));
-    EXPECT_EQ(own, shown().maps().centroids(cell).back());
+    EXPECT_EQ(own, shown().source().owned(cell).back());
 }
 
 TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
@@ -74,9 +77,9 @@ TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
     EXPECT_FALSE(reader.fresh());
     EXPECT_FALSE(shown().empty());
     EXPECT_TRUE(panel.sentence().isEmpty());
-    const std::shared_ptr<const StructureSnapshot> before = shown().snapshot;
+    const CellMapPointer before = shown().map;
     settle();
-    EXPECT_NE(shown().snapshot, before);
+    EXPECT_NE(shown().map, before);
 }
 
 TEST_F(LiveMapPanelTest, aStrategyThatIsStillBuiltIsSaidToBePrepared) {
@@ -111,7 +114,7 @@ TEST_F(LiveMapPanelTest, theMapGoesWithTheStrategyAndFollowsTheScene) {
     openAndWait(session, QStringLiteral("torus:triangles=800"));
     settle();
     EXPECT_EQ(shown().scene, session.scene());
-    EXPECT_FALSE(objectWords(shown()).contains(QLatin1Char('(')));
+    EXPECT_FALSE(translated(shown().map->objectWords).contains(QLatin1Char('(')));
 }
 
 }  // namespace

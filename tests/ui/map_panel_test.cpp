@@ -1,4 +1,4 @@
-#include "ui/families/spherical/map_panel.h"
+#include "ui/panels/map_panel.h"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,11 @@
 
 #include "tests/ui/made_up_map.h"
 #include "tests/ui/test_scene.h"
-#include "ui/families/spherical/map_overlay.h"
-#include "ui/families/spherical/map_words.h"
 #include "ui/look/appearance.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/plots/plot_file.h"
 #include "ui/session/object_pick.h"
+#include "ui/text/terms.h"
 
 namespace cullscope::ui::map_panel_test {
 namespace {
@@ -35,7 +34,8 @@ public:
 struct MapPanelTest : ::testing::Test {
     void SetUp() override {
         openAndWait(session, QStringLiteral("knot:triangles=4000"));
-        shown = shownAlone(session.scene(), SphericalGrid(64, 32));
+        made = MadeUpMap(session.scene(), SphericalGrid(64, 32));
+        shown = made.shown();
         panel.resize(400, 330);
         panel.showMap(shown);
         panel.show();
@@ -43,19 +43,22 @@ struct MapPanelTest : ::testing::Test {
     }
 
     void change(const std::function<void(spherical::SphericalDecision&)>& how) {
-        shown = changed(shown, how);
+        how(made.decision);
+        shown = made.shown();
         panel.showMap(shown);
     }
-    void colourBy(spherical::MapColouring colouring) {
-        panel.colouring().setCurrentIndex(int(colouring));
-        emit panel.colouring().activated(int(colouring));
+    void colourBy(const char* colouring) {
+        const int index = panel.colouring().findData(QString::fromLatin1(colouring));
+        ASSERT_GE(index, 0);
+        panel.colouring().setCurrentIndex(index);
+        emit panel.colouring().activated(index);
     }
     [[nodiscard]] QPoint pixelOf(uint32_t cell) {
         return panel.map().layoutOfMap().rectOf(shown.grid(), shown.grid().cell(cell)).center().toPoint();
     }
     [[nodiscard]] uint32_t cellWith(size_t least) const {
         for (uint32_t cell = shown.grid().cellCount() / 4; cell < shown.grid().cellCount(); ++cell)
-            if (shown.maps().centroids(cell).size() >= least) return cell;
+            if (shown.source().owned(cell).size() >= least) return cell;
         ADD_FAILURE() << "no cell owns so many";
         return 0;
     }
@@ -65,42 +68,43 @@ struct MapPanelTest : ::testing::Test {
     Session session{sessionOptions(false)};
     SnapshotReader reader{session};
     MapPanel panel{session, reader};
+    MadeUpMap made;
     ShownMap shown;
 };
 
 TEST_F(MapPanelTest, clicksGoThroughTheCellFromTheFarthest) {
     const uint32_t cell = cellWith(3);
-    const std::span<const uint32_t> owned = shown.maps().centroids(cell);
+    const std::span<const uint32_t> owned = shown.source().owned(cell);
     std::set<uint64_t> seen;
     float before = std::numeric_limits<float>::max();
     for (size_t i = 0; i < owned.size(); ++i) {
         click(cell);
         ASSERT_TRUE(session.pick());
         const auto triangle = uint32_t(session.pick()->triangle);
-        EXPECT_EQ(shown.grid().number(MapPainter::centroidCell(shown.maps(), triangle)), cell);
-        EXPECT_LE(shown.maps().centroidRadius(triangle), before);
-        before = shown.maps().centroidRadius(triangle);
+        EXPECT_EQ(shown.grid().number(shown.source().ownerOf(triangle)), cell);
+        EXPECT_LE(made.maps->centroidRadius(triangle), before);
+        before = made.maps->centroidRadius(triangle);
         EXPECT_TRUE(seen.insert(triangle).second) << "picked twice";
         // A change of the session makes the panel show the reader's map, which is empty: set the map of the test again.
         panel.showMap(shown);
     }
     EXPECT_EQ(seen.size(), owned.size());
     const Vec3 point = session.pick()->point;
-    const auto [a, b, c] = shown.maps().corners(uint32_t(session.pick()->triangle));
-    const Vec3 centroid = shown.maps().mesh().origin() + shown.maps().sphere().centre + (a + b + c) / 3.0;
+    const auto [a, b, c] = made.maps->corners(uint32_t(session.pick()->triangle));
+    const Vec3 centroid = made.maps->mesh().origin() + made.maps->sphere().centre + (a + b + c) / 3.0;
     EXPECT_LT(glm::distance(point, centroid), 1e-6);
 }
 
 TEST_F(MapPanelTest, cellsThatOnlyTouchTrianglesPickThemToo) {
     uint32_t cell = 0;
-    while (shown.maps().triangles(cell).empty() || !shown.maps().centroids(cell).empty()) ++cell;
+    while (shown.source().touching(cell).empty() || !shown.source().owned(cell).empty()) ++cell;
     panel.pickIn(cell);
     ASSERT_TRUE(session.pick());
-    EXPECT_EQ(session.pick()->triangle, shown.maps().triangles(cell).back());
+    EXPECT_EQ(session.pick()->triangle, shown.source().touching(cell).back());
     session.setPick(std::nullopt);
     panel.showMap(shown);
     uint32_t empty = 0;
-    while (!shown.maps().triangles(empty).empty()) ++empty;
+    while (!shown.source().touching(empty).empty()) ++empty;
     panel.pickIn(empty);
     EXPECT_FALSE(session.pick());
 }
@@ -112,13 +116,13 @@ TEST_F(MapPanelTest, aPickElsewhereIsMarkedInEveryCellItTouches) {
     panel.showMap(shown);
     EXPECT_EQ(panel.map().contents().picked, triangle);
     std::set<uint32_t> marked;
-    for (const Cell& cell : MapPainter::cellsOf(shown.maps(), triangle)) marked.insert(shown.grid().number(cell));
+    for (const Cell& cell : shown.source().cellsOf(triangle)) marked.insert(shown.grid().number(cell));
     for (uint32_t cell = 0; cell < shown.grid().cellCount(); ++cell) {
-        const std::span<const uint32_t> entries = shown.maps().triangles(cell);
+        const std::span<const uint32_t> entries = shown.source().touching(cell);
         const bool entered = std::find(entries.begin(), entries.end(), triangle) != entries.end();
         EXPECT_EQ(marked.contains(cell), entered) << cell;
     }
-    const uint32_t centroid = shown.grid().number(MapPainter::centroidCell(shown.maps(), triangle));
+    const uint32_t centroid = shown.grid().number(shown.source().ownerOf(triangle));
     EXPECT_EQ(QColor(picture().pixel(pixelOf(centroid))), MapColours(panel.map().palette()).picked);
     EXPECT_NE(QColor(before.pixel(pixelOf(centroid))), MapColours(panel.map().palette()).picked);
     session.setPick(std::nullopt);
@@ -129,20 +133,20 @@ TEST_F(MapPanelTest, aPickElsewhereIsMarkedInEveryCellItTouches) {
 TEST_F(MapPanelTest, drawnAndCulledCellsDiffer) {
     const uint32_t drawn = cellWith(1);
     uint32_t culled = drawn + 3;
-    while (shown.maps().centroids(culled).empty()) ++culled;
+    while (shown.source().owned(culled).empty()) ++culled;
     const auto choose = [&](spherical::SphericalDecision& decision) {
         decision.relation = spherical::SphereRelation::Cut;
         decision.bands.reset();
         decision.drawn = {{drawn, drawn + 1}};
     };
     change(choose);
-    colourBy(spherical::MapColouring::State);
+    colourBy("state");
     const QPalette palette = panel.map().palette();
     EXPECT_EQ(QColor(picture().pixel(pixelOf(drawn))), verdictColour(TriangleState::Visible, palette));
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::OutsideFrustum, palette));
     change([&](spherical::SphericalDecision& decision) { decision.drawn = {{culled, culled + 1}}; });
     EXPECT_EQ(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
-    for (const spherical::MapColouring colouring : {spherical::MapColouring::Entries, spherical::MapColouring::Radius}) {
+    for (const char* colouring : {"entries", "radius"}) {
         colourBy(colouring);
         EXPECT_NE(QColor(picture().pixel(pixelOf(culled))), verdictColour(TriangleState::Visible, palette));
     }
@@ -166,15 +170,15 @@ TEST_F(MapPanelTest, aRegionOverTheSeamIsOutlinedOnBothSides) {
 TEST_F(MapPanelTest, casesAreSaidInWords) {
     for (int number = 1; number <= 3; ++number) {
         change([&](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, number); });
-        EXPECT_TRUE(decisionWords(shown).startsWith(QStringLiteral("Case %1:").arg(number)));
+        EXPECT_TRUE(translated(shown.map->decisionWords).startsWith(QStringLiteral("Case %1:").arg(number)));
         EXPECT_TRUE(panel.map().accessibleDescription().contains(QStringLiteral("Case %1:").arg(number)));
     }
     change([](spherical::SphericalDecision& decision) {
         decision = {};
         decision.relation = spherical::SphereRelation::Outside;
     });
-    EXPECT_EQ(decisionWords(shown), QStringLiteral("Nothing of it is drawn."));
-    EXPECT_TRUE(objectWords(shown).endsWith(QStringLiteral("outside the frustum")));
+    EXPECT_EQ(translated(shown.map->decisionWords), QStringLiteral("Nothing of it is drawn."));
+    EXPECT_TRUE(translated(shown.map->objectWords).endsWith(QStringLiteral("outside the frustum")));
 }
 
 TEST_F(MapPanelTest, cornersSayWhetherTheyWereHit) {
@@ -185,7 +189,7 @@ TEST_F(MapPanelTest, cornersSayWhetherTheyWereHit) {
         decision.rays[2].span = Span{1.0, 2.0};
     });
     const auto at = [&](size_t corner) {
-        return panel.map().wordsAt(panel.map().layoutOfMap().placeOf(cornerOf(shown.decision().rays[corner])));
+        return panel.map().wordsAt(panel.map().layoutOfMap().placeOf(shown.map->marks[corner].place));
     };
     EXPECT_EQ(at(0), QStringLiteral("Corner ray 1, bottom left: confirmed on triangle 17."));
     EXPECT_TRUE(at(1).contains(QStringLiteral("misses the sphere")));
@@ -197,22 +201,22 @@ TEST_F(MapPanelTest, cornersSayWhetherTheyWereHit) {
 
 TEST_F(MapPanelTest, aChosenSectorIsMarked) {
     const QImage before = picture();
-    panel.setSector(2);
-    EXPECT_EQ(panel.map().contents().sector, 2U);
+    panel.setPart(3);
+    EXPECT_EQ(panel.map().contents().part, 3U);
     EXPECT_NE(picture(), before);
     EXPECT_TRUE(plotSvg(panel.map(), {960, 560}).contains("sector 3</text>"));
-    panel.setSector(8);
-    EXPECT_FALSE(panel.map().contents().sector) << "there are eight";
+    panel.setPart(9);
+    EXPECT_FALSE(panel.map().contents().part) << "there are eight";
     EXPECT_EQ(picture(), before);
-    panel.setSector(2);
+    panel.setPart(3);
     change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
-    EXPECT_FALSE(panel.map().contents().sector);
+    EXPECT_FALSE(panel.map().contents().part);
 }
 
 TEST_F(MapPanelTest, legendHasTheRightAngleAndTheColourOfTheVeil) {
     const QByteArray svg = plotSvg(panel.map(), {960, 560});
     EXPECT_TRUE(svg.contains("α = 90°</text>"));
-    EXPECT_EQ(contourWords(contourStep(*shown.decision().bands)), QStringLiteral("contours of α every 20°")) << "bands of 10°";
+    EXPECT_TRUE(svg.contains("every 20°</text>")) << "bands of 10°";
     const QPalette palette = Appearance::palette(false);
     MapPainter painter;
     painter.setContents(panel.map().contents());
@@ -249,14 +253,14 @@ TEST_F(MapPanelTest, arrowKeysGoOverTheSeamAndStopAtThePoles) {
     QTest::keyClick(&map, Qt::Key_Return);
     EXPECT_EQ(chosen.count(), 1);
     ASSERT_TRUE(session.pick());
-    EXPECT_EQ(MapPainter::centroidCell(shown.maps(), uint32_t(session.pick()->triangle)), owner);
+    EXPECT_EQ(shown.source().ownerOf(uint32_t(session.pick()->triangle)), owner);
 }
 
 TEST_F(MapPanelTest, nothingJumpsWhenTheCaseChanges) {
     change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
     const QRectF cut = panel.map().layoutOfMap().area;
     const int height = panel.map().neededHeight(400);
-    change([](spherical::SphericalDecision& decision) { decision = withinDecision(decision.eye); });
+    change([](spherical::SphericalDecision& decision) { decision = withinDecision({0, 0, 5}); });
     EXPECT_EQ(panel.map().layoutOfMap().area, cut);
     EXPECT_EQ(panel.map().neededHeight(400), height);
     // The narrow dock has room for 400 × 200.
@@ -267,7 +271,7 @@ TEST_F(MapPanelTest, nothingJumpsWhenTheCaseChanges) {
 TEST_F(MapPanelTest, filesHaveTheirWordsAsText) {
     change([](spherical::SphericalDecision& decision) { decision = cutDecision({0.9, 1.0}, {1.9, 2.0}, 2); });
     const QByteArray svg = plotSvg(panel.map(), {960, 560});
-    EXPECT_TRUE(svg.contains(decisionWords(shown).toUtf8())) << "the case is not text";
+    EXPECT_TRUE(svg.contains(translated(shown.map->decisionWords).toUtf8())) << "the case is not text";
     EXPECT_TRUE(svg.contains(">270°</text>"));
     const QByteArray pdf = plotPdf(panel.map(), {960, 560});
     EXPECT_TRUE(pdf.startsWith("%PDF"));

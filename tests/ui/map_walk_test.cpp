@@ -5,13 +5,14 @@
 #include "core/scene/camera_moves.h"
 #include "core/visibility/built_strategy.h"
 #include "core/visibility/spherical/judged_cells.h"
+#include "core/visibility/spherical/map_details.h"
 #include "tests/ui/test_scene.h"
-#include "ui/families/spherical/bands_plot.h"
-#include "ui/families/spherical/map_panel.h"
-#include "ui/families/spherical/map_words.h"
+#include "ui/panels/map_panel.h"
+#include "ui/plots/map_words.h"
 #include "ui/plots/plot_file.h"
 #include "ui/session/cullbench_command.h"
 #include "ui/session/object_pick.h"
+#include "ui/text/terms.h"
 
 namespace cullscope::ui::map_walk_test {
 namespace {
@@ -35,13 +36,18 @@ struct WalkMap : ::testing::Test {
         ASSERT_TRUE(waitUntil([&] { return !session.slot(1).building() && reader.fresh() && session.metricsSettled(); }));
         QApplication::processEvents();
     }
-    void choose(spherical::MapColouring colouring) {
-        const int index = panel.colouring().findData(int(colouring));
+    void choose(const char* colouring) {
+        const int index = panel.colouring().findData(QString::fromLatin1(colouring));
         ASSERT_GE(index, 0);
         panel.colouring().setCurrentIndex(index);
         emit panel.colouring().activated(index);
     }
-    [[nodiscard]] bool offers(spherical::MapColouring colouring) { return panel.colouring().findData(int(colouring)) >= 0; }
+    [[nodiscard]] bool offers(const char* colouring) { return panel.colouring().findData(QString::fromLatin1(colouring)) >= 0; }
+    /// The map with the decision that is shown.
+    [[nodiscard]] const spherical::MapSnapshot& snapshot() {
+        return *spherical::mapOf(*reader.reading()->snapshot, shown().map->object);
+    }
+    [[nodiscard]] QStringList lines() { return translatedLines(shown().map->lines); }
     [[nodiscard]] const ShownMap& shown() { return panel.map().contents().shown; }
     [[nodiscard]] QString words() { return QString::fromUtf8(plotSvg(panel.map(), {960, 560})); }
 
@@ -51,44 +57,44 @@ struct WalkMap : ::testing::Test {
 };
 
 TEST_F(WalkMap, levelAndKernelAreOfferedAndGivenUpWithTheStrategy) {
-    EXPECT_TRUE(offers(spherical::MapColouring::Level));
-    EXPECT_TRUE(offers(spherical::MapColouring::Kernel));
-    choose(spherical::MapColouring::Kernel);
-    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::Kernel);
+    EXPECT_TRUE(offers("level"));
+    EXPECT_TRUE(offers("kernel"));
+    choose("kernel");
+    EXPECT_EQ(panel.map().colouring(), "kernel");
     EXPECT_TRUE(words().contains(QStringLiteral("R of the kernel"))) << "no scale";
-    choose(spherical::MapColouring::Level);
+    choose("level");
     EXPECT_TRUE(words().contains(QStringLiteral("level where the walk ended")));
     session.slot(1).choose("spherical");
     settle();
-    EXPECT_FALSE(offers(spherical::MapColouring::Level));
-    EXPECT_FALSE(offers(spherical::MapColouring::Kernel));
-    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::Entries);
-    EXPECT_EQ(panel.colouring().currentData().toInt(), int(spherical::MapColouring::Entries));
-    choose(spherical::MapColouring::State);
+    EXPECT_FALSE(offers("level"));
+    EXPECT_FALSE(offers("kernel"));
+    EXPECT_EQ(panel.map().colouring(), "entries");
+    EXPECT_EQ(panel.colouring().currentData().toString(), QStringLiteral("entries"));
+    choose("state");
     session.slot(1).choose("spherical-lossless");
     settle();
-    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::State) << "what every map has stays";
+    EXPECT_EQ(panel.map().colouring(), "state") << "what every map has stays";
 }
 
 TEST_F(WalkMap, aMeshWithoutAKernelSaysWhyAndHasNoKernelColours) {
-    choose(spherical::MapColouring::Kernel);
+    choose("kernel");
     open(QStringLiteral("bowl:triangles=4000"));
     settle();
-    EXPECT_TRUE(offers(spherical::MapColouring::Level));
-    EXPECT_FALSE(offers(spherical::MapColouring::Kernel));
-    EXPECT_EQ(panel.map().colouring(), spherical::MapColouring::Entries);
-    const QStringList said = walkWords(shown());
+    EXPECT_TRUE(offers("level"));
+    EXPECT_FALSE(offers("kernel"));
+    EXPECT_EQ(panel.map().colouring(), "entries");
+    const QStringList said = lines();
     ASSERT_EQ(said.size(), 2);
     EXPECT_TRUE(said[1].startsWith(QStringLiteral("No kernel: "))) << said[1].toStdString();
-    EXPECT_TRUE(said[1].contains(QString::fromLatin1(InnerKernel::stateName(shown().map().kernel->state()))));
+    EXPECT_TRUE(said[1].contains(QString::fromLatin1(InnerKernel::stateName(snapshot().kernel->state()))));
     EXPECT_TRUE(said[0].contains(QStringLiteral("horizon not used")));
 }
 
 TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
-    const spherical::CellWalk& walk = *shown().decision().walk;
+    const spherical::CellWalk& walk = *snapshot().decision.walk;
     ASSERT_TRUE(walk.cones && walk.horizon);
     ASSERT_GT(walk.culled[size_t(Cause::BackFacing)], 0U);
-    const QStringList said = walkWords(shown());
+    const QStringList said = lines();
     ASSERT_EQ(said.size(), 2);
     EXPECT_TRUE(said[0].contains(QLocale().toString(qulonglong(walk.culled[size_t(Cause::BackFacing)]))))
         << said[0].toStdString();
@@ -100,12 +106,12 @@ TEST_F(WalkMap, wordsCountWhatEachTestCulled) {
     without.set("horizon", false);
     session.slot(1).setParameters(without);
     settle();
-    EXPECT_EQ(walkWords(shown())[0].count(QStringLiteral("not used")), 2);
-    EXPECT_TRUE(walkWords(shown())[1].startsWith(QStringLiteral("No kernel")));
+    EXPECT_EQ(lines()[0].count(QStringLiteral("not used")), 2);
+    EXPECT_TRUE(lines()[1].startsWith(QStringLiteral("No kernel")));
 }
 
 TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
-    const spherical::MapSnapshot& map = shown().map();
+    const spherical::MapSnapshot& map = snapshot();
     const SphericalGrid& grid = shown().grid();
     bool drawn = false, backFacing = false;
     for (uint32_t row = 0; row < grid.rows(); row += 3)
@@ -114,7 +120,7 @@ TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
             const double phi = (grid.phiOf(column) + grid.phiOf(column + 1)) / 2;
             const spherical::JudgedCell* judged =
                 judgedCellAt(map, {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)});
-            const QString said = cellWords(shown(), nullptr, {row, column});
+            const QString said = cellWords(shown(), nullptr, grid.number({row, column}));
             ASSERT_EQ(said.contains(QStringLiteral("Quadtree: level")), judged != nullptr) << said.toStdString();
             if (!judged) continue;
             const CellTree::Node& node = map.tree->nodes()[judged->node];
@@ -133,7 +139,7 @@ TEST_F(WalkMap, cellsSayTheirLevelTrianglesAndCause) {
 TEST_F(WalkMap, legendHasCellsAndHorizonAndTheStatesThatThereAre) {
     EXPECT_TRUE(words().contains(QStringLiteral("cell of the quadtree")));
     EXPECT_TRUE(words().contains(QStringLiteral("horizon of the kernel")));
-    choose(spherical::MapColouring::State);
+    choose("state");
     EXPECT_TRUE(words().contains(QStringLiteral(">back-facing<")));
     session.slot(1).choose("spherical");
     settle();
@@ -151,31 +157,25 @@ TEST_F(WalkMap, roomDoesNotChangeWithTheDecision) {
 TEST_F(WalkMap, aPickedObjectOfAnotherMeshIsShownOnlyWhenItsMapIsMade) {
     open(QStringLiteral("split:mesh=torus:triangles=4000,by=clusters,triangles=1000"));
     settle();
-    const size_t before = shown().place;
-    const auto other = uint32_t(before == 0 ? 1 : 0);
-    ASSERT_FALSE(spherical::mapsOf(*shown().snapshot)[other].maps == shown().map().maps);
-    pickObject(session, spherical::mapsOf(*shown().snapshot)[other].decision.instance);
-    EXPECT_EQ(shown().place, before) << "its map would be made in the window's thread";
+    const uint32_t before = shown().map->object;
+    const uint32_t other = before == 0 ? 1 : 0;
+    const CellMapPointer map = shown().map;
+    pickObject(session, other);
+    EXPECT_EQ(shown().map, map) << "the other map would be made in the window's thread";
     settle();
-    EXPECT_EQ(shown().place, size_t(other));
+    EXPECT_EQ(shown().map->object, other);
+    EXPECT_NE(shown().source().key(), map->source->key());
     EXPECT_TRUE(panel.map().contents().picked);
 }
 
 TEST_F(WalkMap, aCellPicksATriangleAndThePickMarksItsCells) {
     uint32_t cell = 0;
-    while (shown().maps().centroids(cell).empty()) ++cell;
+    while (shown().source().owned(cell).empty()) ++cell;
     panel.pickIn(cell);
     ASSERT_TRUE(session.pick());
-    EXPECT_EQ(session.pick()->triangle, shown().maps().centroids(cell).back());
+    EXPECT_EQ(session.pick()->triangle, shown().source().owned(cell).back());
     settle();
     EXPECT_EQ(panel.map().contents().picked, uint32_t(session.pick()->triangle));
-}
-
-TEST_F(WalkMap, bandsAreSaidNotToBeUsed) {
-    BandsPlot plot;
-    plot.setShown(shown());
-    EXPECT_TRUE(plot.empty());
-    EXPECT_THAT(plot.accessibleDescription().toStdString(), ::testing::StartsWith("This strategy uses no contour bands"));
 }
 
 TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {

@@ -8,8 +8,6 @@
 #include "core/measure/accuracy.h"
 #include "core/scene/camera_moves.h"
 #include "tests/ui/test_scene.h"
-#include "ui/families/spherical/bands_panel.h"
-#include "ui/families/spherical/map_panel.h"
 #include "ui/jobs/object_verdicts.h"
 #include "ui/session/object_pick.h"
 
@@ -275,17 +273,37 @@ TEST_F(StructurePanelTest, theSectorOfTheShownBandsIsMarkedOnTheMap) {
     camera.eye = camera.target + 2.0 * (camera.eye - camera.target);
     session.setCamera(camera);
     settle();
-    BandsPanel& bands = *panel.findChild<BandsPanel*>();
+    ASSERT_EQ(panel.curves().size(), 1U);
+    CurvePanel& bands = *panel.curves().front();
     ASSERT_FALSE(bands.plot().empty());
-    const auto marked = [&] { return panel.findChild<MapPanel*>()->map().contents().sector; };
+    const auto marked = [&] { return panel.map().map().contents().part; };
     EXPECT_FALSE(marked()) << "without the chart it means nothing";
     panel.tabs().setCurrentWidget(&bands);
     ASSERT_TRUE(marked());
-    EXPECT_EQ(marked(), bands.plot().sector());
-    bands.sector().setValue(2);
-    EXPECT_EQ(marked(), 1U);
-    bands.sector().setValue(0);
+    EXPECT_EQ(marked(), bands.shownPart());
+    bands.part().setValue(2);
+    EXPECT_EQ(marked(), 2U);
+    bands.part().setValue(0);
     EXPECT_FALSE(marked());
+}
+
+TEST_F(StructurePanelTest, curvesHaveTabsWhileTheirStrategyIsShown) {
+    EXPECT_TRUE(panel.curves().empty());
+    const int tabs = panel.tabs().count();
+    session.slot(1).choose("spherical");
+    ASSERT_EQ(panel.curves().size(), 1U);
+    EXPECT_EQ(panel.tabs().count(), tabs + 1);
+    CurvePanel* bands = panel.curves().front();
+    EXPECT_EQ(panel.tabs().tabText(panel.tabs().indexOf(bands)), QStringLiteral("Bands"));
+    panel.tabs().setCurrentWidget(bands);
+    session.slot(1).choose("spherical-horizon");
+    EXPECT_EQ(panel.tabs().currentWidget(), bands) << "it has bands too";
+    session.slot(1).choose("frustum");
+    EXPECT_EQ(panel.tabs().count(), tabs);
+    EXPECT_EQ(panel.tabs().currentWidget(), &panel.tree());
+    session.slot(1).choose("spherical");
+    EXPECT_EQ(panel.tabs().currentWidget(), bands) << "its tab was open when its strategy left";
+    settle();
 }
 
 TEST(LossModel, objectsHaveNamesPixelsAndShares) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/frame/cell_map.h"
 #include "core/visibility/plane_distances.h"
 #include "core/visibility/why.h"
 #include "ui/jobs/view_frames.h"
@@ -15,9 +16,11 @@ namespace cullscope::ui {
 struct SnapshotReading {
     BuiltStrategyPointer strategy;
     Camera culling;
+    ViewFramePointer frame;  ///< what was read; null: the frame failed
     Viewport size;
     /// Never null; the pointer stays the same while strategy, camera and size do.
     std::shared_ptr<const StructureSnapshot> snapshot;
+    CellMapPointer map;  ///< of the picked object, or of the one that the strategy shows by itself; null: there is none
     std::optional<uint64_t> triangle;  ///< the triangle that `why` explains; none: no triangle is picked, or its object is hidden
     std::vector<WhyStep> why;
     std::vector<PlaneDistance> planes;  ///< of the picked object's box to all six planes; empty without a triangle

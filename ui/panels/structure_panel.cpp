@@ -3,12 +3,15 @@
 #include <QEvent>
 #include <QTabBar>
 #include <QVBoxLayout>
+#include <algorithm>
+
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 
 StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent)
-    : QWidget(parent), m_tabs(new QTabWidget) {
-    m_families = makeFamilyPages(session, reader, this, m_tabs);
+    : QWidget(parent), m_session(session), m_reader(reader), m_tabs(new QTabWidget) {
+    m_map = new MapPanel(session, reader, this);
     m_tabs->setParent(this);
     m_tree = new StructureTree(session, reader, m_tabs);
     m_why = new WhyPanel(session, reader, m_tabs);
@@ -16,22 +19,67 @@ StructurePanel::StructurePanel(Session& session, SnapshotReader& reader, QWidget
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 4, 0, 0);
     layout->setSpacing(4);
-    for (FamilyPages* family : m_families) {
-        m_tabs->addTab(family->page(), QString());
-        layout->addWidget(family->top());
-        connect(m_tabs, &QTabWidget::currentChanged, family, [this, family] { family->setCurrent(m_tabs->currentWidget()); });
-    }
+    layout->addWidget(m_map);
     for (QWidget* page : std::initializer_list<QWidget*>{m_tree, m_why, m_losses}) m_tabs->addTab(page, QString());
     m_tabs->setCurrentWidget(m_tree);
     m_tabs->setDocumentMode(true);
     layout->addWidget(m_tabs, 1);
+    connect(m_tabs, &QTabWidget::currentChanged, this, &StructurePanel::markPart);
+    connect(m_tabs, &QTabWidget::tabBarClicked, this, [this] { m_left.clear(); });
+    connect(&session, &Session::activeViewChanged, this, &StructurePanel::followStrategy);
+    connect(&session, &Session::viewCountChanged, this, &StructurePanel::followStrategy);
+    for (const auto signal : {&Session::strategyChosen, &Session::setupChanged})
+        connect(&session, signal, this, [this](int) { followStrategy(); });
+    followStrategy();
     reader.readFor(this);
     retranslate();
 }
 
+void StructurePanel::followStrategy() {
+    const StrategySlot& slot = m_session.slot(m_session.culledBy(m_session.activeView()));
+    setShows(findStrategy(slot.id()).info.shows);
+}
+
+void StructurePanel::setShows(const std::vector<Show>& shows) {
+    const auto declares = [&](const std::string& id) {
+        return std::ranges::any_of(shows, [&](const Show& show) { return show.kind == Show::Kind::Curve && show.id == id; });
+    };
+    for (CurvePanel* curve : std::vector(m_curves)) {
+        if (declares(curve->declared().id)) continue;
+        if (m_tabs->currentWidget() == curve) {
+            m_left = curve->declared().id;
+            m_tabs->setCurrentWidget(m_tree);
+        }
+        m_tabs->removeTab(m_tabs->indexOf(curve));
+        std::erase(m_curves, curve);
+    }
+    for (const Show& show : shows) {
+        const auto has = [&](const CurvePanel* curve) { return curve->declared().id == show.id; };
+        if (show.kind != Show::Kind::Curve || std::ranges::any_of(m_curves, has)) continue;
+        m_curves.push_back(curveOf(show));
+        m_tabs->insertTab(m_tabs->indexOf(m_tree), m_curves.back(), translated(show.title));
+        if (show.id == m_left) m_tabs->setCurrentWidget(m_curves.back());
+    }
+    markPart();
+}
+
+CurvePanel* StructurePanel::curveOf(const Show& show) {
+    CurvePanel*& curve = m_madeCurves[show.id];
+    if (curve) return curve;
+    curve = new CurvePanel(m_session, m_reader, show, m_tabs);
+    connect(curve, &CurvePanel::partChanged, this, &StructurePanel::markPart);
+    return curve;
+}
+
+void StructurePanel::markPart() {
+    // The mark belongs to the curve in the tab: while the curve is not shown, the mark would need an explanation.
+    const auto* curve = qobject_cast<const CurvePanel*>(m_tabs->currentWidget());
+    m_map->setPart(curve ? curve->shownPart() : std::nullopt);
+}
+
 void StructurePanel::retranslate() {
     m_tabs->tabBar()->setAccessibleName(tr("Inside the strategy"));
-    for (const FamilyPages* family : m_families) m_tabs->setTabText(m_tabs->indexOf(family->page()), family->pageName());
+    for (CurvePanel* curve : m_curves) m_tabs->setTabText(m_tabs->indexOf(curve), translated(curve->declared().title));
     m_tabs->setTabText(m_tabs->indexOf(m_tree), tr("Tree"));
     m_tabs->setTabText(m_tabs->indexOf(m_why), tr("Why"));
     m_tabs->setTabText(m_tabs->indexOf(m_losses), tr("Losses"));

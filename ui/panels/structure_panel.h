@@ -1,17 +1,19 @@
 #pragma once
 
 #include <QTabWidget>
+#include <map>
 
-#include "ui/families/family_pages.h"
+#include "ui/panels/curve_panel.h"
 #include "ui/panels/loss_panel.h"
+#include "ui/panels/map_panel.h"
 #include "ui/panels/structure_tree.h"
 #include "ui/panels/why_panel.h"
 #include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 
-/// The structure of the active view's strategy: at the top and in the first tabs what its family has, then the tabs tree,
-/// decisions and losses.
+/// The structure of the active view's strategy: at the top its map of directions, then the tabs: the curves that it declares,
+/// tree, decisions and losses.
 class StructurePanel : public QWidget {
     Q_OBJECT
 
@@ -19,9 +21,15 @@ public:
     StructurePanel(Session& session, SnapshotReader& reader, QWidget* parent = nullptr);
 
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
+    [[nodiscard]] MapPanel& map() { return *m_map; }
     [[nodiscard]] StructureTree& tree() { return *m_tree; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
+    /// The tabs of the curves that the shown strategy declares, in its order.
+    [[nodiscard]] const std::vector<CurvePanel*>& curves() const { return m_curves; }
+    /// Has a tab for each curve that a strategy declares, and none for those of another one. A tab that was open when its
+    /// strategy left is open again when the strategy comes back, unless another tab was chosen meanwhile.
+    void setShows(const std::vector<Show>& shows);
     /// Shows the tab with the decisions on the picked triangle.
     void showWhy() { m_tabs->setCurrentWidget(m_why); }
 
@@ -30,9 +38,19 @@ protected:
 
 private:
     void retranslate();
+    void followStrategy();
+    [[nodiscard]] CurvePanel* curveOf(const Show& show);
+    /// The part of the open tab's curve.
+    void markPart();
 
+    Session& m_session;
+    SnapshotReader& m_reader;
     QTabWidget* m_tabs;
-    std::vector<FamilyPages*> m_families;
+    std::vector<CurvePanel*> m_curves;
+    std::map<std::string, CurvePanel*>
+        m_madeCurves;    ///< by the show's id: what the user chose in one is kept while it has no tab
+    std::string m_left;  ///< id of the curve whose tab was open when its strategy left; empty: none
+    MapPanel* m_map;
     StructureTree* m_tree;
     WhyPanel* m_why;
     LossPanel* m_losses;

@@ -12,15 +12,26 @@ namespace {
 
 constexpr int kPauseBetweenReadings = 100;  // ms between the beginnings of two readings
 
-/// Fills `reading` from its view's recorded frame; `known` holds the snapshot if it was read before.
-void read(SnapshotReading& reading, const FrameLog& log, const std::shared_ptr<const StructureSnapshot>& known) {
+/// The first map of directions that the strategy declares; of the same frame's former one if it is of the same object.
+CellMapPointer mapOf(const BuiltStrategy& strategy, const FrameLog& log, const std::optional<uint32_t>& picked,
+                     const SnapshotReadingPointer& known) {
+    for (const Show& show : strategy.info().shows) {
+        if (show.kind != Show::Kind::DirectionMap) continue;
+        if (known && known->map && picked == known->map->object) return known->map;
+        return strategy.directionMap(show.id, log, picked);
+    }
+    return nullptr;
+}
+
+/// Fills `reading` from its view's recorded frame; `known` is another reading of that frame, if there is one.
+void read(SnapshotReading& reading, const FrameLog& log, const SnapshotReadingPointer& known) {
     const View view(reading.culling, reading.size);
     const BuiltStrategy& strategy = *reading.strategy;
     const Scene& scene = strategy.scene();
-    reading.snapshot = known ? known : std::make_shared<const StructureSnapshot>(strategy.snapshot(log));
+    reading.snapshot = known ? known->snapshot : std::make_shared<const StructureSnapshot>(strategy.snapshot(log));
     std::optional<uint32_t> picked;
     if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
-    if (reading.snapshot->details) reading.snapshot->details->prepare(picked);
+    reading.map = mapOf(strategy, log, picked, known);
     if (!picked) return;
     reading.why = why(strategy, log, *reading.triangle);
     reading.planes = planeDistances(scene, view, *picked);
@@ -29,7 +40,7 @@ void read(SnapshotReading& reading, const FrameLog& log, const std::shared_ptr<c
 }  // namespace
 
 SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const ViewFramePointer& frame, const Message& failure,
-                                                 const std::shared_ptr<const StructureSnapshot>& known) {
+                                                 const SnapshotReadingPointer& known) {
     auto reading = std::make_shared<SnapshotReading>();
     reading->strategy = request.frame.strategy;
     reading->culling = request.frame.culling;
@@ -37,6 +48,7 @@ SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const V
     reading->triangle = request.triangle;
     reading->failure = failure;
     reading->snapshot = std::make_shared<const StructureSnapshot>();
+    reading->frame = frame;
     if (frame) read(*reading, frame->log, known);
     return reading;
 }
@@ -110,7 +122,7 @@ void SnapshotReader::start() {
     if (!request) return;
     const bool same = m_reading && m_reading->failure.empty() && m_reading->strategy == request->frame.strategy &&
                       m_reading->culling == request->frame.culling && m_reading->size == request->frame.size;
-    const std::shared_ptr<const StructureSnapshot> known = same ? m_reading->snapshot : nullptr;
+    const SnapshotReadingPointer known = same ? m_reading : nullptr;
     m_pause.start();
     ++m_begun;
     GpuThread& gpu = *m_session.gpu();
@@ -131,7 +143,7 @@ void SnapshotReader::start() {
 }
 
 void SnapshotReader::startReading(const Request& request, const ViewFramePointer& frame, const Message& failure,
-                                  const std::shared_ptr<const StructureSnapshot>& known) {
+                                  const SnapshotReadingPointer& known) {
     m_background.start([this, request, frame, failure, known](const std::stop_token& stop) {
         SnapshotReadingPointer reading = readingOf(request, frame, failure, known);
         if (stop.stop_requested()) return Background::Delivery();

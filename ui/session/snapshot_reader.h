@@ -51,15 +51,14 @@ private:
     };
 
     [[nodiscard]] static SnapshotReadingPointer readingOf(const Request& request, const ViewFramePointer& frame,
-                                                          const Message& failure,
-                                                          const std::shared_ptr<const StructureSnapshot>& known);
+                                                          const Message& failure, const SnapshotReadingPointer& known);
     [[nodiscard]] std::optional<Request> present() const;
     [[nodiscard]] bool answers(const Request& request) const;
     [[nodiscard]] bool wanted() const;
     void check();
     void start();
     void startReading(const Request& request, const ViewFramePointer& frame, const Message& failure,
-                      const std::shared_ptr<const StructureSnapshot>& known);
+                      const SnapshotReadingPointer& known);
     [[nodiscard]] bool busy() const { return m_background.busy() || m_gpuJobs.busy(); }
     void take(const Request& request, SnapshotReadingPointer reading);
 

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/spatial/spherical_grid.h"
+#include "core/geometry/spherical_grid.h"
 
 namespace cullscope::spherical {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/frame/frame_log.h"
+#include "core/frame/map_circles.h"
 #include "core/spatial/cell_tree.h"
 #include "core/spatial/inner_kernel.h"
 #include "core/spatial/spherical_search.h"
@@ -33,13 +34,7 @@ struct CornerRay {
     std::vector<WalkedCell> walkedCells;  ///< only in a recorded frame
 };
 
-/// A rectangle of cells, all bounds inclusive; it never crosses the seam.
-struct CellBox {
-    uint32_t firstRow = 0, lastRow = 0;
-    uint32_t firstColumn = 0, lastColumn = 0;
-
-    bool operator==(const CellBox&) const = default;
-};
+using CellBox = SphericalGrid::Box;
 
 /// The cells with numbers [first, last).
 struct CellRun {
@@ -66,21 +61,13 @@ struct BandSector {
     bool drawn = true;
 };
 
-/// The contour bands on the bounding sphere around one axis.
-struct ContourBands {
-    Vec3 axis{0.0, 0.0, 1.0};  ///< unit vector: from the centre to the sphere's point nearest to the eye, where α = 0
-    Vec3 side{1.0, 0.0, 0.0};  ///< unit vector perpendicular to the axis: β = 0
-    Vec3 over{0.0, 1.0, 0.0};  ///< axis × side: β = 90°
-    double width = 0.0;        ///< of a band, in radians
-    uint32_t bands = 0, sectors = 0;
+/// The contour bands on the bounding sphere, between circles about the axis from its centre to its point nearest to the eye.
+struct ContourBands : MapCircles {
+    uint32_t sectors = 0;
     std::vector<BandSector> table;  ///< by band, then sector
     bool slopes = false;            ///< whether sizes are slopes
 
     [[nodiscard]] const BandSector& at(uint32_t band, uint32_t sector) const { return table[size_t(band) * sectors + sector]; }
-    /// The unit direction at α, β (radians).
-    [[nodiscard]] Vec3 direction(double alpha, double beta) const {
-        return std::cos(alpha) * axis + std::sin(alpha) * (std::cos(beta) * side + std::sin(beta) * over);
-    }
     /// α in [0, π] and β in [0, 2π) of a direction of any length but 0.
     [[nodiscard]] Vec2 anglesOf(const Vec3& direction) const;
     [[nodiscard]] uint32_t bandOf(double alpha) const { return std::min(uint32_t(std::max(alpha, 0.0) / width), bands - 1); }

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "core/geometry/angle.h"
-#include "core/visibility/spherical/map_line.h"
+#include "core/geometry/map_line.h"
 
 namespace cullscope::spherical {
 namespace {

@@ -228,14 +228,19 @@ protected:
         StructureSnapshot result;
         std::vector<MapSnapshot> maps;
         for (const SphericalDecision& decision : decisionsOf(log)) {
-            const MeshCells& mesh = structure.meshOf(decision.instance);
-            maps.push_back({mesh.maps, decision, mesh.tree, notesOf(log).kernels ? mesh.kernel : nullptr});
+            maps.push_back(mapOfDecision(structure, log, decision));
             result.nodes.push_back(nodeOf(structure.scene(), decision));
             result.nodes.back().rejectedBy = rejectedBy[decision.instance];
         }
         setMaps(result, std::move(maps));
         addGroups(result, structure.octree, structure.scene(), log);
         return result;
+    }
+
+    [[nodiscard]] MapSnapshot mapOfDecision(const CellScene& structure, const FrameLog& log,
+                                            const SphericalDecision& decision) const override {
+        const MeshCells& mesh = structure.meshOf(decision.instance);
+        return {mesh.maps, decision, mesh.tree, notesOf(log).kernels ? mesh.kernel : nullptr};
     }
 
 private:

@@ -6,10 +6,6 @@
 
 namespace cullscope::spherical {
 
-void MapDetails::prepare(const std::optional<uint32_t>& instance) const {
-    if (!maps.empty()) (void)*maps[placeOfMap(maps, instance)].maps;
-}
-
 void setMaps(StructureSnapshot& snapshot, std::vector<MapSnapshot> maps) {
     auto details = std::make_shared<MapDetails>();
     details->maps = std::move(maps);
@@ -29,15 +25,30 @@ const MapSnapshot* mapOf(const StructureSnapshot& snapshot, uint32_t instance) {
     return nullptr;
 }
 
-size_t placeOfMap(std::span<const MapSnapshot> maps, const std::optional<uint32_t>& instance) {
+namespace {
+
+/// `decisionOf` gives the decision of one of the items.
+template <typename Item, typename DecisionOf>
+size_t placeOf(std::span<const Item> items, const std::optional<uint32_t>& instance, const DecisionOf& decisionOf) {
     const auto place = [&](const auto& matches) {
-        return size_t(std::find_if(maps.begin(), maps.end(), matches) - maps.begin());
+        const auto found = std::ranges::find_if(items, [&](const Item& item) { return matches(decisionOf(item)); });
+        return size_t(found - items.begin());
     };
-    size_t found = maps.size();
-    if (instance) found = place([&](const MapSnapshot& map) { return map.decision.instance == *instance; });
-    if (found == maps.size())
-        found = place([](const MapSnapshot& map) { return map.decision.relation != SphereRelation::Outside; });
-    return found == maps.size() ? 0 : found;
+    size_t found = items.size();
+    if (instance) found = place([&](const SphericalDecision& decision) { return decision.instance == *instance; });
+    if (found == items.size())
+        found = place([](const SphericalDecision& decision) { return decision.relation != SphereRelation::Outside; });
+    return found == items.size() ? 0 : found;
+}
+
+}  // namespace
+
+size_t placeOfDecision(std::span<const SphericalDecision> decisions, const std::optional<uint32_t>& instance) {
+    return placeOf(decisions, instance, [](const SphericalDecision& decision) -> const SphericalDecision& { return decision; });
+}
+
+size_t placeOfMap(std::span<const MapSnapshot> maps, const std::optional<uint32_t>& instance) {
+    return placeOf(maps, instance, [](const MapSnapshot& map) -> const SphericalDecision& { return map.decision; });
 }
 
 }  // namespace cullscope::spherical

@@ -5,14 +5,17 @@
 #include <iterator>
 
 #include "core/visibility/registry.h"
+#include "core/visibility/spherical/band_curve.h"
+#include "core/visibility/spherical/index_map.h"
 #include "core/visibility/spherical/map_overlays.h"
-#include "core/visibility/spherical/map_picture.h"
+#include "core/visibility/spherical/map_values.h"
 #include "core/visibility/spherical/why.h"
 
 namespace cullscope::spherical {
 namespace {
 
 constexpr const char* kBands = "bands";
+constexpr const char* kBandCurve = "band-sizes";
 constexpr const char* kKernel = "kernel";
 constexpr const char* kIndexMap = "index-map";
 
@@ -51,6 +54,15 @@ Show bandsShow() {
     return show;
 }
 
+Show bandCurveShow() {
+    Show show;
+    show.kind = Show::Kind::Curve;
+    show.id = kBandCurve;
+    show.help = "sizes of the contour bands over the angle from the axis to the eye";
+    show.title = CULLSCOPE_TR("Bands");
+    return show;
+}
+
 Show kernelShow() {
     Show show;
     show.id = kKernel;
@@ -66,15 +78,15 @@ Show kernelShow() {
 
 Show indexMapShow(bool cells) {
     Show show;
-    show.kind = Show::Kind::Picture;
+    show.kind = Show::Kind::DirectionMap;
     show.id = kIndexMap;
     show.help = "of spherical strategies, of the first object in the frustum";
     show.absent = noMap;
-    for (const MapColouring colouring : {MapColouring::Entries, MapColouring::Radius, MapColouring::State})
-        show.colourings.push_back({mapColouringId(colouring)});
+    for (const MapQuantity quantity : {MapQuantity::Entries, MapQuantity::Radius, MapQuantity::State})
+        show.colourings.push_back({mapQuantityId(quantity)});
     if (cells)
-        for (const MapColouring colouring : {MapColouring::Level, MapColouring::Kernel})
-            show.colourings.push_back({mapColouringId(colouring), noCells});
+        for (const MapQuantity quantity : {MapQuantity::Level, MapQuantity::Kernel})
+            show.colourings.push_back({mapQuantityId(quantity), noCells});
     show.colouringHelp =
         "of the index map: entries (triangles by cell, the default), radius, state, or of spherical-lossless level (of the "
         "judged "
@@ -117,7 +129,7 @@ std::string walkLine(const CellWalk& walk) {
 
 }  // namespace
 
-std::vector<Show> showsOfBands() { return {boxesShow(), bandsShow(), indexMapShow(false)}; }
+std::vector<Show> showsOfBands() { return {boxesShow(), bandsShow(), bandCurveShow(), indexMapShow(false)}; }
 std::vector<Show> showsOfCells() { return {boxesShow(), kernelShow(), indexMapShow(true)}; }
 
 std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context, const StructureSnapshot& snapshot) {
@@ -150,13 +162,25 @@ std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colour
         return Message{"%1: the object \"%2\" is %3, so that its inner kernel is not shown. Choose another eye or target.",
                        {option, nameOf(shown, scene), relationName(shown.decision.relation)}};
     }
-    const bool needsKernel = id == kIndexMap && colouring == mapColouringId(MapColouring::Kernel) && shown.tree;
+    const bool needsKernel = id == kIndexMap && colouring == mapQuantityId(MapQuantity::Kernel) && shown.tree;
     return needsKernel ? kernelMissing(shown, commandLineOption(id, colouring), scene) : std::nullopt;
 }
 
-std::vector<uint8_t> shownMapPicture(std::string_view colouring, const StructureSnapshot& snapshot, const Viewport& size,
-                                     const DrawStyle& style) {
-    return mapPicture(shownOf(mapsOf(snapshot)), mapColouringFromId(colouring), size, style);
+const SphericalDecision* shownDecision(const FrameLog& log, const std::optional<uint32_t>& object) {
+    const std::vector<SphericalDecision>& decisions = decisionsOf(log);
+    return decisions.empty() ? nullptr : &decisions[placeOfDecision(decisions, object)];
+}
+
+CellMapPointer indexMapOf(MapSnapshot map, const Scene& scene) {
+    const std::string name = nameOf(map, scene);
+    return indexMap(std::move(map), name, scene.instances().size());
+}
+
+std::optional<Curve> curveOf(const FrameLog& log, const Scene& scene, const std::optional<uint32_t>& object,
+                             const std::optional<uint32_t>& part) {
+    const SphericalDecision* shown = shownDecision(log, object);
+    if (shown == nullptr) return std::nullopt;
+    return bandCurve(*shown, scene.instances()[shown->instance].name, part);
 }
 
 std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene) {

@@ -1,11 +1,12 @@
 #pragma once
 
+#include "core/frame/curve.h"
 #include "core/visibility/spherical/map_details.h"
 #include "core/visibility/strategy.h"
 
 namespace cullscope::spherical {
 
-/// The shows of strategies that decide by cells of maps: spheres with rays, contour bands, and the index map.
+/// The shows of strategies that decide by cells of maps: spheres with rays, contour bands and their sizes, and the index map.
 [[nodiscard]] std::vector<Show> showsOfBands();
 /// The shows of strategies that decide by a quadtree over each map: spheres with cells, the inner kernel, and the index map.
 [[nodiscard]] std::vector<Show> showsOfCells();
@@ -16,8 +17,12 @@ namespace cullscope::spherical {
                                                    const StructureSnapshot& snapshot);
 [[nodiscard]] std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colouring, std::string_view strategy,
                                                   const StructureSnapshot& snapshot, const Scene& scene);
-[[nodiscard]] std::vector<uint8_t> shownMapPicture(std::string_view colouring, const StructureSnapshot& snapshot,
-                                                   const Viewport& size, const DrawStyle& style);
+/// The decision that is shown: that about `object`, else the one that placeOfDecision (map_details.h) chooses. Null: the frame
+/// has none.
+[[nodiscard]] const SphericalDecision* shownDecision(const FrameLog& log, const std::optional<uint32_t>& object);
+[[nodiscard]] CellMapPointer indexMapOf(MapSnapshot map, const Scene& scene);
+[[nodiscard]] std::optional<Curve> curveOf(const FrameLog& log, const Scene& scene, const std::optional<uint32_t>& object,
+                                           const std::optional<uint32_t>& part);
 [[nodiscard]] std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene);
 /// Appends the steps of the decision about a triangle (why.h).
 void addMapStepsOf(const StructureSnapshot& snapshot, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps);
@@ -36,9 +41,16 @@ public:
                                                      const FrameLog& log) const final {
         return whyNoMapShow(id, colouring, m_id, this->snapshot(structure, log), structure.scene());
     }
-    [[nodiscard]] std::vector<uint8_t> picture(std::string_view /*id*/, std::string_view colouring, const Structure& structure,
-                                               const FrameLog& log, const Viewport& size, const DrawStyle& style) const final {
-        return shownMapPicture(colouring, this->snapshot(structure, log), size, style);
+    [[nodiscard]] CellMapPointer directionMap(std::string_view /*id*/, const Structure& structure, const FrameLog& log,
+                                              const std::optional<uint32_t>& object) const final {
+        const SphericalDecision* shown = shownDecision(log, object);
+        if (shown == nullptr) return nullptr;
+        return indexMapOf(mapOfDecision(this->own(structure), log, *shown), structure.scene());
+    }
+    [[nodiscard]] std::optional<Curve> curve(std::string_view /*id*/, const Structure& structure, const FrameLog& log,
+                                             const std::optional<uint32_t>& object,
+                                             const std::optional<uint32_t>& part) const final {
+        return curveOf(log, structure.scene(), object, part);
     }
     [[nodiscard]] std::string frameLine(const Structure& structure, const FrameLog& log) const final {
         return mapLine(this->snapshot(structure, log), structure.scene());
@@ -47,6 +59,11 @@ public:
                      std::vector<WhyStep>& steps) const final {
         addMapStepsOf(this->snapshot(structure, log), instance, triangle, steps);
     }
+
+protected:
+    /// The map of an object with a frame's decision about it.
+    [[nodiscard]] virtual MapSnapshot mapOfDecision(const OwnStructure& structure, const FrameLog& log,
+                                                    const SphericalDecision& decision) const = 0;
 
 private:
     std::string m_id;

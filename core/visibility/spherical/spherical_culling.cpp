@@ -168,10 +168,15 @@ protected:
         for (const SphericalDecision& decision : decisionsOf(log)) {
             result.nodes.push_back(nodeOf(structure.scene(), decision));
             result.nodes.back().rejectedBy = rejectedBy[decision.instance];
-            maps.push_back({structure.meshOf(decision.instance).maps, decision});
+            maps.push_back(mapOfDecision(structure, log, decision));
         }
         setMaps(result, std::move(maps));
         return result;
+    }
+
+    [[nodiscard]] MapSnapshot mapOfDecision(const MappedScene& structure, const FrameLog& /*log*/,
+                                            const SphericalDecision& decision) const override {
+        return {structure.meshOf(decision.instance).maps, decision};
     }
 
 private:

@@ -6,8 +6,10 @@
 #include <random>
 #include <set>
 
+#include "core/image/cell_map_picture.h"
 #include "core/visibility/spherical/cell_directions.h"
-#include "core/visibility/spherical/map_picture.h"
+#include "core/visibility/spherical/index_map.h"
+#include "core/visibility/spherical/map_values.h"
 #include "core/visibility/verdict_palette.h"
 #include "tests/support/hand_made_map.h"
 #include "tests/support/lossless_map.h"
@@ -173,14 +175,14 @@ TEST(HorizonLine, followsTheOutlineAndCloses) {
     EXPECT_TRUE(horizonLine(sphereMap()).empty());
 }
 
-TEST(CellShares, levelIsThatOfTheWalk) {
+TEST(CellValues, levelIsThatOfTheWalk) {
     for (const MapLayout layout : kLayouts)
         for (const Vec3& target : {Vec3(0.0), Vec3(0.4, 0.3, 6.0)}) {
             const LosslessMap seen(starMesh(3, 20000), layout, {0.4, 0.3, 3.0}, target);
             const spherical::MapSnapshot& map = seen.map();
-            const CellShares shares = cellShares(map, MapColouring::Level);
-            EXPECT_EQ(shares.least, 0.0);
-            EXPECT_LE(shares.most, map.tree->deepestLevel());
+            const MapValues shares = cellValues(map, MapQuantity::Level);
+            EXPECT_EQ(shares.least, Term::count(0));
+            EXPECT_LE(shares.most.number, map.tree->deepestLevel());
             const SphericalGrid& grid = map.maps->grid();
             const spherical::CellDirections directions(grid);
             std::set<uint32_t> levels;
@@ -192,35 +194,36 @@ TEST(CellShares, levelIsThatOfTheWalk) {
                     ASSERT_LT(shares.shares[cell], 0.0f);
                     continue;
                 }
-                ASSERT_NEAR(shares.shares[cell] * shares.most, node->level, 1e-4);
+                ASSERT_NEAR(shares.shares[cell] * shares.most.number, node->level, 1e-4);
                 levels.insert(node->level);
             }
             EXPECT_GT(levels.size(), 1u);
         }
 }
 
-TEST(CellShares, kernelIsFilledToThere) {
+TEST(CellValues, kernelIsFilledToThere) {
     const LosslessMap seen(starMesh(3, 20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
     const spherical::MapSnapshot& map = seen.map();
-    ASSERT_TRUE(hasColouring(map, MapColouring::Kernel));
-    const CellShares shares = cellShares(map, MapColouring::Kernel);
-    EXPECT_DOUBLE_EQ(shares.most, map.maps.sphere().radius);
+    ASSERT_TRUE(hasQuantity(map, MapQuantity::Kernel));
+    const MapValues shares = cellValues(map, MapQuantity::Kernel);
+    EXPECT_EQ(shares.most, Term::share(1.0)) << "of the sphere's radius";
+    const double radius = map.maps.sphere().radius;
     const spherical::CellDirections directions(map.maps->grid());
     for (uint32_t cell = 0; cell < shares.shares.size(); cell += 7) {
         const Vec3 middle = directions.middle(map.maps->grid().cell(cell));
-        ASSERT_NEAR(shares.shares[cell] * shares.most, map.kernel->radius(octahedralCell(middle, map.kernel->level())), 1e-5);
+        ASSERT_NEAR(shares.shares[cell] * radius, map.kernel->radius(octahedralCell(middle, map.kernel->level())), 1e-5);
     }
 }
 
-TEST(CellShares, missingStructureHasNoColours) {
+TEST(CellValues, missingStructureHasNoColours) {
     // The knot's centre lies outside it; the maps of the paper's strategy have no quadtree.
     const LosslessMap knot(knotMesh(20000), MapLayout::Octahedral, {0.4, 0.3, 3.0});
-    EXPECT_TRUE(hasColouring(knot.map(), MapColouring::Level));
-    EXPECT_FALSE(hasColouring(knot.map(), MapColouring::Kernel));
-    EXPECT_FALSE(hasColouring(sphereMap(), MapColouring::Level));
-    EXPECT_TRUE(hasColouring(sphereMap(), MapColouring::State));
-    for (const float share : cellShares(knot.map(), MapColouring::Kernel).shares) ASSERT_LT(share, 0.0f);
-    for (const float share : cellShares(sphereMap(), MapColouring::Level).shares) ASSERT_LT(share, 0.0f);
+    EXPECT_TRUE(hasQuantity(knot.map(), MapQuantity::Level));
+    EXPECT_FALSE(hasQuantity(knot.map(), MapQuantity::Kernel));
+    EXPECT_FALSE(hasQuantity(sphereMap(), MapQuantity::Level));
+    EXPECT_TRUE(hasQuantity(sphereMap(), MapQuantity::State));
+    for (const float share : cellValues(knot.map(), MapQuantity::Kernel).shares) ASSERT_LT(share, 0.0f);
+    for (const float share : cellValues(sphereMap(), MapQuantity::Level).shares) ASSERT_LT(share, 0.0f);
 }
 
 TEST(CellColours, judgedCellHasTheColourOfItsState) {
@@ -228,7 +231,7 @@ TEST(CellColours, judgedCellHasTheColourOfItsState) {
     const auto palette = verdictPalette(style.background);
     const LosslessMap seen(starMesh(3, 2400), MapLayout::Octahedral, {0.4, 0.3, 3.0}, {0.5, 0.0, 0.0}, 25.0);
     const spherical::MapSnapshot& map = seen.map();
-    const std::vector<Vec3f> colours = cellColours(map, MapColouring::State, style.background);
+    const std::vector<Vec3f> colours = cellColours(*indexMap(map, "object", 1), "state", style.background);
     const std::vector<spherical::CellState> states = spherical::cellStates(map);
     const spherical::CellDirections directions(map.maps->grid());
     std::set<size_t> shown;
@@ -251,7 +254,7 @@ TEST(MapPicture, horizonAndBordersOfCellsAreDrawn) {
     const DrawStyle style{Vec3f(1.0f)};
     constexpr Viewport kSize{748, 388};  // the margin of 14 leaves two pixels for each degree
     const LosslessMap seen(sphereMesh(20000), MapLayout::LatitudeLongitude, {0.4, 0.3, 3.0});
-    const std::vector<uint8_t> rgba = mapPicture(seen.map(), MapColouring::Kernel, kSize, style);
+    const std::vector<uint8_t> rgba = cellMapPicture(*indexMap(seen.map(), "object", 1), "kernel", kSize, style);
     const auto at = [&](const Vec2& angles) {
         const int x = 14 + int(2.0 * angles.y / kDegree), y = 14 + int(2.0 * angles.x / kDegree);
         const uint8_t* pixel = &rgba[4 * (size_t(kSize.height - 1 - y) * size_t(kSize.width) + size_t(x))];

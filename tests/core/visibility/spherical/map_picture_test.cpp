@@ -1,7 +1,10 @@
-#include "core/visibility/spherical/map_picture.h"
+// The index map as plain data, and its picture.
+#include "core/image/cell_map_picture.h"
 
 #include "core/base/error.h"
 #include "core/gpu/colour.h"
+#include "core/visibility/spherical/index_map.h"
+#include "core/visibility/spherical/map_values.h"
 #include "core/visibility/verdict_palette.h"
 #include "tests/support/hand_made_map.h"
 
@@ -30,8 +33,10 @@ struct Shown {
     }
 };
 
-Shown shown(const spherical::MapSnapshot& map, MapColouring colouring = MapColouring::Entries) {
-    return {mapPicture(map, colouring, kSize, kLight)};
+CellMapPointer made(const spherical::MapSnapshot& map) { return indexMap(map, "object", 1); }
+
+Shown shown(const spherical::MapSnapshot& map, const char* colouring = "entries") {
+    return {cellMapPicture(*made(map), colouring, kSize, kLight)};
 }
 
 const Vec3f kRed(0.86f, 0.08f, 0.08f);
@@ -43,7 +48,7 @@ TEST(CellColours, everyStateHasItsColour) {
     map.decision.drawn = {{0, 900}};
     const auto palette = verdictPalette(kLight.background);
     const std::vector<spherical::CellState> states = spherical::cellStates(map);
-    std::vector<Vec3f> colours = cellColours(map, MapColouring::State, kLight.background);
+    std::vector<Vec3f> colours = cellColours(*made(map), "state", kLight.background);
     ASSERT_EQ(colours.size(), 90u * 45u);
     size_t drawn = 0;
     for (size_t cell = 0; cell < colours.size(); ++cell) {
@@ -55,7 +60,7 @@ TEST(CellColours, everyStateHasItsColour) {
     }
     EXPECT_GT(drawn, 500u);
     map.decision.bands.emplace();
-    colours = cellColours(map, MapColouring::State, kLight.background);
+    colours = cellColours(*made(map), "state", kLight.background);
     EXPECT_EQ(colours[45 * 45], palette[size_t(TriangleState::Hidden)].colour);
 }
 
@@ -63,8 +68,8 @@ TEST(CellColours, moreEntriesStandOutMore) {
     spherical::MapSnapshot map;
     map.maps = std::make_shared<SphericalMaps>(knotMesh(20000), SphericalGrid(90, 45));
     for (const Vec3f& background : {Vec3f(1.0f), Vec3f(0.078f, 0.09f, 0.11f)}) {
-        const std::vector<Vec3f> entries = cellColours(map, MapColouring::Entries, background);
-        const std::vector<Vec3f> radii = cellColours(map, MapColouring::Radius, background);
+        const std::vector<Vec3f> entries = cellColours(*made(map), "entries", background);
+        const std::vector<Vec3f> radii = cellColours(*made(map), "radius", background);
         const auto contrast = [&](const Vec3f& colour) {
             return std::abs(relativeLuminance(colour) - relativeLuminance(background));
         };
@@ -82,20 +87,20 @@ TEST(CellColours, moreEntriesStandOutMore) {
     }
 }
 
-TEST(MapColouringId, isReadBack) {
-    for (const MapColouring colouring :
-         {MapColouring::Entries, MapColouring::Radius, MapColouring::State, MapColouring::Level, MapColouring::Kernel})
-        EXPECT_EQ(mapColouringFromId(mapColouringId(colouring)), colouring);
-    EXPECT_THROW((void)mapColouringFromId("R"), Error);
+TEST(MapQuantityId, isReadBack) {
+    for (const MapQuantity quantity :
+         {MapQuantity::Entries, MapQuantity::Radius, MapQuantity::State, MapQuantity::Level, MapQuantity::Kernel})
+        EXPECT_EQ(mapQuantityFromId(mapQuantityId(quantity)), quantity);
+    EXPECT_THROW((void)mapQuantityFromId("R"), Error);
 }
 
 TEST(Contours, pointsLieAtTheirAngle) {
     for (const Vec3& axis :
          {directionOf(90, 0), directionOf(37, 200), directionOf(0, 0), directionOf(14.9, 80), directionOf(165, 3)}) {
         const spherical::ContourBands bands = *bandedMap(axis).decision.bands;
-        const std::vector<Contour> all = contours(bands);
+        const std::vector<CutCircle> all = cutCircles(*made(bandedMap(axis))->circles);
         ASSERT_EQ(all.size(), 11u);
-        for (const Contour& contour : all) {
+        for (const CutCircle& contour : all) {
             double azimuths = 0.0;
             for (const std::vector<Vec2>& line : contour.lines)
                 for (size_t i = 0; i < line.size(); ++i) {
@@ -118,8 +123,8 @@ TEST(Contours, pointsLieAtTheirAngle) {
 TEST(MapPicture, everyCellHasItsColour) {
     spherical::MapSnapshot map = sphereMap();
     map.decision.drawn = {{0, 90 * 20}};
-    const Shown picture = shown(map, MapColouring::State);
-    const std::vector<Vec3f> colours = cellColours(map, MapColouring::State, kLight.background);
+    const Shown picture = shown(map, "state");
+    const std::vector<Vec3f> colours = cellColours(*made(map), "state", kLight.background);
     for (uint32_t row = 0; row < 45; ++row)
         for (uint32_t column = 1; column < 89; ++column)
             ASSERT_LT(glm::distance(picture.at(row * 4.0 + 2.0, column * 4.0 + 2.0), colours[row * 90 + column]), 0.01f);
@@ -192,7 +197,7 @@ TEST(MapPicture, everyContourIsDrawn) {
 
 TEST(MapPicture, smallestSizesAreDrawn) {
     for (const Viewport& size : {Viewport{1, 1}, Viewport{7, 500}, Viewport{500, 3}})
-        EXPECT_EQ(mapPicture(bandedMap(directionOf(90, 180)), MapColouring::Radius, size, kLight).size(),
+        EXPECT_EQ(cellMapPicture(*made(bandedMap(directionOf(90, 180))), "radius", size, kLight).size(),
                   size_t(size.width) * size_t(size.height) * 4);
 }
 

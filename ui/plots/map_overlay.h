@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QFontMetricsF>
+#include <QPainterPath>
+#include <vector>
+
+#include "ui/plots/map_layout.h"
+#include "ui/plots/map_symbols.h"
+
+namespace cullscope::ui {
+
+/// Paints what lies over a map's cells. Shapes that cross the seam at φ = 0 are painted on both sides of it.
+class MapOverlay {
+public:
+    MapOverlay(QPainter& painter, const MapLayout& layout, const MapColours& colours)
+        : m_painter(painter), m_layout(layout), m_colours(colours) {}
+
+    /// Paints the circles about an axis; the strategy's own cells, as far as they can be seen; walked cells, boxes and curves;
+    /// and the marks.
+    void paint(const CellMap& map) const;
+    void paintPicked(const SphericalGrid& grid, const std::vector<SphericalGrid::Cell>& cells,
+                     const SphericalGrid::Cell& centroid) const;
+    /// Paints the edges of a part.
+    void paintPart(const CellMap& map, uint32_t part) const;
+    void paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
+
+private:
+    void paintWalked(const CellMap& map) const;
+    void paintBoxes(const CellMap& map) const;
+    void paintCurves(const CellMap& map) const;
+    void paintMarks(const std::vector<MapMark>& marks) const;
+    void paintCircles(const MapCircles& circles) const;
+    void paintOutlines(const CellMap& map) const;
+    /// The path of a line of (θ, φ) whose φ continues over the seam, once for every turn that it reaches. Needs at least one
+    /// point.
+    [[nodiscard]] QPainterPath wrapped(const std::vector<Vec2>& line, bool closed) const;
+
+    QPainter& m_painter;
+    const MapLayout& m_layout;
+    const MapColours& m_colours;
+};
+
+/// Rectangles of the marks' numbers: within the map, and clear of the markers.
+[[nodiscard]] std::vector<QRectF> markNumbers(const MapLayout& layout, const std::vector<MapMark>& marks,
+                                              const QFontMetricsF& metrics);
+
+}  // namespace cullscope::ui
