@@ -48,6 +48,12 @@ public:
     /// A picture that the strategy declares: RGBA, rows from the bottom.
     [[nodiscard]] std::vector<uint8_t> picture(std::string_view id, std::string_view colouring, const FrameLog& log,
                                                const Viewport& size, const DrawStyle& style) const;
+    /// The counts that the strategy declares, each with its declared title.
+    [[nodiscard]] std::vector<Bars> bars(const FrameLog& log) const;
+    /// Where the frame's decisions fell in the strategy's listing; none where it declares no listing.
+    [[nodiscard]] std::optional<ListingState> listing(const FrameLog& log) const;
+    /// The same of the decisions about one triangle (frame/listing.h).
+    [[nodiscard]] std::optional<ListingState> listing(const FrameLog& log, uint64_t triangle) const;
     [[nodiscard]] std::string frameLine(const FrameLog& log) const { return m_strategy->frameLine(*m_structure, log); }
     void addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const {
         m_strategy->addWhySteps(*m_structure, log, instance, triangle, steps);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/frame/listing.h"
 #include "core/visibility/triangle_states.h"
 
 namespace cullscope {
@@ -25,19 +26,27 @@ struct Show {
     enum class Kind {
         Overlay,  ///< lines over a view's picture
         Boxes,    ///< the strategy's own form of the overlay `boxes`
-        Picture   ///< a picture in place of the scene's
+        Picture,  ///< a picture in place of the scene's
+        Listing,  ///< pseudo-code, whose lines the decisions name (Decision::line)
+        Bars      ///< named counts (bars.h)
     };
     Kind kind = Kind::Overlay;
     std::string id;                         ///< on the command line, in session files and in metadata
-    std::string help;                       ///< English, for the command line's help
-    std::string title;                      ///< of an Overlay, in a view's menu: English, marked for translation
+    std::string help;                       ///< English, for the command line's help; only of an Overlay, Boxes or Picture
+    std::string title;                      ///< of an Overlay, in a view's menu, or of Bars: English, marked for translation
     std::string action;                     ///< the same with a marked key, in the window's menu
     std::string explanation;                ///< one sentence about it, marked for translation
     std::vector<TriangleState> legend;      ///< the states whose colours it uses
     AbsentShow absent = nullptr;            ///< never null for Overlay and Picture
     std::vector<ShowColouring> colourings;  ///< of a Picture: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
+    std::vector<ListingLine> lines;         ///< of a Listing: kMostListingLines at most
 };
+
+/// A strategy's listing: lines that its code follows. A strategy has one at most.
+[[nodiscard]] Show listingShow(std::vector<ListingLine> lines);
+/// Counts that a strategy makes of a recorded frame (Strategy::bars).
+[[nodiscard]] Show barsShow(std::string id, std::string title);
 
 /// A show as it is asked for on the command line: "--overlay kernel", or with a colouring "--map-colouring level".
 [[nodiscard]] inline std::string commandLineOption(std::string_view id, std::string_view colouring = {}) {

@@ -26,6 +26,11 @@ const Show* StrategyInfo::show(std::string_view showId) const {
     return found == shows.end() ? nullptr : &*found;
 }
 
+const Show* StrategyInfo::first(Show::Kind kind) const {
+    const auto found = std::ranges::find(shows, kind, &Show::kind);
+    return found == shows.end() ? nullptr : &*found;
+}
+
 std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl) {
     if (info.glRequirement != GlRequirement::CompatibilityProfile || gl.compatibilityProfile) return std::nullopt;
     return Message{info.withoutProfile, {info.id, gl.renderer}};
@@ -51,6 +56,8 @@ std::vector<uint8_t> Strategy::picture(std::string_view /*id*/, std::string_view
                                        const FrameLog& /*log*/, const Viewport& /*size*/, const DrawStyle& /*style*/) const {
     return {};
 }
+
+Bars Strategy::bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
 
 std::string Strategy::frameLine(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
 

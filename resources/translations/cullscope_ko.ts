@@ -2095,6 +2095,174 @@
         <source>mean of the views&apos; × all [95 %]</source>
         <translation>시점별 × all의 평균 [95 %]</translation>
     </message>
+    <message>
+        <source>for each object</source>
+        <translation>각 물체에 대해</translation>
+    </message>
+    <message>
+        <source>for each of the six planes</source>
+        <translation>여섯 평면 각각에 대해</translation>
+    </message>
+    <message>
+        <source>draw it</source>
+        <translation>그 물체를 그림</translation>
+    </message>
+    <message>
+        <source>visit(group, planes that may cut it)</source>
+        <translation>방문(그룹, 자를 수 있는 평면들)</translation>
+    </message>
+    <message>
+        <source>test its box against these planes</source>
+        <translation>상자를 이 평면들로 검사</translation>
+    </message>
+    <message>
+        <source>outside: leave all its objects out</source>
+        <translation>밖이면: 물체를 모두 제외</translation>
+    </message>
+    <message>
+        <source>outside: leave the object out</source>
+        <translation>밖이면: 물체를 제외</translation>
+    </message>
+    <message>
+        <source>draw the objects kept, nearest first</source>
+        <translation>남은 물체를 가까운 것부터 그림</translation>
+    </message>
+    <message>
+        <source>Objects by the plane that rejected them</source>
+        <translation>탈락시킨 평면별 물체 수</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <translation>단일 평면 없음</translation>
+    </message>
+    <message>
+        <source>outside: leave it out</source>
+        <translation>밖이면: 제외</translation>
+    </message>
+    <message>
+        <source>else walk(each part)</source>
+        <translation>아니면 순회(각 부분)</translation>
+    </message>
+    <message>
+        <source>Triangles by the test that left them out</source>
+        <translation>제외한 검사별 삼각형 수</translation>
+    </message>
+    <message>
+        <source>planes of the frustum</source>
+        <translation>절두체의 평면</translation>
+    </message>
+    <message>
+        <source>box at near rectangle: in view</source>
+        <translation>상자가 가까운 사각형에 닿으면: 보임</translation>
+    </message>
+    <message>
+        <source>outside near or far: not in view</source>
+        <translation>가까운 평면 앞이나 먼 평면 너머면: 안 보임</translation>
+    </message>
+    <message>
+        <source>else in view if OpenGL hit it</source>
+        <translation>아니면 OpenGL이 상자를 맞혔을 때 보임</translation>
+    </message>
+    <message>
+        <source>in view: draw it</source>
+        <translation>보이면: 그림</translation>
+    </message>
+    <message>
+        <source>not in view: leave it out</source>
+        <translation>안 보이면: 제외</translation>
+    </message>
+    <message>
+        <source>draw grown boxes for selection</source>
+        <translation>키운 상자를 선택 모드로 그림</translation>
+    </message>
+    <message>
+        <source>draw grown boxes, a query each</source>
+        <translation>키운 상자를 질의 하나씩으로 보이지 않게 그림</translation>
+    </message>
+    <message>
+        <source>d = how far its bounds reach in</source>
+        <translation>d = 경계가 안쪽으로 들어온 거리</translation>
+    </message>
+    <message>
+        <source>if d &lt; −margin: leave it out</source>
+        <translation>d &lt; −한계이면: 제외, 다음 물체로</translation>
+    </message>
+    <message>
+        <source>several cut it: test axes too</source>
+        <translation>여러 평면이 자르면: 분리하는 축을 찾음</translation>
+    </message>
+    <message>
+        <source>inside: keep all its objects</source>
+        <translation>모든 평면의 안이면: 물체를 모두 남김</translation>
+    </message>
+    <message>
+        <source>else visit(parts, cutting planes)</source>
+        <translation>아니면 방문(각 부분, 자르는 평면들)</translation>
+    </message>
+    <message>
+        <source>no parts: test each object too</source>
+        <translation>부분이 없으면: 물체를 하나씩 같은 방법으로 검사</translation>
+    </message>
+    <message>
+        <source>its sphere against six planes</source>
+        <translation>구를 여섯 평면으로 검사</translation>
+    </message>
+    <message>
+        <source>around the eye, flat: draw all</source>
+        <translation>눈을 둘러싸거나 납작하면: 모두 그림</translation>
+    </message>
+    <message>
+        <source>cut: draw between corner rays</source>
+        <translation>잘리면: 네 모서리 광선 사이의 셀을 그림</translation>
+    </message>
+    <message>
+        <source>inside: draw near half, growing S</source>
+        <translation>안이면: 가까운 절반과 S가 커지는 곳을 그림</translation>
+    </message>
+    <message>
+        <source>cut by near, flat, small: draw all</source>
+        <translation>가까운 평면에 잘림, 납작함, 작음: 모두 그림</translation>
+    </message>
+    <message>
+        <source>else draw cells above the horizon</source>
+        <translation>아니면 앞쪽 지평선 위의 셀을 그림</translation>
+    </message>
+    <message>
+        <source>test groups, objects by planes</source>
+        <translation>그룹을, 다음에 물체를 평면으로 검사</translation>
+    </message>
+    <message>
+        <source>outside: leave it all out</source>
+        <translation>밖이면: 그룹이나 물체를 제외</translation>
+    </message>
+    <message>
+        <source>each other object (small: draw)</source>
+        <translation>남은 각 물체에 대해 (작으면: 그림)</translation>
+    </message>
+    <message>
+        <source>sphere outside: leave it out</source>
+        <translation>구가 한 평면 밖이면: 제외</translation>
+    </message>
+    <message>
+        <source>walk(cell), first the whole</source>
+        <translation>순회(셀), 처음에는 전체</translation>
+    </message>
+    <message>
+        <source>box outside: leave it out</source>
+        <translation>상자가 한 평면 밖이면: 제외</translation>
+    </message>
+    <message>
+        <source>faces away: leave it out</source>
+        <translation>법선이 모두 등을 돌렸으면: 제외</translation>
+    </message>
+    <message>
+        <source>behind horizon: leave it out</source>
+        <translation>커널의 지평선 뒤면: 제외</translation>
+    </message>
+    <message>
+        <source>no test open, leaf, gap: draw it</source>
+        <translation>남은 검사나 부분이 없거나 틈이면: 그림</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2236,6 +2404,24 @@ OpenGL %2
     <message>
         <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
         <translation>이 전략은 등고선 띠를 쓰지 않고 사분 트리의 셀을 검사합니다. 그 결과는 맵에 나타납니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BarsPanel</name>
+    <message>
+        <source>There is no scene: nothing was counted yet.</source>
+        <translation>장면이 없습니다. 아직 센 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>전략의 판정을 읽는 중…</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BarsPlot</name>
+    <message>
+        <source>Counts</source>
+        <translation>개수</translation>
     </message>
 </context>
 <context>
@@ -2744,6 +2930,58 @@ OpenGL %2
     <message>
         <source>Next: choose another strategy in the view&apos;s menu and compare the figures over the pictures.</source>
         <translation>다음: 뷰의 메뉴에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ListingModel</name>
+    <message>
+        <source>the current line</source>
+        <translation>현재 줄</translation>
+    </message>
+    <message>
+        <source>decided about the picked triangle</source>
+        <translation>선택한 삼각형을 판정함</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>줄</translation>
+    </message>
+    <message>
+        <source>How many decisions fell at the line</source>
+        <translation>이 줄에서 내린 판정의 수</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>판정</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ListingPanel</name>
+    <message>
+        <source>There is no scene: nothing was decided yet.</source>
+        <translation>장면이 없습니다. 아직 판정한 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>전략의 판정을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>Decisions of this frame that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>이 프레임에서 이 줄들이 내린 판정: %1개. 마지막은 %2번 줄입니다.</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: no decision about it fell at a line.</source>
+        <comment>name of an object</comment>
+        <translation>%1, 삼각형 %2: 이 줄들에서 내린 판정이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: what became of it was decided at line %3.</source>
+        <comment>name of an object</comment>
+        <translation>%1, 삼각형 %2: %3번 줄에서 판정되었습니다.</translation>
+    </message>
+    <message>
+        <source>Lines of the strategy</source>
+        <translation>전략의 줄</translation>
     </message>
 </context>
 <context>
@@ -4190,6 +4428,14 @@ snapping</source>
     <message>
         <source>Losses</source>
         <translation>손실</translation>
+    </message>
+    <message>
+        <source>Listing</source>
+        <translation>코드</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>개수</translation>
     </message>
 </context>
 <context>

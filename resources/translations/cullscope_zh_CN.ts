@@ -2095,6 +2095,174 @@
         <source>mean of the views&apos; × all [95 %]</source>
         <translation>各视点 × all 的平均值 [95 %]</translation>
     </message>
+    <message>
+        <source>for each object</source>
+        <translation>对每个对象</translation>
+    </message>
+    <message>
+        <source>for each of the six planes</source>
+        <translation>对六个平面中的每一个</translation>
+    </message>
+    <message>
+        <source>draw it</source>
+        <translation>绘制它</translation>
+    </message>
+    <message>
+        <source>visit(group, planes that may cut it)</source>
+        <translation>访问(组, 可能与其相交的平面)</translation>
+    </message>
+    <message>
+        <source>test its box against these planes</source>
+        <translation>用这些平面测试其盒</translation>
+    </message>
+    <message>
+        <source>outside: leave all its objects out</source>
+        <translation>在外：略去其全部对象</translation>
+    </message>
+    <message>
+        <source>outside: leave the object out</source>
+        <translation>在外：略去该对象</translation>
+    </message>
+    <message>
+        <source>draw the objects kept, nearest first</source>
+        <translation>由近到远绘制保留的对象</translation>
+    </message>
+    <message>
+        <source>Objects by the plane that rejected them</source>
+        <translation>按排除它们的平面统计对象</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <translation>无单一平面</translation>
+    </message>
+    <message>
+        <source>outside: leave it out</source>
+        <translation>在外：略去</translation>
+    </message>
+    <message>
+        <source>else walk(each part)</source>
+        <translation>否则遍历(各部分)</translation>
+    </message>
+    <message>
+        <source>Triangles by the test that left them out</source>
+        <translation>按略去它们的测试统计三角形</translation>
+    </message>
+    <message>
+        <source>planes of the frustum</source>
+        <translation>视锥体的平面</translation>
+    </message>
+    <message>
+        <source>box at near rectangle: in view</source>
+        <translation>盒触及近矩形：可见</translation>
+    </message>
+    <message>
+        <source>outside near or far: not in view</source>
+        <translation>在近平面之前或远平面之后：不可见</translation>
+    </message>
+    <message>
+        <source>else in view if OpenGL hit it</source>
+        <translation>否则 OpenGL 命中其盒则可见</translation>
+    </message>
+    <message>
+        <source>in view: draw it</source>
+        <translation>可见：绘制</translation>
+    </message>
+    <message>
+        <source>not in view: leave it out</source>
+        <translation>不可见：略去</translation>
+    </message>
+    <message>
+        <source>draw grown boxes for selection</source>
+        <translation>在选择模式下绘制扩大的盒</translation>
+    </message>
+    <message>
+        <source>draw grown boxes, a query each</source>
+        <translation>不可见地绘制扩大的盒，各用一次查询</translation>
+    </message>
+    <message>
+        <source>d = how far its bounds reach in</source>
+        <translation>d = 其边界伸入内侧的距离</translation>
+    </message>
+    <message>
+        <source>if d &lt; −margin: leave it out</source>
+        <translation>若 d &lt; −容差：略去，转到下一对象</translation>
+    </message>
+    <message>
+        <source>several cut it: test axes too</source>
+        <translation>若与多个平面相交：寻找分离轴</translation>
+    </message>
+    <message>
+        <source>inside: keep all its objects</source>
+        <translation>在所有平面之内：保留其全部对象</translation>
+    </message>
+    <message>
+        <source>else visit(parts, cutting planes)</source>
+        <translation>否则访问(各部分, 与其相交的平面)</translation>
+    </message>
+    <message>
+        <source>no parts: test each object too</source>
+        <translation>没有部分：同样测试每个对象</translation>
+    </message>
+    <message>
+        <source>its sphere against six planes</source>
+        <translation>用六个平面测试其球</translation>
+    </message>
+    <message>
+        <source>around the eye, flat: draw all</source>
+        <translation>围住视点或扁平：全部绘制</translation>
+    </message>
+    <message>
+        <source>cut: draw between corner rays</source>
+        <translation>相交：绘制四条角光线之间的单元</translation>
+    </message>
+    <message>
+        <source>inside: draw near half, growing S</source>
+        <translation>在内：绘制近的一半以及 S 增大之处</translation>
+    </message>
+    <message>
+        <source>cut by near, flat, small: draw all</source>
+        <translation>与近平面相交、扁平或较小：全部绘制</translation>
+    </message>
+    <message>
+        <source>else draw cells above the horizon</source>
+        <translation>否则绘制高出前方地平线的单元</translation>
+    </message>
+    <message>
+        <source>test groups, objects by planes</source>
+        <translation>先组后对象，用平面测试</translation>
+    </message>
+    <message>
+        <source>outside: leave it all out</source>
+        <translation>在外：略去该组或对象</translation>
+    </message>
+    <message>
+        <source>each other object (small: draw)</source>
+        <translation>对其余每个对象（较小者：绘制）</translation>
+    </message>
+    <message>
+        <source>sphere outside: leave it out</source>
+        <translation>其球在某平面之外：略去</translation>
+    </message>
+    <message>
+        <source>walk(cell), first the whole</source>
+        <translation>遍历(单元)，开始为整体</translation>
+    </message>
+    <message>
+        <source>box outside: leave it out</source>
+        <translation>其盒在某平面之外：略去</translation>
+    </message>
+    <message>
+        <source>faces away: leave it out</source>
+        <translation>其法线全部背向：略去</translation>
+    </message>
+    <message>
+        <source>behind horizon: leave it out</source>
+        <translation>在内核地平线之后：略去</translation>
+    </message>
+    <message>
+        <source>no test open, leaf, gap: draw it</source>
+        <translation>无待定测试、无部分或小间隙：绘制</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2236,6 +2404,24 @@ OpenGL %2
     <message>
         <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
         <translation>该策略不使用等高线环带，而是测试四叉树的单元。结果显示在图上。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BarsPanel</name>
+    <message>
+        <source>There is no scene: nothing was counted yet.</source>
+        <translation>没有场景：尚未计数。</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>正在读取策略的判定…</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::BarsPlot</name>
+    <message>
+        <source>Counts</source>
+        <translation>计数</translation>
     </message>
 </context>
 <context>
@@ -2744,6 +2930,58 @@ OpenGL %2
     <message>
         <source>Next: choose another strategy in the view&apos;s menu and compare the figures over the pictures.</source>
         <translation>下一步：在视图的菜单中选择另一种策略，比较图像上方的数据。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ListingModel</name>
+    <message>
+        <source>the current line</source>
+        <translation>当前行</translation>
+    </message>
+    <message>
+        <source>decided about the picked triangle</source>
+        <translation>对所选三角形作出过判定</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>How many decisions fell at the line</source>
+        <translation>落在该行的判定数</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>判定数</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ListingPanel</name>
+    <message>
+        <source>There is no scene: nothing was decided yet.</source>
+        <translation>没有场景：尚未作出任何判定。</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>正在读取策略的判定…</translation>
+    </message>
+    <message>
+        <source>Decisions of this frame that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>本帧落在这些行的判定：%1。最后一个落在第 %2 行。</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: no decision about it fell at a line.</source>
+        <comment>name of an object</comment>
+        <translation>%1，三角形 %2：没有关于它的判定落在这些行。</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: what became of it was decided at line %3.</source>
+        <comment>name of an object</comment>
+        <translation>%1，三角形 %2：其结果在第 %3 行判定。</translation>
+    </message>
+    <message>
+        <source>Lines of the strategy</source>
+        <translation>策略的各行</translation>
     </message>
 </context>
 <context>
@@ -4190,6 +4428,14 @@ snapping</source>
     <message>
         <source>Losses</source>
         <translation>丢失</translation>
+    </message>
+    <message>
+        <source>Listing</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>计数</translation>
     </message>
 </context>
 <context>

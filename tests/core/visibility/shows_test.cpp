@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "core/mesh/parametric.h"
 #include "core/visibility/built_strategy.h"
 #include "tests/support/test_scenes.h"
 
@@ -14,9 +15,12 @@ TEST(Shows, haveWordsAndSayWhyTheyAreAbsent) {
     const std::set<std::string> common{kVerdictsOverlay, kBoxesOverlay, kFrustumOverlay, kSphericalModelOverlay};
     for (const RegisteredStrategy& strategy : strategies())
         for (const Show& show : strategy.info.shows) {
-            EXPECT_FALSE(show.help.empty()) << show.id;
+            const bool inPicture = show.kind == Show::Kind::Overlay || show.kind == Show::Kind::Picture;
+            EXPECT_EQ(show.help.empty(), show.kind == Show::Kind::Listing || show.kind == Show::Kind::Bars) << show.id;
             EXPECT_EQ(common.contains(show.id), show.kind == Show::Kind::Boxes) << show.id;
-            EXPECT_EQ(show.absent == nullptr, show.kind == Show::Kind::Boxes) << show.id;
+            EXPECT_EQ(show.absent != nullptr, inPicture) << show.id;
+            EXPECT_EQ(show.lines.empty(), show.kind != Show::Kind::Listing) << show.id;
+            EXPECT_FALSE(show.kind == Show::Kind::Bars && show.title.empty()) << show.id;
             if (show.kind != Show::Kind::Overlay) continue;
             for (const std::string& words : {show.title, show.action, show.explanation}) EXPECT_FALSE(words.empty()) << show.id;
         }
@@ -40,11 +44,11 @@ TEST(Shows, strategyWithoutAShowSaysWhoHasIt) {
     StructureStore structures;
     const ScenePointer scene = sceneOf({sphereMesh(200)});
     for (const RegisteredStrategy& strategy : strategies()) {
-        if (!strategy.info.shows.empty()) continue;
         const auto built = buildStrategy(strategy.info.id, ParameterSet(strategy.info.parameters), scene, structures);
         for (const Show* show : declaredShows()) {
+            if (strategy.info.show(show->id) != nullptr) continue;
             const std::optional<Message> why = built->whyNotShown(show->id, {}, FrameLog{});
-            ASSERT_EQ(why.has_value(), show->kind != Show::Kind::Boxes) << show->id;
+            ASSERT_EQ(why.has_value(), show->absent != nullptr) << show->id;
             if (!why) continue;
             for (const std::string& words : {commandLineOption(show->id), strategy.info.id, strategiesShowing(show->id)})
                 EXPECT_NE(why->english().find(words), std::string::npos) << why->english();
