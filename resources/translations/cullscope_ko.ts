@@ -4156,8 +4156,14 @@ snapping</source>
         <translation>화면 저장 폴더</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, bands, kernel, wipe and marks</source>
-        <translation>덧그림(&amp;O): 절두체, 상자, 등고선 띠, 커널, 경계선, 표시</translation>
+        <source>&amp;Overlays: frustum, boxes, wipe, marks, %1</source>
+        <comment>names of further overlays</comment>
+        <translation>덧그림(&amp;O): 절두체, 상자, 경계선, 표시, %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names of overlays</comment>
+        <translation>, </translation>
     </message>
 </context>
 <context>

@@ -4156,8 +4156,14 @@ snapping</source>
         <translation>截图文件夹</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, bands, kernel, wipe and marks</source>
-        <translation>叠加层(&amp;O)：视锥体、包围盒、等高线环带、内核、分界线和标记</translation>
+        <source>&amp;Overlays: frustum, boxes, wipe, marks, %1</source>
+        <comment>names of further overlays</comment>
+        <translation>叠加层(&amp;O)：视锥体、包围盒、分界线、标记、%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names of overlays</comment>
+        <translation>、</translation>
     </message>
 </context>
 <context>
