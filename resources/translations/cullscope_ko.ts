@@ -2260,7 +2260,7 @@
         <translation>커널의 지평선 뒤면: 제외</translation>
     </message>
     <message>
-        <source>no test open, leaf, gap: draw it</source>
+        <source>no test open, leaf, gap: draw</source>
         <translation>남은 검사나 부분이 없거나 틈이면: 그림</translation>
     </message>
 </context>

@@ -2260,7 +2260,7 @@
         <translation>在内核地平线之后：略去</translation>
     </message>
     <message>
-        <source>no test open, leaf, gap: draw it</source>
+        <source>no test open, leaf, gap: draw</source>
         <translation>无待定测试、无部分或小间隙：绘制</translation>
     </message>
 </context>

@@ -42,7 +42,7 @@ Show walkListing() {
                         {CULLSCOPE_TR("box outside: leave it out"), 2},
                         {CULLSCOPE_TR("faces away: leave it out"), 2},
                         {CULLSCOPE_TR("behind horizon: leave it out"), 2},
-                        {CULLSCOPE_TR("no test open, leaf, gap: draw it"), 2},
+                        {CULLSCOPE_TR("no test open, leaf, gap: draw"), 2},
                         {CULLSCOPE_TR("else walk(each part)"), 2}});
 }
 
