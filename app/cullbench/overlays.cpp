@@ -176,7 +176,7 @@ void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy,
         if (const std::optional<Message> why = strategy.whyNotShown(id, colouring, log)) throwUsage(why->text, why->arguments);
     };
     if (choice.look.boxes && strategy.snapshot(log).nodes.empty())
-        throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose the strategy frustum."));
+        throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose one that tests bounds."));
     for (const Show* show : declaredShows(Show::Kind::Overlay))
         if (choice.look.shows(show->id)) require(show->id, {});
     if (!choice.picture.empty()) require(choice.picture, choice.colouring);

@@ -67,9 +67,17 @@ struct Decision {
     uint32_t firstObject = 0;  ///< of a Node that is decided as a whole: its objects, in FrameLog::objects
     uint32_t objectCount = 0;
     uint32_t commands = 0;  ///< number of the frame's commands before it
+    uint8_t line = 0;       ///< the line of the strategy's listing (frame/listing.h) at which it fell, from 1; 0: none
 
     [[nodiscard]] double distance() const { return operands[0]; }
     [[nodiscard]] double margin() const { return operands[1]; }
 };
+
+/// The same decision with the line of the strategy's listing at which it falls. `Line`: an enumeration of the lines, from 1.
+template <typename Line>
+[[nodiscard]] Decision atLine(Line line, Decision decision) {
+    decision.line = static_cast<uint8_t>(line);
+    return decision;
+}
 
 }  // namespace cullscope

@@ -58,6 +58,7 @@ struct PlotBars {
     std::string name;
     PlotColour colour = 0;
     std::vector<PlotBox> boxes;
+    std::vector<std::string> labels = {};  ///< by box: words behind its right end; empty: there are none
 };
 
 enum class PlotShape { None, Disc, Square, Triangle };

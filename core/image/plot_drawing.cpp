@@ -119,6 +119,8 @@ private:
         for (const PlotReference& reference : m_plot.references)
             if (m_place.y.places(reference.y))
                 m_beyond = std::max(m_beyond, kBehind + m_style.width(m_style.number(reference.y)));
+        for (const PlotBars& bars : m_plot.bars)
+            for (const std::string& label : bars.labels) m_beyond = std::max(m_beyond, kBehind + m_style.width(label));
         inner.right -= m_beyond;
         if (m_plot.widest > 0.0) inner.right = std::min(inner.right, inner.left + m_plot.widest * (inner.bottom - inner.top));
         m_across = ticksOf(m_plot.x, m_place.x, (inner.right - inner.left) / (number + kNumberGap), m_style);
@@ -151,11 +153,16 @@ private:
     }
 
     void drawBars(const PlotBars& bars) {
-        for (const PlotBox& box : bars.boxes) {
+        for (size_t i = 0; i < bars.boxes.size(); ++i) {
+            const PlotBox& box = bars.boxes[i];
             const PlotPoint low = m_place.pixel({box.left, box.bottom}), high = m_place.pixel({box.right, box.top});
             // Whole pixels, with a gap to the next one where there is room for it.
             const double gap = high.x - low.x > kGapFrom ? 1.0 : 0.0, left = std::round(low.x);
             const double right = std::max(left + 1.0, std::round(high.x) - gap);
+            if (i < bars.labels.size())
+                text(high.x + kBehind, (low.y + high.y) / 2 + m_style.ascent - m_style.height / 2, bars.labels[i],
+                     TextAnchor::Start);
+            if (high.x <= low.x) continue;
             m_drawing.items.push_back(
                 DrawnPath{{{left, high.y}, {right, high.y}, {right, low.y}, {left, low.y}}, {}, bars.colour});
         }
@@ -199,7 +206,7 @@ private:
     PlacedWords m_words;
     PlotPlace m_place;
     std::vector<PlotTick> m_across, m_up;
-    double m_beyond = 0.0;  ///< what stands beyond the right end: a half of the last number, or the numbers of the levels
+    double m_beyond = 0.0;  ///< what stands beyond the right end: a half of the last number, or the words of levels and bars
 };
 
 }  // namespace

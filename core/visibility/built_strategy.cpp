@@ -73,6 +73,27 @@ std::optional<Curve> BuiltStrategy::curve(std::string_view id, const FrameLog& l
     return m_strategy->curve(id, *m_structure, log, object, part);
 }
 
+std::vector<Bars> BuiltStrategy::bars(const FrameLog& log) const {
+    std::vector<Bars> all;
+    for (const Show& show : m_info.shows) {
+        if (show.kind != Show::Kind::Bars) continue;
+        all.push_back(m_strategy->bars(show.id, *m_structure, log));
+        all.back().title = show.title;
+    }
+    return all;
+}
+
+std::optional<ListingState> BuiltStrategy::listing(const FrameLog& log) const {
+    const Show* show = m_info.first(Show::Kind::Listing);
+    return show == nullptr ? std::nullopt : std::optional(listingState(log, show->lines.size()));
+}
+
+std::optional<ListingState> BuiltStrategy::listing(const FrameLog& log, uint64_t triangle) const {
+    const Show* show = m_info.first(Show::Kind::Listing);
+    if (show == nullptr) return std::nullopt;
+    return listingState(m_structure->scene(), log, show->lines.size(), triangle);
+}
+
 BuiltStrategyPointer buildStrategy(std::string_view id, const ParameterSet& parameters, const ScenePointer& scene,
                                    StructureStore& store, const Progress& progress) {
     return buildStrategy(findStrategy(id), parameters, scene, store, progress);

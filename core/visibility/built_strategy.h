@@ -54,6 +54,12 @@ public:
     /// A curve that the strategy declares (strategy.h); none for any other id.
     [[nodiscard]] std::optional<Curve> curve(std::string_view id, const FrameLog& log, const std::optional<uint32_t>& object,
                                              const std::optional<uint32_t>& part) const;
+    /// The counts that the strategy declares, each with its declared title.
+    [[nodiscard]] std::vector<Bars> bars(const FrameLog& log) const;
+    /// Where the frame's decisions fell in the strategy's listing; none where it declares no listing.
+    [[nodiscard]] std::optional<ListingState> listing(const FrameLog& log) const;
+    /// The same of the decisions about one triangle (frame/listing.h).
+    [[nodiscard]] std::optional<ListingState> listing(const FrameLog& log, uint64_t triangle) const;
     [[nodiscard]] std::string frameLine(const FrameLog& log) const { return m_strategy->frameLine(*m_structure, log); }
     void addWhySteps(const FrameLog& log, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) const {
         m_strategy->addWhySteps(*m_structure, log, instance, triangle, steps);

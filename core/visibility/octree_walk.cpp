@@ -60,7 +60,8 @@ public:
           m_eye(frame.view().eye()),
           m_recording(frame.recording()),
           m_memory(m_recording ? nullptr : options.memory),
-          m_refine(options.refine) {}
+          m_refine(options.refine),
+          m_lines(options.lines) {}
 
     /// Recursive, at most InstanceOctree::kMaxDepth calls deep.
     void visit(uint32_t number, uint32_t mask) {
@@ -75,12 +76,12 @@ public:
             [&](const Plane& plane) { return pVertexDistance(plane, box); },
             [&](const Plane& plane) { return plane.distance(box.centre) - glm::dot(glm::abs(plane.normal), box.halfExtent); },
             [&](FrustumPlane plane, double inner, double outer) {
-                if (m_recording) say(planeTest(subject, plane, inner, outer, margin), node.depth);
+                if (m_recording) say(m_lines.groupPlanes, planeTest(subject, plane, inner, outer, margin), node.depth);
             });
         counters.planesTested += test.tested;
         if (needsAxes(test)) {
             test.outside = separated(m_frustum, box, margin);
-            if (m_recording) say(axisTest(subject, test.outside, margin), node.depth);
+            if (m_recording) say(m_lines.groupAxes, axisTest(subject, test.outside, margin), node.depth);
         }
         if (test.outside)
             drop(number, node);
@@ -113,17 +114,17 @@ private:
             [&](const Plane& plane) { return farthestInside(plane, bounds); },
             [&](const Plane& plane) { return farthestOutside(plane, bounds); },
             [&](FrustumPlane plane, double inner, double outer) {
-                if (m_recording) say(planeTest(subject, plane, inner, outer, bounds.margin), depth);
+                if (m_recording) say(m_lines.objectTests, planeTest(subject, plane, inner, outer, bounds.margin), depth);
             });
         counters.planesTested += test.tested;
         if (needsAxes(test)) {
             test.outside = separated(m_frustum, bounds.box, bounds.margin) || separated(m_frustum, bounds.sphere, bounds.margin);
-            if (m_recording) say(axisTest(subject, test.outside, bounds.margin), depth);
+            if (m_recording) say(m_lines.objectTests, axisTest(subject, test.outside, bounds.margin), depth);
         }
         if (!test.outside) return kept.push_back({instance, uint8_t(test.planes)});
         ++counters.objectsCulled;
         counters.trianglesCulled += m_scene.meshOf(instance).triangleCount();
-        if (m_recording) say(ending(subject, Decision::Outcome::Culled), depth);
+        if (m_recording) say(m_lines.objectOutside, ending(subject, Decision::Outcome::Culled), depth);
     }
 
     void drop(uint32_t number, const InstanceOctree::Node& node) {
@@ -138,12 +139,14 @@ private:
     }
 
     void end(uint32_t number, const InstanceOctree::Node& node, Decision::Outcome outcome) {
-        Decision decision = ending(Subject::ofNode(number), outcome);
+        const uint8_t line = outcome == Decision::Outcome::Culled ? m_lines.groupOutside : m_lines.groupInside;
+        Decision decision = atLine(line, ending(Subject::ofNode(number), outcome));
         decision.nesting = node.depth;
         m_frame.say(decision, m_octree.instancesOf(node));
     }
 
-    void say(Decision decision, uint8_t depth) {
+    void say(uint8_t line, Decision decision, uint8_t depth) {
+        decision.line = line;
         decision.nesting = depth;
         m_frame.say(decision);
     }
@@ -156,6 +159,7 @@ private:
     bool m_recording;
     LastFailedPlanes* m_memory;
     bool m_refine;
+    OctreeWalkLines m_lines;
 };
 
 /// What a recorded walk found for a group.

@@ -42,12 +42,20 @@ private:
     std::vector<uint8_t> m_groups, m_objects;
 };
 
+/// The lines of a strategy's listing at which the walk's decisions fall.
+struct OctreeWalkLines {
+    uint8_t groupPlanes = 0, groupAxes = 0;     ///< the tests of a group
+    uint8_t groupOutside = 0, groupInside = 0;  ///< the end of a group that is decided as a whole
+    uint8_t objectTests = 0, objectOutside = 0;
+};
+
 struct OctreeWalkOptions {
     /// Tests groups and objects that are outside no plane by separating axes too (geometry/separation.h).
     bool refine = false;
     /// Null: the planes are tested in their own order. A recorded frame neither reads nor writes it, so that its decisions are
     /// always the same.
     LastFailedPlanes* memory = nullptr;
+    OctreeWalkLines lines{};
 };
 
 /// The objects of a scene that intersect a view's frustum, in the octree's order. The walk tests groups: a group outside a plane

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/frame/listing.h"
 #include "core/visibility/triangle_states.h"
 
 namespace cullscope {
@@ -28,19 +29,27 @@ struct Show {
         Picture,       ///< a picture in place of the scene's
         DirectionMap,  ///< a map of directions, of one object (frame/cell_map.h), in place of the scene's picture and in the
                        ///< desktop's panel "Inside"
-        Curve          ///< values over an axis, of one object (frame/curve.h), in a tab of the desktop's panel "Inside"
+        Curve,         ///< values over an axis, of one object (frame/curve.h), in a tab of the desktop's panel "Inside"
+        Listing,       ///< pseudo-code, whose lines the decisions name (Decision::line), in a tab of that panel
+        Bars           ///< named counts (bars.h), in a tab of that panel
     };
     Kind kind = Kind::Overlay;
-    std::string id;                     ///< on the command line, in session files and in metadata
-    std::string help;                   ///< English, for the command line's help
-    std::string title;                  ///< of an Overlay in a view's menu, of a Curve its tab: English, marked for translation
-    std::string action;                 ///< the same with a marked key, in the window's menu
-    std::string explanation;            ///< one sentence about it, marked for translation
-    std::vector<TriangleState> legend;  ///< the states whose colours it uses
-    AbsentShow absent = nullptr;        ///< never null for what cullbench draws: Overlay, Picture, DirectionMap
+    std::string id;           ///< on the command line, in session files and in metadata
+    std::string help;         ///< English, for the command line's help; none of a Listing or Bars
+    std::string title;        ///< of an Overlay in a view's menu, of a Curve its tab, of Bars: English, marked for translation
+    std::string action;       ///< the same with a marked key, in the window's menu
+    std::string explanation;  ///< one sentence about it, marked for translation
+    std::vector<TriangleState> legend;      ///< the states whose colours it uses
+    AbsentShow absent = nullptr;            ///< never null for what cullbench draws: Overlay, Picture, DirectionMap
     std::vector<ShowColouring> colourings;  ///< of a Picture or a DirectionMap: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
+    std::vector<ListingLine> lines;         ///< of a Listing: kMostListingLines at most
 };
+
+/// A strategy's listing: lines that its code follows. A strategy has one at most.
+[[nodiscard]] Show listingShow(std::vector<ListingLine> lines);
+/// Counts that a strategy makes of a recorded frame (Strategy::bars).
+[[nodiscard]] Show barsShow(std::string id, std::string title);
 
 /// A show as it is asked for on the command line: "--overlay kernel", or with a colouring "--map-colouring level".
 [[nodiscard]] inline std::string commandLineOption(std::string_view id, std::string_view colouring = {}) {

@@ -27,6 +27,11 @@ const Show* StrategyInfo::show(std::string_view showId) const {
     return found == shows.end() ? nullptr : &*found;
 }
 
+const Show* StrategyInfo::first(Show::Kind kind) const {
+    const auto found = std::ranges::find(shows, kind, &Show::kind);
+    return found == shows.end() ? nullptr : &*found;
+}
+
 std::optional<Message> unavailable(const StrategyInfo& info, const GlInfo& gl) {
     if (info.glRequirement != GlRequirement::CompatibilityProfile || gl.compatibilityProfile) return std::nullopt;
     return Message{info.withoutProfile, {info.id, gl.renderer}};
@@ -62,6 +67,8 @@ std::optional<Curve> Strategy::curve(std::string_view /*id*/, const Structure& /
                                      const std::optional<uint32_t>& /*object*/, const std::optional<uint32_t>& /*part*/) const {
     return std::nullopt;
 }
+
+Bars Strategy::bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
 
 std::string Strategy::frameLine(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
 

@@ -13,6 +13,7 @@
 #include "core/gpu/context.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
+#include "core/visibility/bars.h"
 #include "core/visibility/parameters.h"
 #include "core/visibility/show.h"
 #include "core/visibility/structure_snapshot.h"
@@ -69,6 +70,8 @@ struct StrategyInfo {
 
     /// The show with this id; null where the strategy declares none.
     [[nodiscard]] const Show* show(std::string_view showId) const;
+    /// The first show of a kind; null where the strategy declares none.
+    [[nodiscard]] const Show* first(Show::Kind kind) const;
 };
 
 /// Why a strategy cannot be used with an OpenGL; none where it can.
@@ -176,6 +179,8 @@ public:
     [[nodiscard]] virtual std::optional<Curve> curve(std::string_view id, const Structure& structure, const FrameLog& log,
                                                      const std::optional<uint32_t>& object,
                                                      const std::optional<uint32_t>& part) const;
+    /// Declared counts; of the first entries of a log (FrameLog::upTo), those of its decisions.
+    [[nodiscard]] virtual Bars bars(std::string_view id, const Structure& structure, const FrameLog& log) const;
     /// One English line about the frame, which cullbench prints beside a picture; empty: there is nothing to say.
     [[nodiscard]] virtual std::string frameLine(const Structure& structure, const FrameLog& log) const;
     /// The states of what it has for the meshes; empty for most strategies.

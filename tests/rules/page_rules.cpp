@@ -39,15 +39,40 @@ std::string wrongTarget(const fs::path& root, const fs::path& page, const std::s
     return "";
 }
 
+/// Whether the lines of a page's C++ block from its second on are those of the file that its first line names, as in
+/// "// core/visibility/strategy.h"; a block that names none is a sketch.
+std::vector<Offence> offencesOfBlock(const fs::path& root, const fs::path& page, const std::vector<Line>& block) {
+    static const std::regex kFile(R"(// ((?:[\w-]+/)+[\w-]+\.(?:h|cpp)))");
+    std::smatch named;
+    if (block.empty() || !std::regex_match(block.front().text, named, kFile)) return {};
+    const std::string file = named[1].str();
+    if (!fs::exists(root / file)) return {{page, block.front().number, "shows a file that is not there: " + file}};
+    const std::vector<Line> lines = linesOf(root / file);
+    size_t same = 0;
+    while (same < lines.size() && same + 1 < block.size() && lines[same].text == block[same + 1].text) ++same;
+    if (same == lines.size() && same + 1 == block.size()) return {};
+    const int number = same + 1 < block.size() ? block[same + 1].number : block.back().number;
+    return {{page, number, "differs from " + file + " at its line " + std::to_string(same + 1)}};
+}
+
 std::vector<Offence> offencesOfPage(const fs::path& root, const fs::path& page) {
     const bool widthMatters = *page.begin() != "resources";
     std::vector<Offence> offences;
     bool inCode = false;
+    std::vector<Line> block;  // of C++
+    bool inBlock = false;
     for (const Line& line : linesOf(root / page)) {
         const size_t length = lengthWithoutAddresses(line.text);
         if (widthMatters && length > kLongestLine)
             offences.push_back({page, line.number, "has " + std::to_string(length) + " characters"});
-        if (line.text.starts_with("```")) inCode = !inCode;
+        if (line.text.starts_with("```")) {
+            inCode = !inCode;
+            if (inBlock) std::ranges::move(offencesOfBlock(root, page, block), std::back_inserter(offences));
+            inBlock = inCode && line.text == "```cpp";
+            block.clear();
+        } else if (inBlock) {
+            block.push_back(line);
+        }
         if (inCode) continue;
         for (const std::string& target : linkedFiles(line.text))
             if (const std::string what = wrongTarget(root, page, target); !what.empty())

@@ -59,7 +59,8 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 
 /// Errors in README, CONTRIBUTING and the pages of docs: lines of more than 120 characters (without URLs), a README of more than
 /// 90 lines, links to files that do not exist. Links in resources/help are checked too. The help window contains only docs and
-/// resources/help, so a link from there to any other file is a violation.
+/// resources/help, so a link from there to any other file is a violation. C++ blocks whose first line names a file, as in
+/// "// core/visibility/strategy.h", that are not that file.
 [[nodiscard]] std::vector<Offence> pageOffences(const std::filesystem::path& root);
 
 }  // namespace cullscope::rules

@@ -231,6 +231,25 @@ TEST_F(PlantedTree, linkThatLeavesTheHelpWindow) {
                 ElementsAre(Offence{"docs/using.md", 1, "links to what the help window has not: ../app/cullscope.cpp"}));
 }
 
+TEST_F(PlantedTree, codeOfAPageThatIsNotItsFile) {
+    write("core/visibility/near/near.h", "#pragma once\n\nint near();\n");
+    const std::string code = "```cpp\n// core/visibility/near/near.h\n#pragma once\n\nint near();\n";
+    write("docs/using.md", "Text.\n\n" + code + "```\n\n```cpp\n// a sketch\nint far();\n```\n");
+    EXPECT_THAT(pageOffences(root()), IsEmpty());
+    write("docs/using.md", code + "int far();\n```\n");
+    EXPECT_THAT(pageOffences(root()),
+                ElementsAre(Offence{"docs/using.md", 6, "differs from core/visibility/near/near.h at its line 4"}));
+    write("docs/using.md", "```cpp\n// core/visibility/near/near.h\n#pragma once\n\nint  near();\n```\n");
+    EXPECT_THAT(pageOffences(root()),
+                ElementsAre(Offence{"docs/using.md", 5, "differs from core/visibility/near/near.h at its line 3"}));
+    write("docs/using.md", "```cpp\n// core/visibility/near/near.h\n#pragma once\n```\n");
+    EXPECT_THAT(pageOffences(root()),
+                ElementsAre(Offence{"docs/using.md", 3, "differs from core/visibility/near/near.h at its line 2"}));
+    write("docs/using.md", "```cpp\n// core/visibility/far/far.h\n#pragma once\n```\n");
+    EXPECT_THAT(pageOffences(root()),
+                ElementsAre(Offence{"docs/using.md", 2, "shows a file that is not there: core/visibility/far/far.h"}));
+}
+
 /// The project's own tree.
 const fs::path& project() {
     static const fs::path kProject = CULLSCOPE_SOURCE_DIR;

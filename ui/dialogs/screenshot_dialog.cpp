@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/image/picture_file.h"
 #include "core/scene/camera.h"
+#include "core/visibility/registry.h"
 #include "ui/screenshots/screenshot_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
@@ -38,6 +39,17 @@ QWidget* row(std::initializer_list<QWidget*> widgets, QWidget* parent) {
     layout->setContentsMargins(0, 0, 0, 0);
     for (QWidget* widget : widgets) layout->addWidget(widget);
     return holder;
+}
+
+/// The words of the box that says whether overlays are drawn: those that all strategies have, and those that some declare.
+QString overlayWords() {
+    QStringList declared;
+    for (const Show* show : declaredShows(Show::Kind::Overlay)) {
+        const QString title = translated(show->title);
+        declared << title.left(1).toLower() + title.mid(1);
+    }
+    return ScreenshotDialog::tr("&Overlays: frustum, boxes, wipe, marks, %1", "names of further overlays")
+        .arg(declared.join(ScreenshotDialog::tr(", ", "between names of overlays")));
 }
 
 }  // namespace
@@ -74,7 +86,7 @@ void ScreenshotDialog::makeWidgets() {
     m_background->addItem(tr("White"), int(Behind::White));
     m_background->addItem(tr("Black"), int(Behind::Black));
     m_background->addItem(tr("Transparent"), int(Behind::Transparent));
-    m_overlays = new QCheckBox(tr("&Overlays: frustum, boxes, bands, kernel, wipe and marks"), this);
+    m_overlays = new QCheckBox(overlayWords(), this);
     m_legend = new QCheckBox(tr("&Legend of the colours, with counts"), this);
     m_caption = new QCheckBox(tr("&Caption"), this);
     m_captionText = new QLineEdit(this);

@@ -23,8 +23,11 @@ struct SnapshotReading {
     CellMapPointer map;  ///< of the picked object, or of the one that the strategy shows by itself; null: there is none
     std::optional<uint64_t> triangle;  ///< the triangle that `why` explains; none: no triangle is picked, or its object is hidden
     std::vector<WhyStep> why;
-    std::vector<PlaneDistance> planes;  ///< of the picked object's box to all six planes; empty without a triangle
-    Message failure;                    ///< why the frame failed, so that all else is unknown; empty: it succeeded
+    std::optional<ListingState> listing;        ///< of the frame; none: the strategy has no listing
+    std::optional<ListingState> pickedListing;  ///< of `triangle`
+    std::vector<Bars> bars;                     ///< of the frame
+    std::vector<PlaneDistance> planes;          ///< of the picked object's box to all six planes; empty without a triangle
+    Message failure;                            ///< why the frame failed, so that all else is unknown; empty: it succeeded
 };
 
 using SnapshotReadingPointer = std::shared_ptr<const SnapshotReading>;

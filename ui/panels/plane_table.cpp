@@ -15,7 +15,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kRowHeight = 20;
+constexpr int kPlaneRowHeight = 20;
 constexpr int kPositionRole = Qt::UserRole;   ///< position of the distance, −1 to 1
 constexpr int kBoundRole = Qt::UserRole + 1;  ///< position of −bound
 
@@ -66,8 +66,8 @@ PlaneTable::PlaneTable(QWidget* parent) : QTableWidget(0, ColumnCount, parent) {
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    verticalHeader()->setMinimumSectionSize(kRowHeight);
-    verticalHeader()->setDefaultSectionSize(kRowHeight);
+    verticalHeader()->setMinimumSectionSize(kPlaneRowHeight);
+    verticalHeader()->setDefaultSectionSize(kPlaneRowHeight);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(Bar, QHeaderView::Stretch);
     horizontalHeader()->setSectionsClickable(false);
@@ -94,7 +94,7 @@ void PlaneTable::setSteps(const std::vector<WhyStep>& steps, const std::vector<P
     for (const Row& row : m_rows) largest = std::max(largest, std::abs(row.test.distance));
     setRowCount(int(m_rows.size()));
     for (size_t i = 0; i < m_rows.size(); ++i) fillRow(int(i), m_rows[i], largest);
-    setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kRowHeight + 2);
+    setFixedHeight(horizontalHeader()->sizeHint().height() + rowCount() * kPlaneRowHeight + 2);
 }
 
 bool PlaneTable::showsUntested() const {

@@ -3,7 +3,9 @@
 #include <QTabWidget>
 #include <map>
 
+#include "ui/panels/bars_panel.h"
 #include "ui/panels/curve_panel.h"
+#include "ui/panels/listing_panel.h"
 #include "ui/panels/loss_panel.h"
 #include "ui/panels/map_panel.h"
 #include "ui/panels/structure_tree.h"
@@ -13,7 +15,7 @@
 namespace cullscope::ui {
 
 /// The structure of the active view's strategy: at the top its map of directions, then the tabs: the curves that it declares,
-/// tree, decisions and losses.
+/// tree, listing and counts (where it declares them), decisions and losses.
 class StructurePanel : public QWidget {
     Q_OBJECT
 
@@ -23,11 +25,13 @@ public:
     [[nodiscard]] QTabWidget& tabs() { return *m_tabs; }
     [[nodiscard]] MapPanel& map() { return *m_map; }
     [[nodiscard]] StructureTree& tree() { return *m_tree; }
+    [[nodiscard]] ListingPanel& listing() { return *m_listing; }
+    [[nodiscard]] BarsPanel& bars() { return *m_bars; }
     [[nodiscard]] WhyPanel& why() { return *m_why; }
     [[nodiscard]] LossPanel& losses() { return *m_losses; }
     /// The tabs of the curves that the shown strategy declares, in its order.
     [[nodiscard]] const std::vector<CurvePanel*>& curves() const { return m_curves; }
-    /// Has a tab for each curve that a strategy declares, and none for those of another one. A tab that was open when its
+    /// Has the tabs that a strategy declares, and none for those of another one. A tab that was open when its
     /// strategy left is open again when the strategy comes back, unless another tab was chosen meanwhile.
     void setShows(const std::vector<Show>& shows);
     /// Shows the tab with the decisions on the picked triangle.
@@ -42,18 +46,26 @@ private:
     [[nodiscard]] CurvePanel* curveOf(const Show& show);
     /// The part of the open tab's curve.
     void markPart();
+    void showTab(QWidget* page, bool shown);
+    /// Opens the tree in place of a page whose tab goes.
+    void leave(QWidget* page);
+    /// Opens a page whose tab came back, if it was open when its tab went.
+    void comeBack(QWidget* page);
 
     Session& m_session;
     SnapshotReader& m_reader;
     QTabWidget* m_tabs;
     std::vector<CurvePanel*> m_curves;
     std::map<std::string, CurvePanel*>
-        m_madeCurves;    ///< by the show's id: what the user chose in one is kept while it has no tab
-    std::string m_left;  ///< id of the curve whose tab was open when its strategy left; empty: none
+        m_madeCurves;  ///< by the show's id: what the user chose in one is kept while it has no tab
     MapPanel* m_map;
     StructureTree* m_tree;
+    ListingPanel* m_listing;
+    BarsPanel* m_bars;
     WhyPanel* m_why;
     LossPanel* m_losses;
+    QWidget* m_left = nullptr;  ///< the page that was open when its tab went; null: none, or another was chosen since
+    bool m_showing = false;     ///< tabs come and go by the strategy, and the user chooses none
 };
 
 }  // namespace cullscope::ui

@@ -14,10 +14,11 @@ struct ScreenshotOptions {
 
     std::optional<Viewport> size;  ///< of the whole picture, in pixels; none: as in the window
     bool grid = false;             ///< all shown views in their arrangement; false: one view
-    bool overlays = true;          ///< frustum, boxes, bands, kernel, wipe and marks; in a grid also a headline over each view
-    bool legend = true;            ///< the meaning of the colours, with counts
-    bool caption = true;           ///< a line with scene, strategy and metrics
-    QString captionText;           ///< text of the caption; empty: made from scene, strategy and metrics
+    bool overlays = true;  ///< frustum, boxes, what strategies declare, wipe and marks; in a grid also a headline over each
+                           ///< view
+    bool legend = true;    ///< the meaning of the colours, with counts
+    bool caption = true;   ///< a line with scene, strategy and metrics
+    QString captionText;   ///< text of the caption; empty: made from scene, strategy and metrics
     Background background = Background::AsShown;
 
     bool operator==(const ScreenshotOptions&) const = default;

@@ -29,11 +29,14 @@ void read(SnapshotReading& reading, const FrameLog& log, const SnapshotReadingPo
     const BuiltStrategy& strategy = *reading.strategy;
     const Scene& scene = strategy.scene();
     reading.snapshot = known ? known->snapshot : std::make_shared<const StructureSnapshot>(strategy.snapshot(log));
+    reading.listing = strategy.listing(log);
+    reading.bars = strategy.bars(log);
     std::optional<uint32_t> picked;
     if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
     reading.map = mapOf(strategy, log, picked, known);
     if (!picked) return;
     reading.why = why(strategy, log, *reading.triangle);
+    reading.pickedListing = strategy.listing(log, *reading.triangle);
     reading.planes = planeDistances(scene, view, *picked);
 }
 

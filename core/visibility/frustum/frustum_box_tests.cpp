@@ -11,6 +11,9 @@
 namespace cullscope::frustum {
 namespace {
 
+/// The lines of both listings (boxListing). A strategy that does not clamp depth has no line NearAndFar.
+enum class BoxLine : uint8_t { Ask = 1, Objects, NearRectangle, NearAndFar, Hit, Draw, LeaveOut };
+
 /// The result for an object before OpenGL is queried, or that it has to be.
 enum class Answer { Visible, BeforeNear, BeyondFar, Asked };
 
@@ -123,17 +126,25 @@ private:
         return questions;
     }
 
-    static void record(FrameContext& frame, Answer answer, uint32_t instance, bool visible) {
+    [[nodiscard]] uint8_t lineOf(BoxLine line) const {
+        return uint8_t(uint8_t(line) - (clampsDepth() || line < BoxLine::NearAndFar ? 0 : 1));
+    }
+
+    void record(FrameContext& frame, Answer answer, uint32_t instance, bool visible) const {
         const Subject subject = Subject::ofObject(instance);
         const EyeBounds bounds = boundsFromEye(frame.scene(), instance, frame.view().eye());
         if (answer == Answer::BeforeNear || answer == Answer::BeyondFar) {
             const FrustumPlane which = answer == Answer::BeforeNear ? FrustumPlane::Near : FrustumPlane::Far;
             const Plane& plane = frame.view().frustum().planes[size_t(which)];
-            frame.say(planeTest(subject, which, farthestInside(plane, bounds), farthestOutside(plane, bounds), bounds.margin));
+            frame.say(atLine(lineOf(BoxLine::NearAndFar), planeTest(subject, which, farthestInside(plane, bounds),
+                                                                    farthestOutside(plane, bounds), bounds.margin)));
         } else {
-            frame.say(boxQuestion(subject, answer == Answer::Asked, visible, growthOf(bounds, frame.view())));
+            const bool asked = answer == Answer::Asked;
+            frame.say(atLine(lineOf(asked ? BoxLine::Hit : BoxLine::NearRectangle),
+                             boxQuestion(subject, asked, visible, growthOf(bounds, frame.view()))));
         }
-        frame.say(ending(subject, visible ? Decision::Outcome::Drawn : Decision::Outcome::Culled));
+        frame.say(atLine(lineOf(visible ? BoxLine::Draw : BoxLine::LeaveOut),
+                         ending(subject, visible ? Decision::Outcome::Drawn : Decision::Outcome::Culled)));
     }
 
     static Decision boxQuestion(const Subject& subject, bool asked, bool visible, double growth) {
@@ -179,6 +190,19 @@ protected:
     [[nodiscard]] bool clampsDepth() const override { return true; }
 };
 
+/// `ask`: how OpenGL is asked.
+Show boxListing(const char* ask, bool clampsDepth) {
+    std::vector<ListingLine> lines{{ask, 0},
+                                   {CULLSCOPE_TR("for each object"), 0},
+                                   {CULLSCOPE_TR("box at near rectangle: in view"), 1},
+                                   {CULLSCOPE_TR("outside near or far: not in view"), 1},
+                                   {CULLSCOPE_TR("else in view if OpenGL hit it"), 1},
+                                   {CULLSCOPE_TR("in view: draw it"), 1},
+                                   {CULLSCOPE_TR("not in view: leave it out"), 1}};
+    if (!clampsDepth) lines.erase(lines.begin() + uint8_t(BoxLine::NearAndFar) - 1);
+    return listingShow(std::move(lines));
+}
+
 }  // namespace
 
 RegisteredStrategy frustumSelect() {
@@ -201,18 +225,20 @@ RegisteredStrategy frustumSelect() {
     info.withoutProfile = CULLSCOPE_TR(
         "\"%1\" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL "
         "(%2) gives no compatibility profile: \"frustum-query\" asks the same without it.");
+    info.shows = {boxListing(CULLSCOPE_TR("draw grown boxes for selection"), false)};
     return {std::move(info), std::make_shared<FrustumSelect>()};
 }
 
 RegisteredStrategy frustumQuery() {
-    return {
-        {"frustum-query",
-         CULLSCOPE_TR("View-frustum culling by queries"),
-         CULLSCOPE_TR("Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view."),
-         "",
-         {facingParameter()},
-         GlRequirement::Context},
-        std::make_shared<FrustumQuery>()};
+    StrategyInfo info{
+        "frustum-query",
+        CULLSCOPE_TR("View-frustum culling by queries"),
+        CULLSCOPE_TR("Draws the objects' boxes unseen, with an occlusion query each: those that cover a sample are in view."),
+        "",
+        {facingParameter()},
+        GlRequirement::Context};
+    info.shows = {boxListing(CULLSCOPE_TR("draw grown boxes, a query each"), true)};
+    return {std::move(info), std::make_shared<FrustumQuery>()};
 }
 
 }  // namespace cullscope::frustum

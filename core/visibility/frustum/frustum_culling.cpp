@@ -5,10 +5,14 @@
 #include "core/geometry/oriented_box.h"
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/frustum/rejected_objects.h"
 #include "core/visibility/object_nodes.h"
 
 namespace cullscope::frustum {
 namespace {
+
+/// The lines of the listing (frustumListing).
+enum class FrustumLine : uint8_t { Objects = 1, Planes, Distance, Outside, Draw };
 
 enum class BoxTest { PVertex, Oriented, Length };
 
@@ -104,12 +108,13 @@ private:
         for (uint32_t p = 0; p < kFrustumPlaneCount; ++p) {
             const auto plane = static_cast<FrustumPlane>(p);
             const PlaneTest test = testOf(instance, plane);
-            if (m_frame.recording()) m_frame.say(planeTest(subject, plane, test.inner, test.outer, test.bound));
+            if (m_frame.recording())
+                m_frame.say(atLine(FrustumLine::Distance, planeTest(subject, plane, test.inner, test.outer, test.bound)));
             if (!test.outside()) continue;
-            if (m_frame.recording()) m_frame.say(ending(subject, Decision::Outcome::Culled));
+            if (m_frame.recording()) m_frame.say(atLine(FrustumLine::Outside, ending(subject, Decision::Outcome::Culled)));
             return true;
         }
-        if (m_frame.recording()) m_frame.say(ending(subject, Decision::Outcome::Drawn));
+        if (m_frame.recording()) m_frame.say(atLine(FrustumLine::Draw, ending(subject, Decision::Outcome::Drawn)));
         return false;
     }
 
@@ -140,6 +145,11 @@ private:
 };
 
 class FrustumCulling final : public StrategyWith<ObjectBatches> {
+public:
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& structure, const FrameLog& log) const override {
+        return rejectedObjects(log, structure.scene(), false);
+    }
+
 protected:
     void fill(ObjectBatches& batches, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
         const Scene& scene = batches.scene();
@@ -193,6 +203,14 @@ private:
     }
 };
 
+Show frustumListing() {
+    return listingShow({{CULLSCOPE_TR("for each object"), 0},
+                        {CULLSCOPE_TR("for each of the six planes"), 1},
+                        {CULLSCOPE_TR("d = how far its bounds reach in"), 2},
+                        {CULLSCOPE_TR("if d < −margin: leave it out"), 2},
+                        {CULLSCOPE_TR("draw it"), 1}});
+}
+
 }  // namespace
 
 RegisteredStrategy frustum() {
@@ -207,6 +225,7 @@ RegisteredStrategy frustum() {
                           {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
                           {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
     info.byPlanes = true;
+    info.shows = {frustumListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumCulling>()};
 }
 

@@ -4,11 +4,22 @@
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/frustum/rejected_objects.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/octree_walk.h"
 
 namespace cullscope::frustum {
 namespace {
+
+/// The lines of the listing (octreeListing).
+enum class OctreeLine : uint8_t { Visit = 1, Planes, Axes, Outside, Inside, Children, Objects, ObjectOutside, Draw };
+
+constexpr OctreeWalkLines kOctreeLines{.groupPlanes = uint8_t(OctreeLine::Planes),
+                                       .groupAxes = uint8_t(OctreeLine::Axes),
+                                       .groupOutside = uint8_t(OctreeLine::Outside),
+                                       .groupInside = uint8_t(OctreeLine::Inside),
+                                       .objectTests = uint8_t(OctreeLine::Objects),
+                                       .objectOutside = uint8_t(OctreeLine::ObjectOutside)};
 
 struct ObjectOctree : Structure {
     using Structure::Structure;
@@ -27,6 +38,9 @@ public:
         auto memory = std::make_unique<OctreeMemory>();
         memory->planes = LastFailedPlanes(own(structure).octree.nodes().size(), structure.scene().instances().size());
         return memory;
+    }
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& structure, const FrameLog& log) const override {
+        return rejectedObjects(log, structure.scene(), true);
     }
 
 protected:
@@ -70,7 +84,7 @@ private:
         std::vector<KeptObject> kept;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("groups of objects"));
-            kept = keptObjects(structure.octree, frame, &counters, {parameters.boolean("refine"), &memory.planes});
+            kept = keptObjects(structure.octree, frame, &counters, {parameters.boolean("refine"), &memory.planes, kOctreeLines});
         }
         DrawList list{frame.facing(), {}};
         {
@@ -79,7 +93,8 @@ private:
             for (const KeptObject& object : kept) {
                 const auto indices = static_cast<uint32_t>(frame.scene().meshOf(object.instance).indices().size());
                 list.ranges.push_back({object.instance, 0, indices});
-                if (frame.recording()) frame.say(ending(Subject::ofObject(object.instance), Decision::Outcome::Drawn));
+                if (frame.recording())
+                    frame.say(atLine(OctreeLine::Draw, ending(Subject::ofObject(object.instance), Decision::Outcome::Drawn)));
             }
         }
         FrameCounters& counted = frame.counters();
@@ -89,6 +104,18 @@ private:
         return list;
     }
 };
+
+Show octreeListing() {
+    return listingShow({{CULLSCOPE_TR("visit(group, planes that may cut it)"), 0},
+                        {CULLSCOPE_TR("test its box against these planes"), 1},
+                        {CULLSCOPE_TR("several cut it: test axes too"), 1},
+                        {CULLSCOPE_TR("outside: leave all its objects out"), 1},
+                        {CULLSCOPE_TR("inside: keep all its objects"), 1},
+                        {CULLSCOPE_TR("else visit(parts, cutting planes)"), 1},
+                        {CULLSCOPE_TR("no parts: test each object too"), 1},
+                        {CULLSCOPE_TR("outside: leave the object out"), 2},
+                        {CULLSCOPE_TR("draw the objects kept, nearest first"), 0}});
+}
 
 }  // namespace
 
@@ -103,6 +130,7 @@ RegisteredStrategy frustumOctree() {
                           CULLSCOPE_TR("Whether what several planes cut is tested by separating axes too, which leaves out "
                                        "what lies beside the frustum's edges."))}};
     info.byPlanes = true;
+    info.shows = {octreeListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumOctree>()};
 }
 

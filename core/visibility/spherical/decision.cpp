@@ -21,6 +21,11 @@ const char* relationName(SphereRelation relation) {
     return CULLSCOPE_TR("around the eye");
 }
 
+Containment containmentOf(SphereRelation relation) {
+    if (relation == SphereRelation::Outside) return Containment::Outside;
+    return relation == SphereRelation::Within ? Containment::Inside : Containment::Straddles;
+}
+
 const SphericalNotes& notesOf(const FrameLog& log) {
     static const SphericalNotes kNone;
     const auto* notes = dynamic_cast<const SphericalNotes*>(log.notes.get());

@@ -23,6 +23,8 @@ enum class SphereRelation {
 };
 /// English, marked for translation.
 [[nodiscard]] const char* relationName(SphereRelation relation);
+/// Straddles with Cut and AroundEye.
+[[nodiscard]] Containment containmentOf(SphereRelation relation);
 
 /// One of the view's four corner rays. Points and directions in the mesh's coordinates, relative to the centre of its map.
 struct CornerRay {

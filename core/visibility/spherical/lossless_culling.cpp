@@ -10,7 +10,9 @@
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/spherical/cell_scene.h"
 #include "core/visibility/spherical/cell_walk.h"
+#include "core/visibility/spherical/listings.h"
 #include "core/visibility/spherical/map_shows.h"
+#include "core/visibility/spherical/triangles_by_test.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -21,6 +23,12 @@ constexpr size_t kLeastTrianglesForHorizon = 2000;
 constexpr size_t kLeastTrianglesForCells = 1000;
 // From this number of objects, a second thread saves time.
 constexpr size_t kObjectsForThreads = 8;
+
+constexpr OctreeWalkLines kWalkLines{.groupPlanes = uint8_t(WalkLine::Groups),
+                                     .groupOutside = uint8_t(WalkLine::GroupOutside),
+                                     .groupInside = uint8_t(WalkLine::Groups),
+                                     .objectTests = uint8_t(WalkLine::Groups),
+                                     .objectOutside = uint8_t(WalkLine::GroupOutside)};
 
 /// The cause for which most of the culled triangles were culled.
 Cause mainCause(const SphericalDecision& decision) {
@@ -79,7 +87,7 @@ private:
     [[nodiscard]] std::vector<KeptObject> keep() {
         const StageTimer stage(m_frame, CULLSCOPE_TR("groups of objects"));
         OctreeWalkCounters walked;
-        std::vector<KeptObject> kept = keptObjects(m_structure.octree, m_frame, &walked);
+        std::vector<KeptObject> kept = keptObjects(m_structure.octree, m_frame, &walked, {.lines = kWalkLines});
         counters().culledTriangles[size_t(Cause::OutsideFrustum)] += walked.trianglesCulled;
         counters().nodesVisited += walked.nodesVisited + walked.objectsTested;
         counters().bytesTouched += walked.nodesVisited * sizeof(InstanceOctree::Node) + walked.objectsTested * sizeof(Box3);
@@ -159,7 +167,7 @@ private:
                 decision.walk->judged.push_back({0, std::nullopt});
             } else {
                 decision.eye = object.seen.eye;
-                recordTests(object.seen, Subject::ofObject(object.instance), m_frame);
+                recordTests(object.seen, Subject::ofObject(object.instance), uint8_t(WalkLine::Sphere), m_frame);
             }
             if (decision.walk)
                 for (const PlaceRun& run : decision.walk->drawn) decision.drawnTriangles += run.count;
@@ -176,11 +184,13 @@ private:
         const Subject subject = Subject::ofObject(decision.instance);
         if (decision.walk && !whole)
             for (const JudgedCell& judged : decision.walk->judged) recordCell(decision.instance, judged);
-        if (decision.drawnTriangles == scene().meshOf(decision.instance).triangleCount())
-            m_frame.say(ending(subject, Decision::Outcome::Drawn));
-        else
-            m_frame.say(ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
-                               mainCause(decision)));
+        const bool drawn = decision.drawnTriangles == scene().meshOf(decision.instance).triangleCount();
+        const Decision end =
+            drawn ? ending(subject, Decision::Outcome::Drawn)
+                  : ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
+                           mainCause(decision));
+        // What became of an object's cells was decided cell by cell: their sum falls at no line.
+        m_frame.say(atLine(whole ? uint8_t(WalkLine::Objects) : !decision.walk ? uint8_t(WalkLine::Sphere) : uint8_t{0}, end));
     }
 
     void recordCell(uint32_t instance, const JudgedCell& judged) {
@@ -190,6 +200,7 @@ private:
                    judged.cause.value_or(Cause::OutsideFrustum));
         decision.places = {node.first, node.count};
         decision.nesting = uint8_t(std::min<uint32_t>(node.level + 1u, 255u));
+        decision.line = uint8_t(lineOfCell(judged.cause));
         m_frame.say(decision);
     }
 
@@ -204,6 +215,9 @@ class SphericalLossless final : public StrategyWithMaps<CellScene> {
 public:
     [[nodiscard]] std::vector<MeshStates> meshStates(const Structure& structure, const ParameterSet& parameters) const override {
         return {kernelStates(own(structure), parameters.boolean("horizon"))};
+    }
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& structure, const FrameLog& log) const override {
+        return trianglesByTest(log, structure.scene());
     }
 
 protected:
@@ -251,9 +265,7 @@ private:
         node.triangles = scene.meshOf(decision.instance).triangleCount();
         node.culled = decision.drawnTriangles == 0;
         node.cause = mainCause(decision);
-        node.containment = decision.relation == SphereRelation::Outside  ? Containment::Outside
-                           : decision.relation == SphereRelation::Within ? Containment::Inside
-                                                                         : Containment::Straddles;
+        node.containment = containmentOf(decision.relation);
         return node;
     }
 };
@@ -290,7 +302,8 @@ RegisteredStrategy sphericalLossless() {
                           CULLSCOPE_TR("Whether cells behind the solid's inner kernel are left out (where the mesh is "
                                        "closed)."))}};
     info.sweeps = {{"level", {"4", "5", "6", "7", "8", "0"}, "0"}};
-    info.shows = showsOfCells();
+    info.shows = withListing(showsOfCells(), walkListing());
+    info.shows.push_back(trianglesByTestShow());
     return {info, std::make_shared<SphericalLossless>(info.id)};
 }
 

@@ -97,10 +97,10 @@ ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sph
     return result;
 }
 
-void recordTests(const ObjectSpaceView& seen, const Subject& subject, FrameContext& frame) {
+void recordTests(const ObjectSpaceView& seen, const Subject& subject, uint8_t line, FrameContext& frame) {
     for (size_t p = 0; p < seen.planesTested; ++p) {
         const ObjectSpaceView::PlaneTest& test = seen.planes[p];
-        frame.say(planeTest(subject, static_cast<FrustumPlane>(p), test.distance, test.outer, test.bound));
+        frame.say(atLine(line, planeTest(subject, static_cast<FrustumPlane>(p), test.distance, test.outer, test.bound)));
     }
 }
 

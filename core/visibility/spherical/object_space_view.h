@@ -42,7 +42,7 @@ struct ObjectSpaceView {
 /// conservativeMargin). `sphere`: the mesh's bounding sphere, relative to its origin.
 [[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
 
-/// Says the tests of the sphere against the planes, as they were made.
-void recordTests(const ObjectSpaceView& seen, const Subject& subject, FrameContext& frame);
+/// Says the tests of the sphere against the planes, as they were made; `line`: of the strategy's listing.
+void recordTests(const ObjectSpaceView& seen, const Subject& subject, uint8_t line, FrameContext& frame);
 
 }  // namespace cullscope::spherical

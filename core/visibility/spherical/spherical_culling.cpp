@@ -7,6 +7,7 @@
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/spherical/listings.h"
 #include "core/visibility/spherical/map_shows.h"
 #include "core/visibility/spherical/object_space_view.h"
 #include "core/visibility/spherical/slope_horizon.h"
@@ -123,6 +124,8 @@ protected:
                              SphericalDecision& decision, bool recording) const = 0;
     /// The cause of triangles that `decideAbout` culls.
     [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
+    /// The line of the listing at which an object was decided that is not outside.
+    [[nodiscard]] virtual BandsLine lineOf(const SphericalDecision& decision) const = 0;
     /// What the strategy builds for a mesh besides its maps.
     virtual void buildFor(MappedScene& /*structure*/, MappedMesh& /*mesh*/) const {}
 
@@ -184,7 +187,6 @@ private:
                                                       const ParameterSet& parameters) const {
         const StageTimer stage(frame, CULLSCOPE_TR("maps and bands"));
         std::vector<MappedObject> decided(frame.scene().instances().size());
-        const bool recording = frame.recording();
         tbb::parallel_for(uint32_t{0}, uint32_t(decided.size()), [&](uint32_t i) {
             const MappedMesh& mesh = structure.meshOf(i);
             SphericalDecision& decision = decided[i].decision;
@@ -196,7 +198,7 @@ private:
             if (seen.relation == SphereRelation::AroundEye)
                 decision.drawn = {{0, mesh.maps->grid().cellCount()}};
             else if (seen.relation != SphereRelation::Outside)
-                decideAbout(mesh, seen, parameters, decision, recording);
+                decideAbout(mesh, seen, parameters, decision, frame.recording());
             for (const CellRun& run : decision.drawn) decision.drawnTriangles += mesh.maps->run(run.first, run.last).second;
         });
         return decided;
@@ -223,14 +225,12 @@ private:
     void record(const MappedMesh& mesh, const MappedObject& object, FrameContext& frame) const {
         const auto& [seen, decision] = object;
         const Subject subject = Subject::ofObject(decision.instance);
-        recordTests(seen, subject, frame);
-        if (decision.relation == SphereRelation::Outside)
-            frame.say(ending(subject, Decision::Outcome::Culled));
-        else if (decision.drawnTriangles == mesh.maps->mesh().triangleCount())
-            frame.say(ending(subject, Decision::Outcome::Drawn));
-        else
-            frame.say(ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
-                             causeOf(decision.relation)));
+        recordTests(seen, subject, uint8_t(BandsLine::Sphere), frame);
+        const bool outside = decision.relation == SphereRelation::Outside;
+        Decision end = ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
+                              outside ? Cause::OutsideFrustum : causeOf(decision.relation));
+        if (decision.drawnTriangles == mesh.maps->mesh().triangleCount()) end = ending(subject, Decision::Outcome::Drawn);
+        frame.say(atLine(outside ? BandsLine::Outside : lineOf(decision), end));
     }
 
     static void keepNotes(const MappedScene& structure, std::vector<MappedObject>& decided, FrameContext& frame) {
@@ -246,9 +246,7 @@ private:
         node.box = scene.instanceBox(decision.instance);
         node.triangles = scene.meshOf(decision.instance).triangleCount();
         node.culled = decision.relation == SphereRelation::Outside;
-        node.containment = node.culled                                   ? Containment::Outside
-                           : decision.relation == SphereRelation::Within ? Containment::Inside
-                                                                         : Containment::Straddles;
+        node.containment = containmentOf(decision.relation);
         return node;
     }
 };
@@ -264,6 +262,7 @@ protected:
     [[nodiscard]] Cause causeOf(SphereRelation relation) const override {
         return relation == SphereRelation::Within ? Cause::Hidden : Cause::OutsideFrustum;
     }
+    [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfBands(decision); }
 
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
                      SphericalDecision& decision, bool recording) const override {
@@ -308,6 +307,7 @@ protected:
             structure.starShaped && structure.starShapedInFront && isStarShaped(*mesh.maps, Facing::Front);
     }
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
+    [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfHorizon(decision); }
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
                      SphericalDecision& decision, bool recording) const override {
         // A surface that the near plane cuts hides nothing, and an object of few triangles is drawn faster than it is tested.
@@ -336,7 +336,7 @@ RegisteredStrategy spherical() {
                         {{"chart", CULLSCOPE_TR("straight on the map, so that the extremes are the hits'")},
                          {"arcs", CULLSCOPE_TR("by great circles, whose extremes may lie between the hits")}}));
     info.sweeps = {{"rows", {"45", "90", "180", "360"}}, {"band", {"2.5", "5", "10", "20"}}};
-    info.shows = showsOfBands();
+    info.shows = withListing(showsOfBands(), bandsListing());
     return {info, std::make_shared<Spherical>(info.id)};
 }
 
@@ -348,7 +348,7 @@ RegisteredStrategy sphericalHorizon() {
                       "Han & Hong 2008, S replaced by the slope",
                       {facingParameter(), rowsParameter()}};
     std::ranges::move(bandParameters(3.0, 72), std::back_inserter(info.parameters));
-    info.shows = showsOfBands();
+    info.shows = withListing(showsOfBands(), horizonListing());
     return {info, std::make_shared<SphericalHorizon>(info.id)};
 }
 

@@ -107,7 +107,7 @@ TEST(TriangleStates, statesOfARandomViewAreAPartition) {
                               reference.visibleTriangles.size());
                 }
                 EXPECT_EQ(count(states, TriangleState::OutsideFrustum) + count(states, TriangleState::Hidden) +
-                              frame.culledTriangles[size_t(Cause::BackFacing)] +
+                              count(states, TriangleState::TooSmall) + frame.culledTriangles[size_t(Cause::BackFacing)] +
                               visibleNotSubmitted(reference, frame.drawList, *scene).size() + frame.consideredTriangles,
                           scene->triangleCount());
             }

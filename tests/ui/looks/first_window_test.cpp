@@ -41,6 +41,7 @@ QStringList names(Desktop& desktop) {
 void forEachPage(Desktop& desktop, const std::function<void(const std::string& page)>& look) {
     look("at the start");
     for (int tab = 0; tab < desktop.window.tabs().count(); ++tab) {
+        if (!desktop.window.tabs().isTabVisible(tab)) continue;
         desktop.window.tabs().setCurrentIndex(tab);
         desktop.settle();
         look("tab " + desktop.window.tabs().tabText(tab).toStdString());

@@ -147,7 +147,8 @@ bool fits(const QComboBox& box) {
 bool fits(const QTabBar& tabs) {
     const QFontMetrics metrics(tabs.font());
     for (int tab = 0; tab < tabs.count(); ++tab)
-        if (!tabs.rect().contains(tabs.tabRect(tab)) || metrics.horizontalAdvance(tabs.tabText(tab)) > tabs.tabRect(tab).width())
+        if (tabs.isTabVisible(tab) && (!tabs.rect().contains(tabs.tabRect(tab)) ||
+                                       metrics.horizontalAdvance(tabs.tabText(tab)) > tabs.tabRect(tab).width()))
             return false;
     return true;
 }

@@ -1,0 +1,54 @@
+#include "core/visibility/spherical/listings.h"
+
+#include "core/base/message.h"
+
+namespace cullscope::spherical {
+
+BandsLine lineOfBands(const SphericalDecision& decision) {
+    if (decision.relation == SphereRelation::AroundEye) return BandsLine::Whole;
+    return decision.relation == SphereRelation::Cut ? BandsLine::Rays : BandsLine::Bands;
+}
+
+BandsLine lineOfHorizon(const SphericalDecision& decision) { return decision.bands ? BandsLine::Slopes : BandsLine::Whole; }
+
+Show bandsListing() {
+    return listingShow({{CULLSCOPE_TR("for each object"), 0},
+                        {CULLSCOPE_TR("its sphere against six planes"), 1},
+                        {CULLSCOPE_TR("outside: leave it out"), 1},
+                        {CULLSCOPE_TR("around the eye, flat: draw all"), 1},
+                        {CULLSCOPE_TR("cut: draw between corner rays"), 1},
+                        {CULLSCOPE_TR("inside: draw near half, growing S"), 1}});
+}
+
+Show horizonListing() {
+    return listingShow({{CULLSCOPE_TR("for each object"), 0},
+                        {CULLSCOPE_TR("its sphere against six planes"), 1},
+                        {CULLSCOPE_TR("outside: leave it out"), 1},
+                        {CULLSCOPE_TR("cut by near, flat, small: draw all"), 1},
+                        {CULLSCOPE_TR("else draw cells above the horizon"), 1}});
+}
+
+WalkLine lineOfCell(const std::optional<Cause>& cause) {
+    if (!cause) return WalkLine::Draw;
+    return *cause == Cause::BackFacing ? WalkLine::Cones : *cause == Cause::Hidden ? WalkLine::Horizon : WalkLine::Planes;
+}
+
+Show walkListing() {
+    return listingShow({{CULLSCOPE_TR("test groups, objects by planes"), 0},
+                        {CULLSCOPE_TR("outside: leave it all out"), 1},
+                        {CULLSCOPE_TR("each other object (small: draw)"), 0},
+                        {CULLSCOPE_TR("sphere outside: leave it out"), 1},
+                        {CULLSCOPE_TR("walk(cell), first the whole"), 1},
+                        {CULLSCOPE_TR("box outside: leave it out"), 2},
+                        {CULLSCOPE_TR("faces away: leave it out"), 2},
+                        {CULLSCOPE_TR("behind horizon: leave it out"), 2},
+                        {CULLSCOPE_TR("no test open, leaf, gap: draw"), 2},
+                        {CULLSCOPE_TR("else walk(each part)"), 2}});
+}
+
+std::vector<Show> withListing(std::vector<Show> shows, Show listing) {
+    shows.push_back(std::move(listing));
+    return shows;
+}
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,30 @@
+#include "core/visibility/spherical/triangles_by_test.h"
+
+#include <array>
+
+#include "core/base/message.h"
+
+namespace cullscope::spherical {
+
+Show trianglesByTestShow() { return barsShow("triangles-by-test", CULLSCOPE_TR("Triangles by the test that left them out")); }
+
+Bars trianglesByTest(const FrameLog& log, const Scene& scene) {
+    std::array<uint64_t, kCauseCount> culled{};
+    std::vector<char> byCells(scene.instances().size(), 0);
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject.kind == Subject::Kind::Cell) byCells[decision.subject.object] = 1;
+        if (decision.outcome != Decision::Outcome::Culled) continue;
+        uint64_t& count = culled[size_t(decision.cause)];
+        if (decision.subject.kind == Subject::Kind::Cell) count += decision.places.count;
+        for (const uint32_t instance : log.objectsOf(decision)) count += scene.meshOf(instance).triangleCount();
+        // An object whose cells were decided one by one was counted with them.
+        if (decision.subject.kind == Subject::Kind::Object && byCells[decision.subject.number] == 0)
+            count += scene.meshOf(decision.subject.number).triangleCount();
+    }
+    const auto bar = [&](const char* name, Cause cause) { return Bar{name, culled[size_t(cause)], stateOfCause(cause)}; };
+    return {{},
+            {bar(CULLSCOPE_TR("planes of the frustum"), Cause::OutsideFrustum),
+             bar(CULLSCOPE_TR("normal cones"), Cause::BackFacing), bar(CULLSCOPE_TR("horizon of the kernel"), Cause::Hidden)}};
+}
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,105 @@
+#include "ui/panels/listing_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QVBoxLayout>
+
+#include "ui/panels/shown_strategy.h"
+#include "ui/text/translated.h"
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+ListingPanel::ListingPanel(Session& session, SnapshotReader& reader, QWidget* parent)
+    : QWidget(parent),
+      m_session(session),
+      m_reader(reader),
+      m_model(new ListingModel(this)),
+      m_summary(new QLabel(this)),
+      m_view(new QTableView(this)) {
+    m_summary->setWordWrap(true);
+    m_summary->setTextFormat(Qt::PlainText);
+    m_summary->setMargin(8);
+    setUpView();
+    setFocusProxy(m_view);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_summary);
+    layout->addWidget(m_view, 1);
+    connect(&reader, &SnapshotReader::changed, this, &ListingPanel::refresh);
+    followShownStrategy(session, this, [this] { refresh(); });
+    connect(&session, &Session::pickChanged, this, &ListingPanel::refresh);
+    connect(&session, &Session::hiddenChanged, this, &ListingPanel::refresh);
+    refresh();
+}
+
+void ListingPanel::setUpView() {
+    m_view->setModel(m_model);
+    m_view->setFrameShape(QFrame::NoFrame);
+    m_view->setShowGrid(false);
+    m_view->setSelectionMode(QAbstractItemView::NoSelection);
+    m_view->setTabKeyNavigation(false);
+    m_view->setWordWrap(true);
+    m_view->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_view->verticalHeader()->hide();
+    m_view->verticalHeader()->setMinimumSectionSize(0);
+    m_view->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    QHeaderView* header = m_view->horizontalHeader();
+    header->setSectionsClickable(false);
+    header->setHighlightSections(false);
+    header->setMinimumSectionSize(0);
+    header->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header->setSectionResizeMode(ListingModel::Text, QHeaderView::Stretch);
+    header->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+}
+
+SnapshotReadingPointer ListingPanel::reading() const {
+    const SnapshotReadingPointer& reading = m_reader.reading();
+    const bool known = reading && reading->failure.empty() && reading->listing && m_show != nullptr &&
+                       reading->strategy->id() == shownStrategy(m_session).id;
+    return known ? reading : nullptr;
+}
+
+QString ListingPanel::summary() const {
+    if (!m_session.scene()) return tr("There is no scene: nothing was decided yet.");
+    if (const SnapshotReadingPointer& newest = m_reader.reading(); newest && !newest->failure.empty())
+        return translated(newest->failure);
+    const SnapshotReadingPointer reading = this->reading();
+    if (!reading) return tr("The strategy's decisions are being read…");
+    const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    if (!triangle || reading->triangle != triangle || !reading->pickedListing)
+        return tr("Decisions of this frame that fell at these lines: %1. The last one fell at line %2.")
+            .arg(countText(reading->listing->total()))
+            .arg(reading->listing->current);
+    const QString object = QString::fromStdString(m_session.opened()->scene->instances()[m_session.pick()->object].name);
+    const QString number = countText(m_session.pick()->triangle);
+    if (reading->pickedListing->current == 0)
+        return tr("%1, triangle %2: no decision about it fell at a line.", "name of an object").arg(object, number);
+    return tr("%1, triangle %2: what became of it was decided at line %3.", "name of an object")
+        .arg(object, number)
+        .arg(reading->pickedListing->current);
+}
+
+void ListingPanel::refresh() {
+    const Show* show = shownStrategy(m_session).first(Show::Kind::Listing);
+    if (show != std::exchange(m_show, show)) m_model->setLines(show == nullptr ? std::vector<ListingLine>() : show->lines);
+    const SnapshotReadingPointer reading = this->reading();
+    const bool picked = reading && reading->pickedListing && reading->triangle == m_reader.pickedTriangle();
+    m_model->setState(reading ? reading->listing : std::nullopt, !reading ? std::nullopt
+                                                                 : picked ? reading->pickedListing
+                                                                          : reading->listing);
+    m_summary->setText(summary());
+    m_view->setAccessibleName(tr("Lines of the strategy"));
+    m_view->setAccessibleDescription(m_summary->text());
+}
+
+void ListingPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange) {
+        m_model->retranslate();
+        refresh();
+    }
+    QWidget::changeEvent(event);
+}
+
+}  // namespace cullscope::ui
