@@ -122,7 +122,7 @@ Rows cullingRows(const Setting& setting, const MeasureResult& result) {
     Rows rows;
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
-        Cells cells = rowCells(setting, run);
+        Row cells = rowCells(setting, run);
         cells["facing"] = std::string(facingId(run.facing));
         if (all != nullptr) cells["speedup_vs_all_max"] = largestSpeedup(run, *all);
         cells["culled_fraction_max"] = largestCulledFraction(run, *result.request.scene);

@@ -55,7 +55,7 @@ void noteBrokenPromises(ResultTable& table, const MeasureResult& result) {
 
 /// Adds rows, and what follows from all rows so far.
 void addRows(ResultTable& table, const Experiment& experiment, const Rows& rows) {
-    for (const Cells& row : rows) table.addRow(row);
+    for (const Row& row : rows) table.addRow(row);
     std::vector<LinePlot> plots;
     for (size_t i = 0; i < experiment.plots.size(); ++i) {
         if (experiment.plots[i].ofFrames()) {
@@ -169,7 +169,7 @@ void addMeasured(ResultTable& table, const Experiment& experiment, const Setting
     if (scene) noteScene(table, *scene);
     if (experiment.draws) table.gl = requireOpenGl45();
     Rows rows = experiment.measured(setting, scene, progress);
-    for (Cells& row : rows) row.insert(setting.labels.begin(), setting.labels.end());
+    for (Row& row : rows) row.insert(setting.labels.begin(), setting.labels.end());
     addRows(table, experiment, rows);
 }
 

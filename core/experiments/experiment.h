@@ -42,8 +42,8 @@ struct Setting {
     Viewport size{};
     int windows = 1;
     Upload upload = Upload::Vbo;
-    Cells labels{};                         ///< of each of its rows
-    std::map<std::string, Cells> stated{};  ///< what the source states, by `strategyText`
+    Row labels{};                         ///< of each of its rows
+    std::map<std::string, Row> stated{};  ///< what the source states, by `strategyText`
 
     [[nodiscard]] bool timed() const { return !strategies.empty(); }
     /// A label that is a number, or words; both must be there.

@@ -22,10 +22,10 @@ constexpr Viewport kLarge{640, 480};
 
 // ---- What the paper prints
 
-struct Row {
+struct FramesPerSecond {
     double fpsAll, fpsProposed;
 };
-using Cases = std::array<Row, 3>;
+using Cases = std::array<FramesPerSecond, 3>;
 
 constexpr double kFacesOfTable2 = 144'078;
 constexpr std::array kConsideredOfTable2{13'508.0, 16'434.0, 26'308.0};
@@ -78,7 +78,7 @@ Message disagreementNote() {
 /// One structure: the paper's megabytes, its formula's bytes, and ours.
 void addStructure(Rows& rows, const char* name, std::optional<double> stated, std::optional<double> formulaBytes, uint64_t bytes,
                   std::optional<double> milliseconds) {
-    Cells cells{{"structure", std::string(name)}, {"bytes", double(bytes)}, {"megabytes", double(bytes) / kMegabyte}};
+    Row cells{{"structure", std::string(name)}, {"bytes", double(bytes)}, {"megabytes", double(bytes) / kMegabyte}};
     if (stated) cells["paper_megabytes"] = *stated;
     if (formulaBytes) cells["paper_formula_megabytes"] = *formulaBytes / kMegabyte;
     if (milliseconds) cells["build_ms"] = *milliseconds;
@@ -155,7 +155,7 @@ Rows sphericalRows(const Setting& setting, const MeasureResult& result) {
     if (result.runs.empty() || result.runs.front().frames.empty()) return rows;
     const double inFrustum = facesInFrustum(result);
     for (const RunMeasurement& run : result.runs) {
-        Cells cells = rowCells(setting, run);
+        Row cells = rowCells(setting, run);
         double considered = 0.0;
         for (const FrameMeasurement& frame : run.frames) considered += double(frame.consideredTriangles);
         cells["considered_triangles"] = considered / double(run.frames.size());
@@ -272,7 +272,7 @@ Experiment table4() {
 
 // ---- Table 5: the object inside the frustum
 
-Cells rangeCells(const Range& range) {
+Row rangeCells(const Range& range) {
     return {{"paper_fps_max", range.most}, {"paper_fps_min", range.least}, {"paper_fps_mean", range.mean}};
 }
 

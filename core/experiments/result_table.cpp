@@ -135,7 +135,7 @@ std::string padded(const std::string& text, size_t wide, bool left) {
 
 }  // namespace
 
-void ResultTable::addRow(const Cells& values) {
+void ResultTable::addRow(const Row& values) {
     std::vector<CellValue> row;
     for (const ResultColumn& column : columns) {
         const auto value = values.find(column.key);

@@ -19,8 +19,8 @@ namespace cullscope {
 using CellValue = std::variant<std::monostate, double, std::string, RatioEstimate>;
 
 /// Values of a row, by column.
-using Cells = std::map<std::string, CellValue>;
-using Rows = std::vector<Cells>;
+using Row = std::map<std::string, CellValue>;
+using Rows = std::vector<Row>;
 
 struct ResultColumn {
     enum class Origin {
@@ -63,7 +63,7 @@ struct ResultTable {
     bool interrupted = false;                 ///< stopped early: the table holds what was measured until then
 
     /// Appends a row; a value whose key no column has is dropped.
-    void addRow(const Cells& values);
+    void addRow(const Row& values);
     /// The value in a row and column; none where there is no such column.
     [[nodiscard]] CellValue value(size_t row, const std::string& key) const;
     /// Whether a check does not hold.

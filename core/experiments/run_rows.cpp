@@ -6,7 +6,7 @@
 namespace cullscope {
 namespace {
 
-void addLosses(Cells& cells, const RunMeasurement& run) {
+void addLosses(Row& cells, const RunMeasurement& run) {
     const std::optional<Losses> losses = run.losses();
     if (!losses) return;
     cells["missed_pixels"] = double(losses->missedPixels);
@@ -16,8 +16,8 @@ void addLosses(Cells& cells, const RunMeasurement& run) {
 
 }  // namespace
 
-Cells rowCells(const Setting& setting, const RunMeasurement& run) {
-    Cells cells = setting.labels;
+Row rowCells(const Setting& setting, const RunMeasurement& run) {
+    Row cells = setting.labels;
     const std::string strategy = strategyText(run.strategy);
     if (const auto stated = setting.stated.find(strategy); stated != setting.stated.end())
         cells.insert(stated->second.begin(), stated->second.end());

@@ -36,7 +36,7 @@ ResultTable run(Experiment experiment) {
     experiment.measured = [measured = experiment.measured, columns = experiment.columns](
                               const Setting& setting, const ScenePointer& scene, const Progress& progress) {
         Rows rows = measured(setting, scene, progress);
-        for (const Cells& row : rows)
+        for (const Row& row : rows)
             for (const auto& [key, value] : row)
                 EXPECT_NE(std::ranges::find(columns, key, &ResultColumn::key), columns.end()) << key << " has no column";
         return rows;
@@ -81,7 +81,7 @@ TEST(Benchmarks, frustumTestsKeepWhatIsInView) {
 
 TEST(Benchmarks, frustumTestsHaveEveryPointOnce) {
     const Experiment experiment = frustumTests(10'000'000);
-    std::vector<Cells> points;
+    std::vector<Row> points;
     for (const Setting& setting : experiment.settings) {
         EXPECT_THAT(points, testing::Not(testing::Contains(setting.labels)));
         points.push_back(setting.labels);

@@ -136,10 +136,10 @@ Rows rowsOf(const std::vector<Variant>& variants, size_t objects) {
     Rows rows;
     for (size_t i = 0; i < variants.size(); ++i) {
         const double milliseconds = medianOf(times[i]);
-        Cells cells{{"variant", variants[i].name},
-                    {"kept", double(variants[i].kept())},
-                    {"ms", milliseconds},
-                    {"million_per_second", double(objects) / milliseconds / 1000.0}};
+        Row cells{{"variant", variants[i].name},
+                  {"kept", double(variants[i].kept())},
+                  {"ms", milliseconds},
+                  {"million_per_second", double(objects) / milliseconds / 1000.0}};
         if (const auto* naive = timesOfVariant(kNaive)) cells["naive_time_ratio"] = medianOf(ratiosOf(*naive, times[i]));
         if (const auto* read = timesOfVariant(kRead)) cells["time_to_read_ratio"] = medianOf(ratiosOf(times[i], *read));
         rows.push_back(std::move(cells));
@@ -148,7 +148,7 @@ Rows rowsOf(const std::vector<Variant>& variants, size_t objects) {
 }
 
 void expectShare(const Rows& rows, double objects, double share) {
-    for (const Cells& row : rows) {
+    for (const Row& row : rows) {
         const auto& variant = std::get<std::string>(row.at("variant"));
         const double kept = std::get<double>(row.at("kept"));
         if (variant != kRead && std::abs(kept - share * objects) > 0.01 * objects)
@@ -166,7 +166,7 @@ Rows contestRows(const std::vector<Object>& objects, double share) {
     variants.push_back(hierarchical(hierarchy, kept));
     Rows rows = rowsOf(variants, objects.size());
     expectShare(rows, double(objects.size()), share);
-    for (Cells& row : rows) {
+    for (Row& row : rows) {
         row["fits_cache"] = contest.fitsCache() ? 1.0 : 0.0;
         row["in_view"] = std::to_string(std::lround(100 * share)) + " % visible";
     }

@@ -78,7 +78,7 @@ private:
     std::vector<std::pair<Camera, Clock::time_point>> m_cameras;
 };
 
-Cells cellsOf(const std::string& strategy, const Watch& watch) {
+Row cellsOf(const std::string& strategy, const Watch& watch) {
     return {{"strategy", strategy},
             {"moves", double(watch.taken.size())},
             {"taken_ms", quantile(watch.taken, 0.5)},
@@ -91,7 +91,7 @@ Cells cellsOf(const std::string& strategy, const Watch& watch) {
 }
 
 /// Drags in a view for that many seconds, with rests in which figures are measured.
-Cells drag(Session& session, MainWindow& window, int view, double seconds) {
+Row drag(Session& session, MainWindow& window, int view, double seconds) {
     session.setActiveView(view);
     SceneView& picture = window.views().pane(view).picture();
     Watch watch(session, view);
@@ -139,7 +139,7 @@ Experiment inputLatency(Session& session, MainWindow& window, const std::functio
     experiment.checks = {everyRowCheck("longest wait of a move, ms", {}, "taken_ms_longest", {.most = kLongestWait})};
     experiment.measured = [&session, &window, settle, seconds](const Setting& setting, const ScenePointer& /*scene*/,
                                                                const Progress& /*progress*/) {
-        const Cells cells = drag(session, window, int(setting.number("view")), seconds);
+        const Row cells = drag(session, window, int(setting.number("view")), seconds);
         settle();
         return Rows{cells};
     };

@@ -60,7 +60,7 @@ Build build(const TriangleMesh& mesh) {
 double leastOf(const std::vector<double>& values) { return *std::ranges::min_element(values); }
 
 /// The parts of several builds of one mesh, one time for each.
-Cells partsOf(const std::vector<Build>& builds, double (*reduce)(const std::vector<double>&)) {
+Row partsOf(const std::vector<Build>& builds, double (*reduce)(const std::vector<double>&)) {
     const auto part = [&](auto which) -> CellValue {
         std::vector<double> values;
         for (const Build& each : builds)
@@ -131,7 +131,7 @@ Rows besideEmbree(const TriangleMesh& mesh, int rounds) {
     std::vector<double> theirs;
     for (size_t i = 0; i < times[0].size(); ++i) theirs.push_back(0.5 * (times[0][i] + times[2][i]));
     const std::vector<double> ratios = ratiosOf(times[1], theirs);
-    Cells ours = partsOf(builds, medianOf);
+    Row ours = partsOf(builds, medianOf);
     ours.insert({{"builder", std::string("spherical-lossless")},
                  {"best_ms", leastOf(times[1])},
                  {"to_embree", medianOf(ratios)},
@@ -139,7 +139,7 @@ Rows besideEmbree(const TriangleMesh& mesh, int rounds) {
                  {"to_embree_three_quarters", quantile(ratios, 0.75)},
                  {"to_embree_least", leastOf(ratios)},
                  {"to_embree_most", *std::ranges::max_element(ratios)}});
-    const Cells other{
+    const Row other{
         {"builder", std::string("Embree")}, {"best_ms", leastOf(theirs)}, {"build_ms", medianOf(theirs)}, {"to_embree", 1.0}};
     return {ours, other};
 }
@@ -219,7 +219,7 @@ Experiment losslessGrowth() {
         const MeshPointer mesh = setting.words("mesh") == "star" ? starMesh(kShape, faces) : sphereMesh(faces);
         std::vector<Build> builds;
         for (int i = 0; i < kBuilds; ++i) builds.push_back(build(*mesh));
-        Cells cells = partsOf(builds, leastOf);
+        Row cells = partsOf(builds, leastOf);
         const double triangles = double(mesh->triangleCount());
         cells.insert({{"faces", triangles}, {"bytes_per_face", builds.front().bytes / triangles}});
         return Rows{cells};

@@ -42,7 +42,7 @@ constexpr std::array kPaths{PathName{"cut", "the frustum cuts the object, 320 x 
                             PathName{"within-large", "the object inside the frustum, 1920 x 1080"}};
 
 /// The result of one configuration over a path's views: means over the views.
-Cells countsOf(test::Culler& strategy, const Configuration& configuration, const Views& path, double faces) {
+Row countsOf(test::Culler& strategy, const Configuration& configuration, const Views& path, double faces) {
     double nodes = 0.0, considered = 0.0;
     std::array<double, kCauseCount> culled{};
     const double share = 1.0 / double(path.views.size());

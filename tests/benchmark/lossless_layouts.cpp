@@ -115,7 +115,7 @@ private:
 
 std::string levelText(uint32_t level) { return level == 0 ? "auto" : std::to_string(level); }
 
-Cells cellsOf(const Racer& racer, const Means& means) {
+Row cellsOf(const Racer& racer, const Means& means) {
     return {{"facing", std::string(racer.strategy->facing() == Facing::Front ? "front" : "two-sided")},
             {"layout", std::string(mapLayoutId(racer.layout))},
             {"level", levelText(racer.level)},

@@ -84,7 +84,7 @@ struct TemporarySheet {
     const std::filesystem::path path;
 };
 
-Cells cellsOf(const std::string& reader, const std::vector<double>& seconds, const std::vector<Run>& runs) {
+Row cellsOf(const std::string& reader, const std::vector<double>& seconds, const std::vector<Run>& runs) {
     const double peak = std::ranges::max(runs, {}, &Run::peakBytes).peakBytes;
     return {{"reader", reader},
             {"seconds", medianOf(seconds)},

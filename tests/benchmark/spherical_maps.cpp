@@ -20,9 +20,9 @@ const std::string kSphere = "sphere";
 double milliseconds(const SphericalMaps::BuildTimes& times) { return times.centroidMap + times.indexMap + times.accessMap; }
 
 /// The times are those of the build whose sum is the median.
-Cells cellsOf(const MeshPointer& mesh) {
+Row cellsOf(const MeshPointer& mesh) {
     std::vector<SphericalMaps::BuildTimes> builds;
-    Cells cells;
+    Row cells;
     for (int i = 0; i < kBuilds; ++i) {
         const SphericalMaps maps(mesh, SphericalGrid::forTriangles(mesh->triangleCount()));
         const SphericalMaps::Bytes bytes = maps.bytes();
