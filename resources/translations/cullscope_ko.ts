@@ -2115,6 +2115,454 @@
         <source>missed pixels, share</source>
         <translation>놓친 픽셀의 비율</translation>
     </message>
+    <message>
+        <source>for each object</source>
+        <translation>각 물체에 대해</translation>
+    </message>
+    <message>
+        <source>box at near rectangle: in view</source>
+        <translation>상자가 가까운 사각형에 닿으면: 보임</translation>
+    </message>
+    <message>
+        <source>outside near or far: not in view</source>
+        <translation>가까운 평면 앞이나 먼 평면 너머면: 안 보임</translation>
+    </message>
+    <message>
+        <source>else in view if OpenGL hit it</source>
+        <translation>아니면 OpenGL이 상자를 맞혔을 때 보임</translation>
+    </message>
+    <message>
+        <source>in view: draw it</source>
+        <translation>보이면: 그림</translation>
+    </message>
+    <message>
+        <source>not in view: leave it out</source>
+        <translation>안 보이면: 제외</translation>
+    </message>
+    <message>
+        <source>draw grown boxes for selection</source>
+        <translation>키운 상자를 선택 모드로 그림</translation>
+    </message>
+    <message>
+        <source>draw grown boxes, a query each</source>
+        <translation>키운 상자를 질의 하나씩으로 보이지 않게 그림</translation>
+    </message>
+    <message>
+        <source>for each of the six planes</source>
+        <translation>여섯 평면 각각에 대해</translation>
+    </message>
+    <message>
+        <source>d = how far its bounds reach in</source>
+        <translation>d = 경계가 안쪽으로 들어온 거리</translation>
+    </message>
+    <message>
+        <source>if d &lt; −margin: leave it out</source>
+        <translation>d &lt; −한계이면: 제외, 다음 물체로</translation>
+    </message>
+    <message>
+        <source>draw it</source>
+        <translation>그 물체를 그림</translation>
+    </message>
+    <message>
+        <source>visit(group, planes that may cut it)</source>
+        <translation>방문(그룹, 자를 수 있는 평면들)</translation>
+    </message>
+    <message>
+        <source>test its box against these planes</source>
+        <translation>상자를 이 평면들로 검사</translation>
+    </message>
+    <message>
+        <source>several cut it: test axes too</source>
+        <translation>여러 평면이 자르면: 분리하는 축을 찾음</translation>
+    </message>
+    <message>
+        <source>outside: leave all its objects out</source>
+        <translation>밖이면: 물체를 모두 제외</translation>
+    </message>
+    <message>
+        <source>inside: keep all its objects</source>
+        <translation>모든 평면의 안이면: 물체를 모두 남김</translation>
+    </message>
+    <message>
+        <source>else visit(parts, cutting planes)</source>
+        <translation>아니면 방문(각 부분, 자르는 평면들)</translation>
+    </message>
+    <message>
+        <source>no parts: test each object too</source>
+        <translation>부분이 없으면: 물체를 하나씩 같은 방법으로 검사</translation>
+    </message>
+    <message>
+        <source>outside: leave the object out</source>
+        <translation>밖이면: 물체를 제외</translation>
+    </message>
+    <message>
+        <source>draw the objects kept, nearest first</source>
+        <translation>남은 물체를 가까운 것부터 그림</translation>
+    </message>
+    <message>
+        <source>Objects by the plane that rejected them</source>
+        <translation>탈락시킨 평면별 물체 수</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <translation>단일 평면 없음</translation>
+    </message>
+    <message>
+        <source>Size by contour band</source>
+        <translation>등고선 띠별 크기</translation>
+    </message>
+    <message>
+        <source>Beyond α = %1 nothing is drawn.</source>
+        <translation>α = %1 너머로는 아무것도 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>기울기</translation>
+    </message>
+    <message>
+        <source>S, mesh units</source>
+        <translation>S, 메시 단위</translation>
+    </message>
+    <message>
+        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
+        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
+        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 구역은 따로 비교되며, 두 색으로 나뉜 띠는 일부 구역에서는 그려지고 다른 구역에서는 가려집니다.</translation>
+    </message>
+    <message>
+        <source>α %1 to %2</source>
+        <translation>α %1~%2</translation>
+    </message>
+    <message>
+        <source>drawn: %1 %2</source>
+        <translation>그려짐: %1 %2</translation>
+    </message>
+    <message>
+        <source>hidden: %1 %2</source>
+        <translation>가려짐: %1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing lies here.</source>
+        <translation>여기에는 아무것도 없습니다.</translation>
+    </message>
+    <message>
+        <source>largest nearer: %1</source>
+        <translation>더 가까운 곳의 최댓값: %1</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>그려짐</translation>
+    </message>
+    <message>
+        <source>drawn in some sectors</source>
+        <translation>일부 구역에서 그려짐</translation>
+    </message>
+    <message>
+        <source>hidden in some sectors</source>
+        <translation>일부 구역에서 가려짐</translation>
+    </message>
+    <message>
+        <source>largest nearer</source>
+        <translation>더 가까운 곳의 최댓값</translation>
+    </message>
+    <message>
+        <source>beyond it nothing is drawn</source>
+        <translation>이 너머로는 그리지 않음</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctor:</source>
+        <translation>구역(&amp;C):</translation>
+    </message>
+    <message>
+        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
+        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>전체</translation>
+    </message>
+    <message>
+        <source>β %1 to %2</source>
+        <translation>β %1~%2</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
+        <translation>%1: %2, 띠를 검사하지 않습니다. 띠를 보려면 물체 전체를 화면에 담으십시오.</translation>
+    </message>
+    <message>
+        <source>Entries a cell</source>
+        <translation>칸당 항목 수</translation>
+    </message>
+    <message>
+        <source>triangles a cell, logarithmic</source>
+        <translation>칸당 삼각형 수, 로그 눈금</translation>
+    </message>
+    <message>
+        <source>Farthest R</source>
+        <translation>가장 먼 R</translation>
+    </message>
+    <message>
+        <source>farthest R, mesh units</source>
+        <translation>가장 먼 R, 메시 단위</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>상태</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>레벨</translation>
+    </message>
+    <message>
+        <source>level where the walk ended</source>
+        <translation>순회가 끝난 레벨</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>커널</translation>
+    </message>
+    <message>
+        <source>R of the kernel, of the sphere&apos;s</source>
+        <translation>커널의 R, 구의 R에 대한 비율</translation>
+    </message>
+    <message>
+        <source>Triangle index map</source>
+        <translation>삼각형 색인 맵</translation>
+    </message>
+    <message>
+        <source>Case 1: all azimuths, one range in all</source>
+        <translation>경우 1: 모든 방위각, 전체가 한 구간</translation>
+    </message>
+    <message>
+        <source>Case 2: one clump, one range a row</source>
+        <translation>경우 2: 한 덩어리, 행마다 한 구간</translation>
+    </message>
+    <message>
+        <source>Case 3: split by the seam, two ranges a row</source>
+        <translation>경우 3: 이음매로 갈라짐, 행마다 두 구간</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>왼쪽 아래</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>오른쪽 아래</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>오른쪽 위</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>왼쪽 위</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>사용 안 함</translation>
+    </message>
+    <message>
+        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
+        <translation>커널 없음: 지평선이 꺼져 있거나 메시가 너무 작습니다</translation>
+    </message>
+    <message>
+        <source>No kernel: %1</source>
+        <translation>커널 없음: %1</translation>
+    </message>
+    <message>
+        <source>Kernel filled to R %1 at least</source>
+        <translation>커널은 적어도 R %1까지 차 있음</translation>
+    </message>
+    <message>
+        <source>Horizon not used: the eye is inside the bounding sphere</source>
+        <translation>지평선 사용 안 함: 눈이 경계구 안에 있음</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, or too far away</source>
+        <translation>지평선 사용 안 함: 근평면에 걸리거나 너무 멉니다</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3): %4</source>
+        <translation>%1 (%2/%3): %4</translation>
+    </message>
+    <message>
+        <source>Nothing of it is drawn.</source>
+        <translation>아무것도 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Bands of %1; drawn: %2 of %3 triangles</source>
+        <translation>띠 폭 %1, 그린 삼각형: %2/%3</translation>
+    </message>
+    <message>
+        <source>Everything of it is drawn.</source>
+        <translation>모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>Drawn: %1 of %2 triangles</source>
+        <translation>그린 삼각형: %1/%2</translation>
+    </message>
+    <message>
+        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
+        <translation>제거: 절두체 %1 · 법선 원뿔 %2 · 지평선 %3</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>행 %1, 열 %2</translation>
+    </message>
+    <message>
+        <source>θ %1 to %2, φ %3 to %4</source>
+        <translation>θ %1~%2, φ %3~%4</translation>
+    </message>
+    <message>
+        <source>Triangles in it: %1, of which it owns %2</source>
+        <translation>걸친 삼각형: %1, 그중 속한 것: %2</translation>
+    </message>
+    <message>
+        <source>R %1 to %2 mesh units</source>
+        <translation>R %1~%2 메시 단위</translation>
+    </message>
+    <message>
+        <source>Quadtree: level %1, triangles: %2, %3</source>
+        <translation>사분 트리: 레벨 %1, 삼각형: %2, %3</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
+        <translation>모서리 광선 %1, %2: 삼각형 %3에서 교차가 확인되었습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
+        <translation>모서리 광선 %1, %2: 물체를 지나칩니다. 구에 들어가는 점을 씁니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
+        <translation>모서리 광선 %1, %2: 구를 빗나갑니다. 구에서 가장 가까운 점을 씁니다.</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>구역 %1</translation>
+    </message>
+    <message>
+        <source>visible region</source>
+        <translation>가시 영역</translation>
+    </message>
+    <message>
+        <source>its box</source>
+        <translation>경계 박스</translation>
+    </message>
+    <message>
+        <source>corner: hit</source>
+        <translation>모서리: 교차</translation>
+    </message>
+    <message>
+        <source>corner: miss, nearest point</source>
+        <translation>모서리: 빗나감, 최근접점</translation>
+    </message>
+    <message>
+        <source>walked cells</source>
+        <translation>지나간 칸</translation>
+    </message>
+    <message>
+        <source>contours of α every %1</source>
+        <translation>α의 등고선, %1 간격</translation>
+    </message>
+    <message>
+        <source>nearest to the eye</source>
+        <translation>눈에 가장 가까움</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>반대쪽</translation>
+    </message>
+    <message>
+        <source>cell of the quadtree</source>
+        <translation>사분 트리의 셀</translation>
+    </message>
+    <message>
+        <source>its sphere against six planes</source>
+        <translation>구를 여섯 평면으로 검사</translation>
+    </message>
+    <message>
+        <source>outside: leave it out</source>
+        <translation>밖이면: 제외</translation>
+    </message>
+    <message>
+        <source>around the eye, flat: draw all</source>
+        <translation>눈을 둘러싸거나 납작하면: 모두 그림</translation>
+    </message>
+    <message>
+        <source>cut: draw between corner rays</source>
+        <translation>잘리면: 네 모서리 광선 사이의 셀을 그림</translation>
+    </message>
+    <message>
+        <source>inside: draw near half, growing S</source>
+        <translation>안이면: 가까운 절반과 S가 커지는 곳을 그림</translation>
+    </message>
+    <message>
+        <source>cut by near, flat, small: draw all</source>
+        <translation>가까운 평면에 잘림, 납작함, 작음: 모두 그림</translation>
+    </message>
+    <message>
+        <source>else draw cells above the horizon</source>
+        <translation>아니면 앞쪽 지평선 위의 셀을 그림</translation>
+    </message>
+    <message>
+        <source>test groups, objects by planes</source>
+        <translation>그룹을, 다음에 물체를 평면으로 검사</translation>
+    </message>
+    <message>
+        <source>outside: leave it all out</source>
+        <translation>밖이면: 그룹이나 물체를 제외</translation>
+    </message>
+    <message>
+        <source>each other object (small: draw)</source>
+        <translation>남은 각 물체에 대해 (작으면: 그림)</translation>
+    </message>
+    <message>
+        <source>sphere outside: leave it out</source>
+        <translation>구가 한 평면 밖이면: 제외</translation>
+    </message>
+    <message>
+        <source>walk(cell), first the whole</source>
+        <translation>순회(셀), 처음에는 전체</translation>
+    </message>
+    <message>
+        <source>box outside: leave it out</source>
+        <translation>상자가 한 평면 밖이면: 제외</translation>
+    </message>
+    <message>
+        <source>faces away: leave it out</source>
+        <translation>법선이 모두 등을 돌렸으면: 제외</translation>
+    </message>
+    <message>
+        <source>behind horizon: leave it out</source>
+        <translation>커널의 지평선 뒤면: 제외</translation>
+    </message>
+    <message>
+        <source>no test open, leaf, gap: draw</source>
+        <translation>남은 검사나 부분이 없거나 틈이면: 그림</translation>
+    </message>
+    <message>
+        <source>else walk(each part)</source>
+        <translation>아니면 순회(각 부분)</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>띠</translation>
+    </message>
+    <message>
+        <source>Triangles by the test that left them out</source>
+        <translation>제외한 검사별 삼각형 수</translation>
+    </message>
+    <message>
+        <source>planes of the frustum</source>
+        <translation>절두체의 평면</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2149,113 +2597,21 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::BandsPanel</name>
+    <name>cullscope::ui::BarsPanel</name>
     <message>
-        <source>β %1 to %2</source>
-        <comment>angles about the axis</comment>
-        <translation>β %1~%2</translation>
+        <source>There is no scene: nothing was counted yet.</source>
+        <translation>장면이 없습니다. 아직 센 것이 없습니다.</translation>
     </message>
     <message>
-        <source>Se&amp;ctor:</source>
-        <translation>구역(&amp;C):</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>전체</translation>
-    </message>
-    <message>
-        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
-        <translation>구역은 눈을 향한 축 둘레의 각 β로 띠를 나누며, 각각 따로 검사됩니다. 직접 고르기 전에는 가장 멀리까지 그려지는 구역이 표시됩니다.</translation>
-    </message>
-    <message>
-        <source>Bands</source>
-        <translation>띠</translation>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>전략의 판정을 읽는 중…</translation>
     </message>
 </context>
 <context>
-    <name>cullscope::ui::BandsPlot</name>
+    <name>cullscope::ui::BarsPlot</name>
     <message>
-        <source>slope</source>
-        <translation>기울기</translation>
-    </message>
-    <message>
-        <source>S, mesh units</source>
-        <translation>S, 메시 단위</translation>
-    </message>
-    <message>
-        <source>Size by contour band</source>
-        <translation>등고선 띠별 크기</translation>
-    </message>
-    <message>
-        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
-        <translation>위로: %1, 오른쪽으로: 눈을 향한 축으로부터의 각 α, 구역 %2</translation>
-    </message>
-    <message>
-        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
-        <translation>이 전략에는 띠가 없습니다. 방향 구를 띠로 나누는 전략은 여기에 띠를 보여 줍니다.</translation>
-    </message>
-    <message>
-        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1: %2, 띠를 검사하지 않습니다. 띠를 보려면 물체 전체를 화면에 담으십시오.</translation>
-    </message>
-    <message>
-        <source>α %1 to %2</source>
-        <translation>α %1~%2</translation>
-    </message>
-    <message>
-        <source>drawn: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>그려짐: %1 %2</translation>
-    </message>
-    <message>
-        <source>hidden: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>가려짐: %1 %2</translation>
-    </message>
-    <message>
-        <source>Nothing lies here.</source>
-        <translation>여기에는 아무것도 없습니다.</translation>
-    </message>
-    <message>
-        <source>largest nearer: %1</source>
-        <translation>더 가까운 곳의 최댓값: %1</translation>
-    </message>
-    <message>
-        <source>Beyond α = %1 nothing is drawn.</source>
-        <translation>α = %1 너머로는 아무것도 그리지 않습니다.</translation>
-    </message>
-    <message>
-        <source>drawn</source>
-        <translation>그려짐</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>가려짐</translation>
-    </message>
-    <message>
-        <source>largest nearer</source>
-        <translation>더 가까운 곳의 최댓값</translation>
-    </message>
-    <message>
-        <source>beyond it nothing is drawn</source>
-        <translation>이 너머로는 그리지 않음</translation>
-    </message>
-    <message>
-        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
-        <translation>위로: %1(전체 구역 중 최댓값), 오른쪽으로: 눈을 향한 축으로부터의 각 α. 각 구역은 따로 비교되며, 두 색으로 나뉜 띠는 일부 구역에서는 그려지고 다른 구역에서는 가려집니다.</translation>
-    </message>
-    <message>
-        <source>drawn in some sectors</source>
-        <translation>일부 구역에서 그려짐</translation>
-    </message>
-    <message>
-        <source>hidden in some sectors</source>
-        <translation>일부 구역에서 가려짐</translation>
-    </message>
-    <message>
-        <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
-        <translation>이 전략은 등고선 띠를 쓰지 않고 사분 트리의 셀을 검사합니다. 그 결과는 맵에 나타납니다.</translation>
+        <source>Counts</source>
+        <translation>개수</translation>
     </message>
 </context>
 <context>
@@ -2276,6 +2632,13 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>그 뒤 뷰가 바뀌었습니다. 다시 세는 중.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::CurvePlot</name>
+    <message>
+        <source>This frame has nothing to show here.</source>
+        <translation>이 프레임에는 여기에 보여 줄 것이 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -2767,6 +3130,58 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::ListingModel</name>
+    <message>
+        <source>the current line</source>
+        <translation>현재 줄</translation>
+    </message>
+    <message>
+        <source>decided about the picked triangle</source>
+        <translation>선택한 삼각형을 판정함</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>줄</translation>
+    </message>
+    <message>
+        <source>How many decisions fell at the line</source>
+        <translation>이 줄에서 내린 판정의 수</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>판정</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ListingPanel</name>
+    <message>
+        <source>There is no scene: nothing was decided yet.</source>
+        <translation>장면이 없습니다. 아직 판정한 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>전략의 판정을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>Decisions of this frame that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>이 프레임에서 이 줄들이 내린 판정: %1개. 마지막은 %2번 줄입니다.</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: no decision about it fell at a line.</source>
+        <comment>name of an object</comment>
+        <translation>%1, 삼각형 %2: 이 줄들에서 내린 판정이 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: what became of it was decided at line %3.</source>
+        <comment>name of an object</comment>
+        <translation>%1, 삼각형 %2: %3번 줄에서 판정되었습니다.</translation>
+    </message>
+    <message>
+        <source>Lines of the strategy</source>
+        <translation>전략의 줄</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::LoadingStrip</name>
     <message>
         <source>Opening %1</source>
@@ -2903,10 +3318,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWidget</name>
     <message>
-        <source>Triangle index map</source>
-        <translation>삼각형 색인 맵</translation>
-    </message>
-    <message>
         <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
         <translation>화살표 키로 칸을 옮기고, Shift와 함께 누르면 열 칸씩 옮깁니다. Enter는 칸의 삼각형을 고릅니다.</translation>
     </message>
@@ -2914,232 +3325,16 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWords</name>
     <message>
-        <source>Case 1: all azimuths, one range in all</source>
-        <translation>경우 1: 모든 방위각, 전체가 한 구간</translation>
-    </message>
-    <message>
-        <source>Case 2: one clump, one range a row</source>
-        <translation>경우 2: 한 덩어리, 행마다 한 구간</translation>
-    </message>
-    <message>
-        <source>Case 3: split by the seam, two ranges a row</source>
-        <translation>경우 3: 이음매로 갈라짐, 행마다 두 구간</translation>
-    </message>
-    <message>
-        <source>bottom left</source>
-        <translation>왼쪽 아래</translation>
-    </message>
-    <message>
-        <source>bottom right</source>
-        <translation>오른쪽 아래</translation>
-    </message>
-    <message>
-        <source>top right</source>
-        <translation>오른쪽 위</translation>
-    </message>
-    <message>
-        <source>top left</source>
-        <translation>왼쪽 위</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <comment>a range of numbers</comment>
-        <translation>%1~%2</translation>
-    </message>
-    <message>
         <source>owns no triangle</source>
         <translation>속한 삼각형 없음</translation>
-    </message>
-    <message>
-        <source>Entries a cell</source>
-        <translation>칸당 항목 수</translation>
-    </message>
-    <message>
-        <source>Farthest R</source>
-        <translation>가장 먼 R</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>상태</translation>
-    </message>
-    <message>
-        <source>farthest R, mesh units</source>
-        <translation>가장 먼 R, 메시 단위</translation>
-    </message>
-    <message>
-        <source>triangles a cell, logarithmic</source>
-        <translation>칸당 삼각형 수, 로그 눈금</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1: %2</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of %3): %4</source>
-        <comment>object, its number, how many there are, how it lies to the frustum</comment>
-        <translation>%1 (%2/%3): %4</translation>
-    </message>
-    <message>
-        <source>Nothing of it is drawn.</source>
-        <translation>아무것도 그리지 않습니다.</translation>
-    </message>
-    <message>
-        <source>Bands of %1; drawn: %2 of %3 triangles</source>
-        <translation>띠 폭 %1, 그린 삼각형: %2/%3</translation>
-    </message>
-    <message>
-        <source>Everything of it is drawn.</source>
-        <translation>모두 그립니다.</translation>
-    </message>
-    <message>
-        <source>Drawn: %1 of %2 triangles</source>
-        <translation>그린 삼각형: %1/%2</translation>
-    </message>
-    <message>
-        <source>Row %1, column %2</source>
-        <translation>행 %1, 열 %2</translation>
-    </message>
-    <message>
-        <source>θ %1, φ %2</source>
-        <comment>two ranges of angles</comment>
-        <translation>θ %1, φ %2</translation>
-    </message>
-    <message>
-        <source>Triangles in it: %1, of which it owns %2</source>
-        <translation>걸친 삼각형: %1, 그중 속한 것: %2</translation>
-    </message>
-    <message>
-        <source>R %1 to %2 mesh units</source>
-        <translation>R %1~%2 메시 단위</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
-        <translation>모서리 광선 %1, %2: 삼각형 %3에서 교차가 확인되었습니다.</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
-        <translation>모서리 광선 %1, %2: 물체를 지나칩니다. 구에 들어가는 점을 씁니다.</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
-        <translation>모서리 광선 %1, %2: 구를 빗나갑니다. 구에서 가장 가까운 점을 씁니다.</translation>
     </message>
     <message>
         <source>drawn</source>
         <translation>그려짐</translation>
     </message>
     <message>
-        <source>visible region</source>
-        <translation>가시 영역</translation>
-    </message>
-    <message>
-        <source>its box</source>
-        <translation>경계 박스</translation>
-    </message>
-    <message>
-        <source>corner: hit</source>
-        <translation>모서리: 교차</translation>
-    </message>
-    <message>
-        <source>corner: miss, nearest point</source>
-        <translation>모서리: 빗나감, 최근접점</translation>
-    </message>
-    <message>
-        <source>walked cells</source>
-        <translation>지나간 칸</translation>
-    </message>
-    <message>
-        <source>nearest to the eye</source>
-        <translation>눈에 가장 가까움</translation>
-    </message>
-    <message>
-        <source>opposite</source>
-        <translation>반대쪽</translation>
-    </message>
-    <message>
         <source>picked</source>
         <translation>고른 것</translation>
-    </message>
-    <message>
-        <source>contours of α every %1</source>
-        <translation>α의 등고선, %1 간격</translation>
-    </message>
-    <message>
-        <source>sector %1</source>
-        <translation>구역 %1</translation>
-    </message>
-    <message>
-        <source>Open a scene to see what a strategy decides about it.</source>
-        <translation>전략이 무엇을 결정하는지 보려면 장면을 여십시오.</translation>
-    </message>
-    <message>
-        <source>The strategy is being prepared…</source>
-        <translation>전략을 준비하고 있습니다…</translation>
-    </message>
-    <message>
-        <source>The strategy could not be built. Choose another one, or other parameters.</source>
-        <translation>전략을 만들 수 없었습니다. 다른 전략이나 다른 매개변수를 선택하십시오.</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <comment>a test</comment>
-        <translation>사용 안 함</translation>
-    </message>
-    <message>
-        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
-        <translation>커널 없음: 지평선이 꺼져 있거나 메시가 너무 작습니다</translation>
-    </message>
-    <message>
-        <source>No kernel: %1</source>
-        <translation>커널 없음: %1</translation>
-    </message>
-    <message>
-        <source>Kernel filled to R %1 at least</source>
-        <translation>커널은 적어도 R %1까지 차 있음</translation>
-    </message>
-    <message>
-        <source>Horizon not used: the eye is inside the bounding sphere</source>
-        <translation>지평선 사용 안 함: 눈이 경계구 안에 있음</translation>
-    </message>
-    <message>
-        <source>Horizon not used: at the near plane, or too far away</source>
-        <translation>지평선 사용 안 함: 근평면에 걸리거나 너무 멉니다</translation>
-    </message>
-    <message>
-        <source>Quadtree: level %1, triangles: %2, %3</source>
-        <comment>level of a cell, how many it has, what became of it</comment>
-        <translation>사분 트리: 레벨 %1, 삼각형: %2, %3</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <comment>of a quadtree</comment>
-        <translation>레벨</translation>
-    </message>
-    <message>
-        <source>Kernel</source>
-        <translation>커널</translation>
-    </message>
-    <message>
-        <source>level where the walk ended</source>
-        <translation>순회가 끝난 레벨</translation>
-    </message>
-    <message>
-        <source>R of the kernel, of the sphere&apos;s</source>
-        <translation>커널의 R, 구의 R에 대한 비율</translation>
-    </message>
-    <message>
-        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
-        <comment>by which test, triangles</comment>
-        <translation>제거: 절두체 %1 · 법선 원뿔 %2 · 지평선 %3</translation>
-    </message>
-    <message>
-        <source>cell of the quadtree</source>
-        <translation>사분 트리의 셀</translation>
-    </message>
-    <message>
-        <source>horizon of the kernel</source>
-        <translation>커널의 지평선</translation>
     </message>
 </context>
 <context>
@@ -3938,8 +4133,14 @@ snapping</source>
         <translation>화면 저장 폴더</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, bands, kernel, wipe and marks</source>
-        <translation>덧그림(&amp;O): 절두체, 상자, 등고선 띠, 커널, 경계선, 표시</translation>
+        <source>&amp;Overlays: frustum, boxes, wipe, marks, %1</source>
+        <comment>names of further overlays</comment>
+        <translation>덧그림(&amp;O): 절두체, 상자, 경계선, 표시, %1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names of overlays</comment>
+        <translation>, </translation>
     </message>
 </context>
 <context>
@@ -3951,6 +4152,21 @@ snapping</source>
     <message>
         <source>Cancel</source>
         <translation>취소</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ShownReading</name>
+    <message>
+        <source>Open a scene to see what a strategy decides about it.</source>
+        <translation>전략이 무엇을 결정하는지 보려면 장면을 여십시오.</translation>
+    </message>
+    <message>
+        <source>The strategy is being prepared…</source>
+        <translation>전략을 준비하고 있습니다…</translation>
+    </message>
+    <message>
+        <source>The strategy could not be built. Choose another one, or other parameters.</source>
+        <translation>전략을 만들 수 없었습니다. 다른 전략이나 다른 매개변수를 선택하십시오.</translation>
     </message>
 </context>
 <context>
@@ -4210,6 +4426,14 @@ snapping</source>
     <message>
         <source>Losses</source>
         <translation>손실</translation>
+    </message>
+    <message>
+        <source>Listing</source>
+        <translation>코드</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>개수</translation>
     </message>
 </context>
 <context>

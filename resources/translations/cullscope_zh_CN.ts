@@ -2115,6 +2115,454 @@
         <source>missed pixels, share</source>
         <translation>丢失像素的比例</translation>
     </message>
+    <message>
+        <source>for each object</source>
+        <translation>对每个对象</translation>
+    </message>
+    <message>
+        <source>box at near rectangle: in view</source>
+        <translation>盒触及近矩形：可见</translation>
+    </message>
+    <message>
+        <source>outside near or far: not in view</source>
+        <translation>在近平面之前或远平面之后：不可见</translation>
+    </message>
+    <message>
+        <source>else in view if OpenGL hit it</source>
+        <translation>否则 OpenGL 命中其盒则可见</translation>
+    </message>
+    <message>
+        <source>in view: draw it</source>
+        <translation>可见：绘制</translation>
+    </message>
+    <message>
+        <source>not in view: leave it out</source>
+        <translation>不可见：略去</translation>
+    </message>
+    <message>
+        <source>draw grown boxes for selection</source>
+        <translation>在选择模式下绘制扩大的盒</translation>
+    </message>
+    <message>
+        <source>draw grown boxes, a query each</source>
+        <translation>不可见地绘制扩大的盒，各用一次查询</translation>
+    </message>
+    <message>
+        <source>for each of the six planes</source>
+        <translation>对六个平面中的每一个</translation>
+    </message>
+    <message>
+        <source>d = how far its bounds reach in</source>
+        <translation>d = 其边界伸入内侧的距离</translation>
+    </message>
+    <message>
+        <source>if d &lt; −margin: leave it out</source>
+        <translation>若 d &lt; −容差：略去，转到下一对象</translation>
+    </message>
+    <message>
+        <source>draw it</source>
+        <translation>绘制它</translation>
+    </message>
+    <message>
+        <source>visit(group, planes that may cut it)</source>
+        <translation>访问(组, 可能与其相交的平面)</translation>
+    </message>
+    <message>
+        <source>test its box against these planes</source>
+        <translation>用这些平面测试其盒</translation>
+    </message>
+    <message>
+        <source>several cut it: test axes too</source>
+        <translation>若与多个平面相交：寻找分离轴</translation>
+    </message>
+    <message>
+        <source>outside: leave all its objects out</source>
+        <translation>在外：略去其全部对象</translation>
+    </message>
+    <message>
+        <source>inside: keep all its objects</source>
+        <translation>在所有平面之内：保留其全部对象</translation>
+    </message>
+    <message>
+        <source>else visit(parts, cutting planes)</source>
+        <translation>否则访问(各部分, 与其相交的平面)</translation>
+    </message>
+    <message>
+        <source>no parts: test each object too</source>
+        <translation>没有部分：同样测试每个对象</translation>
+    </message>
+    <message>
+        <source>outside: leave the object out</source>
+        <translation>在外：略去该对象</translation>
+    </message>
+    <message>
+        <source>draw the objects kept, nearest first</source>
+        <translation>由近到远绘制保留的对象</translation>
+    </message>
+    <message>
+        <source>Objects by the plane that rejected them</source>
+        <translation>按排除它们的平面统计对象</translation>
+    </message>
+    <message>
+        <source>no single plane</source>
+        <translation>无单一平面</translation>
+    </message>
+    <message>
+        <source>Size by contour band</source>
+        <translation>各等高线环带的大小</translation>
+    </message>
+    <message>
+        <source>Beyond α = %1 nothing is drawn.</source>
+        <translation>α = %1 之后不绘制任何内容。</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>斜率</translation>
+    </message>
+    <message>
+        <source>S, mesh units</source>
+        <translation>S，网格单位</translation>
+    </message>
+    <message>
+        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
+        <translation>向上：%1；向右：与视点方向轴的夹角 α；扇区 %2</translation>
+    </message>
+    <message>
+        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
+        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α。每个扇区单独比较；双色的环带在部分扇区中绘制，在其他扇区中被遮挡。</translation>
+    </message>
+    <message>
+        <source>α %1 to %2</source>
+        <translation>α %1 至 %2</translation>
+    </message>
+    <message>
+        <source>drawn: %1 %2</source>
+        <translation>已绘制：%1 %2</translation>
+    </message>
+    <message>
+        <source>hidden: %1 %2</source>
+        <translation>被遮挡：%1 %2</translation>
+    </message>
+    <message>
+        <source>Nothing lies here.</source>
+        <translation>此处没有内容。</translation>
+    </message>
+    <message>
+        <source>largest nearer: %1</source>
+        <translation>更近处的最大值：%1</translation>
+    </message>
+    <message>
+        <source>drawn</source>
+        <translation>已绘制</translation>
+    </message>
+    <message>
+        <source>drawn in some sectors</source>
+        <translation>在部分扇区绘制</translation>
+    </message>
+    <message>
+        <source>hidden in some sectors</source>
+        <translation>在部分扇区被遮挡</translation>
+    </message>
+    <message>
+        <source>largest nearer</source>
+        <translation>更近处的最大值</translation>
+    </message>
+    <message>
+        <source>beyond it nothing is drawn</source>
+        <translation>此后不再绘制</translation>
+    </message>
+    <message>
+        <source>Se&amp;ctor:</source>
+        <translation>扇区(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
+        <translation>扇区按绕视点方向轴的角 β 划分环带，每个扇区单独测试。在您选择之前，显示绘制范围最远的扇区。</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>全部</translation>
+    </message>
+    <message>
+        <source>β %1 to %2</source>
+        <translation>β %1 至 %2</translation>
+    </message>
+    <message>
+        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
+        <translation>%1：%2，未测试其环带。要查看环带，请让整个对象位于画面内。</translation>
+    </message>
+    <message>
+        <source>Entries a cell</source>
+        <translation>每单元条目数</translation>
+    </message>
+    <message>
+        <source>triangles a cell, logarithmic</source>
+        <translation>每单元三角形数，对数刻度</translation>
+    </message>
+    <message>
+        <source>Farthest R</source>
+        <translation>最远 R</translation>
+    </message>
+    <message>
+        <source>farthest R, mesh units</source>
+        <translation>最远 R，网格单位</translation>
+    </message>
+    <message>
+        <source>State</source>
+        <translation>状态</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>层级</translation>
+    </message>
+    <message>
+        <source>level where the walk ended</source>
+        <translation>遍历结束的层级</translation>
+    </message>
+    <message>
+        <source>Kernel</source>
+        <translation>核</translation>
+    </message>
+    <message>
+        <source>R of the kernel, of the sphere&apos;s</source>
+        <translation>核的 R，占球半径的比例</translation>
+    </message>
+    <message>
+        <source>Triangle index map</source>
+        <translation>三角形索引图</translation>
+    </message>
+    <message>
+        <source>Case 1: all azimuths, one range in all</source>
+        <translation>情形 1：所有方位角，总共一个区间</translation>
+    </message>
+    <message>
+        <source>Case 2: one clump, one range a row</source>
+        <translation>情形 2：聚成一团，每行一个区间</translation>
+    </message>
+    <message>
+        <source>Case 3: split by the seam, two ranges a row</source>
+        <translation>情形 3：被接缝分开，每行两个区间</translation>
+    </message>
+    <message>
+        <source>bottom left</source>
+        <translation>左下</translation>
+    </message>
+    <message>
+        <source>bottom right</source>
+        <translation>右下</translation>
+    </message>
+    <message>
+        <source>top right</source>
+        <translation>右上</translation>
+    </message>
+    <message>
+        <source>top left</source>
+        <translation>左上</translation>
+    </message>
+    <message>
+        <source>not used</source>
+        <translation>未使用</translation>
+    </message>
+    <message>
+        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
+        <translation>没有核：地平线已关闭，或网格太小</translation>
+    </message>
+    <message>
+        <source>No kernel: %1</source>
+        <translation>没有核：%1</translation>
+    </message>
+    <message>
+        <source>Kernel filled to R %1 at least</source>
+        <translation>核至少填充到 R %1</translation>
+    </message>
+    <message>
+        <source>Horizon not used: the eye is inside the bounding sphere</source>
+        <translation>未使用地平线：视点在包围球内</translation>
+    </message>
+    <message>
+        <source>Horizon not used: at the near plane, or too far away</source>
+        <translation>未使用地平线：碰到近平面，或距离太远</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1：%2</translation>
+    </message>
+    <message>
+        <source>%1 (%2 of %3): %4</source>
+        <translation>%1（第 %2 个，共 %3 个）：%4</translation>
+    </message>
+    <message>
+        <source>Nothing of it is drawn.</source>
+        <translation>完全不绘制。</translation>
+    </message>
+    <message>
+        <source>Bands of %1; drawn: %2 of %3 triangles</source>
+        <translation>环带宽 %1；已绘制三角形：%2 / %3</translation>
+    </message>
+    <message>
+        <source>Everything of it is drawn.</source>
+        <translation>全部绘制。</translation>
+    </message>
+    <message>
+        <source>Drawn: %1 of %2 triangles</source>
+        <translation>已绘制三角形：%1 / %2</translation>
+    </message>
+    <message>
+        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
+        <translation>剔除：视锥体 %1 · 法线锥 %2 · 地平线 %3</translation>
+    </message>
+    <message>
+        <source>Row %1, column %2</source>
+        <translation>第 %1 行，第 %2 列</translation>
+    </message>
+    <message>
+        <source>θ %1 to %2, φ %3 to %4</source>
+        <translation>θ %1 至 %2，φ %3 至 %4</translation>
+    </message>
+    <message>
+        <source>Triangles in it: %1, of which it owns %2</source>
+        <translation>其中的三角形：%1，所属：%2</translation>
+    </message>
+    <message>
+        <source>R %1 to %2 mesh units</source>
+        <translation>R %1 至 %2 网格单位</translation>
+    </message>
+    <message>
+        <source>Quadtree: level %1, triangles: %2, %3</source>
+        <translation>四叉树：层级 %1，三角形：%2，%3</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
+        <translation>角射线 %1，%2：已在三角形 %3 上确认相交。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
+        <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
+        <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
+    </message>
+    <message>
+        <source>sector %1</source>
+        <translation>扇区 %1</translation>
+    </message>
+    <message>
+        <source>visible region</source>
+        <translation>可见区域</translation>
+    </message>
+    <message>
+        <source>its box</source>
+        <translation>其包围框</translation>
+    </message>
+    <message>
+        <source>corner: hit</source>
+        <translation>角：命中</translation>
+    </message>
+    <message>
+        <source>corner: miss, nearest point</source>
+        <translation>角：未命中，最近点</translation>
+    </message>
+    <message>
+        <source>walked cells</source>
+        <translation>经过的单元</translation>
+    </message>
+    <message>
+        <source>contours of α every %1</source>
+        <translation>α 的等高线，每 %1</translation>
+    </message>
+    <message>
+        <source>nearest to the eye</source>
+        <translation>离视点最近</translation>
+    </message>
+    <message>
+        <source>opposite</source>
+        <translation>对面</translation>
+    </message>
+    <message>
+        <source>cell of the quadtree</source>
+        <translation>四叉树单元</translation>
+    </message>
+    <message>
+        <source>its sphere against six planes</source>
+        <translation>用六个平面测试其球</translation>
+    </message>
+    <message>
+        <source>outside: leave it out</source>
+        <translation>在外：略去</translation>
+    </message>
+    <message>
+        <source>around the eye, flat: draw all</source>
+        <translation>围住视点或扁平：全部绘制</translation>
+    </message>
+    <message>
+        <source>cut: draw between corner rays</source>
+        <translation>相交：绘制四条角光线之间的单元</translation>
+    </message>
+    <message>
+        <source>inside: draw near half, growing S</source>
+        <translation>在内：绘制近的一半以及 S 增大之处</translation>
+    </message>
+    <message>
+        <source>cut by near, flat, small: draw all</source>
+        <translation>与近平面相交、扁平或较小：全部绘制</translation>
+    </message>
+    <message>
+        <source>else draw cells above the horizon</source>
+        <translation>否则绘制高出前方地平线的单元</translation>
+    </message>
+    <message>
+        <source>test groups, objects by planes</source>
+        <translation>先组后对象，用平面测试</translation>
+    </message>
+    <message>
+        <source>outside: leave it all out</source>
+        <translation>在外：略去该组或对象</translation>
+    </message>
+    <message>
+        <source>each other object (small: draw)</source>
+        <translation>对其余每个对象（较小者：绘制）</translation>
+    </message>
+    <message>
+        <source>sphere outside: leave it out</source>
+        <translation>其球在某平面之外：略去</translation>
+    </message>
+    <message>
+        <source>walk(cell), first the whole</source>
+        <translation>遍历(单元)，开始为整体</translation>
+    </message>
+    <message>
+        <source>box outside: leave it out</source>
+        <translation>其盒在某平面之外：略去</translation>
+    </message>
+    <message>
+        <source>faces away: leave it out</source>
+        <translation>其法线全部背向：略去</translation>
+    </message>
+    <message>
+        <source>behind horizon: leave it out</source>
+        <translation>在内核地平线之后：略去</translation>
+    </message>
+    <message>
+        <source>no test open, leaf, gap: draw</source>
+        <translation>无待定测试、无部分或小间隙：绘制</translation>
+    </message>
+    <message>
+        <source>else walk(each part)</source>
+        <translation>否则遍历(各部分)</translation>
+    </message>
+    <message>
+        <source>Bands</source>
+        <translation>环带</translation>
+    </message>
+    <message>
+        <source>Triangles by the test that left them out</source>
+        <translation>按略去它们的测试统计三角形</translation>
+    </message>
+    <message>
+        <source>planes of the frustum</source>
+        <translation>视锥体的平面</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2149,113 +2597,21 @@ OpenGL %2
     </message>
 </context>
 <context>
-    <name>cullscope::ui::BandsPanel</name>
+    <name>cullscope::ui::BarsPanel</name>
     <message>
-        <source>β %1 to %2</source>
-        <comment>angles about the axis</comment>
-        <translation>β %1 至 %2</translation>
+        <source>There is no scene: nothing was counted yet.</source>
+        <translation>没有场景：尚未计数。</translation>
     </message>
     <message>
-        <source>Se&amp;ctor:</source>
-        <translation>扇区(&amp;C)：</translation>
-    </message>
-    <message>
-        <source>all</source>
-        <translation>全部</translation>
-    </message>
-    <message>
-        <source>Sectors divide the bands by the angle β about the axis to the eye; each one is tested by itself. Until you choose one, it is the one that is drawn farthest.</source>
-        <translation>扇区按绕视点方向轴的角 β 划分环带，每个扇区单独测试。在您选择之前，显示绘制范围最远的扇区。</translation>
-    </message>
-    <message>
-        <source>Bands</source>
-        <translation>环带</translation>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>正在读取策略的判定…</translation>
     </message>
 </context>
 <context>
-    <name>cullscope::ui::BandsPlot</name>
+    <name>cullscope::ui::BarsPlot</name>
     <message>
-        <source>slope</source>
-        <translation>斜率</translation>
-    </message>
-    <message>
-        <source>S, mesh units</source>
-        <translation>S，网格单位</translation>
-    </message>
-    <message>
-        <source>Size by contour band</source>
-        <translation>各等高线环带的大小</translation>
-    </message>
-    <message>
-        <source>Upwards: %1; to the right: angle α from the axis to the eye; sector %2</source>
-        <translation>向上：%1；向右：与视点方向轴的夹角 α；扇区 %2</translation>
-    </message>
-    <message>
-        <source>This strategy has no bands. Strategies that cut the sphere of directions into bands show them here.</source>
-        <translation>该策略没有环带。把方向球面切成环带的策略会在此显示它们。</translation>
-    </message>
-    <message>
-        <source>%1 is %2: its bands are not tested. Bring all of it into the picture to see them.</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1：%2，未测试其环带。要查看环带，请让整个对象位于画面内。</translation>
-    </message>
-    <message>
-        <source>α %1 to %2</source>
-        <translation>α %1 至 %2</translation>
-    </message>
-    <message>
-        <source>drawn: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>已绘制：%1 %2</translation>
-    </message>
-    <message>
-        <source>hidden: %1 %2</source>
-        <comment>a number, what it is of</comment>
-        <translation>被遮挡：%1 %2</translation>
-    </message>
-    <message>
-        <source>Nothing lies here.</source>
-        <translation>此处没有内容。</translation>
-    </message>
-    <message>
-        <source>largest nearer: %1</source>
-        <translation>更近处的最大值：%1</translation>
-    </message>
-    <message>
-        <source>Beyond α = %1 nothing is drawn.</source>
-        <translation>α = %1 之后不绘制任何内容。</translation>
-    </message>
-    <message>
-        <source>drawn</source>
-        <translation>已绘制</translation>
-    </message>
-    <message>
-        <source>hidden</source>
-        <translation>被遮挡</translation>
-    </message>
-    <message>
-        <source>largest nearer</source>
-        <translation>更近处的最大值</translation>
-    </message>
-    <message>
-        <source>beyond it nothing is drawn</source>
-        <translation>此后不再绘制</translation>
-    </message>
-    <message>
-        <source>Upwards: %1, the largest of all sectors; to the right: angle α from the axis to the eye. Each sector is compared by itself; a band of two colours is drawn in some sectors and hidden in others.</source>
-        <translation>向上：%1（所有扇区中的最大值）；向右：与视点方向轴的夹角 α。每个扇区单独比较；双色的环带在部分扇区中绘制，在其他扇区中被遮挡。</translation>
-    </message>
-    <message>
-        <source>drawn in some sectors</source>
-        <translation>在部分扇区绘制</translation>
-    </message>
-    <message>
-        <source>hidden in some sectors</source>
-        <translation>在部分扇区被遮挡</translation>
-    </message>
-    <message>
-        <source>This strategy uses no contour bands: it tests the cells of a quadtree. The map shows what became of them.</source>
-        <translation>该策略不使用等高线环带，而是测试四叉树的单元。结果显示在图上。</translation>
+        <source>Counts</source>
+        <translation>计数</translation>
     </message>
 </context>
 <context>
@@ -2276,6 +2632,13 @@ OpenGL %2
     <message>
         <source>The view changed since: being counted anew.</source>
         <translation>视图已变化：正在重新统计。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::CurvePlot</name>
+    <message>
+        <source>This frame has nothing to show here.</source>
+        <translation>这一帧在此没有可显示的内容。</translation>
     </message>
 </context>
 <context>
@@ -2767,6 +3130,58 @@ OpenGL %2
     </message>
 </context>
 <context>
+    <name>cullscope::ui::ListingModel</name>
+    <message>
+        <source>the current line</source>
+        <translation>当前行</translation>
+    </message>
+    <message>
+        <source>decided about the picked triangle</source>
+        <translation>对所选三角形作出过判定</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>行</translation>
+    </message>
+    <message>
+        <source>How many decisions fell at the line</source>
+        <translation>落在该行的判定数</translation>
+    </message>
+    <message>
+        <source>Decisions</source>
+        <translation>判定数</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ListingPanel</name>
+    <message>
+        <source>There is no scene: nothing was decided yet.</source>
+        <translation>没有场景：尚未作出任何判定。</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>正在读取策略的判定…</translation>
+    </message>
+    <message>
+        <source>Decisions of this frame that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>本帧落在这些行的判定：%1。最后一个落在第 %2 行。</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: no decision about it fell at a line.</source>
+        <comment>name of an object</comment>
+        <translation>%1，三角形 %2：没有关于它的判定落在这些行。</translation>
+    </message>
+    <message>
+        <source>%1, triangle %2: what became of it was decided at line %3.</source>
+        <comment>name of an object</comment>
+        <translation>%1，三角形 %2：其结果在第 %3 行判定。</translation>
+    </message>
+    <message>
+        <source>Lines of the strategy</source>
+        <translation>策略的各行</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::LoadingStrip</name>
     <message>
         <source>Opening %1</source>
@@ -2903,10 +3318,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWidget</name>
     <message>
-        <source>Triangle index map</source>
-        <translation>三角形索引图</translation>
-    </message>
-    <message>
         <source>The arrow keys go through the cells, with Shift ten at a time; Enter picks a triangle of the cell.</source>
         <translation>方向键在单元间移动，按住 Shift 每次移动十个；Enter 选取该单元的一个三角形。</translation>
     </message>
@@ -2914,232 +3325,16 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapWords</name>
     <message>
-        <source>Case 1: all azimuths, one range in all</source>
-        <translation>情形 1：所有方位角，总共一个区间</translation>
-    </message>
-    <message>
-        <source>Case 2: one clump, one range a row</source>
-        <translation>情形 2：聚成一团，每行一个区间</translation>
-    </message>
-    <message>
-        <source>Case 3: split by the seam, two ranges a row</source>
-        <translation>情形 3：被接缝分开，每行两个区间</translation>
-    </message>
-    <message>
-        <source>bottom left</source>
-        <translation>左下</translation>
-    </message>
-    <message>
-        <source>bottom right</source>
-        <translation>右下</translation>
-    </message>
-    <message>
-        <source>top right</source>
-        <translation>右上</translation>
-    </message>
-    <message>
-        <source>top left</source>
-        <translation>左上</translation>
-    </message>
-    <message>
-        <source>%1 to %2</source>
-        <comment>a range of numbers</comment>
-        <translation>%1 至 %2</translation>
-    </message>
-    <message>
         <source>owns no triangle</source>
         <translation>没有所属三角形</translation>
-    </message>
-    <message>
-        <source>Entries a cell</source>
-        <translation>每单元条目数</translation>
-    </message>
-    <message>
-        <source>Farthest R</source>
-        <translation>最远 R</translation>
-    </message>
-    <message>
-        <source>State</source>
-        <translation>状态</translation>
-    </message>
-    <message>
-        <source>farthest R, mesh units</source>
-        <translation>最远 R，网格单位</translation>
-    </message>
-    <message>
-        <source>triangles a cell, logarithmic</source>
-        <translation>每单元三角形数，对数刻度</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>object, how it lies to the frustum</comment>
-        <translation>%1：%2</translation>
-    </message>
-    <message>
-        <source>%1 (%2 of %3): %4</source>
-        <comment>object, its number, how many there are, how it lies to the frustum</comment>
-        <translation>%1（第 %2 个，共 %3 个）：%4</translation>
-    </message>
-    <message>
-        <source>Nothing of it is drawn.</source>
-        <translation>完全不绘制。</translation>
-    </message>
-    <message>
-        <source>Bands of %1; drawn: %2 of %3 triangles</source>
-        <translation>环带宽 %1；已绘制三角形：%2 / %3</translation>
-    </message>
-    <message>
-        <source>Everything of it is drawn.</source>
-        <translation>全部绘制。</translation>
-    </message>
-    <message>
-        <source>Drawn: %1 of %2 triangles</source>
-        <translation>已绘制三角形：%1 / %2</translation>
-    </message>
-    <message>
-        <source>Row %1, column %2</source>
-        <translation>第 %1 行，第 %2 列</translation>
-    </message>
-    <message>
-        <source>θ %1, φ %2</source>
-        <comment>two ranges of angles</comment>
-        <translation>θ %1，φ %2</translation>
-    </message>
-    <message>
-        <source>Triangles in it: %1, of which it owns %2</source>
-        <translation>其中的三角形：%1，所属：%2</translation>
-    </message>
-    <message>
-        <source>R %1 to %2 mesh units</source>
-        <translation>R %1 至 %2 网格单位</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: confirmed on triangle %3.</source>
-        <translation>角射线 %1，%2：已在三角形 %3 上确认相交。</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: passes the object by; its place is where it enters the sphere.</source>
-        <translation>角射线 %1，%2：从对象旁经过；取其进入包围球之处。</translation>
-    </message>
-    <message>
-        <source>Corner ray %1, %2: misses the sphere; its place is the sphere&apos;s nearest point.</source>
-        <translation>角射线 %1，%2：未击中包围球；取球上最近的点。</translation>
     </message>
     <message>
         <source>drawn</source>
         <translation>已绘制</translation>
     </message>
     <message>
-        <source>visible region</source>
-        <translation>可见区域</translation>
-    </message>
-    <message>
-        <source>its box</source>
-        <translation>其包围框</translation>
-    </message>
-    <message>
-        <source>corner: hit</source>
-        <translation>角：命中</translation>
-    </message>
-    <message>
-        <source>corner: miss, nearest point</source>
-        <translation>角：未命中，最近点</translation>
-    </message>
-    <message>
-        <source>walked cells</source>
-        <translation>经过的单元</translation>
-    </message>
-    <message>
-        <source>nearest to the eye</source>
-        <translation>离视点最近</translation>
-    </message>
-    <message>
-        <source>opposite</source>
-        <translation>对面</translation>
-    </message>
-    <message>
         <source>picked</source>
         <translation>已选取</translation>
-    </message>
-    <message>
-        <source>contours of α every %1</source>
-        <translation>α 的等高线，每 %1</translation>
-    </message>
-    <message>
-        <source>sector %1</source>
-        <translation>扇区 %1</translation>
-    </message>
-    <message>
-        <source>Open a scene to see what a strategy decides about it.</source>
-        <translation>打开场景即可查看策略对其作出的判断。</translation>
-    </message>
-    <message>
-        <source>The strategy is being prepared…</source>
-        <translation>正在准备策略…</translation>
-    </message>
-    <message>
-        <source>The strategy could not be built. Choose another one, or other parameters.</source>
-        <translation>无法构建该策略。请选择其他策略或其他参数。</translation>
-    </message>
-    <message>
-        <source>not used</source>
-        <comment>a test</comment>
-        <translation>未使用</translation>
-    </message>
-    <message>
-        <source>No kernel: the horizon is switched off, or the mesh is too small for one</source>
-        <translation>没有核：地平线已关闭，或网格太小</translation>
-    </message>
-    <message>
-        <source>No kernel: %1</source>
-        <translation>没有核：%1</translation>
-    </message>
-    <message>
-        <source>Kernel filled to R %1 at least</source>
-        <translation>核至少填充到 R %1</translation>
-    </message>
-    <message>
-        <source>Horizon not used: the eye is inside the bounding sphere</source>
-        <translation>未使用地平线：视点在包围球内</translation>
-    </message>
-    <message>
-        <source>Horizon not used: at the near plane, or too far away</source>
-        <translation>未使用地平线：碰到近平面，或距离太远</translation>
-    </message>
-    <message>
-        <source>Quadtree: level %1, triangles: %2, %3</source>
-        <comment>level of a cell, how many it has, what became of it</comment>
-        <translation>四叉树：层级 %1，三角形：%2，%3</translation>
-    </message>
-    <message>
-        <source>Level</source>
-        <comment>of a quadtree</comment>
-        <translation>层级</translation>
-    </message>
-    <message>
-        <source>Kernel</source>
-        <translation>核</translation>
-    </message>
-    <message>
-        <source>level where the walk ended</source>
-        <translation>遍历结束的层级</translation>
-    </message>
-    <message>
-        <source>R of the kernel, of the sphere&apos;s</source>
-        <translation>核的 R，占球半径的比例</translation>
-    </message>
-    <message>
-        <source>Culled: frustum %1 · cones %2 · horizon %3</source>
-        <comment>by which test, triangles</comment>
-        <translation>剔除：视锥体 %1 · 法线锥 %2 · 地平线 %3</translation>
-    </message>
-    <message>
-        <source>cell of the quadtree</source>
-        <translation>四叉树单元</translation>
-    </message>
-    <message>
-        <source>horizon of the kernel</source>
-        <translation>核的地平线</translation>
     </message>
 </context>
 <context>
@@ -3938,8 +4133,14 @@ snapping</source>
         <translation>截图文件夹</translation>
     </message>
     <message>
-        <source>&amp;Overlays: frustum, boxes, bands, kernel, wipe and marks</source>
-        <translation>叠加层(&amp;O)：视锥体、包围盒、等高线环带、内核、分界线和标记</translation>
+        <source>&amp;Overlays: frustum, boxes, wipe, marks, %1</source>
+        <comment>names of further overlays</comment>
+        <translation>叠加层(&amp;O)：视锥体、包围盒、分界线、标记、%1</translation>
+    </message>
+    <message>
+        <source>, </source>
+        <comment>between names of overlays</comment>
+        <translation>、</translation>
     </message>
 </context>
 <context>
@@ -3951,6 +4152,21 @@ snapping</source>
     <message>
         <source>Cancel</source>
         <translation>取消</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::ShownReading</name>
+    <message>
+        <source>Open a scene to see what a strategy decides about it.</source>
+        <translation>打开场景即可查看策略对其作出的判断。</translation>
+    </message>
+    <message>
+        <source>The strategy is being prepared…</source>
+        <translation>正在准备策略…</translation>
+    </message>
+    <message>
+        <source>The strategy could not be built. Choose another one, or other parameters.</source>
+        <translation>无法构建该策略。请选择其他策略或其他参数。</translation>
     </message>
 </context>
 <context>
@@ -4210,6 +4426,14 @@ snapping</source>
     <message>
         <source>Losses</source>
         <translation>丢失</translation>
+    </message>
+    <message>
+        <source>Listing</source>
+        <translation>代码</translation>
+    </message>
+    <message>
+        <source>Counts</source>
+        <translation>计数</translation>
     </message>
 </context>
 <context>
