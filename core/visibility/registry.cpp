@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/visibility/baseline/baselines.h"
+#include "core/visibility/distance/draw_distance.h"
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
@@ -18,6 +19,7 @@ const std::vector<RegisteredStrategy>& strategies() {
     static const std::vector<RegisteredStrategy> kStrategies{
         baseline::all(),
         baseline::backface(),
+        distance::drawDistance(),
         frustum::frustum(),
         frustum::frustumOctree(),
         frustum::frustumSelect(),

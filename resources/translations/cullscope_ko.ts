@@ -2563,6 +2563,58 @@
         <source>planes of the frustum</source>
         <translation>절두체의 평면</translation>
     </message>
+    <message>
+        <source>distances</source>
+        <translation>거리</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; is tested as one sphere with %2 triangles.</source>
+        <translation>물체 &quot;%1&quot;은(는) 삼각형 %2개를 담은 구 하나로 검사됩니다.</translation>
+    </message>
+    <message>
+        <source>Its sphere begins %1 from the eye, beyond the distance of %2: so far away it counts as too small.</source>
+        <translation>구가 눈에서 %1 떨어진 곳에서 시작하여 거리 %2를 넘습니다. 그렇게 멀면 너무 작은 것으로 칩니다.</translation>
+    </message>
+    <message>
+        <source>Its sphere begins %1 from the eye, within the distance of %2.</source>
+        <translation>구가 눈에서 %1 떨어진 곳에서 시작하여 거리 %2 안에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Draw distance</source>
+        <translation>그리기 거리</translation>
+    </message>
+    <message>
+        <source>Draw &amp;distance</source>
+        <translation>그리기 거리(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show in the active view how far from the culling eye objects are drawn</source>
+        <translation>컬링 눈에서 얼마나 멀리까지 물체를 그리는지 활성 뷰에 표시합니다</translation>
+    </message>
+    <message>
+        <source>limit = distance × scene radius</source>
+        <translation>한계 = 거리 × 장면 구의 반지름</translation>
+    </message>
+    <message>
+        <source>d = distance of its sphere</source>
+        <translation>d = 구의 가장 가까운 점까지의 거리</translation>
+    </message>
+    <message>
+        <source>if d &gt; limit: leave it out</source>
+        <translation>d &gt; 한계이면: 제외</translation>
+    </message>
+    <message>
+        <source>else draw it</source>
+        <translation>아니면 그림</translation>
+    </message>
+    <message>
+        <source>How far from the eye objects are drawn, in radii of the scene&apos;s sphere.</source>
+        <translation>눈에서 얼마나 멀리까지 물체를 그리는지, 장면 구의 반지름 단위.</translation>
+    </message>
+    <message>
+        <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
+        <translation>눈에서 일정 거리 너머에 완전히 있는 물체를 제외합니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

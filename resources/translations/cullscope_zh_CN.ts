@@ -2563,6 +2563,58 @@
         <source>planes of the frustum</source>
         <translation>视锥体的平面</translation>
     </message>
+    <message>
+        <source>distances</source>
+        <translation>距离</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; is tested as one sphere with %2 triangles.</source>
+        <translation>对象“%1”作为一个包含 %2 个三角形的球进行测试。</translation>
+    </message>
+    <message>
+        <source>Its sphere begins %1 from the eye, beyond the distance of %2: so far away it counts as too small.</source>
+        <translation>其球始于离视点 %1 处，超出距离 %2：如此远则视为太小。</translation>
+    </message>
+    <message>
+        <source>Its sphere begins %1 from the eye, within the distance of %2.</source>
+        <translation>其球始于离视点 %1 处，在距离 %2 之内。</translation>
+    </message>
+    <message>
+        <source>Draw distance</source>
+        <translation>绘制距离</translation>
+    </message>
+    <message>
+        <source>Draw &amp;distance</source>
+        <translation>绘制距离(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Show in the active view how far from the culling eye objects are drawn</source>
+        <translation>在活动视图中显示从剔除视点起绘制对象的最远距离</translation>
+    </message>
+    <message>
+        <source>limit = distance × scene radius</source>
+        <translation>界限 = 距离 × 场景球半径</translation>
+    </message>
+    <message>
+        <source>d = distance of its sphere</source>
+        <translation>d = 其球最近点的距离</translation>
+    </message>
+    <message>
+        <source>if d &gt; limit: leave it out</source>
+        <translation>若 d &gt; 界限：略去</translation>
+    </message>
+    <message>
+        <source>else draw it</source>
+        <translation>否则绘制</translation>
+    </message>
+    <message>
+        <source>How far from the eye objects are drawn, in radii of the scene&apos;s sphere.</source>
+        <translation>从视点起绘制对象的最远距离，以场景球的半径为单位。</translation>
+    </message>
+    <message>
+        <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
+        <translation>略去完全位于离视点一定距离之外的对象。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
