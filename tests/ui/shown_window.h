@@ -21,7 +21,7 @@ struct Window : ::testing::Test {
     }
 
     void settle() {
-        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled(); }));
+        ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled() && !session.pictures()->busy(); }));
         QApplication::processEvents();
     }
 

@@ -82,8 +82,7 @@ public:
         const ContourBands& bands = *m_map.decision.bands;
         std::vector<std::vector<Vec2>> edges;
         for (const uint32_t edge : {part - 1, part})
-            for (std::vector<Vec2>& line : meridianOnMap(bands, edge * kTurn / bands.sectors))
-                edges.push_back(std::move(line));
+            for (std::vector<Vec2>& line : meridianOnMap(bands, edge * kTurn / bands.sectors)) edges.push_back(std::move(line));
         return edges;
     }
     [[nodiscard]] Words partWords(uint32_t part) const override { return sectorWords(part - 1); }
