@@ -19,7 +19,6 @@ const std::vector<RegisteredStrategy>& strategies() {
     static const std::vector<RegisteredStrategy> kStrategies{
         baseline::all(),
         baseline::backface(),
-        distance::drawDistance(),
         frustum::frustum(),
         frustum::frustumOctree(),
         frustum::frustumSelect(),
@@ -27,6 +26,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         spherical::spherical(),
         spherical::sphericalHorizon(),
         spherical::sphericalLossless(),
+        distance::drawDistance(),
     };
     // clang-format on
     return kStrategies;

@@ -199,7 +199,8 @@ TEST(Counts, ofObjectsByPlaneAreThoseOfTheDecisions) {
         for (size_t bar = 0; bar < counts.size(); ++bar)
             EXPECT_EQ(bars.front().bars[bar].value, counts[bar]) << bars.front().bars[bar].name;
         EXPECT_GT(culled, 10u);
-        for (const Bar& none : culler->built()->bars(frame.log.upTo(0)).front().bars) EXPECT_EQ(none.value, 0u) << none.name;
+        const Bars before = culler->built()->bars(frame.log.upTo(0)).front();
+        for (const Bar& none : before.bars) EXPECT_EQ(none.value, 0u) << none.name;
     }
 }
 
