@@ -6,7 +6,8 @@
 
 namespace cullscope {
 
-/// What stands in place of a placeholder of Words. Numbers stay numbers, so that a user interface writes them in the user's way.
+/// A value that a sentence of Words names. Numbers stay numbers, so that a user interface writes them as the user's language
+/// does.
 struct Term {
     enum class Form {
         Name,    ///< a text that is shown as it is, such as an object's name
