@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRegistry = "core/visibility/registry.cpp";
+constexpr size_t kExampleFrom = 16;  // test files that name a strategy
 
 std::string textOf(const fs::path& file) {
     std::ifstream stream(file);
@@ -100,7 +101,7 @@ public:
                  includes != m_includes.end() && (!file.starts_with("tests/") || file.starts_with("tests/benchmark/")))
             files.push_back(firstOfFolder(includes->second, file.substr(0, file.rfind('/') + 1)));
         for (const std::string& id : strategiesIn(file))
-            for (const std::string& test : testFilesThatName(id)) files.push_back(test);
+            for (const std::string& test : testsOfStrategy(id, familyOf(file))) files.push_back(test);
         return files;
     }
 
@@ -125,13 +126,43 @@ private:
         return false;
     }
 
+    /// The folder of core/visibility that a source lies in.
+    [[nodiscard]] static std::string familyOf(const std::string& file) {
+        const size_t slash = file.rfind('/');
+        return file.substr(file.rfind('/', slash - 1) + 1, slash - file.rfind('/', slash - 1) - 1);
+    }
+
+    /// The test files that judge a strategy. One that few files name is judged by all of them. One that many name is an example
+    /// in most: it is judged by the tests of its layer and by those that have its family in their path.
+    [[nodiscard]] std::vector<std::string> testsOfStrategy(const std::string& id, const std::string& family) const {
+        std::vector<std::string> files = testFilesThatName(id);
+        if (files.size() > kExampleFrom)
+            std::erase_if(files, [&](const std::string& file) {
+                return !file.starts_with("tests/core/visibility/") && file.find(family) == std::string::npos;
+            });
+        return files;
+    }
+
+    /// The text of a constant that a header of the strategies defines; empty where none does.
+    [[nodiscard]] std::string valueOf(const std::string& constant) const {
+        const std::regex definition("\\b" + constant + "\\s*=\\s*\"([^\"]*)\"");
+        std::smatch match;
+        for (const auto& [file, text] : m_texts)
+            if (file.starts_with("core/visibility/") && file.ends_with(".h") && std::regex_search(text, match, definition))
+                return match[1];
+        return {};
+    }
+
     /// The ids of the strategies that a source of a family describes.
     [[nodiscard]] std::vector<std::string> strategiesIn(const std::string& file) const {
         static const std::regex kInfo(R"re(\w\(\)\s*\{\s*(?:return|StrategyInfo\s+\w+)\s*\{+\s*"([a-z][a-z-]*)")re");
         std::vector<std::string> ids;
         if (!file.starts_with("core/visibility/")) return ids;
+        static const std::regex kNamed(R"re(return\s*\{+\s*(k\w*Id)\b)re");
         const std::string& text = m_texts.at(file);
         for (std::sregex_iterator match(text.begin(), text.end(), kInfo), end; match != end; ++match) ids.push_back((*match)[1]);
+        for (std::sregex_iterator match(text.begin(), text.end(), kNamed), end; match != end; ++match)
+            if (const std::string id = valueOf((*match)[1]); !id.empty()) ids.push_back(id);
         return ids;
     }
 

@@ -54,6 +54,29 @@ TEST_F(Reach, strategyReachesTheTestsThatNameItsId) {
                 ElementsAre(Pair("cullbench", ElementsAre("Planes.cull"))));
 }
 
+TEST_F(Reach, strategyThatManyTestsNameReachesThoseOfItsLayerAndFamily) {
+    for (int i = 0; i < 20; ++i) {
+        const std::string number = std::to_string(i);
+        write("tests/ui/example" + number + "_test.cpp", "TEST(Example" + number + ", isDrawn) { open(\"frustum\"); }\n");
+    }
+    write("tests/core/visibility/frustum/planes_test.cpp", "TEST(Planes, loseNothing) { make(\"frustum\"); }\n");
+    write("tests/core/visibility/strategies_test.cpp", "TEST(Strategies, loseNothing) { make(\"frustum\"); }\n");
+    write("tests/ui/frustum_family_test.cpp", "TEST(FrustumFamily, isListed) { make(\"frustum\"); }\n");
+    EXPECT_THAT(testsReached(root(), {"core/visibility/frustum/planes.cpp"}),
+                ElementsAre(Pair("ui", ElementsAre("FrustumFamily.isListed")),
+                            Pair("visibility", ElementsAre("Planes.loseNothing", "Strategies.loseNothing"))));
+}
+
+TEST_F(Reach, idMayBeAConstantOfTheRegistry) {
+    write("core/visibility/registry.h", "constexpr const char* kEverythingId = \"everything\";\n");
+    write("core/visibility/baseline/everything.h", "");
+    write("core/visibility/baseline/everything.cpp",
+          source("baseline/everything") + "X x() { return {{kEverythingId, \"\"}}; }\n");
+    write("tests/core/visibility/everything_test.cpp", "TEST(Everything, isDrawn) { make(\"everything\"); }\n");
+    EXPECT_THAT(testsReached(root(), {"core/visibility/baseline/everything.cpp"}),
+                ElementsAre(Pair("visibility", ElementsAre("Everything.isDrawn"))));
+}
+
 TEST_F(Reach, benchmarkReachesTheTestOfBenchmarks) {
     write("tests/benchmark/experiments.h", "");
     write("tests/benchmark/octree.cpp", "#include \"core/geometry/bounds.h\"\n#include \"tests/benchmark/experiments.h\"\n");
