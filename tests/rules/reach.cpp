@@ -5,6 +5,7 @@
 #include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 
 #include "tests/rules/source_rules.h"
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kRegistry = "core/visibility/registry.cpp";
-constexpr size_t kExampleFrom = 16;  // test files that name a strategy
+constexpr size_t kExampleFrom = 12;  // test files that name a strategy
 
 std::string textOf(const fs::path& file) {
     std::ifstream stream(file);
@@ -133,12 +134,16 @@ private:
     }
 
     /// The test files that judge a strategy. One that few files name is judged by all of them. One that many name is an example
-    /// in most: it is judged by the tests of its layer and by those that have its family in their path.
+    /// in most: it is judged by the tests of its layer and by those that have its family or a word of its id in their path.
     [[nodiscard]] std::vector<std::string> testsOfStrategy(const std::string& id, const std::string& family) const {
         std::vector<std::string> files = testFilesThatName(id);
         if (files.size() > kExampleFrom)
             std::erase_if(files, [&](const std::string& file) {
-                return !file.starts_with("tests/core/visibility/") && file.find(family) == std::string::npos;
+                if (file.starts_with("tests/core/visibility/") || file.find(family) != std::string::npos) return false;
+                std::istringstream words(id);
+                for (std::string word; std::getline(words, word, '-');)
+                    if (file.find(word) != std::string::npos) return false;
+                return true;
             });
         return files;
     }

@@ -13,9 +13,9 @@ using TestSelection = std::map<std::string, std::vector<std::string>>;
 /// The test cases that a change of files (named from the root) can reach, for working; the whole of packaging/test goes further.
 /// A source reaches what includes its header, and so on from there, up to the test files. The registry of strategies includes all
 /// of them and is included by nearly everything, so it passes nothing on: a strategy reaches the test files (and what they
-/// include of tests/) that name its id in a string; one that many test files name as an example, only those of its layer and its
-/// family. A shader reaches what its text is compiled into; any other file of resources,
-/// tests or docs the test files that name its folder; a file of the build (CMake, packaging) the rules.
+/// include of tests/) that name its id in a string; one that many test files name as an example, only those of its layer and
+/// those with its family or a word of its id in their path. A shader reaches what its text is compiled into; any other file of
+/// resources, tests or docs the test files that name its folder; a file of the build (CMake, packaging) the rules.
 [[nodiscard]] TestSelection testsReached(const std::filesystem::path& root, const std::vector<std::filesystem::path>& changed);
 
 /// All cases of a test program, or those of a GoogleTest suite wherever it stands. Empty: there is neither.
