@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -7,6 +8,9 @@
 #include "core/experiments/experiment.h"
 
 namespace cullscope::benchmark {
+
+/// The numbers of faces of the experiments about growth.
+inline constexpr std::array kGrowingFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
 
 /// Boxes and spheres a second by the frustum tests: the naive loop, the batch on every level, the hierarchy, and merely reading;
 /// up to so many objects.

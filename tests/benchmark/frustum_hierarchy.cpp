@@ -26,14 +26,14 @@ Instance placed(const Vec3& centre, const Vec3& half) {
     return {0, transform, {}};
 }
 
-ScenePointer sceneOf(const std::vector<Box3>& boxes) {
+ScenePointer sceneWith(const std::vector<Box3>& boxes) {
     std::vector<Instance> instances;
     instances.reserve(boxes.size());
     for (const Box3& box : boxes) instances.push_back(placed(box.centre(), box.halfExtent()));
     return std::make_shared<Scene>("boxes", std::vector<MeshPointer>{cubeSpanningTriangle()}, std::move(instances));
 }
 
-ScenePointer sceneOf(const std::vector<Sphere>& spheres) {
+ScenePointer sceneWith(const std::vector<Sphere>& spheres) {
     std::vector<Instance> instances;
     instances.reserve(spheres.size());
     for (const Sphere& sphere : spheres) instances.push_back(placed(sphere.centre, Vec3(sphere.radius)));
@@ -45,9 +45,9 @@ ScenePointer sceneOf(const std::vector<Sphere>& spheres) {
 Hierarchy::Hierarchy(ScenePointer scene)
     : m_scene(std::move(scene)), m_octree(*m_scene), m_memory(m_octree.nodes().size(), m_scene->instances().size()) {}
 
-Hierarchy::Hierarchy(const std::vector<Box3>& boxes) : Hierarchy(sceneOf(boxes)) {}
+Hierarchy::Hierarchy(const std::vector<Box3>& boxes) : Hierarchy(sceneWith(boxes)) {}
 
-Hierarchy::Hierarchy(const std::vector<Sphere>& spheres) : Hierarchy(sceneOf(spheres)) {}
+Hierarchy::Hierarchy(const std::vector<Sphere>& spheres) : Hierarchy(sceneWith(spheres)) {}
 
 size_t Hierarchy::kept(const View& view) {
     FrameContext frame(*m_scene, view, false);

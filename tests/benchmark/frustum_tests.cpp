@@ -31,7 +31,7 @@ constexpr double kManyVisible = 2.5, kAnyVisible = 0.9, kBeyondCache = 2.0, kCon
 
 /// A time is measured over as many passes as take at least this long.
 constexpr double kLeastMilliseconds = 1.0;
-constexpr int kRounds = 15, kRoundsOfMany = 7;
+constexpr int kTestRounds = 15, kRoundsOfMany = 7;
 constexpr size_t kMany = 2'000'000;
 
 /// The sizes of L2 and L3 together. The kernel's values are used first: the C library's value for L3 is that of several
@@ -122,7 +122,7 @@ std::vector<std::vector<double>> timesOf(const std::vector<Variant>& variants, s
             if (objects < kMany) variant.pass();
             return processorTime(variant.pass, passes);
         });
-    return inTurns(contestants, objects < kMany ? kRounds : kRoundsOfMany);
+    return inTurns(contestants, objects < kMany ? kTestRounds : kRoundsOfMany);
 }
 
 /// A row for each variant: processor time of a pass, the median over the rounds, and medians of the rounds' ratios.
@@ -227,7 +227,7 @@ RowPlot hierarchyPlot() {
     return described;
 }
 
-std::vector<Check> checks() {
+std::vector<Check> contestChecks() {
     const std::string best = simdLevelName(bestSimdLevel());
     const auto within = [&](std::vector<CellValue> shares) {
         return RowFilter{{"variant", {best}}, {"visible_share", std::move(shares)}, {"fits_cache", {1.0}}};
@@ -275,7 +275,7 @@ Experiment frustumTests(size_t largest) {
                                              {"fits_cache", "fits the cache"}};
     experiment.columns.insert(experiment.columns.end(), measured.begin(), measured.end());
     experiment.plots = {speedPlot(kBoxes), speedPlot(kSpheres), hierarchyPlot()};
-    experiment.checks = checks();
+    experiment.checks = contestChecks();
     experiment.measured = measuredRows;
     return experiment;
 }

@@ -11,11 +11,10 @@ namespace {
 
 using Origin = ResultColumn::Origin;
 
-constexpr std::array kFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
-constexpr size_t kShape = 7;
+constexpr size_t kCullShape = 7;
 constexpr size_t kCamerasBy = 100'000;
-constexpr size_t kViewsEach = 12;
-constexpr int kRounds = 11;
+constexpr size_t kCullViewsEach = 12;
+constexpr int kCullRounds = 11;
 constexpr Viewport kLarge{1920, 1080};
 // Limits for the exponent with which visited nodes grow with the faces: below linear growth, and hardly any growth.
 constexpr double kAutoExponent = 0.9;
@@ -73,7 +72,7 @@ std::vector<double> cullTimes(const std::vector<test::CullerPointer>& strategies
         std::vector<std::function<double()>> culls;
         for (const test::CullerPointer& strategy : strategies)
             culls.emplace_back([&view, culler = strategy.get()] { return culler->cull(view).log.cullMilliseconds; });
-        const std::vector<std::vector<double>> times = inTurns(culls, kRounds);
+        const std::vector<std::vector<double>> times = inTurns(culls, kCullRounds);
         for (size_t i = 0; i < strategies.size(); ++i) means[i] += medianOf(times[i]) / double(views.size());
     }
     return means;
@@ -102,7 +101,7 @@ Rows rowsOf(const MeshPointer& mesh, const std::vector<Views>& paths) {
 /// of 1/256 pixel may be flipped by snapping, so that no cone counts as back-facing.
 const std::vector<Views>& pathsOfAll() {
     static const std::vector<Views> kViews = [] {
-        std::vector<Views> paths = cutAndWithin(*sceneOf(starMesh(kShape, kCamerasBy)), kViewsEach);
+        std::vector<Views> paths = cutAndWithin(*sceneOf(starMesh(kCullShape, kCamerasBy)), kCullViewsEach);
         paths.push_back({kPaths[2].id, {}});
         for (const View& view : paths[1].views) paths[2].views.emplace_back(view.camera(), kLarge);
         return paths;
@@ -121,7 +120,7 @@ RowPlot plotOf(const char* path, const std::string& title, const char* unit, con
 }
 
 /// That visited nodes grow less than the faces with automatic resolution, and hardly with equal cells.
-std::vector<Check> checks() {
+std::vector<Check> cullChecks() {
     std::vector<Check> all;
     for (const PathName& path : kPaths)
         for (const Configuration& c : kConfigurations) {
@@ -147,7 +146,7 @@ Experiment losslessCull() {
     Experiment experiment;
     experiment.id = "spherical-lossless-cull";
     experiment.title = "Nodes and time of one cull of spherical-lossless by faces, at equal pictures";
-    experiment.axes = {{"faces", "faces", Axis::Kind::Label, axisValues(kFaces)},
+    experiment.axes = {{"faces", "faces", Axis::Kind::Label, axisValues(kGrowingFaces)},
                        {"path", "path", Axis::Kind::InTurns, namesOf(kPaths, &PathName::id)},
                        {"configuration", "configuration", Axis::Kind::InTurns, namesOf(kConfigurations, &Configuration::name)}};
     experiment.settings = settingsOf(experiment.axes);
@@ -162,9 +161,9 @@ Experiment losslessCull() {
         experiment.plots.push_back(plotOf(path.id, "Nodes visited by one cull, " + where, "nodes", "nodes_visited"));
         experiment.plots.push_back(plotOf(path.id, "Time of one cull, " + where, "ms", "cull_ms"));
     }
-    experiment.checks = checks();
+    experiment.checks = cullChecks();
     experiment.measured = [](const Setting& setting, const ScenePointer& /*scene*/, const Progress& /*progress*/) {
-        return rowsOf(starMesh(kShape, size_t(setting.number("faces"))), pathsOfAll());
+        return rowsOf(starMesh(kCullShape, size_t(setting.number("faces"))), pathsOfAll());
     };
     return experiment;
 }

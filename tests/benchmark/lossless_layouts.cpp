@@ -15,9 +15,9 @@ using Origin = ResultColumn::Origin;
 
 constexpr std::array kLayouts{MapLayout::Octahedral, MapLayout::LatitudeLongitude};
 constexpr std::array kLevels{5u, 6u, 7u, 8u, 0u};
-constexpr size_t kViewsEach = 6;
-constexpr int kRounds = 5;
-constexpr int kBuilds = 3;
+constexpr size_t kLayoutViewsEach = 6;
+constexpr int kLayoutRounds = 5;
+constexpr int kLayoutBuilds = 3;
 
 /// A layout at a level, over one mesh.
 struct Racer {
@@ -49,7 +49,7 @@ double ratioOfLeaves(const CellTree& tree) {
 Racer racerOf(const ScenePointer& scene, MapLayout layout, uint32_t level) {
     Racer racer{layout, level, lossless(layout, level, true, "auto")};
     std::vector<double> times;
-    for (int i = 0; i < kBuilds; ++i) {
+    for (int i = 0; i < kLayoutBuilds; ++i) {
         racer.strategy->build(*scene);
         times.push_back(racer.strategy->structure().buildMilliseconds);
     }
@@ -94,7 +94,7 @@ public:
                 culls[i].push_back(frame.log.cullMilliseconds);
                 return frame.frameMilliseconds;
             });
-        const std::vector<std::vector<double>> frames = inTurns(draws, kRounds, 1);
+        const std::vector<std::vector<double>> frames = inTurns(draws, kLayoutRounds, 1);
         for (size_t i = 0; i < racers.size(); ++i) {
             culls[i].erase(culls[i].begin());
             means[i].cullMilliseconds += medianOf(culls[i]) * share;
@@ -138,7 +138,7 @@ Rows rowsOf(const MeshPointer& mesh) {
     std::vector<Racer> racers = racersOf(scene);
     FrameRace race(scene);
     Rows rows;
-    for (const Views& path : cutAndWithin(*scene, kViewsEach)) {
+    for (const Views& path : cutAndWithin(*scene, kLayoutViewsEach)) {
         std::vector<Means> means(racers.size());
         for (const View& view : path.views) race.addView(view, racers, means, 1.0 / double(path.views.size()));
         for (size_t i = 0; i < racers.size(); ++i) {

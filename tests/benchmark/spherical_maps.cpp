@@ -11,10 +11,9 @@
 namespace cullscope::benchmark {
 namespace {
 
-constexpr std::array kFaces{10'000u, 30'000u, 100'000u, 300'000u, 1'000'000u, 3'000'000u, 10'000'000u};
 constexpr unsigned kMostResampled = 1'000'000;
-constexpr int kBuilds = 3;
-constexpr double kBytesTolerance = 0.05, kTimeTolerance = 0.20;
+constexpr int kMapBuilds = 3;
+constexpr double kMapBytesTolerance = 0.05, kMapTimeTolerance = 0.20;
 const std::string kSphere = "sphere";
 
 double milliseconds(const SphericalMaps::BuildTimes& times) { return times.centroidMap + times.indexMap + times.accessMap; }
@@ -23,7 +22,7 @@ double milliseconds(const SphericalMaps::BuildTimes& times) { return times.centr
 Row cellsOf(const MeshPointer& mesh) {
     std::vector<SphericalMaps::BuildTimes> builds;
     Row cells;
-    for (int i = 0; i < kBuilds; ++i) {
+    for (int i = 0; i < kMapBuilds; ++i) {
         const SphericalMaps maps(mesh, SphericalGrid::forTriangles(mesh->triangleCount()));
         const SphericalMaps::Bytes bytes = maps.bytes();
         const double faces = double(mesh->triangleCount());
@@ -38,7 +37,7 @@ Row cellsOf(const MeshPointer& mesh) {
         builds.push_back(maps.buildTimes());
     }
     std::ranges::sort(builds, {}, milliseconds);
-    const SphericalMaps::BuildTimes& median = builds[kBuilds / 2];
+    const SphericalMaps::BuildTimes& median = builds[kMapBuilds / 2];
     cells.insert({{"centroid_ms", median.centroidMap},
                   {"index_ms", median.indexMap},
                   {"access_ms", median.accessMap},
@@ -63,7 +62,7 @@ Experiment sphericalMapsGrowth(const std::filesystem::path& meshFile) {
     experiment.id = "spherical-maps";
     experiment.title = "The three spherical maps by faces, resolution on auto";
     Axis meshes{"mesh", "mesh", Axis::Kind::Label, {kSphere}};
-    Axis faces{"faces", "faces", Axis::Kind::Label, axisValues(kFaces)};
+    Axis faces{"faces", "faces", Axis::Kind::Label, axisValues(kGrowingFaces)};
     experiment.settings = settingsOf({meshes, faces});
     if (other) {
         const std::string name = meshFile.stem().string();
@@ -83,10 +82,10 @@ Experiment sphericalMapsGrowth(const std::filesystem::path& meshFile) {
         const auto& mesh = std::get<std::string>(value);
         experiment.checks.push_back(exponentCheck(mesh + ": bytes grow with the faces to the power of",
                                                   {{{"mesh", {mesh}}}, "faces", "bytes"},
-                                                  {1.0 - kBytesTolerance, 1.0 + kBytesTolerance}));
+                                                  {1.0 - kMapBytesTolerance, 1.0 + kMapBytesTolerance}));
         experiment.checks.push_back(exponentCheck(mesh + ": build time grows with the faces to the power of",
                                                   {{{"mesh", {mesh}}}, "faces", "build_ms"},
-                                                  {1.0 - kTimeTolerance, 1.0 + kTimeTolerance}));
+                                                  {1.0 - kMapTimeTolerance, 1.0 + kMapTimeTolerance}));
     }
     experiment.measured = [other](const Setting& setting, const ScenePointer& /*scene*/, const Progress& /*progress*/) {
         const auto count = size_t(setting.number("faces"));
