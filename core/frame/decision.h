@@ -17,6 +17,8 @@ struct Subject {
         Object,    ///< `number`: the instance
         Node,      ///< `number`: of a node of the strategy's structure over objects
         Cell,      ///< `number`: of a cell of the structure that the strategy has for `object`
+        Ray,       ///< `number`: of a ray from the eye that the strategy follows for `object`
+        Band,      ///< `number`: of a part of the curve (frame/curve.h) that the strategy has for `object`
         Fragment,  ///< `number`: of a part of a triangle
         Tile,      ///< `number`: of a rectangle of the picture
         Span       ///< `number`: of a piece of a row of pixels
@@ -33,7 +35,7 @@ struct Subject {
     bool operator==(const Subject&) const = default;
 };
 
-/// A range of triangles by their places in a draw list's order.
+/// A range of triangles by their places in an order.
 struct PlaceRun {
     uint32_t first = 0, count = 0;
 
@@ -43,10 +45,11 @@ struct PlaceRun {
 /// One test of a subject, or what became of it, as it happened.
 struct Decision {
     enum class Outcome : uint8_t {
-        Open,         ///< a test; what becomes of the subject is decided after it
-        Drawn,        ///< drawn completely
-        PartlyDrawn,  ///< drawn in part
-        Culled        ///< nothing of it is drawn
+        Open,          ///< a test; what becomes of the subject is decided after it
+        Drawn,         ///< drawn completely
+        PartlyDrawn,   ///< drawn in part
+        Culled,        ///< nothing of it is drawn
+        DrawnAfterAll  ///< drawn, although an earlier decision, whose cause this one repeats, had culled it
     };
     static constexpr size_t kOperands = 3;
 
@@ -63,7 +66,7 @@ struct Decision {
     std::array<double, kOperands> operands{};
     uint8_t operandCount = 0;
     uint8_t nesting = 0;       ///< how many subjects, whose decisions came before, this one lies in
-    PlaceRun places;           ///< of a Cell: its triangles, in the order of the draw list
+    PlaceRun places;           ///< of a Cell: its triangles, in the order FrameLog::order
     uint32_t firstObject = 0;  ///< of a Node that is decided as a whole: its objects, in FrameLog::objects
     uint32_t objectCount = 0;
     uint32_t commands = 0;  ///< number of the frame's commands before it

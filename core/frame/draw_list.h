@@ -29,6 +29,12 @@ struct TriangleOrder {
 
 using TriangleOrderPointer = std::shared_ptr<const TriangleOrder>;
 
+/// The number in the mesh of the triangle at a place of an order; null: every mesh's own.
+[[nodiscard]] inline uint64_t triangleAt(const TriangleOrder* order, uint32_t mesh, uint64_t place) {
+    if (order == nullptr || order->meshes[mesh].triangles.empty()) return place;
+    return order->meshes[mesh].triangles[place];
+}
+
 /// A range of indices of one instance's mesh, in the draw list's order.
 struct DrawRange {
     uint32_t instance = 0;
@@ -56,8 +62,7 @@ struct DrawList {
     }
     /// The number in the mesh of the triangle at a place of this list's order.
     [[nodiscard]] uint64_t triangleAt(uint32_t mesh, uint64_t place) const {
-        const std::span<const uint32_t> triangles = orderOf(mesh).triangles;
-        return triangles.empty() ? place : triangles[place];
+        return cullscope::triangleAt(order.get(), mesh, place);
     }
 };
 

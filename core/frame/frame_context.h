@@ -54,6 +54,10 @@ public:
     void say(Decision decision);
     /// The same about a node that is decided as a whole with these objects.
     void say(Decision decision, std::span<const uint32_t> objects);
+    /// How many decisions were said so far.
+    [[nodiscard]] size_t said() const { return m_log.decisions.size(); }
+    /// The order in which decisions about cells count the places of their triangles. Only while recording.
+    void countPlacesIn(TriangleOrderPointer order) { m_log.order = std::move(order); }
     /// The strategy's own notes. Only while recording.
     void note(std::shared_ptr<const FrameNotes> notes) { m_log.notes = std::move(notes); }
 

@@ -50,6 +50,7 @@ FrameLog FrameLog::upTo(size_t entries) const {
     const size_t drawn = commandsWithin(std::min(entries, this->entries()));
     part.commands.resize(drawn);
     part.decisions.resize(std::min(entries - std::min(drawn, entries), decisions.size()));
+    if (notes && part.decisions.size() < decisions.size()) part.notes = notes->within(part.decisions.size());
     return part;
 }
 

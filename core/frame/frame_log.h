@@ -45,6 +45,9 @@ struct FrameCounters {
 /// What a strategy keeps of a recorded frame for its own shows, besides the decisions.
 struct FrameNotes {
     virtual ~FrameNotes() = default;
+    /// The notes about what was decided within the first `decisions` decisions of the frame, for a replay of a part. Null: there
+    /// are none of a part.
+    [[nodiscard]] virtual std::shared_ptr<const FrameNotes> within(size_t /*decisions*/) const { return nullptr; }
 };
 
 /// Everything of one frame, in the order in which it happened: the commands as they were executed, the decisions where they were
@@ -57,6 +60,7 @@ struct FrameLog {
     std::vector<Command> commands;
     bool recorded = false;                    ///< whether decisions were asked for
     std::vector<Decision> decisions;          ///< empty unless `recorded`
+    TriangleOrderPointer order;               ///< that decisions about cells count places in; null: every mesh's own
     std::vector<uint32_t> objects;            ///< instances that decisions about nodes refer to
     std::shared_ptr<const FrameNotes> notes;  ///< null unless `recorded`
     FrameCounters counters;

@@ -18,10 +18,9 @@ class SubjectsAround {
 public:
     SubjectsAround(const Scene& scene, const FrameLog& log, uint64_t triangle)
         : m_log(log), m_instance(uint32_t(scene.instanceOf(triangle))) {
-        const DrawList list = drawnTriangles(scene, log);
         const uint32_t mesh = scene.instances()[m_instance].mesh;
         const uint64_t own = triangle - scene.firstTriangle(m_instance);
-        while (m_place < scene.meshOf(m_instance).triangleCount() && list.triangleAt(mesh, m_place) != own) ++m_place;
+        while (m_place < scene.meshOf(m_instance).triangleCount() && triangleAt(log.order.get(), mesh, m_place) != own) ++m_place;
         m_subjects.push_back(Subject::ofObject(m_instance));
         for (const Decision& decision : log.decisions) follow(decision);
     }
@@ -54,7 +53,7 @@ private:
 
     const FrameLog& m_log;
     uint32_t m_instance;
-    uint64_t m_place = 0;                        ///< of the triangle, in the order of the draw list
+    uint64_t m_place = 0;                        ///< of the triangle, in the order FrameLog::order
     std::vector<std::optional<Subject>> m_open;  ///< by depth: the last subject; none: no decision was said about it
     std::vector<Subject> m_subjects;             ///< few: a path from a root to the triangle
 };

@@ -46,7 +46,7 @@ TriangleState stateOfCause(Cause cause) {
 namespace {
 
 /// The states of all triangles as if none were submitted: by the causes that the decisions name.
-std::vector<TriangleState> causes(const Scene& scene, const DrawList& drawn, const FrameLog& log) {
+std::vector<TriangleState> causes(const Scene& scene, const FrameLog& log) {
     std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
     const auto mark = [&](uint32_t instance, Cause cause) {
         std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(instance)),
@@ -65,7 +65,7 @@ std::vector<TriangleState> causes(const Scene& scene, const DrawList& drawn, con
         if (decision.subject.kind != Subject::Kind::Cell || !culls(decision)) continue;
         const uint32_t instance = decision.subject.object, mesh = scene.instances()[instance].mesh;
         for (uint32_t place = decision.places.first; place < decision.places.first + decision.places.count; ++place)
-            states[scene.firstTriangle(instance) + drawn.triangleAt(mesh, place)] = stateOfCause(decision.cause);
+            states[scene.firstTriangle(instance) + triangleAt(log.order.get(), mesh, place)] = stateOfCause(decision.cause);
     }
     return states;
 }
@@ -95,7 +95,7 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
     const DrawList list = drawnTriangles(scene, log);
     TriangleStates result;
     result.againstTruth = truth.has_value();
-    result.states = causes(scene, list, log);
+    result.states = causes(scene, log);
     if (truth.has_value())
         for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
     const Submitted submitted{truth, log.facing};

@@ -46,10 +46,12 @@ WhyStep step(const Decision& decision) {
 /// The culled triangles of an object by cause, where they were decided by cells.
 std::array<uint64_t, kCauseCount> culledInPart(const FrameLog& log, uint32_t instance) {
     std::array<uint64_t, kCauseCount> counts{};
-    for (const Decision& decision : log.decisions)
-        if (decision.subject.kind == Subject::Kind::Cell && decision.subject.object == instance &&
-            decision.outcome == Decision::Outcome::Culled)
-            counts[size_t(decision.cause)] += decision.places.count;
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject.kind != Subject::Kind::Cell || decision.subject.object != instance) continue;
+        uint64_t& count = counts[size_t(decision.cause)];
+        if (decision.outcome == Decision::Outcome::Culled) count += decision.places.count;
+        if (decision.outcome == Decision::Outcome::DrawnAfterAll) count -= decision.places.count;
+    }
     return counts;
 }
 

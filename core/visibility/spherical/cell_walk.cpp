@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/message.h"
+#include "core/visibility/spherical/listings.h"
+
 namespace cullscope::spherical {
 namespace {
 
@@ -23,8 +26,13 @@ struct OpenTests {
 
 class Walker {
 public:
-    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool recording)
-        : m_tree(tree), m_view(view), m_horizon(tests.horizon), m_recording(recording), m_snap(snapping(view)) {
+    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, WalkRecord recording, uint32_t instance)
+        : m_tree(tree),
+          m_view(view),
+          m_horizon(tests.horizon),
+          m_recording(recording),
+          m_instance(instance),
+          m_snap(snapping(view)) {
         for (size_t p = 0; p < m_spread.size(); ++p) m_spread[p] = glm::abs(view.planesOnMap[p].normal);
     }
 
@@ -33,12 +41,13 @@ public:
         ++m_walk.nodesVisited;
         const Vec3 low(node.low), high(node.high);
         const Vec3 middle = 0.5 * (low + high), half = 0.5 * (high - low);
-        if (outside(middle, half, open.planes)) return leaveOut(number, Cause::OutsideFrustum);
-        if (open.cones && facesAway(node, middle, half, open)) return leaveOut(number, Cause::BackFacing);
+        if (outside(number, middle, half, open.planes)) return leaveOut(number, Cause::OutsideFrustum);
+        if (open.cones && facesAway(number, middle, half, open)) return leaveOut(number, Cause::BackFacing);
         if (open.horizon && node.count >= kLeastForHorizon) {
-            const KernelHorizon::Reach reach = m_horizon->reach(middle, glm::length(half));
-            if (reach == KernelHorizon::Reach::Hidden) return leaveOut(number, Cause::Hidden);
-            open.horizon = reach == KernelHorizon::Reach::Open;
+            const KernelHorizon::Comparison compared = m_horizon->compare(middle, glm::length(half));
+            if (m_recording == WalkRecord::Tests) sayHorizon(number, compared);
+            if (compared.reach == KernelHorizon::Reach::Hidden) return leaveOut(number, Cause::Hidden);
+            open.horizon = compared.reach == KernelHorizon::Reach::Open;
         }
         open.horizon = open.horizon && node.count >= kLeastForHorizon;
         if (node.childCount == 0 || open.none()) return draw(number);
@@ -53,10 +62,13 @@ public:
 
 private:
     /// Whether the box is outside one plane of the mask. Removes from `planes` those that it lies completely inside.
-    [[nodiscard]] bool outside(const Vec3& middle, const Vec3& half, uint8_t& planes) const {
+    [[nodiscard]] bool outside(uint32_t number, const Vec3& middle, const Vec3& half, uint8_t& planes) {
         for (size_t p = 0; p < m_spread.size(); ++p) {
             if ((planes & (1U << p)) == 0) continue;
             const double distance = m_view.planesOnMap[p].distance(middle), reach = glm::dot(m_spread[p], half);
+            if (m_recording == WalkRecord::Tests)
+                say(number, WalkLine::Planes,
+                    planeTest(cell(number), FrustumPlane(p), distance + reach, distance - reach, m_view.margin));
             if (distance + reach < -m_view.margin) return true;
             if (distance - reach > m_view.margin) planes = uint8_t(planes & ~(1U << p));
         }
@@ -65,7 +77,8 @@ private:
 
     /// Whether all triangles of a node are back-facing, also after the picture's snapping has moved their vertices: snapping may
     /// flip a triangle whose projected width is less than twice that movement. Clears `open.cones` where none is back-facing.
-    [[nodiscard]] bool facesAway(const CellTree::Node& node, const Vec3& middle, const Vec3& half, OpenTests& open) const {
+    [[nodiscard]] bool facesAway(uint32_t number, const Vec3& middle, const Vec3& half, OpenTests& open) {
+        const CellTree::Node& node = m_tree.nodes()[number];
         if (node.coneCosine > 1.0f) return false;
         const Vec3 to = middle - m_view.eye;
         const double distance = glm::length(to), radius = glm::length(half);
@@ -73,30 +86,91 @@ private:
         const double across = std::sqrt(std::max(0.0, distance * distance - along * along));
         if (along * node.coneCosine + across * node.coneSine + radius < 0.0) {
             open.cones = false;
+            if (m_recording == WalkRecord::Tests) sayNoneAway(number);
             return false;
         }
         // A triangle that the near plane cuts is clipped into new triangles that may be arbitrarily thin, so that no bound on
         // their height is known. Where the cone's axis points towards the eye, the rim of the cone does not bound its normals.
         if ((open.planes & kNearPlane) != 0 || along <= 0.0) return false;
         const double far = distance + radius;
-        return along * node.coneCosine - across * node.coneSine > node.planeMargin + 4.0 * m_snap * far / node.leastHeight * far;
+        const double away = along * node.coneCosine - across * node.coneSine;
+        const double needed = node.planeMargin + 4.0 * m_snap * far / node.leastHeight * far;
+        if (m_recording == WalkRecord::Tests) sayCone(number, away, needed);
+        return away > needed;
+    }
+
+    [[nodiscard]] Subject cell(uint32_t number) const { return Subject::ofCell(number, m_instance); }
+
+    /// Records a decision about a cell.
+    void say(uint32_t number, WalkLine line, Decision decision) {
+        const CellTree::Node& node = m_tree.nodes()[number];
+        decision.subject = cell(number);
+        decision.places = {node.first, node.count};
+        decision.nesting = uint8_t(std::min<uint32_t>(node.level + 1u, 255u));
+        m_walk.said.push_back(atLine(line, decision));
+    }
+
+    void sayNoneAway(uint32_t number) {
+        Decision test;
+        test.containment = Containment::Inside;
+        test.sentence = CULLSCOPE_TR("All normals in the cell's cone are turned to the eye: cones are not tested in its parts.");
+        say(number, WalkLine::Cones, test);
+    }
+
+    void sayCone(uint32_t number, double away, double needed) {
+        Decision test;
+        test.containment = away > needed ? Containment::Outside : Containment::Straddles;
+        test.sentence = away > needed
+                            ? CULLSCOPE_TR(
+                                  "The planes of its triangles have the eye behind them by at least %1, more than the %2 that "
+                                  "rounding and snapping may undo.")
+                            : CULLSCOPE_TR(
+                                  "The planes of its triangles have the eye behind them by at least %1: not more than the %2 "
+                                  "that rounding and snapping may undo.");
+        test.operands = {away, needed};
+        test.operandCount = 2;
+        say(number, WalkLine::Cones, test);
+    }
+
+    void sayHorizon(uint32_t number, const KernelHorizon::Comparison& compared) {
+        Decision test;
+        test.sentence = CULLSCOPE_TR(
+            "Its sphere reaches the slope %1; the kernel's horizon before it is not everywhere higher (%2): part of it may be "
+            "visible.");
+        if (compared.reach == KernelHorizon::Reach::Hidden) {
+            test.containment = Containment::Outside;
+            test.sentence =
+                CULLSCOPE_TR("Its sphere reaches the slope %1; the kernel's horizon before it is higher, at least %2: hidden.");
+        } else if (compared.reach == KernelHorizon::Reach::Visible) {
+            test.containment = Containment::Inside;
+            test.sentence = CULLSCOPE_TR(
+                "Its sphere begins at the slope %1, above the kernel's horizon, at most %2: the kernel hides none of it.");
+        }
+        test.operands = {compared.slope, compared.horizon};
+        test.operandCount = 2;
+        say(number, WalkLine::Horizon, test);
     }
 
     void leaveOut(uint32_t number, Cause cause) {
         const uint32_t count = m_tree.nodes()[number].count;
         m_walk.culled[size_t(cause)] += count;
         m_gap[size_t(cause)] += count;
-        if (m_recording) m_walk.judged.push_back({number, cause});
+        if (m_recording == WalkRecord::Nothing) return;
+        m_walk.judged.push_back({number, cause});
+        say(number, lineOfCell(cause), ending(cell(number), Decision::Outcome::Culled, cause));
     }
 
     void draw(uint32_t number) {
         const CellTree::Node& node = m_tree.nodes()[number];
-        if (m_recording) m_walk.judged.push_back({number, std::nullopt});
+        if (m_recording != WalkRecord::Nothing) {
+            m_walk.judged.push_back({number, std::nullopt});
+            say(number, WalkLine::Draw, ending(cell(number), Decision::Outcome::Drawn));
+        }
         std::vector<PlaceRun>& drawn = m_walk.drawn;
         if (!drawn.empty() && node.first - (drawn.back().first + drawn.back().count) < kGap) {
             drawn.back().count = node.first + node.count - drawn.back().first;
             for (size_t cause = 0; cause < kCauseCount; ++cause) m_walk.culled[cause] -= m_gap[cause];
-            for (size_t i = m_judgedBeforeGap; i < m_walk.judged.size(); ++i) m_walk.judged[i].cause.reset();
+            for (size_t i = m_judgedBeforeGap; i < m_walk.judged.size(); ++i) bridge(m_walk.judged[i]);
         } else {
             drawn.push_back({node.first, node.count});
         }
@@ -104,10 +178,25 @@ private:
         m_judgedBeforeGap = m_walk.judged.size();
     }
 
+    /// A cell in a gap too small to begin another range after it.
+    void bridge(JudgedCell& judged) {
+        if (!judged.cause) return;
+        Decision drawn = ending(cell(judged.node), Decision::Outcome::DrawnAfterAll, *judged.cause);
+        judged.cause.reset();
+        judged.bridged = true;
+        drawn.sentence = CULLSCOPE_TR(
+            "Left out, but drawn after all: it lies between two ranges, and fewer than %1 triangles are not "
+            "worth a range of their own.");
+        drawn.operands[0] = kGap;
+        drawn.operandCount = 1;
+        say(judged.node, WalkLine::Draw, drawn);
+    }
+
     const CellTree& m_tree;
     const ObjectSpaceView& m_view;
     const KernelHorizon* m_horizon;
-    bool m_recording;
+    WalkRecord m_recording;
+    uint32_t m_instance;
     double m_snap;
     std::array<Vec3, 6> m_spread{};             ///< components |n| of the planes' normals: |n| · half is half the box's extent
                                                 ///< along n
@@ -123,8 +212,9 @@ double snapping(const ObjectSpaceView& view) {
     return (kSteps * view.pixelSlope + 0x1p-20) * view.unevenness;
 }
 
-CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, bool recording) {
-    Walker walker(tree, view, tests, recording);
+CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, WalkRecord recording,
+                   uint32_t instance) {
+    Walker walker(tree, view, tests, recording, instance);
     if (!tree.nodes().empty()) walker.visit(0, {tests.planes, tests.cones && view.eyeKnown, tests.horizon != nullptr});
     return walker.take(tests);
 }

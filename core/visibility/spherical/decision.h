@@ -82,6 +82,7 @@ using cullscope::PlaceRun;
 struct JudgedCell {
     uint32_t node = 0;
     std::optional<Cause> cause;  ///< why it was culled; none: it is drawn
+    bool bridged = false;        ///< a test left it out, but it is drawn with the ranges on both of its sides
 };
 
 /// The result of `spherical-lossless` for one object's cells.
@@ -91,6 +92,7 @@ struct CellWalk {
     std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
     uint64_t nodesVisited = 0;
     std::vector<JudgedCell> judged;  ///< only in a recorded frame: ascending, disjoint
+    std::vector<Decision> said;      ///< only in a recorded frame: tests of cells and their results, as they fell
     std::vector<Vec3> outline;       ///< only in a recorded frame, with `horizon`: the kernel's outline as seen from the eye
 };
 
@@ -105,12 +107,16 @@ struct SphericalDecision {
     std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are submitted
     std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;
+    size_t said = 0;  ///< with so many decisions the frame had said everything about the object
 };
 
 /// What a recorded frame of a spherical strategy keeps for its shows: a decision for each object with triangles.
 struct SphericalNotes : FrameNotes {
     std::vector<SphericalDecision> decisions;
     bool kernels = false;  ///< whether kernels were asked for the horizon
+
+    /// Those about the objects of which everything had been said.
+    [[nodiscard]] std::shared_ptr<const FrameNotes> within(size_t saidDecisions) const override;
 };
 /// The notes of a recorded frame; empty for any other.
 [[nodiscard]] const SphericalNotes& notesOf(const FrameLog& log);

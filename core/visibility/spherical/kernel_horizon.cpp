@@ -74,13 +74,13 @@ int KernelHorizon::bandUpTo(double cosine) const {
     return band >= 0 && m_band[size_t(band)].cosine < cosine ? band - 1 : std::max(band, -1);
 }
 
-KernelHorizon::Reach KernelHorizon::reach(const Vec3& middle, double radius) const {
+KernelHorizon::Comparison KernelHorizon::compare(const Vec3& middle, double radius) const {
     const double towardsEye = glm::dot(middle, m_axis), length = glm::length(middle);
     const double ahead = m_distance - towardsEye;
     const Vec3 across = middle - towardsEye * m_axis;
     const double aside = glm::length(across);
     radius += m_snap * (ahead + aside + radius);
-    if (ahead <= radius) return Reach::Open;
+    if (ahead <= radius) return {Reach::Open, std::numeric_limits<double>::infinity(), 0.0};
     const double most = (aside + radius) / (ahead - radius) * kWider;
     const double least = std::max(0.0, aside - radius) / (ahead + radius) / kWider;
     // The range of α of the sphere's points: the α of its middle ± the angle of its radius.
@@ -92,19 +92,25 @@ KernelHorizon::Reach KernelHorizon::reach(const Vec3& middle, double radius) con
     const double nearestCosine = aroundCentre || cosine >= wideCosine ? 1.0 : cosine * wideCosine + sine * wideSine;
     const double farthestCosine = aroundCentre || cosine <= -wideCosine ? -1.0 : cosine * wideCosine - sine * wideSine;
     const int far = bandUpTo(farthestCosine - 1e-12);
-    if (far < 0 || m_band[size_t(far)].highest <= least) return Reach::Visible;
+    if (far < 0) return {Reach::Visible, least, 0.0};
+    if (m_band[size_t(far)].highest <= least) return {Reach::Visible, least, m_band[size_t(far)].highest};
     const int near = bandUpTo(nearestCosine + 1e-12);
-    if (near < 0 || m_band[size_t(near)].highest <= most) return Reach::Open;
-    if (m_band[size_t(near)].lowest > most) return Reach::Hidden;
-    if (radius >= aside) return Reach::Open;
+    if (near < 0) return {Reach::Open, most, 0.0};
+    if (m_band[size_t(near)].highest <= most) return {Reach::Open, most, m_band[size_t(near)].highest};
+    if (m_band[size_t(near)].lowest > most) return {Reach::Hidden, most, m_band[size_t(near)].lowest};
+    if (radius >= aside) return {Reach::Open, most, m_band[size_t(near)].lowest};
     const double beta = quickAzimuth(glm::dot(across, m_over), glm::dot(across, m_side));
     const double half = 0.5 * std::numbers::pi * radius / aside + 2.0 * kQuickAngleError;
     const double perSector = m_sectors / kTurn;
     const auto first = int64_t(std::floor((beta - half) * perSector)), last = int64_t(std::floor((beta + half) * perSector));
     const auto sectors = int64_t(m_sectors);
-    for (int64_t sector = first; sector <= std::min(last, first + sectors - 1); ++sector)
-        if (!(m_slopes[size_t(near) * m_sectors + size_t((sector + sectors) % sectors)] > most)) return Reach::Open;
-    return Reach::Hidden;
+    double lowest = m_band[size_t(near)].highest;
+    for (int64_t sector = first; sector <= std::min(last, first + sectors - 1); ++sector) {
+        const double slope = m_slopes[size_t(near) * m_sectors + size_t((sector + sectors) % sectors)];
+        if (!(slope > most)) return {Reach::Open, most, slope};
+        lowest = std::min(lowest, slope);
+    }
+    return {Reach::Hidden, most, lowest};
 }
 
 std::vector<Vec3> KernelHorizon::outline(const InnerKernel& kernel) const {

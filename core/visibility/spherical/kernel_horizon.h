@@ -24,9 +24,16 @@ public:
 
     /// False where the eye is so far away that snapping displaces points by about the kernel's size; then nothing is hidden.
     [[nodiscard]] bool usable() const { return m_bands > 0; }
+    /// The result, and the slopes that decided it.
+    struct Comparison {
+        Reach reach = Reach::Open;
+        double slope = 0.0;    ///< Visible: the sphere's smallest, else its largest; infinite for a sphere around the eye
+        double horizon = 0.0;  ///< Visible: the horizon's largest, Hidden: its smallest over the sphere, Open: one that does not
+                               ///< exceed `slope`
+    };
     /// The test of a sphere, given relative to the centre. Never Hidden for a sphere with a point that may be visible in the
     /// picture.
-    [[nodiscard]] Reach reach(const Vec3& middle, double radius) const;
+    [[nodiscard]] Comparison compare(const Vec3& middle, double radius) const;
 
     [[nodiscard]] const Vec3& axis() const { return m_axis; }  ///< unit vector from the centre to the eye
     [[nodiscard]] uint32_t sectors() const { return m_sectors; }

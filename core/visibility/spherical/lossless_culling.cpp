@@ -12,6 +12,7 @@
 #include "core/visibility/spherical/cell_walk.h"
 #include "core/visibility/spherical/listings.h"
 #include "core/visibility/spherical/map_shows.h"
+#include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/spherical/triangles_by_test.h"
 
 namespace cullscope::spherical {
@@ -59,6 +60,7 @@ public:
         std::vector<KeptObject> kept = keep();
         sortNearestFirst(kept, scene(), m_frame.view().eye());
         std::vector<WalkedObject> decided(kept.size());
+        if (m_frame.recording()) m_record = kept.size() <= kMostWithTests ? WalkRecord::Tests : WalkRecord::Results;
         {
             const StageTimer stage(m_frame, CULLSCOPE_TR("cells"));
             const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i]); };
@@ -106,7 +108,7 @@ private:
         CellTests tests{planesToTest(object, seen), m_frame.facing() == Facing::Front && m_cones && seen.eyeKnown};
         const std::optional<KernelHorizon> horizon = horizonOf(mesh, seen);
         tests.horizon = horizon ? &*horizon : nullptr;
-        result.walk = walkCells(*mesh.tree, seen, tests, m_frame.recording());
+        result.walk = walkCells(*mesh.tree, seen, tests, m_record, object.instance);
         if (m_frame.recording() && horizon) result.walk.outline = horizon->outline(*mesh.kernel);
         return result;
     }
@@ -155,6 +157,7 @@ private:
     }
 
     void record(std::vector<WalkedObject>& decided) {
+        m_frame.countPlacesIn(m_structure.order);
         std::vector<SphericalDecision> decisions(scene().instances().size());
         for (uint32_t instance = 0; instance < decisions.size(); ++instance) decisions[instance].instance = instance;
         for (WalkedObject& object : decided) {
@@ -172,6 +175,7 @@ private:
             if (decision.walk)
                 for (const PlaceRun& run : decision.walk->drawn) decision.drawnTriangles += run.count;
             recordEnd(decision, object.whole);
+            decision.said = m_frame.said();
         }
         auto notes = std::make_shared<SphericalNotes>();
         notes->kernels = m_horizon;
@@ -180,10 +184,10 @@ private:
         m_frame.note(std::move(notes));
     }
 
-    void recordEnd(const SphericalDecision& decision, bool whole) {
+    void recordEnd(SphericalDecision& decision, bool whole) {
         const Subject subject = Subject::ofObject(decision.instance);
         if (decision.walk && !whole)
-            for (const JudgedCell& judged : decision.walk->judged) recordCell(decision.instance, judged);
+            for (const Decision& said : decision.walk->said) m_frame.say(said);
         const bool drawn = decision.drawnTriangles == scene().meshOf(decision.instance).triangleCount();
         const Decision end =
             drawn ? ending(subject, Decision::Outcome::Drawn)
@@ -193,20 +197,10 @@ private:
         m_frame.say(atLine(whole ? uint8_t(WalkLine::Objects) : !decision.walk ? uint8_t(WalkLine::Sphere) : uint8_t{0}, end));
     }
 
-    void recordCell(uint32_t instance, const JudgedCell& judged) {
-        const CellTree::Node& node = m_structure.meshOf(instance).tree->nodes()[judged.node];
-        Decision decision =
-            ending(Subject::ofCell(judged.node, instance), judged.cause ? Decision::Outcome::Culled : Decision::Outcome::Drawn,
-                   judged.cause.value_or(Cause::OutsideFrustum));
-        decision.places = {node.first, node.count};
-        decision.nesting = uint8_t(std::min<uint32_t>(node.level + 1u, 255u));
-        decision.line = uint8_t(lineOfCell(judged.cause));
-        m_frame.say(decision);
-    }
-
     FrameContext& m_frame;
     const CellScene& m_structure;
     bool m_cones, m_horizon;
+    WalkRecord m_record = WalkRecord::Nothing;
 };
 
 class SphericalLossless final : public StrategyWithMaps<CellScene> {

@@ -10,6 +10,7 @@
 #include "core/visibility/spherical/listings.h"
 #include "core/visibility/spherical/map_shows.h"
 #include "core/visibility/spherical/object_space_view.h"
+#include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
 
@@ -153,11 +154,11 @@ protected:
         DrawList list{frame.facing(), {}, structure.order};
         {
             const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
-            for (const MappedObject& object : decided) {
+            for (MappedObject& object : decided) {
                 const MappedMesh& mesh = structure.meshOf(object.decision.instance);
                 if (!mesh.maps) continue;
                 submit(mesh, object.decision, list, frame.counters());
-                if (frame.recording()) record(mesh, object, frame);
+                if (frame.recording()) record(mesh, object, decided.size() <= kMostWithTests, frame);
             }
             if (frame.recording()) keepNotes(structure, decided, frame);
         }
@@ -222,18 +223,23 @@ private:
             counters.figures.push_back({"case", double(decision.region->caseNumber)});
     }
 
-    void record(const MappedMesh& mesh, const MappedObject& object, FrameContext& frame) const {
-        const auto& [seen, decision] = object;
+    /// `tests`: those of rays and bands, too.
+    void record(const MappedMesh& mesh, MappedObject& object, bool tests, FrameContext& frame) const {
+        auto& [seen, decision] = object;
         const Subject subject = Subject::ofObject(decision.instance);
         recordTests(seen, subject, uint8_t(BandsLine::Sphere), frame);
+        if (tests) recordRays(decision, frame);
+        if (tests) recordBands(decision, uint8_t(lineOf(decision)), frame);
         const bool outside = decision.relation == SphereRelation::Outside;
         Decision end = ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
                               outside ? Cause::OutsideFrustum : causeOf(decision.relation));
         if (decision.drawnTriangles == mesh.maps->mesh().triangleCount()) end = ending(subject, Decision::Outcome::Drawn);
         frame.say(atLine(outside ? BandsLine::Outside : lineOf(decision), end));
+        decision.said = frame.said();
     }
 
     static void keepNotes(const MappedScene& structure, std::vector<MappedObject>& decided, FrameContext& frame) {
+        frame.countPlacesIn(structure.order);
         auto notes = std::make_shared<SphericalNotes>();
         for (MappedObject& object : decided)
             if (structure.meshOf(object.decision.instance).maps) notes->decisions.push_back(std::move(object.decision));

@@ -13,6 +13,7 @@ Bars trianglesByTest(const FrameLog& log, const Scene& scene) {
     std::vector<char> byCells(scene.instances().size(), 0);
     for (const Decision& decision : log.decisions) {
         if (decision.subject.kind == Subject::Kind::Cell) byCells[decision.subject.object] = 1;
+        if (decision.outcome == Decision::Outcome::DrawnAfterAll) culled[size_t(decision.cause)] -= decision.places.count;
         if (decision.outcome != Decision::Outcome::Culled) continue;
         uint64_t& count = culled[size_t(decision.cause)];
         if (decision.subject.kind == Subject::Kind::Cell) count += decision.places.count;

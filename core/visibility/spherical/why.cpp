@@ -89,7 +89,13 @@ const JudgedCell* judgedAt(const CellTree& tree, const CellWalk& walk, uint32_t 
     return found == walk.judged.end() ? nullptr : &*found;
 }
 
-Message judgedSentence(const std::optional<Cause>& cause) {
+Message judgedSentence(const JudgedCell& judged) {
+    const std::optional<Cause>& cause = judged.cause;
+    if (judged.bridged)
+        return {
+            CULLSCOPE_TR("A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are "
+                         "not worth a range of their own."),
+            {}};
     if (!cause) return {CULLSCOPE_TR("No test left the cell out: its triangles are drawn."), {}};
     if (*cause == Cause::BackFacing)
         return {CULLSCOPE_TR("All normals of the cell lie in a cone that is turned away from the eye, by more than the picture's "
@@ -132,7 +138,7 @@ void addWalkSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep
     const CellTree::Node& node = map.tree->nodes()[judged->node];
     steps.push_back(said({CULLSCOPE_TR("The walk over the map ended at a cell of level %1, which holds %2 triangles."),
                           {std::to_string(node.level), std::to_string(node.count)}}));
-    steps.push_back(said(judgedSentence(judged->cause), judged->cause ? Containment::Outside : Containment::Inside));
+    steps.push_back(said(judgedSentence(*judged), judged->cause ? Containment::Outside : Containment::Inside));
 }
 
 }  // namespace

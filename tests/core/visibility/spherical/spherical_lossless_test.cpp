@@ -92,7 +92,7 @@ TEST(SphericalLossless, horizonHidesOnlyWhatTheKernelCovers) {
         ASSERT_TRUE(horizon.usable());
         for (int i = 0; i < 400; ++i) {
             const Vec3 point = random.direction() * (radius * random.unit());
-            const spherical::KernelHorizon::Reach reach = horizon.reach(point, 1e-3 * radius * random.unit());
+            const spherical::KernelHorizon::Reach reach = horizon.compare(point, 1e-3 * radius * random.unit()).reach;
             bool through = false;
             for (int step = 1; step < 4000 && !through; ++step) {
                 const Vec3 q = glm::mix(eye, point, step / 4000.0);

@@ -1,0 +1,169 @@
+// What a recorded frame of the spherical strategies says of the tests of rays, bands and cells, and replays of a part of it.
+
+#include "core/visibility/spherical/recorded_tests.h"
+
+#include <map>
+#include <numeric>
+
+#include "core/visibility/triangle_states.h"
+#include "tests/support/spherical_scenes.h"
+
+namespace cullscope::test::recorded_tests_test {
+namespace {
+
+ScenePointer star() { return sceneOf({starMesh(7, 8'000)}, {Mat4(1.0)}); }
+
+View from(double distance, double degrees) {
+    return {{Vec3(0.0, 0.3, distance), Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(degrees), 0.05, 60}, {160, 120}};
+}
+
+Culled recorded(const char* id, const Scene& scene, const View& view) {
+    const CullerPointer culler = makeCuller(id);
+    culler->build(scene);
+    return culler->cull(view, Recording::On);
+}
+
+size_t count(const FrameLog& log, Subject::Kind kind, Decision::Outcome outcome) {
+    return size_t(std::ranges::count_if(
+        log.decisions, [&](const Decision& decision) { return decision.subject.kind == kind && decision.outcome == outcome; }));
+}
+
+/// Views around a body with bumps high enough that they hide each other.
+std::vector<Culled> aroundBumps() {
+    const ScenePointer scene = sceneOf({bumpyMesh(3, 40'000, 0.4)}, {Mat4(1.0)});
+    const CullerPointer culler = strategyWith("spherical-lossless", {{"level", "8"}});
+    culler->build(*scene);
+    std::vector<Culled> frames;
+    Random random(5);
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 eye = (2.0 + i) * random.direction();
+        frames.push_back(culler->cull(
+            View({eye, 0.3 * random.direction(), {0, 0, 1}, Angle::fromDegrees(25), 0.05, 60}, {320, 240}), Recording::On));
+    }
+    return frames;
+}
+
+TEST(RecordedTests, cellThatIsLeftOutHasTheTestThatLeftItOutBeforeIt) {
+    std::map<Cause, size_t> causes;
+    for (const Culled& frame : aroundBumps()) {
+        for (size_t i = 1; i < frame.log.decisions.size(); ++i) {
+            const Decision& decision = frame.log.decisions[i];
+            if (decision.subject.kind != Subject::Kind::Cell || decision.outcome != Decision::Outcome::Culled) continue;
+            ++causes[decision.cause];
+            const Decision& test = frame.log.decisions[i - 1];
+            ASSERT_EQ(test.subject, decision.subject);
+            EXPECT_EQ(test.containment, Containment::Outside);
+            EXPECT_GE(test.operandCount, 2);
+            if (decision.cause == Cause::OutsideFrustum) {
+                ASSERT_TRUE(test.plane.has_value());
+                EXPECT_LT(test.distance(), -test.margin());
+            } else if (decision.cause == Cause::BackFacing) {
+                EXPECT_GT(test.operands[0], test.operands[1]);
+            } else {
+                EXPECT_LT(test.operands[0], test.operands[1]) << "the horizon is higher";
+            }
+        }
+    }
+    EXPECT_GT(causes[Cause::OutsideFrustum], 20u);
+    EXPECT_GT(causes[Cause::BackFacing], 20u);
+    EXPECT_GT(causes[Cause::Hidden], 0u);
+}
+
+TEST(RecordedTests, resultOfAWalkIsTheLastThatWasSaidOfItsCells) {
+    size_t afterAll = 0;
+    for (const Culled& frame : aroundBumps()) {
+        afterAll += count(frame.log, Subject::Kind::Cell, Decision::Outcome::DrawnAfterAll);
+        std::map<uint32_t, Decision> last;
+        for (const Decision& decision : frame.log.decisions)
+            if (decision.subject.kind == Subject::Kind::Cell && decision.outcome != Decision::Outcome::Open)
+                last[decision.subject.number] = decision;
+        uint64_t drawn = 0, culled = 0;
+        for (const auto& [cell, decision] : last)
+            (decision.outcome == Decision::Outcome::Culled ? culled : drawn) += decision.places.count;
+        EXPECT_EQ(drawn, frame.consideredTriangles);
+        EXPECT_EQ(culled, std::accumulate(frame.culledTriangles.begin(), frame.culledTriangles.end(), uint64_t{0}));
+    }
+    EXPECT_GT(afterAll, 0u) << "no gap was small enough to be drawn";
+}
+
+TEST(RecordedTests, cellsOfManyObjectsHaveResultsAlone) {
+    std::vector<Mat4> places;
+    for (size_t i = 0; i <= spherical::kMostWithTests; ++i)
+        places.push_back(translation({3.0 * double(i % 9), 3.0 * double(i / 9), 0}));
+    const std::vector<MeshPointer> meshes(places.size(), starMesh(7, 2'000));
+    const ScenePointer scene = sceneOf(meshes, places);
+    const View view({{12.0, 12.0, 40.0}, {12.0, 12.0, 0.0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, {160, 120});
+    const Culled frame = recorded("spherical-lossless", *scene, view);
+    EXPECT_EQ(count(frame.log, Subject::Kind::Cell, Decision::Outcome::Open), 0u);
+    EXPECT_GT(count(frame.log, Subject::Kind::Cell, Decision::Outcome::Culled), 0u);
+    EXPECT_EQ(count(recorded("spherical", *scene, view).log, Subject::Kind::Band, Decision::Outcome::Open), 0u);
+}
+
+TEST(RecordedTests, bandsAreSaidWithTheirSizesFromTheNearPointOn) {
+    const ScenePointer scene = star();
+    const Culled frame = recorded("spherical", *scene, from(6.0, 60.0));
+    std::map<uint32_t, double> largest;  // by sector
+    const auto sectors = uint32_t(ParameterSet(findStrategy("spherical").info.parameters).integer("sectors"));
+    size_t hidden = 0, before = 0;
+    for (const Decision& decision : frame.log.decisions) {
+        if (decision.subject.kind != Subject::Kind::Band) continue;
+        EXPECT_GE(decision.subject.number, before) << "from near to far";
+        before = decision.subject.number;
+        double& most = largest[decision.subject.number % sectors];
+        EXPECT_EQ(decision.operands[1], most) << "the largest before it in its sector";
+        most = std::max(most, decision.operands[0]);
+        hidden += decision.containment == Containment::Outside ? 1 : 0;
+    }
+    EXPECT_EQ(largest.size(), sectors);
+    EXPECT_GT(hidden, 0u);
+}
+
+TEST(RecordedTests, fourCornerRaysAndTheirRegionAreSaidOfAnObjectThatTheFrustumCuts) {
+    const ScenePointer scene = star();
+    const Culled frame = recorded("spherical", *scene, from(2.0, 20.0));
+    EXPECT_EQ(count(frame.log, Subject::Kind::Ray, Decision::Outcome::Open), 4u);
+    const auto region = std::ranges::find_if(frame.log.decisions, [](const Decision& decision) {
+        return decision.subject.kind == Subject::Kind::Object && decision.outcome == Decision::Outcome::Open && !decision.plane;
+    });
+    ASSERT_NE(region, frame.log.decisions.end());
+    EXPECT_EQ(region->operands[0], frame.caseNumber);
+    EXPECT_EQ(region->operands[2], double(frame.consideredTriangles));
+}
+
+TEST(RecordedTests, partOfALogKnowsNothingOfObjectsThatWereDecidedLater) {
+    const ScenePointer scene = sceneOf({starMesh(7, 2'000), starMesh(8, 2'000), starMesh(9, 2'000)},
+                                       {translation({-3, 0, 0}), translation({0, 0, 0}), translation({3, 0, 0})});
+    const View view({{0, 0, 9}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, {160, 120});
+    for (const char* id : {"spherical", "spherical-horizon", "spherical-lossless"}) {
+        SCOPED_TRACE(id);
+        const CullerPointer culler = makeCuller(id);
+        culler->build(*scene);
+        const Culled frame = culler->cull(view, Recording::On);
+        EXPECT_EQ(spherical::decisionsOf(frame.log.upTo(0)).size(), 0u);
+        EXPECT_EQ(spherical::decisionsOf(frame.log).size(), 3u);
+        size_t known = 0;
+        for (size_t k = 0; k <= frame.log.entries(); ++k) {
+            const size_t now = spherical::decisionsOf(frame.log.upTo(k)).size();
+            EXPECT_GE(now, known);
+            known = now;
+        }
+        EXPECT_EQ(known, 3u);
+    }
+}
+
+TEST(RecordedTests, statesOfTrianglesDoNotDependOnTheNumberOfDrawCommands) {
+    const ScenePointer scene = star();
+    const Culled frame = recorded("spherical-lossless", *scene, from(3.0, 30.0));
+    const TriangleStates whole = triangleStates(*scene, frame.log, std::nullopt);
+    FrameLog parted = frame.log;
+    DrawList first = std::get<DrawList>(parted.commands.at(0)), second = first;
+    const auto middle = std::ptrdiff_t(first.ranges.size() / 2);
+    ASSERT_GT(middle, 0);
+    first.ranges.erase(first.ranges.begin() + middle, first.ranges.end());
+    second.ranges.erase(second.ranges.begin(), second.ranges.begin() + middle);
+    parted.commands = {first, second};
+    EXPECT_EQ(triangleStates(*scene, parted, std::nullopt).states, whole.states);
+}
+
+}  // namespace
+}  // namespace cullscope::test::recorded_tests_test
