@@ -26,4 +26,7 @@ namespace cullscope::benchmark {
 /// Both layouts of its map, over scenes and resolutions.
 [[nodiscard]] Experiment losslessLayouts(const std::vector<std::string>& scenes);
 
+/// `depth-buffer` and `scan-line` beside `all` and `backface`, over a camera path: frames, and the pictures alone.
+[[nodiscard]] Experiment softwareRaster(const std::string& scene, const std::string& path);
+
 }  // namespace cullscope::benchmark
