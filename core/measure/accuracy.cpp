@@ -50,23 +50,34 @@ uint64_t countMembers(const std::vector<uint32_t>& ascending, const Intervals& i
     return members;
 }
 
-/// A triangle in raster coordinates: corners in pixels (y upward) with their reversed depth in z.
-using RasterTriangle = std::array<Vec3, 3>;
+/// A triangle in raster coordinates: corners in pixels (y upward) with their reversed depth in z. Clipped at the near plane it
+/// has none, three or four.
+struct RasterTriangle {
+    std::array<Vec3, 4> corners;
+    size_t count = 0;
+};
 
-/// The projected triangle; none where a corner lies behind the eye.
-std::optional<RasterTriangle> rasterised(const Scene& scene, const View& view, uint64_t triangle) {
+RasterTriangle rasterised(const Scene& scene, const View& view, uint64_t triangle) {
     const size_t number = scene.instanceOf(triangle);
     const TriangleMesh& mesh = scene.meshOf(number);
     const uint64_t first = 3 * (triangle - scene.firstTriangle(number));
-    RasterTriangle corners;
+    std::array<Vec4, 3> clip;
     for (size_t i = 0; i < 3; ++i) {
         const Vec3 world(scene.instances()[number].worldFromMesh * Vec4(mesh.position(mesh.indices()[first + i]), 1.0));
-        const Vec4 clip = view.clipFromEyeRelative() * Vec4(world - view.eye(), 1.0);
-        if (!(clip.w > 0.0)) return std::nullopt;
-        corners[i] = {(clip.x / clip.w + 1.0) * 0.5 * view.viewport().width,
-                      (clip.y / clip.w + 1.0) * 0.5 * view.viewport().height, clip.z / clip.w};
+        clip[i] = view.clipFromEyeRelative() * Vec4(world - view.eye(), 1.0);
     }
-    return corners;
+    RasterTriangle result;
+    const auto add = [&](const Vec4& corner) {
+        result.corners[result.count++] = {(corner.x / corner.w + 1.0) * 0.5 * view.viewport().width,
+                                          (corner.y / corner.w + 1.0) * 0.5 * view.viewport().height, corner.z / corner.w};
+    };
+    for (size_t i = 0; i < 3; ++i) {
+        const Vec4 &here = clip[i], &next = clip[(i + 1) % 3];
+        const double d = here.w - here.z, e = next.w - next.z;  // how far before the near plane
+        if (d >= 0.0) add(here);
+        if ((d >= 0.0) != (e >= 0.0)) add(here + (next - here) * (d / (d - e)));
+    }
+    return result;
 }
 
 double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
@@ -78,14 +89,16 @@ double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
 
 double distanceToEdges(const RasterTriangle& triangle, const Vec2& point) {
     double nearest = std::numeric_limits<double>::infinity();
-    for (size_t i = 0; i < 3; ++i)
-        nearest = std::min(nearest, distanceToSegment(point, Vec2(triangle[i]), Vec2(triangle[(i + 1) % 3])));
+    for (size_t i = 0; i < triangle.count; ++i)
+        nearest = std::min(nearest,
+                           distanceToSegment(point, Vec2(triangle.corners[i]), Vec2(triangle.corners[(i + 1) % triangle.count])));
     return nearest;
 }
 
 /// An upper bound on the change of the depth of the triangle's plane over one pixel: |∂z/∂x| + |∂z/∂y|.
 double depthPerPixel(const RasterTriangle& triangle) {
-    const Vec3 normal = glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
+    const auto& [a, b, c, d] = triangle.corners;
+    const Vec3 normal = glm::cross(b - a, c - a);
     return (std::abs(normal.x) + std::abs(normal.y)) / std::abs(normal.z);
 }
 
@@ -158,13 +171,17 @@ namespace {
 
 constexpr double kNearAnEdge = 1.0 / 64;
 constexpr double kShift = 1.0 / 128;
+/// Of a depth: two units in the last place of a float.
+constexpr double kTwoRoundings = 0x1p-22;
 
-/// Whether the raster's snapping explains that a triangle is shown at a pixel, or is not; `gap` is its depth beside the other's.
-bool snappingExplains(const Scene& scene, const View& view, uint32_t item, size_t pixel, double gap) {
+/// Whether the raster's snapping, or the rounding of two depths to float, explains that a triangle is shown at a pixel, or is
+/// not; `gap` is its depth beside the other's, `depth` the larger of them.
+bool snappingExplains(const Scene& scene, const View& view, uint32_t item, size_t pixel, double gap, double depth) {
+    if (gap <= kTwoRoundings * depth) return true;
     const auto width = static_cast<size_t>(view.viewport().width);
-    const auto triangle = rasterised(scene, view, item - 1);
+    const RasterTriangle triangle = rasterised(scene, view, item - 1);
     const Vec2 centre(double(pixel % width) + 0.5, double(pixel / width) + 0.5);
-    return triangle && (distanceToEdges(*triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(*triangle));
+    return triangle.count > 0 && (distanceToEdges(triangle, centre) <= kNearAnEdge || gap <= kShift * depthPerPixel(triangle));
 }
 
 }  // namespace
@@ -174,7 +191,7 @@ uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& sho
     for (size_t pixel = 0; pixel < shown.depth.size(); ++pixel) {
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Missed || reference.triangle[pixel] == 0) continue;
         const double gap = double(reference.depth[pixel]) - double(shown.depth[pixel]);
-        if (!snappingExplains(scene, view, reference.triangle[pixel], pixel, gap)) ++beyond;
+        if (!snappingExplains(scene, view, reference.triangle[pixel], pixel, gap, reference.depth[pixel])) ++beyond;
     }
     return beyond;
 }
@@ -184,7 +201,7 @@ uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& show
     for (size_t pixel = 0; pixel < shown.triangle.size(); ++pixel) {
         if (pixelDifference(reference, shown, pixel) != PixelDifference::Extra || shown.triangle[pixel] == 0) continue;
         const double gap = double(shown.depth[pixel]) - double(reference.depth[pixel]);
-        if (!snappingExplains(scene, view, shown.triangle[pixel], pixel, gap)) ++beyond;
+        if (!snappingExplains(scene, view, shown.triangle[pixel], pixel, gap, shown.depth[pixel])) ++beyond;
     }
     return beyond;
 }

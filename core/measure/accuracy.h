@@ -53,7 +53,8 @@ struct ShownPixels {
 
 /// The number of missed pixels that the raster's snapping to 1/256 pixel does not explain. It explains a missed pixel whose
 /// centre lies within 1/64 pixel of an edge of the reference's triangle, or where the picture's surface lies behind that triangle
-/// by at most the depth change over 1/128 pixel. `backface` promises 0 for a closed mesh seen from outside.
+/// by at most the depth change over 1/128 pixel or two units in the last place of a float (unresolved). `backface` promises 0 for
+/// a closed mesh seen from outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
 

@@ -8,6 +8,7 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/software/software_raster.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
 
@@ -26,6 +27,8 @@ const std::vector<RegisteredStrategy>& strategies() {
         spherical::spherical(),
         spherical::sphericalHorizon(),
         spherical::sphericalLossless(),
+        software::depthBuffer(),
+        software::scanLine(),
         distance::drawDistance(),
     };
     // clang-format on

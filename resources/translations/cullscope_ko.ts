@@ -2615,6 +2615,154 @@
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>눈에서 일정 거리 너머에 완전히 있는 물체를 제외합니다.</translation>
     </message>
+    <message>
+        <source>triangles to the raster</source>
+        <translation>삼각형을 래스터로</translation>
+    </message>
+    <message>
+        <source>rasterising</source>
+        <translation>래스터화</translation>
+    </message>
+    <message>
+        <source>Of its %1 triangles %2 lie beyond a plane of the frustum and %3 are turned away: they are not drawn.</source>
+        <translation>삼각형 %1개 가운데 %2개는 절두체의 한 평면 밖에 있고 %3개는 뒤를 향함: 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>depth comparisons</source>
+        <translation>깊이 비교</translation>
+    </message>
+    <message>
+        <source>samples written</source>
+        <translation>기록된 표본</translation>
+    </message>
+    <message>
+        <source>pixels that show a surface</source>
+        <translation>면이 보이는 픽셀</translation>
+    </message>
+    <message>
+        <source>In this tile %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
+        <translation>이 타일에서 깊이 %1개를 저장된 깊이와 비교함. %2개가 더 가까워 저장됨. 픽셀 %3개에 면이 보입니다.</translation>
+    </message>
+    <message>
+        <source>comparisons of a depth buffer</source>
+        <translation>깊이 버퍼라면 했을 비교</translation>
+    </message>
+    <message>
+        <source>spans</source>
+        <translation>스팬</translation>
+    </message>
+    <message>
+        <source>In this row %1 depths were compared, where a depth buffer compares %2; %3 spans were filled.</source>
+        <translation>이 행에서 깊이 %1개를 비교함. 깊이 버퍼라면 %2개를 비교합니다. 스팬 %3개를 채웠습니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins where there is no other one, at depth %2: it is in front without a comparison.</source>
+        <translation>%1열에서 다른 면이 없는 곳에 면이 깊이 %2로 시작함: 비교 없이 맨 앞입니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is nearer.</source>
+        <translation>%1열에서 면이 시작함. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 더 가깝습니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 the surface in front ends. Of those that remain the one at depth %2 is the nearest; it was compared with %3.</source>
+        <translation>%1열에서 맨 앞 면이 끝남. 남은 면 가운데 깊이 %2인 면이 가장 가깝습니다. %3과 비교했습니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface comes through the one in front: its depth is %2, that of the other one %3. The span is split there.</source>
+        <translation>%1열에서 한 면이 맨 앞 면을 뚫고 나옴: 그 깊이는 %2, 다른 면은 %3. 스팬을 거기서 나눕니다.</translation>
+    </message>
+    <message>
+        <source>Whether parts of the picture are drawn on all processors at once; the picture is the same.</source>
+        <translation>그림의 부분들을 모든 프로세서에서 동시에 그릴지 여부. 그림은 같습니다.</translation>
+    </message>
+    <message>
+        <source>Depth buffer, in software</source>
+        <translation>깊이 버퍼, 소프트웨어</translation>
+    </message>
+    <message>
+        <source>Draws every triangle on the processor and keeps the nearest surface at each sample.</source>
+        <translation>모든 삼각형을 프로세서에서 그리고 표본마다 가장 가까운 면을 남깁니다.</translation>
+    </message>
+    <message>
+        <source>clear all depths to the farthest</source>
+        <translation>모든 깊이를 가장 먼 값으로</translation>
+    </message>
+    <message>
+        <source>for each triangle, in any order</source>
+        <translation>각 삼각형마다, 순서 무관</translation>
+    </message>
+    <message>
+        <source>transform, clip at the near plane</source>
+        <translation>변환, 근평면에서 자름</translation>
+    </message>
+    <message>
+        <source>for each sample it covers</source>
+        <translation>덮는 표본마다</translation>
+    </message>
+    <message>
+        <source>z = its depth there</source>
+        <translation>z = 그곳의 깊이</translation>
+    </message>
+    <message>
+        <source>if z is nearer than the stored</source>
+        <translation>z가 저장값보다 가까우면</translation>
+    </message>
+    <message>
+        <source>store z and the triangle</source>
+        <translation>z와 삼각형을 저장</translation>
+    </message>
+    <message>
+        <source>show what is stored</source>
+        <translation>저장된 것을 표시</translation>
+    </message>
+    <message>
+        <source>Comparisons of depths</source>
+        <translation>깊이 비교 횟수</translation>
+    </message>
+    <message>
+        <source>Scan line, in software</source>
+        <translation>스캔라인, 소프트웨어</translation>
+    </message>
+    <message>
+        <source>Draws row by row on the processor and compares depths only where surfaces begin, end or cross.</source>
+        <translation>프로세서에서 한 행씩 그리며 면이 시작하거나 끝나거나 교차하는 곳에서만 깊이를 비교합니다.</translation>
+    </message>
+    <message>
+        <source>edge table: edges by their first row</source>
+        <translation>모서리 표: 첫 행별 모서리</translation>
+    </message>
+    <message>
+        <source>for each row: its active edges</source>
+        <translation>각 행마다: 활성 모서리</translation>
+    </message>
+    <message>
+        <source>begins alone: in front</source>
+        <translation>홀로 시작: 맨 앞</translation>
+    </message>
+    <message>
+        <source>begins: compare with the front</source>
+        <translation>시작: 맨 앞과 비교</translation>
+    </message>
+    <message>
+        <source>front ends: compare the others</source>
+        <translation>맨 앞 끝: 나머지를 비교</translation>
+    </message>
+    <message>
+        <source>two cross: compare, split the span</source>
+        <translation>교차: 비교, 스팬 나눔</translation>
+    </message>
+    <message>
+        <source>fill the span, comparing nothing</source>
+        <translation>비교 없이 스팬을 채움</translation>
+    </message>
+    <message>
+        <source>the row is done</source>
+        <translation>행 끝</translation>
+    </message>
+    <message>
+        <source>show the rows</source>
+        <translation>행들을 표시</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -2615,6 +2615,154 @@
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>略去完全位于离视点一定距离之外的对象。</translation>
     </message>
+    <message>
+        <source>triangles to the raster</source>
+        <translation>三角形到光栅</translation>
+    </message>
+    <message>
+        <source>rasterising</source>
+        <translation>光栅化</translation>
+    </message>
+    <message>
+        <source>Of its %1 triangles %2 lie beyond a plane of the frustum and %3 are turned away: they are not drawn.</source>
+        <translation>它的 %1 个三角形中，%2 个位于视锥体某一平面之外，%3 个背向：不予绘制。</translation>
+    </message>
+    <message>
+        <source>depth comparisons</source>
+        <translation>深度比较</translation>
+    </message>
+    <message>
+        <source>samples written</source>
+        <translation>写入的样本</translation>
+    </message>
+    <message>
+        <source>pixels that show a surface</source>
+        <translation>显示表面的像素</translation>
+    </message>
+    <message>
+        <source>In this tile %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
+        <translation>此图块中有 %1 个深度与已存深度比较；%2 个更近并被存入。%3 个像素显示表面。</translation>
+    </message>
+    <message>
+        <source>comparisons of a depth buffer</source>
+        <translation>深度缓冲所需的比较</translation>
+    </message>
+    <message>
+        <source>spans</source>
+        <translation>扫描段</translation>
+    </message>
+    <message>
+        <source>In this row %1 depths were compared, where a depth buffer compares %2; %3 spans were filled.</source>
+        <translation>此行比较了 %1 个深度，而深度缓冲要比较 %2 个；填充了 %3 个扫描段。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins where there is no other one, at depth %2: it is in front without a comparison.</source>
+        <translation>在第 %1 列，一个表面在没有其他表面之处以深度 %2 开始：无需比较即在最前。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is nearer.</source>
+        <translation>在第 %1 列有一个表面开始。其深度 %2 与最前表面的深度 %3 比较：它更近。</translation>
+    </message>
+    <message>
+        <source>At column %1 the surface in front ends. Of those that remain the one at depth %2 is the nearest; it was compared with %3.</source>
+        <translation>在第 %1 列最前的表面结束。其余表面中深度为 %2 的最近；它曾与 %3 比较。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface comes through the one in front: its depth is %2, that of the other one %3. The span is split there.</source>
+        <translation>在第 %1 列，一个表面穿过最前的表面：其深度为 %2，另一个为 %3。扫描段在此分开。</translation>
+    </message>
+    <message>
+        <source>Whether parts of the picture are drawn on all processors at once; the picture is the same.</source>
+        <translation>是否在所有处理器上同时绘制图像的各部分；图像相同。</translation>
+    </message>
+    <message>
+        <source>Depth buffer, in software</source>
+        <translation>深度缓冲（软件）</translation>
+    </message>
+    <message>
+        <source>Draws every triangle on the processor and keeps the nearest surface at each sample.</source>
+        <translation>在处理器上绘制每个三角形，并在每个样本处保留最近的表面。</translation>
+    </message>
+    <message>
+        <source>clear all depths to the farthest</source>
+        <translation>将所有深度清为最远</translation>
+    </message>
+    <message>
+        <source>for each triangle, in any order</source>
+        <translation>对每个三角形，顺序任意</translation>
+    </message>
+    <message>
+        <source>transform, clip at the near plane</source>
+        <translation>变换，按近平面裁剪</translation>
+    </message>
+    <message>
+        <source>for each sample it covers</source>
+        <translation>对它覆盖的每个样本</translation>
+    </message>
+    <message>
+        <source>z = its depth there</source>
+        <translation>z = 该处的深度</translation>
+    </message>
+    <message>
+        <source>if z is nearer than the stored</source>
+        <translation>若 z 比已存的更近</translation>
+    </message>
+    <message>
+        <source>store z and the triangle</source>
+        <translation>存入 z 和三角形</translation>
+    </message>
+    <message>
+        <source>show what is stored</source>
+        <translation>显示所存内容</translation>
+    </message>
+    <message>
+        <source>Comparisons of depths</source>
+        <translation>深度比较次数</translation>
+    </message>
+    <message>
+        <source>Scan line, in software</source>
+        <translation>扫描线（软件）</translation>
+    </message>
+    <message>
+        <source>Draws row by row on the processor and compares depths only where surfaces begin, end or cross.</source>
+        <translation>在处理器上逐行绘制，仅在表面开始、结束或相交之处比较深度。</translation>
+    </message>
+    <message>
+        <source>edge table: edges by their first row</source>
+        <translation>边表：按首行排列的边</translation>
+    </message>
+    <message>
+        <source>for each row: its active edges</source>
+        <translation>对每一行：其活动边</translation>
+    </message>
+    <message>
+        <source>begins alone: in front</source>
+        <translation>单独开始：在最前</translation>
+    </message>
+    <message>
+        <source>begins: compare with the front</source>
+        <translation>开始：与最前者比较</translation>
+    </message>
+    <message>
+        <source>front ends: compare the others</source>
+        <translation>最前者结束：比较其余</translation>
+    </message>
+    <message>
+        <source>two cross: compare, split the span</source>
+        <translation>两者相交：比较，分开扫描段</translation>
+    </message>
+    <message>
+        <source>fill the span, comparing nothing</source>
+        <translation>不作比较，填充扫描段</translation>
+    </message>
+    <message>
+        <source>the row is done</source>
+        <translation>该行完成</translation>
+    </message>
+    <message>
+        <source>show the rows</source>
+        <translation>显示各行</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

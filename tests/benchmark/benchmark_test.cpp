@@ -143,6 +143,17 @@ TEST(Benchmarks, layoutsAreDrawnInTurns) {
     EXPECT_EQ(table.plots[0].lines.size(), 4u) << "two layouts on two paths";
 }
 
+TEST(Benchmarks, softwarePicturesAreTimedBesideOpenGls) {
+    Experiment experiment = softwareRaster("sphere:triangles=500", "orbit:2");
+    experiment.settings.front().size = {64, 48};
+    const ResultTable table = run(experiment);
+    expectWhole(experiment, table);
+    ASSERT_EQ(table.rows.size(), 4u);
+    EXPECT_GT(*numberOf(table.value(2, "picture_speedup")), 0.0);
+    EXPECT_LT(*numberOf(table.value(3, "comparisons")), *numberOf(table.value(2, "comparisons")));
+    for (const size_t own : {2u, 3u}) EXPECT_EQ(*numberOf(table.value(own, "missed_beyond_snapping")), 0.0);
+}
+
 /// What the programs print and write, by a made-up experiment.
 struct Reports : testing::Test {
     void SetUp() override {

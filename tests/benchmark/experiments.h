@@ -30,4 +30,7 @@ inline constexpr std::array kGrowingFaces{10'000u, 30'000u, 100'000u, 300'000u, 
 /// Both layouts of its map, over scenes and resolutions.
 [[nodiscard]] Experiment losslessLayouts(const std::vector<std::string>& scenes);
 
+/// `depth-buffer` and `scan-line` beside `all` and `backface`, over a camera path: frames, and the pictures alone.
+[[nodiscard]] Experiment softwareRaster(const std::string& scene, const std::string& path);
+
 }  // namespace cullscope::benchmark

@@ -80,7 +80,10 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
     for (const RegisteredStrategy& registered : strategies()) {
         const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
-        const Picture drawn = picture(buffers, view, strategy->cull(view, &GlEnvironment::renderer()).drawList);
+        const Culled frame = strategy->cull(view, &GlEnvironment::renderer());
+        // What makes its picture itself has other roundings; its own tests hold it against OpenGL's.
+        if (!frame.log.drawsScene()) continue;
+        const Picture drawn = picture(buffers, view, frame.drawList);
         const Shown look = shown(scene, registered.info.id.c_str(), view, view, {});
         EXPECT_EQ(look.colour, drawn.colour) << registered.info.id;
         EXPECT_EQ(look.depth, drawn.depth) << registered.info.id;

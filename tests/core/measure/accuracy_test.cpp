@@ -138,8 +138,10 @@ TEST(Accuracy, conservativeStrategiesMissNoPixel) {
         const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
         if (strategy->promise() == Promise::Approximate) continue;
-        ++conservative;
         const Culled frame = strategy->cull(overThree(), &GlEnvironment::renderer());
+        // What makes its picture itself keeps its promise up to the raster's snapping.
+        if (!frame.log.drawsScene()) continue;
+        ++conservative;
         const Reference reference = itemBufferReference(GlEnvironment::renderer(), buffers, overThree(), strategy->facing());
         const Accuracy accuracy =
             compare(reference, {picture(buffers, overThree(), frame.drawList).depth, {}}, frame.drawList, *scene);

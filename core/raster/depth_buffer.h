@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "core/frame/commands.h"
+#include "core/raster/scene_triangles.h"
+
+namespace cullscope {
+
+/// What a rasteriser counted in some rows of a picture.
+struct RowCounts {
+    int firstRow = 0, endRow = 0;
+    uint64_t triangles = 0;    ///< that reach these rows
+    uint64_t samples = 0;      ///< that triangles cover, each as often as it is covered
+    uint64_t comparisons = 0;  ///< of depths; the depth buffer compares every sample
+    uint64_t crossings = 0;    ///< of the scan line: places where a surface passes another one
+    uint64_t spans = 0;        ///< of the scan line
+    uint64_t written = 0;      ///< samples that were stored, the same pixel as often as a nearer surface replaced another one
+    uint64_t covered = 0;      ///< pixels that show a surface
+};
+
+/// A picture made without OpenGL, and its counts from the bottom to the top.
+struct RasterPicture {
+    std::shared_ptr<FinishedPicture> picture;
+    std::vector<RowCounts> rows;
+
+    [[nodiscard]] RowCounts total() const;
+};
+
+/// The rows of each band of a picture, which one processor draws.
+inline constexpr int kBandRows = 32;
+
+enum class RasterSimd { Portable, Avx2 };
+/// Those that this processor has, the fastest last.
+[[nodiscard]] std::span<const RasterSimd> availableRasterSimd();
+
+/// A picture by the depth buffer: every triangle in its order; each of its samples is compared with the depth stored at the pixel
+/// and replaces it where it is nearer. At equal depths the first one drawn stays. `parallel`, by bands of rows, and `simd` change
+/// nothing in the picture.
+[[nodiscard]] RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel = true,
+                                            RasterSimd simd = availableRasterSimd().back());
+
+}  // namespace cullscope

@@ -1,0 +1,327 @@
+#include "core/raster/scan_line.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/raster/in_parallel.h"
+
+namespace cullscope {
+namespace {
+
+constexpr int kNever = std::numeric_limits<int>::max();
+constexpr uint32_t kNoSurface = UINT32_MAX;
+
+int64_t quotientDown(int64_t dividend, int64_t divisor) {
+    const int64_t quotient = dividend / divisor;
+    return quotient - (quotient * divisor > dividend ? 1 : 0);
+}
+
+/// An edge while rows pass it. The column where it lies in a row is a whole number and a remainder, so that no step rounds.
+class ActiveEdge {
+public:
+    ActiveEdge() = default;
+    /// The edge of a triangle from corner i to the next one, which must not be horizontal, at its row `row`.
+    ActiveEdge(const ScreenTriangle& triangle, int i, int row) {
+        const int next = (i + 1) % 3;
+        const int64_t dx = triangle.x[next] - triangle.x[i], dy = triangle.y[next] - triangle.y[i];
+        m_begins = dy < 0;
+        m_divisor = std::abs(dy) * kSubPixels;
+        // A left edge owns the centres on it, a right edge does not: the first column inside is the ceiling of where the left
+        // edge lies, the first one outside that of where the right edge lies.
+        const int64_t onRow = m_begins ? -dx * (int64_t(row) * kSubPixels - triangle.y[i]) - dy * triangle.x[i]
+                                       : dx * (int64_t(row) * kSubPixels - triangle.y[i]) + dy * triangle.x[i];
+        set(onRow + m_divisor - 1, m_column, m_remainder);
+        set((m_begins ? -dx : dx) * kSubPixels, m_columnStep, m_remainderStep);
+        const auto [low, high] = std::minmax(triangle.y[i], triangle.y[next]);
+        m_firstRow = (low + kSubPixels - 1) >> 8;
+        m_endRow = (high >> 8) + 1;
+    }
+
+    /// Whether it begins spans (a left edge) or ends them.
+    [[nodiscard]] bool begins() const { return m_begins; }
+    [[nodiscard]] bool reaches(int row) const { return m_firstRow <= row && row < m_endRow; }
+    /// The first column to the right of the edge, in the current row.
+    [[nodiscard]] int64_t column() const { return m_column; }
+    void goUp() {
+        m_column += m_columnStep;
+        m_remainder += m_remainderStep;
+        if (m_remainder >= m_divisor) {
+            m_remainder -= m_divisor;
+            ++m_column;
+        }
+    }
+
+private:
+    void set(int64_t dividend, int64_t& quotient, int64_t& remainder) const {
+        quotient = quotientDown(dividend, m_divisor);
+        remainder = dividend - quotient * m_divisor;
+    }
+
+    int64_t m_column = 0, m_remainder = 0, m_columnStep = 0, m_remainderStep = 0, m_divisor = 1;
+    int m_firstRow = 0, m_endRow = 0;
+    bool m_begins = false;
+};
+
+/// A triangle that the current row may meet.
+struct Surface {
+    const ScreenTriangle* triangle = nullptr;
+    uint32_t order = 0;  ///< in which it would be drawn
+    int edgeCount = 0;
+    ActiveEdge edges[3];
+    // In the current row:
+    int begin = 0, end = 0;  ///< its pixels
+    double rowDepth = 0.0;
+    int mayCross = kNever;  ///< the first column at which it may come before the surface in front
+};
+
+/// Depth and its float exactly as the depth buffer has them.
+double unroundedAt(const Surface& surface, int column) {
+    return surface.rowDepth + surface.triangle->depthPerColumn * double(column - surface.triangle->firstColumn);
+}
+float depthAt(const Surface& surface, int column) { return float(unroundedAt(surface, column)); }
+
+/// The rows of one band, from the bottom up.
+class Sweep {
+public:
+    Sweep(std::span<const ScreenTriangle* const> triangles, const Viewport& size, int firstRow, int endRow, bool keepSpans,
+          FinishedPicture& picture)
+        : m_size(size), m_picture(picture), m_keepSpans(keepSpans) {
+        m_starting.resize(size_t(endRow - firstRow));
+        for (uint32_t i = 0; i < triangles.size(); ++i)
+            m_starting[size_t(std::max(triangles[i]->firstRow, firstRow) - firstRow)].push_back({triangles[i], i});
+        for (int row = firstRow; row < endRow; ++row) {
+            for (const auto& [triangle, order] : m_starting[size_t(row - firstRow)]) begin(*triangle, order, row);
+            sweep(row);
+            goUp(row);
+        }
+    }
+
+    std::vector<RowCounts> counts;
+    std::vector<RowSpan> spans;
+
+private:
+    struct Starting {
+        const ScreenTriangle* triangle;
+        uint32_t order;
+    };
+
+    void begin(const ScreenTriangle& triangle, uint32_t order, int row) {
+        Surface surface;
+        surface.triangle = &triangle;
+        surface.order = order;
+        for (int i = 0; i < 3; ++i) {
+            const int next = (i + 1) % 3;
+            if (triangle.y[next] != triangle.y[i]) surface.edges[surface.edgeCount++] = ActiveEdge(triangle, i, row);
+        }
+        m_surfaces.push_back(surface);
+    }
+
+    void goUp(int row) {
+        std::erase_if(m_surfaces, [&](const Surface& surface) { return surface.triangle->endRow <= row + 1; });
+        for (Surface& surface : m_surfaces)
+            for (int i = 0; i < surface.edgeCount; ++i) surface.edges[i].goUp();
+    }
+
+    /// Whether the row lies on a horizontal edge at the triangle's bottom, which does not belong to it.
+    static bool onBottomEdge(const ScreenTriangle& triangle, int row) {
+        for (int i = 0; i < 3; ++i) {
+            const int next = (i + 1) % 3;
+            if (triangle.y[i] == row * kSubPixels && triangle.y[next] == triangle.y[i] && triangle.x[next] > triangle.x[i])
+                return true;
+        }
+        return false;
+    }
+
+    /// Finds the pixels of each surface in a row.
+    void findIntervals(int row) {
+        m_beginning.clear();
+        for (uint32_t i = 0; i < m_surfaces.size(); ++i) {
+            Surface& surface = m_surfaces[i];
+            const ScreenTriangle& triangle = *surface.triangle;
+            if (onBottomEdge(triangle, row)) continue;
+            int64_t begin = triangle.firstColumn, end = triangle.endColumn;
+            for (int e = 0; e < surface.edgeCount; ++e) {
+                const ActiveEdge& edge = surface.edges[e];
+                if (!edge.reaches(row)) continue;
+                if (edge.begins())
+                    begin = std::max(begin, edge.column());
+                else
+                    end = std::min(end, edge.column());
+            }
+            if (begin >= end) continue;
+            surface.begin = int(begin);
+            surface.end = int(end);
+            counts.back().samples += uint64_t(end - begin);
+            surface.rowDepth = triangle.depth + triangle.depthPerRow * double(row - triangle.firstRow);
+            m_beginning.push_back(i);
+        }
+        std::ranges::sort(m_beginning, [&](uint32_t a, uint32_t b) {
+            return m_surfaces[a].begin != m_surfaces[b].begin ? m_surfaces[a].begin < m_surfaces[b].begin : a < b;
+        });
+    }
+
+    /// Whether a surface comes before another one at a pixel: a comparison of depths.
+    bool before(uint32_t surface, uint32_t other, int column) {
+        ++counts.back().comparisons;
+        const float a = depthAt(m_surfaces[surface], column), b = depthAt(m_surfaces[other], column);
+        return a > b || (a == b && m_surfaces[surface].order < m_surfaces[other].order);
+    }
+
+    /// The first column from `from` at which a surface may come before the one in front. Both depths change evenly along the row;
+    /// before that column their difference exceeds what their rounding to float, and that of its own computation, can hide.
+    int crossingOf(const Surface& surface, const Surface& front, int from) const {
+        const int last = std::min(surface.end, front.end) - 1;
+        if (from > last) return kNever;
+        const double s0 = unroundedAt(surface, from), s1 = unroundedAt(surface, last);
+        const double f0 = unroundedAt(front, from), f1 = unroundedAt(front, last);
+        const auto reach = [&](const Surface& of) {
+            return std::abs(of.rowDepth) + std::abs(of.triangle->depthPerColumn) * double(m_size.width);
+        };
+        const double largest = std::max(std::max(std::abs(s0), std::abs(s1)), std::max(std::abs(f0), std::abs(f1)));
+        const double margin = 0x1p-23 * largest + 0x1p-48 * (reach(surface) + reach(front)) + 0x1p-140;
+        const double atFrom = s0 - f0, atLast = s1 - f1;
+        if (atFrom >= -margin) return from;
+        if (atLast < -margin) return kNever;
+        const double columns = (-margin - atFrom) / (atLast - atFrom) * double(last - from);
+        return std::clamp(from + int(columns) - 1, from, last);
+    }
+
+    void sweep(int row) {
+        counts.push_back({row, row + 1});
+        findIntervals(row);
+        counts.back().triangles = m_beginning.size();
+        m_active.clear();
+        m_front = kNoSurface;
+        size_t beginning = 0;
+        uint32_t comparedBefore = 0;
+        int spanBegin = 0;
+        RowSpan span;
+        const auto finish = [&](int end) {
+            if (m_front == kNoSurface) return;
+            write(row, spanBegin, end);
+            ++counts.back().spans;
+            if (!m_keepSpans) return;
+            span.end = end;
+            spans.push_back(span);
+        };
+        while (beginning < m_beginning.size() || !m_active.empty()) {
+            int column = m_active.empty() ? kNever : nextActive();
+            if (beginning < m_beginning.size()) column = std::min(column, m_surfaces[m_beginning[beginning]].begin);
+
+            const uint32_t old = m_front;
+            std::erase_if(m_active, [&](uint32_t surface) { return m_surfaces[surface].end <= column; });
+            const bool ended = old != kNoSurface && m_surfaces[old].end <= column;
+            uint32_t front = ended ? kNoSurface : old, against = kNoSurface;
+            auto start = RowSpan::Start::Alone;
+            const auto challenge = [&](uint32_t surface, RowSpan::Start how) {
+                if (front == kNoSurface) {
+                    front = surface;
+                    if (how == RowSpan::Start::Remains) start = how;
+                    return;
+                }
+                const bool wins = before(surface, front, column);
+                start = wins || ended ? how : start;
+                against = wins ? front : ended ? surface : against;
+                if (wins) front = surface;
+            };
+            // Where the surface in front ended, those that remain are compared with each other; else those that may cross it.
+            for (const uint32_t surface : m_active) {
+                if (surface == old) continue;
+                if (ended)
+                    challenge(surface, RowSpan::Start::Remains);
+                else if (m_surfaces[surface].mayCross <= column)
+                    challenge(surface, RowSpan::Start::Crosses);
+            }
+            const size_t already = m_active.size();
+            for (; beginning < m_beginning.size() && m_surfaces[m_beginning[beginning]].begin == column; ++beginning) {
+                const uint32_t surface = m_beginning[beginning];
+                challenge(surface, RowSpan::Start::Begins);
+                m_active.push_back(surface);
+            }
+            if (front != old) {
+                if (start == RowSpan::Start::Crosses) ++counts.back().crossings;
+                finish(column);
+                spanBegin = column;
+                m_front = front;
+                if (front != kNoSurface && m_keepSpans) {
+                    const auto compared = uint32_t(counts.back().comparisons);
+                    span = {row, column, column, start, m_surfaces[front].triangle->number - 1};
+                    span.depth = depthAt(m_surfaces[front], column);
+                    if (against != kNoSurface) {
+                        span.other = m_surfaces[against].triangle->number;
+                        span.otherDepth = depthAt(m_surfaces[against], column);
+                    }
+                    span.comparisons = compared - comparedBefore;
+                    comparedBefore = compared;
+                }
+            }
+            for (size_t i = 0; i < m_active.size() && front != kNoSurface; ++i) {
+                Surface& surface = m_surfaces[m_active[i]];
+                if (m_active[i] == front)
+                    surface.mayCross = kNever;
+                else if (front != old || i >= already || surface.mayCross <= column)
+                    surface.mayCross = crossingOf(surface, m_surfaces[front], column + 1);
+            }
+        }
+    }
+
+    /// The next column at which an active surface ends or may cross the one in front.
+    [[nodiscard]] int nextActive() const {
+        int next = kNever;
+        for (const uint32_t surface : m_active)
+            next = std::min(next, std::min(m_surfaces[surface].end, m_surfaces[surface].mayCross));
+        return next;
+    }
+
+    /// Fills a span with the surface in front, without a comparison; what lies beyond the far plane (depth 0) is not shown.
+    void write(int row, int begin, int end) {
+        const Surface& front = m_surfaces[m_front];
+        const size_t first = size_t(row) * size_t(m_size.width);
+        for (int column = begin; column < end; ++column) {
+            const float depth = depthAt(front, column);
+            if (!(depth > 0.0f)) continue;
+            m_picture.depth[first + size_t(column)] = depth;
+            m_picture.triangle[first + size_t(column)] = front.triangle->number;
+            ++counts.back().written;
+        }
+    }
+
+    const Viewport& m_size;
+    FinishedPicture& m_picture;
+    bool m_keepSpans;
+    std::vector<std::vector<Starting>> m_starting;  ///< the edge table: what begins in each row
+    std::vector<Surface> m_surfaces;                ///< in the order in which they began
+    std::vector<uint32_t> m_beginning;              ///< in the current row, from the left
+    std::vector<uint32_t> m_active;                 ///< at the current column
+    uint32_t m_front = kNoSurface;
+};
+
+}  // namespace
+
+ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool parallel) {
+    const size_t pixels = size_t(scene.size.width) * size_t(scene.size.height);
+    const RasterBins bins(scene, kBandRows, parallel);
+    ScanLinePicture result;
+    result.picture = std::make_shared<FinishedPicture>();
+    result.picture->size = scene.size;
+    result.picture->triangle.resize(pixels);
+    result.picture->depth.resize(pixels);
+    std::vector<std::vector<RowCounts>> counts(bins.bands());
+    std::vector<std::vector<RowSpan>> spans(bins.bands());
+    forEachOf(bins.bands(), parallel, [&](size_t number) {
+        const int first = int(number) * kBandRows;
+        Sweep sweep(bins.band(number), scene.size, first, std::min(first + kBandRows, scene.size.height), keepSpans,
+                    *result.picture);
+        counts[number] = std::move(sweep.counts);
+        spans[number] = std::move(sweep.spans);
+    });
+    for (size_t number = 0; number < bins.bands(); ++number) {
+        for (RowCounts& row : counts[number]) row.covered = row.written;
+        result.rows.insert(result.rows.end(), counts[number].begin(), counts[number].end());
+        result.spans.insert(result.spans.end(), spans[number].begin(), spans[number].end());
+    }
+    return result;
+}
+
+}  // namespace cullscope

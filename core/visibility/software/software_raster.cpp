@@ -1,0 +1,295 @@
+#include "core/visibility/software/software_raster.h"
+
+#include <atomic>
+#include <numeric>
+
+#include "core/base/message.h"
+#include "core/raster/in_parallel.h"
+#include "core/raster/scan_line.h"
+#include "core/visibility/facing.h"
+
+namespace cullscope::software {
+namespace {
+
+constexpr const char* kParallel = "parallel";
+/// A recorded scan line says every span up to this number of them, and beyond it only its rows.
+constexpr size_t kMostSpansSaid = 5000;
+
+struct NoStructure : Structure {
+    using Structure::Structure;
+};
+
+/// How many triangles of each object a picture shows.
+std::vector<uint64_t> shownOfObjects(const Scene& scene, const FinishedPicture& picture, bool parallel) {
+    std::vector<uint8_t> shown(scene.triangleCount(), 0);
+    const auto width = size_t(picture.size.width);
+    forEachOf(size_t(picture.size.height), parallel, [&](size_t row) {
+        uint32_t before = 0;
+        for (size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
+            const uint32_t number = picture.triangle[pixel];
+            if (number != before && number != 0) std::atomic_ref(shown[number - 1]).store(uint8_t{1}, std::memory_order_relaxed);
+            before = number;
+        }
+    });
+    std::vector<uint64_t> counts(scene.instances().size());
+    for (size_t i = 0; i < counts.size(); ++i) {
+        const auto first = shown.begin() + std::ptrdiff_t(scene.firstTriangle(i));
+        counts[i] = std::accumulate(first, first + std::ptrdiff_t(scene.meshOf(i).triangleCount()), uint64_t{0});
+    }
+    return counts;
+}
+
+/// What became of an object's triangles on their way to the raster.
+struct ObjectCounts {
+    uint64_t given = 0, outside = 0, facingAway = 0;
+};
+
+std::vector<ObjectCounts> countsOfObjects(const SceneOnRaster& raster, size_t objects) {
+    std::vector<ObjectCounts> counts(objects);
+    for (const TrianglesOnRaster& part : raster.parts) {
+        counts[part.instance].given += part.given;
+        counts[part.instance].outside += part.outside;
+        counts[part.instance].facingAway += part.facingAway;
+    }
+    return counts;
+}
+
+Decision said(const Subject& subject, Decision::Outcome outcome, const char* sentence, const std::array<double, 3>& operands) {
+    Decision decision;
+    decision.subject = subject;
+    decision.outcome = outcome;
+    decision.sentence = sentence;
+    decision.operands = operands;
+    decision.operandCount = 3;
+    return decision;
+}
+
+/// A strategy that makes its picture on the processor from all triangles of the scene.
+class SoftwareRaster : public StrategyWith<NoStructure> {
+protected:
+    void fill(NoStructure& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
+        structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
+    }
+
+    void decide(FrameContext& frame, const NoStructure& /*structure*/, ViewState& /*state*/,
+                const ParameterSet& parameters) const override {
+        const bool parallel = parameters.boolean(kParallel);
+        SceneOnRaster raster;
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("triangles to the raster"));
+            raster = trianglesOnRaster(frame.scene(), frame.view(), frame.facing(), parallel);
+        }
+        const std::vector<ObjectCounts> counts = countsOfObjects(raster, frame.scene().instances().size());
+        if (frame.recording()) sayTriangles(frame, counts);
+        RasterPicture drawn;
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("rasterising"));
+            drawn = rasterise(frame, raster, parallel);
+        }
+        const RowCounts total = drawn.total();
+        FrameCounters& counters = frame.counters();
+        counters.nodesVisited = raster.triangleCount();
+        counters.bytesTouched = drawn.picture->depth.size() * (sizeof(float) + sizeof(uint32_t));
+        counters.figures = {{"samples", double(total.samples)},
+                            {"comparisons", double(total.comparisons)},
+                            {"written", double(total.written)},
+                            {"overlap", total.covered > 0 ? double(total.samples) / double(total.covered) : 0.0}};
+        end(frame, shownOfObjects(frame.scene(), *drawn.picture, parallel), counts);
+        frame.show(std::move(drawn.picture));
+    }
+
+    [[nodiscard]] Promise promiseOf(const NoStructure& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Exact;
+    }
+
+    /// Makes the picture, and says how where the frame is recorded.
+    [[nodiscard]] virtual RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel) const = 0;
+    /// The lines of the listing at which an object's triangles come to the raster, and at which they are shown.
+    struct ObjectLines {
+        uint8_t triangles, shown;
+    };
+    [[nodiscard]] virtual ObjectLines objectLines() const = 0;
+
+private:
+    void sayTriangles(FrameContext& frame, const std::vector<ObjectCounts>& counts) const {
+        const char* sentence =
+            CULLSCOPE_TR("Of its %1 triangles %2 lie beyond a plane of the frustum and %3 are turned away: they are not drawn.");
+        for (uint32_t i = 0; i < counts.size(); ++i) {
+            const auto& [given, outside, facingAway] = counts[i];
+            Decision test = said(Subject::ofObject(i), Decision::Outcome::Open, sentence,
+                                 {double(given), double(outside), double(facingAway)});
+            if (outside == given) test.containment = Containment::Outside;
+            frame.say(atLine(objectLines().triangles, test));
+        }
+    }
+
+    /// Says and counts what became of each object: what the picture does not show is hidden, or lies outside.
+    void end(FrameContext& frame, const std::vector<uint64_t>& shown, const std::vector<ObjectCounts>& counts) const {
+        for (uint32_t i = 0; i < shown.size(); ++i) {
+            const uint64_t triangles = frame.scene().meshOf(i).triangleCount();
+            const Cause cause = counts[i].outside == triangles ? Cause::OutsideFrustum : Cause::Hidden;
+            frame.counters().culledTriangles[size_t(cause)] += triangles - shown[i];
+            if (!frame.recording()) continue;
+            const auto outcome = shown[i] == triangles ? Decision::Outcome::Drawn
+                                 : shown[i] > 0        ? Decision::Outcome::PartlyDrawn
+                                                       : Decision::Outcome::Culled;
+            Decision decision = ending(Subject::ofObject(i), triangles == 0 ? Decision::Outcome::Culled : outcome, cause);
+            decision.containment = shown[i] == 0 ? Containment::Outside : Containment::Straddles;
+            frame.say(atLine(objectLines().shown, decision));
+        }
+    }
+};
+
+/// Sums of an operand over the decisions that fell at a line.
+uint64_t sumAtLine(const FrameLog& log, uint8_t line, size_t operand) {
+    double sum = 0.0;
+    for (const Decision& decision : log.decisions)
+        if (decision.line == line) sum += decision.operands[operand];
+    return uint64_t(sum);
+}
+
+class DepthBuffer final : public SoftwareRaster {
+public:
+    enum class Line : uint8_t { Clear = 1, Triangles, Transform, Samples, Depth, Compare, Store, Shown };
+
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
+        const auto sum = [&](size_t operand) { return sumAtLine(log, uint8_t(Line::Compare), operand); };
+        return {{},
+                {{CULLSCOPE_TR("depth comparisons"), sum(0)},
+                 {CULLSCOPE_TR("samples written"), sum(1)},
+                 {CULLSCOPE_TR("pixels that show a surface"), sum(2)}}};
+    }
+
+protected:
+    [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel) const override {
+        RasterPicture drawn = drawDepthBuffer(raster, parallel);
+        if (!frame.recording()) return drawn;
+        for (uint32_t tile = 0; tile < drawn.rows.size(); ++tile) {
+            const RowCounts& counts = drawn.rows[tile];
+            frame.say(atLine(Line::Compare,
+                             said({Subject::Kind::Tile, tile, Subject::kNoObject}, Decision::Outcome::Open,
+                                  CULLSCOPE_TR("In this tile %1 depths were compared with the stored ones; %2 were nearer and "
+                                               "stored. %3 pixels show a surface."),
+                                  {double(counts.comparisons), double(counts.written), double(counts.covered)})));
+        }
+        return drawn;
+    }
+    [[nodiscard]] ObjectLines objectLines() const override { return {uint8_t(Line::Transform), uint8_t(Line::Shown)}; }
+};
+
+class ScanLine final : public SoftwareRaster {
+public:
+    enum class Line : uint8_t { Table = 1, Row, Alone, Begins, Ends, Crosses, Fill, Done, Shown };
+
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
+        const auto sum = [&](size_t operand) { return sumAtLine(log, uint8_t(Line::Done), operand); };
+        return {{},
+                {{CULLSCOPE_TR("depth comparisons"), sum(0)},
+                 {CULLSCOPE_TR("comparisons of a depth buffer"), sum(1)},
+                 {CULLSCOPE_TR("spans"), sum(2)}}};
+    }
+
+protected:
+    [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel) const override {
+        ScanLinePicture drawn = drawScanLine(raster, frame.recording(), parallel);
+        if (frame.recording()) say(frame, drawn);
+        return drawn;
+    }
+    [[nodiscard]] ObjectLines objectLines() const override { return {uint8_t(Line::Table), uint8_t(Line::Shown)}; }
+
+private:
+    static void say(FrameContext& frame, const ScanLinePicture& drawn) {
+        const bool spansToo = drawn.spans.size() <= kMostSpansSaid;
+        size_t next = 0;
+        for (uint32_t row = 0; row < drawn.rows.size(); ++row) {
+            const RowCounts& counts = drawn.rows[row];
+            for (; spansToo && next < drawn.spans.size() && drawn.spans[next].row == int(row); ++next)
+                frame.say(decisionOf(drawn.spans[next], uint32_t(next)));
+            frame.say(atLine(Line::Done, said({Subject::Kind::Tile, row, Subject::kNoObject}, Decision::Outcome::Open,
+                                              CULLSCOPE_TR("In this row %1 depths were compared, where a depth buffer compares "
+                                                           "%2; %3 spans were filled."),
+                                              {double(counts.comparisons), double(counts.samples), double(counts.spans)})));
+        }
+    }
+
+    static Decision decisionOf(const RowSpan& span, uint32_t number) {
+        const Subject subject{Subject::Kind::Span, number, Subject::kNoObject};
+        const auto open = Decision::Outcome::Open;
+        const std::array<double, 3> operands{double(span.begin), span.depth, span.otherDepth};
+        switch (span.start) {
+            case RowSpan::Start::Alone:
+                return atLine(Line::Alone,
+                              said(subject, open,
+                                   CULLSCOPE_TR("At column %1 a surface begins where there is no other one, at depth "
+                                                "%2: it is in front without a comparison."),
+                                   operands));
+            case RowSpan::Start::Begins:
+                return atLine(Line::Begins,
+                              said(subject, open,
+                                   CULLSCOPE_TR("At column %1 a surface begins. Its depth %2 is compared with %3 of "
+                                                "the one in front: it is nearer."),
+                                   operands));
+            case RowSpan::Start::Remains:
+                return atLine(Line::Ends,
+                              said(subject, open,
+                                   CULLSCOPE_TR("At column %1 the surface in front ends. Of those that remain the one "
+                                                "at depth %2 is the nearest; it was compared with %3."),
+                                   operands));
+            case RowSpan::Start::Crosses:
+                break;
+        }
+        return atLine(Line::Crosses, said(subject, open,
+                                          CULLSCOPE_TR("At column %1 a surface comes through the one in front: its depth is %2, "
+                                                       "that of the other one %3. The span is split there."),
+                                          operands));
+    }
+};
+
+ParameterDeclaration parallelParameter() {
+    return booleanParameter(
+        kParallel, true,
+        CULLSCOPE_TR("Whether parts of the picture are drawn on all processors at once; the picture is the same."));
+}
+
+}  // namespace
+
+RegisteredStrategy depthBuffer() {
+    StrategyInfo info{"depth-buffer",
+                      CULLSCOPE_TR("Depth buffer, in software"),
+                      CULLSCOPE_TR("Draws every triangle on the processor and keeps the nearest surface at each sample."),
+                      "Visible-surface determination, lecture: 1. depth (z) buffer method; Catmull 1974",
+                      {facingParameter(), parallelParameter()}};
+    info.shows = {listingShow({{CULLSCOPE_TR("clear all depths to the farthest"), 0},
+                               {CULLSCOPE_TR("for each triangle, in any order"), 0},
+                               {CULLSCOPE_TR("transform, clip at the near plane"), 1},
+                               {CULLSCOPE_TR("for each sample it covers"), 1},
+                               {CULLSCOPE_TR("z = its depth there"), 2},
+                               {CULLSCOPE_TR("if z is nearer than the stored"), 2},
+                               {CULLSCOPE_TR("store z and the triangle"), 3},
+                               {CULLSCOPE_TR("show what is stored"), 0}}),
+                  barsShow("depth-comparisons", CULLSCOPE_TR("Comparisons of depths"))};
+    return {std::move(info), std::make_shared<DepthBuffer>()};
+}
+
+RegisteredStrategy scanLine() {
+    StrategyInfo info{
+        "scan-line",
+        CULLSCOPE_TR("Scan line, in software"),
+        CULLSCOPE_TR("Draws row by row on the processor and compares depths only where surfaces begin, end or cross."),
+        "Visible-surface determination, lecture: 2. scan line method; Watkins 1970",
+        {facingParameter(), parallelParameter()}};
+    info.shows = {listingShow({{CULLSCOPE_TR("edge table: edges by their first row"), 0},
+                               {CULLSCOPE_TR("for each row: its active edges"), 0},
+                               {CULLSCOPE_TR("begins alone: in front"), 1},
+                               {CULLSCOPE_TR("begins: compare with the front"), 1},
+                               {CULLSCOPE_TR("front ends: compare the others"), 1},
+                               {CULLSCOPE_TR("two cross: compare, split the span"), 1},
+                               {CULLSCOPE_TR("fill the span, comparing nothing"), 1},
+                               {CULLSCOPE_TR("the row is done"), 1},
+                               {CULLSCOPE_TR("show the rows"), 0}}),
+                  barsShow("scan-line-comparisons", CULLSCOPE_TR("Comparisons of depths"))};
+    return {std::move(info), std::make_shared<ScanLine>()};
+}
+
+}  // namespace cullscope::software

@@ -1,0 +1,121 @@
+// The scan line beside the depth buffer: the same picture to the bit, with fewer comparisons.
+
+#include "core/raster/scan_line.h"
+
+#include <bit>
+
+#include "core/mesh/parametric.h"
+#include "tests/support/random_polygons.h"
+
+namespace cullscope::test::scan_line_test {
+namespace {
+
+struct Compared {
+    RowCounts depthBuffer, scanLine;
+};
+
+/// Expects both pictures to be equal to the bit, in turns and in parallel.
+Compared expectSame(const Scene& scene, const View& view, Facing facing = Facing::TwoSided) {
+    const SceneOnRaster raster = trianglesOnRaster(scene, view, facing);
+    const RasterPicture buffer = drawDepthBuffer(raster);
+    const ScanLinePicture lines = drawScanLine(raster);
+    const auto width = size_t(view.viewport().width);
+    for (size_t pixel = 0; pixel < buffer.picture->depth.size(); ++pixel) {
+        const float a = buffer.picture->depth[pixel], b = lines.picture->depth[pixel];
+        if (buffer.picture->triangle[pixel] == lines.picture->triangle[pixel] &&
+            std::bit_cast<uint32_t>(a) == std::bit_cast<uint32_t>(b))
+            continue;
+        ADD_FAILURE() << "pixel " << pixel % width << ", " << pixel / width << ": the depth buffer shows triangle "
+                      << buffer.picture->triangle[pixel] << " at " << a << ", the scan line " << lines.picture->triangle[pixel]
+                      << " at " << b;
+        break;
+    }
+    const ScanLinePicture serial = drawScanLine(raster, true, false);
+    EXPECT_EQ(serial.picture->triangle, lines.picture->triangle);
+    EXPECT_EQ(serial.picture->depth, lines.picture->depth);
+    EXPECT_EQ(serial.total().comparisons, lines.total().comparisons);
+    EXPECT_EQ(serial.total().spans, serial.spans.size());
+    EXPECT_EQ(lines.total().covered, buffer.total().covered);
+    EXPECT_EQ(lines.total().samples, buffer.total().comparisons);
+    return {buffer.total(), lines.total()};
+}
+
+TEST(ScanLine, randomPolygonsAreAsTheDepthBufferDrawsThem) {
+    Compared sum;
+    for (uint64_t seed = 0; seed < howMany(200, 200); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ScenePointer scene = randomPolygons(seed);
+        for (const Viewport size : {Viewport{160, 120}, {1, 1}, {16384, 1}, {3, 200}}) {
+            const Compared compared = expectSame(*scene, View(aroundPolygons(seed), size));
+            if (size.height != 120 || meetingOf(seed) == Meeting::Coplanar) continue;
+            sum.depthBuffer.comparisons += compared.depthBuffer.comparisons;
+            sum.scanLine.comparisons += compared.scanLine.comparisons;
+            sum.scanLine.crossings += compared.scanLine.crossings;
+        }
+        if (HasFailure()) return;
+    }
+    EXPECT_LT(10 * sum.scanLine.comparisons, sum.depthBuffer.comparisons);
+    EXPECT_GT(sum.scanLine.crossings, 0u);
+}
+
+TEST(ScanLine, meshesAreAsTheDepthBufferDrawsThem) {
+    const ScenePointer scene = sceneOf({starMesh(3, 3'000), torusMesh(2'000), boxMesh({-.4f, -.4f, -.4f}, {.4f, .4f, .4f})},
+                                       {Mat4(1.0), scaling({-1.2, 1.2, 0.7}), translation({0.3, 0.2, 0.4})});
+    Random random(5);
+    for (int i = 0; i < 12; ++i) {
+        SCOPED_TRACE(i);
+        const double distance = i % 3 == 0 ? 0.3 : random.between(1.5, 6);
+        const Camera camera{distance * random.direction(), {0, 0, 0.1}, {0, 1, 0}, Angle::fromDegrees(60), 0.01, 20.0};
+        expectSame(*scene, View(camera, {211, 143}), i % 2 == 0 ? Facing::TwoSided : Facing::Front);
+    }
+}
+
+TEST(ScanLine, surfacesThatCrossAlongARowSplitItsSpanWhereTheDepthBufferDoes) {
+    // Two upright squares that pass through each other in the middle of the picture.
+    const ScenePointer scene = sceneOf({meshOf({{-2, -2, -6}, {2, -2, -4}, {2, 2, -4}, {-2, 2, -6}}, {0, 1, 2, 0, 2, 3}),
+                                        meshOf({{-2, -2, -4}, {2, -2, -6}, {2, 2, -6}, {-2, 2, -4}}, {0, 1, 2, 0, 2, 3})});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(30), 0.1, 10}, {101, 101});
+    expectSame(*scene, view);
+    const ScanLinePicture lines = drawScanLine(trianglesOnRaster(*scene, view, Facing::TwoSided), true);
+    const auto crosses = [](const RowSpan& span) { return span.start == RowSpan::Start::Crosses; };
+    EXPECT_GE(std::ranges::count_if(lines.spans, crosses), 99);
+    for (const RowSpan& span : lines.spans)
+        if (crosses(span)) {
+            EXPECT_NEAR(span.begin, 50, 1) << "row " << span.row;
+            EXPECT_GE(span.depth, span.otherDepth);
+        }
+}
+
+TEST(ScanLine, spansOfARowFollowEachOtherAndShowThePicture) {
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+        const ScenePointer scene = randomPolygons(seed);
+        const ScanLinePicture lines =
+            drawScanLine(trianglesOnRaster(*scene, View(aroundPolygons(seed), {90, 70}), Facing::TwoSided), true);
+        std::vector<uint32_t> shown(lines.picture->triangle.size(), 0);
+        int row = 0, end = 0;
+        for (const RowSpan& span : lines.spans) {
+            if (span.row != row) end = 0;
+            EXPECT_GE(span.row, row);
+            EXPECT_GE(span.begin, end);
+            EXPECT_LT(span.begin, span.end);
+            row = span.row;
+            end = span.end;
+            for (int column = span.begin; column < span.end; ++column)
+                shown[size_t(row) * 90 + size_t(column)] = span.triangle + 1;
+        }
+        EXPECT_EQ(shown, lines.picture->triangle) << "seed " << seed;
+    }
+}
+
+TEST(ScanLine, hiddenSurfaceCostsAComparisonARowAndNoMore) {
+    // One square far before another one: each row has one comparison for each of their triangles' beginnings and ends.
+    const ScenePointer scene = sceneOf({squareMesh(2, -8), squareMesh(1, -2)});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(40), 0.1, 10}, {400, 300});
+    const Compared compared = expectSame(*scene, view);
+    EXPECT_LE(compared.scanLine.comparisons, 5u * 300);
+    EXPECT_GT(compared.depthBuffer.comparisons, 100'000u);
+    EXPECT_EQ(compared.scanLine.crossings, 0u);
+}
+
+}  // namespace
+}  // namespace cullscope::test::scan_line_test

@@ -1,0 +1,129 @@
+// The strategies that make their picture on the processor: what they promise, what they say, and what they count.
+
+#include "core/visibility/software/software_raster.h"
+
+#include "core/measure/accuracy.h"
+#include "core/mesh/parametric.h"
+#include "core/visibility/why.h"
+#include "tests/support/culler.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/random_polygons.h"
+#include "tests/support/random_views.h"
+
+namespace cullscope::test::software_raster_test {
+namespace {
+
+const std::array kIds{"depth-buffer", "scan-line"};
+
+const FinishedPicture& pictureOf(const FrameLog& log) { return *std::get<FinishedPicturePointer>(log.commands.at(0)); }
+
+uint64_t figure(const FrameLog& log, const std::string& name) {
+    for (const NamedFigure& one : log.counters.figures)
+        if (one.name == name) return uint64_t(one.value);
+    ADD_FAILURE() << "no figure " << name;
+    return 0;
+}
+
+uint64_t bar(const Culler& culler, const FrameLog& log, size_t number) {
+    return culler.built()->bars(log).at(0).bars.at(number).value;
+}
+
+CullerPointer built(const char* id, const ScenePointer& scene, const char* facing = "auto", bool parallel = true) {
+    ParameterSet parameters(findStrategy(id).info.parameters);
+    parameters.setFromText("facing", facing);
+    parameters.set("parallel", parallel);
+    CullerPointer culler = makeCuller(id, parameters);
+    culler->build(*scene);
+    return culler;
+}
+
+TEST(SoftwareRaster, promiseOfAnExactPictureIsKeptOnRandomScenes) {
+    const Viewport size{120, 90};
+    for (uint64_t seed = 0; seed < howMany(200, 30); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ScenePointer scene = seed % 3 == 0 ? randomScene(seed + 1) : randomPolygons(seed);
+        Random random(seed);
+        Camera camera = aroundPolygons(seed);
+        if (seed % 3 == 0) camera = randomView(*scene, random).camera;
+        const View view(camera, size);
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        Framebuffer target(size);
+        for (const char* id : kIds) {
+            const CullerPointer culler = built(id, scene);
+            const FrameLog log = culler->cull(view).log;
+            const Reference truth = itemBufferReference(GlEnvironment::renderer(), buffers, view, culler->referenceFacing());
+            const ShownPixels shown = shownPixels(GlEnvironment::renderer(), buffers, log, target);
+            EXPECT_EQ(missedBeyondSnapping(truth, shown, *scene, view), 0u) << id;
+            EXPECT_EQ(extraBeyondSnapping(truth, shown, *scene, view), 0u) << id;
+            EXPECT_EQ(culler->promise(), Promise::Exact);
+        }
+    }
+}
+
+TEST(SoftwareRaster, bothMakeTheSamePictureByBothFacingRules) {
+    const ScenePointer scene = sceneOf({starMesh(3, 2'000), sphereMesh(500)}, {Mat4(1.0), translation({1, 0.5, 0.5})});
+    for (const char* facing : {"two-sided", "front"}) {
+        const View view({{0, 1, 4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(45), 0.1, 100}, {150, 110});
+        const FrameLog reference = built(kIds[0], scene, facing)->cull(view).log;
+        for (const char* id : kIds)
+            for (const bool parallel : {false, true}) {
+                const FrameLog log = built(id, scene, facing, parallel)->cull(view).log;
+                EXPECT_EQ(pictureOf(log).triangle, pictureOf(reference).triangle) << id;
+                EXPECT_EQ(pictureOf(log).depth, pictureOf(reference).depth) << id;
+            }
+    }
+}
+
+TEST(SoftwareRaster, barsAreTheCountersOfTheFrame) {
+    const ScenePointer scene = randomPolygons(1);
+    for (const Viewport size : {Viewport{40, 30}, {320, 240}}) {
+        const View view(aroundPolygons(1), size);
+        const CullerPointer buffer = built(kIds[0], scene), lines = built(kIds[1], scene);
+        const FrameLog a = buffer->cull(view, Recording::On).log, b = lines->cull(view, Recording::On).log;
+        EXPECT_EQ(bar(*buffer, a, 0), figure(a, "comparisons"));
+        EXPECT_EQ(bar(*buffer, a, 1), figure(a, "written"));
+        EXPECT_EQ(bar(*lines, b, 0), figure(b, "comparisons"));
+        EXPECT_EQ(bar(*lines, b, 1), bar(*buffer, a, 0)) << "what a depth buffer compares";
+        EXPECT_LT(bar(*lines, b, 0), bar(*buffer, a, 0));
+        // Of the first decisions: a part.
+        EXPECT_LT(bar(*lines, b.upTo(b.entries() / 2), 0), bar(*lines, b, 0));
+        EXPECT_EQ(bar(*lines, b.upTo(0), 0), 0u);
+    }
+}
+
+TEST(SoftwareRaster, scanLineSaysEverySpanOfASmallPictureAndTheRowsOfALargeOne) {
+    const ScenePointer scene = randomPolygons(5);
+    const auto spansOf = [](const FrameLog& log) {
+        return std::ranges::count_if(log.decisions, [](const Decision& one) { return one.subject.kind == Subject::Kind::Span; });
+    };
+    const auto rowsOf = [](const FrameLog& log) {
+        return std::ranges::count_if(log.decisions, [](const Decision& one) { return one.subject.kind == Subject::Kind::Tile; });
+    };
+    const FrameLog small = built(kIds[1], scene)->cull(View(aroundPolygons(5), {40, 30}), Recording::On).log;
+    EXPECT_GT(spansOf(small), 30);
+    EXPECT_EQ(rowsOf(small), 30);
+    const FrameLog large = built(kIds[1], scene)->cull(View(aroundPolygons(5), {1200, 900}), Recording::On).log;
+    EXPECT_EQ(spansOf(large), 0);
+    EXPECT_EQ(rowsOf(large), 900);
+}
+
+TEST(SoftwareRaster, whyNamesTheFateOfAnObjectsTriangles) {
+    const ScenePointer scene =
+        copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({0, 0, -9}), translation({90, 0, -5})});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(40), 0.1, 100}, {64, 64});
+    for (const char* id : kIds) {
+        const CullerPointer culler = built(id, scene);
+        const FrameLog log = culler->cull(view, Recording::On).log;
+        for (const auto& [object, words] :
+             {std::pair{0u, "draws the object in part"}, {1u, "hidden"}, {2u, "outside the frustum"}}) {
+            std::string chain;
+            for (const WhyStep& step : why(*culler->built(), log, scene->firstTriangle(object) + 7))
+                chain += step.sentence.english() + "\n";
+            EXPECT_THAT(chain, testing::HasSubstr(words)) << id << ", object " << object;
+            EXPECT_THAT(chain, testing::HasSubstr("Of its 80 triangles")) << id;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test::software_raster_test
