@@ -8,6 +8,7 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
 
@@ -27,6 +28,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         spherical::sphericalHorizon(),
         spherical::sphericalLossless(),
         distance::drawDistance(),
+        occlusion::octreeQuery(),
     };
     // clang-format on
     return kStrategies;
