@@ -26,4 +26,9 @@ namespace cullscope::benchmark {
 /// Both layouts of its map, over scenes and resolutions.
 [[nodiscard]] Experiment losslessLayouts(const std::vector<std::string>& scenes);
 
+/// `octree-query` beside `backface` on layers that fill the picture (a scene of the generator `layers`, seen from its front), and
+/// on walks through other scenes.
+[[nodiscard]] Experiment octreeQueryBesideBackface(const std::string& layers, const std::vector<std::string>& others,
+                                                   const Viewport& size = {});
+
 }  // namespace cullscope::benchmark

@@ -83,7 +83,7 @@ private:
     /// Visits the next nodes, nearest first, until so many have to be asked about as a batch has.
     std::vector<Question> nextQuestions() {
         std::vector<Question> questions;
-        while (!m_stack.empty() && questions.size() < m_options.batch) {
+        while (!m_stack.empty() && questions.size() < m_batch) {
             Entry entry = m_stack.back();
             m_stack.pop_back();
             ++m_counters.visited;
@@ -142,6 +142,7 @@ private:
         for (const Question& question : questions) boxes.push_back(question.box);
         m_counters.asked += boxes.size();
         ++m_counters.batches;
+        m_batch = std::min(2 * m_batch, m_options.batch);
         std::vector<Answer> answers(boxes.size(), Answer::Hidden);
         if (m_options.latency == 0) {
             for (const uint32_t hit : m_frame.visibleBoxes(std::move(boxes), BoxQuestion::DepthSoFar))
@@ -285,6 +286,7 @@ private:
     bool m_recording;
     QueryOptions m_options;
     std::deque<AskedFrame>& m_past;
+    size_t m_batch = 1;                 ///< boxes that the next batch has at most
     std::vector<Answer> m_known;        ///< by node, of the frame whose answers are used; at latency 0 empty
     AskedFrame m_asked;                 ///< in this frame
     std::vector<Entry> m_stack;         ///< the next one is the last

@@ -21,7 +21,7 @@ using AskedFrame = std::vector<AskedNodes>;
 
 struct QueryOptions {
     bool inner = true;   ///< asks about groups that have parts, too
-    size_t batch = 1;    ///< boxes that are asked about at once, at most
+    size_t batch = 1;    ///< boxes that are asked about at once, at most; batches begin with one and double
     size_t latency = 0;  ///< frames between a question and the use of its answer; 0: each batch is waited for
 };
 
@@ -43,7 +43,8 @@ struct QueryCounters {
 ///    covers no sample, and depths of what crosses the plane of the eye mean nothing;
 ///  - at a latency, where it was not asked about in the frame whose answers are used.
 /// With a batch of more than one box, questions are gathered before any of them is answered, so that there are fewer waits and
-/// more questions: boxes of one batch cannot be hidden by what the others hold.
+/// more questions: boxes of one batch cannot be hidden by what the others hold. As the first things drawn hide most, batches
+/// begin with one box and double.
 QueryCounters walkByQueries(const InstanceOctree& octree, FrameContext& frame, const QueryOptions& options,
                             std::deque<AskedFrame>& past);
 
