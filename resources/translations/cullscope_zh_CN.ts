@@ -788,10 +788,6 @@
         <translation>%1：“%2”必须是数字。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
-        <translation>“%1”既不是相机路径文件，也不是内置路径。内置路径：orbit:N、fibonacci:N、walk:N、case-1、case-2、case-3。</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: check the name and that you may read it.</source>
         <translation>无法打开 %1：请检查名称和读取权限。</translation>
     </message>
@@ -2614,6 +2610,242 @@
     <message>
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>略去完全位于离视点一定距离之外的对象。</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A verdict and the measurement agree where the method takes at most 1.25 times the least time of the first five methods, the structure built once and all views drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all and backface are the GPU&apos;s depth buffer, which the lecture says is used most; they are not among those that its verdicts compare. painter, bsp and octree-query draw with OpenGL, depth-buffer and scan-line on the processor.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>lecture: good for</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>all views, ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>both, ms</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>× fastest of five</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>milliseconds, built and all views drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s methods by overlap, surfaces and views</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time by layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time by surfaces</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Time by views of a static scene</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>sheets one behind the other, each an object: seen from the front, the first one hides the others</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many layers</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>how many triangles each layer has, to the nearest that its grid allows</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>height of the layers&apos; waves; 0: they are flat</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groups outside the frustum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groups visible without asking</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groups asked about</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>groups hidden</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>objects drawn</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>walk and queries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; lies in a box of the octree; it has %2 triangles.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, of which all are drawn where their box is visible.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>visit(group)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>test its box against the frustum</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>first, or across near plane: visible</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>else ask OpenGL: does its box show?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no: hidden, leave all its objects out</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>yes: visit(parts), nearest first</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>no parts: draw its objects</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Octree with occlusion queries</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Draws an octree&apos;s objects from near to far, and first asks OpenGL of each group whether its box shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many frames later an answer is used; 0: each batch is waited for, and nothing is lost.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many boxes are asked about at once, at most: more need fewer waits, and hide less from each other. The lecture asks one by one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Which groups OpenGL is asked about.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>every group before its parts</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>only groups without parts, as in the lecture</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many objects a group may have that is not divided into parts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Groups by what was asked</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet that could hide its box: it counts as visible without asking.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, reaches before the near plane: it counts as visible without asking.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about its box, grown by %2: it shows before what is drawn.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about its box, grown by %2: what is drawn hides all of it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its box was not asked about %1 frames ago: it counts as visible, and is asked about now.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it shows.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it is hidden.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The box counts as visible: its parts are visited, nearest first.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -197,8 +197,9 @@ uint64_t missedByTurning(const ScenePointer& scene, const char* latency, uint64_
 }
 
 TEST(OcclusionPicture, case24TurningExposesAStripWhereAnswersAreLateAndNoneWhereTheyAreWaitedFor) {
-    // A wall to the left hides the part of each long bar that is in the first views; what sticks out comes into view later.
-    std::vector<MeshPointer> meshes{boxMesh({-6, -3, -4.1f}, {1.2f, 3, -4})};
+    // A wall hides the part of each long bar that is in the first views; what sticks out beyond its right end comes into view
+    // later.
+    std::vector<MeshPointer> meshes{boxMesh({-6, -3, -4.1f}, {1.9f, 3, -4})};
     for (int i = 0; i < 6; ++i)
         meshes.push_back(boxMesh({-1, -2 + 0.6f * float(i), -8}, {9 + float(i), -1.7f + 0.6f * float(i), -7}));
     const ScenePointer scene = sceneOf(std::move(meshes));
