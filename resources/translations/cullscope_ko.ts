@@ -2613,239 +2613,239 @@
     </message>
     <message>
         <source>building</source>
-        <translation type="unfinished"></translation>
+        <translation>만드는 중</translation>
     </message>
     <message>
         <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
-        <translation type="unfinished"></translation>
+        <translation>강의의 평가: 깊이 겹침이 아주 적으면 화가 알고리즘이나 BSP 트리, 조금 있으면 스캔 라인, 면이 적으면 화가 알고리즘, BSP 트리, 스캔 라인, 면이 많으면 깊이 버퍼와 옥트리, 정지한 장면을 여러 시점에서 보면 BSP 트리. 강의에는 수치가 없습니다. 여기서는 층 1개가 아주 적은 겹침, 2개가 적은 겹침, 면 10개가 적은 수, 100,000개가 많은 수입니다.</translation>
     </message>
     <message>
         <source>A verdict and the measurement agree where the method takes at most 1.25 times the least time of the first five methods, the structure built once and all views drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>구조를 한 번 만들고 모든 시점을 그렸을 때 방법이 앞의 다섯 방법 중 가장 짧은 시간의 1.25배 이하이면 평가와 측정이 일치합니다.</translation>
     </message>
     <message>
         <source>all and backface are the GPU&apos;s depth buffer, which the lecture says is used most; they are not among those that its verdicts compare. painter, bsp and octree-query draw with OpenGL, depth-buffer and scan-line on the processor.</source>
-        <translation type="unfinished"></translation>
+        <translation>all과 backface는 GPU의 깊이 버퍼로, 강의에 따르면 가장 많이 쓰입니다. 강의가 비교하는 방법에는 들지 않습니다. painter, bsp, octree-query는 OpenGL로, depth-buffer와 scan-line은 프로세서로 그립니다.</translation>
     </message>
     <message>
         <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>장면은 높이 0.02의 물결이 있는 층입니다. 그래서 삼각형마다 자기 평면이 있고 층끼리는 만나지 않습니다. 평평한 층이라면 BSP 트리의 노드는 층마다 하나뿐입니다. 층이 면보다 많으면 층마다 삼각형이 두 개입니다.</translation>
     </message>
     <message>
         <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation type="unfinished"></translation>
+        <translation>바이트는 방법이 만든 것과, GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
     </message>
     <message>
         <source>lecture: good for</source>
-        <translation type="unfinished"></translation>
+        <translation>강의: 알맞은 경우</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>삼각형</translation>
     </message>
     <message>
         <source>all views, ms</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 시점, ms</translation>
     </message>
     <message>
         <source>both, ms</source>
-        <translation type="unfinished"></translation>
+        <translation>합계, ms</translation>
     </message>
     <message>
         <source>× fastest of five</source>
-        <translation type="unfinished"></translation>
+        <translation>× 다섯 중 최단</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>평가</translation>
     </message>
     <message>
         <source>milliseconds, built and all views drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>밀리초, 구조 생성과 모든 시점 그리기</translation>
     </message>
     <message>
         <source>The lecture&apos;s methods by overlap, surfaces and views</source>
-        <translation type="unfinished"></translation>
+        <translation>겹침, 면, 시점에 따른 강의의 방법들</translation>
     </message>
     <message>
         <source>layers</source>
-        <translation type="unfinished"></translation>
+        <translation>층</translation>
     </message>
     <message>
         <source>surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>면</translation>
     </message>
     <message>
         <source>method</source>
-        <translation type="unfinished"></translation>
+        <translation>방법</translation>
     </message>
     <message>
         <source>Time by layers</source>
-        <translation type="unfinished"></translation>
+        <translation>층 수에 따른 시간</translation>
     </message>
     <message>
         <source>Time by surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>면 수에 따른 시간</translation>
     </message>
     <message>
         <source>Time by views of a static scene</source>
-        <translation type="unfinished"></translation>
+        <translation>정지한 장면의 시점 수에 따른 시간</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</translation>
     </message>
     <message>
         <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
-        <translation type="unfinished"></translation>
+        <translation>장면 앞에서 -z 방향으로 보며 장면이 화면을 채우는 N개 자세</translation>
     </message>
     <message>
         <source>sheets one behind the other, each an object: seen from the front, the first one hides the others</source>
-        <translation type="unfinished"></translation>
+        <translation>앞뒤로 놓인 층들, 층마다 한 물체: 앞에서 보면 첫째 층이 나머지를 가립니다</translation>
     </message>
     <message>
         <source>how many layers</source>
-        <translation type="unfinished"></translation>
+        <translation>층의 수</translation>
     </message>
     <message>
         <source>how many triangles each layer has, to the nearest that its grid allows</source>
-        <translation type="unfinished"></translation>
+        <translation>층마다의 삼각형 수, 격자가 허용하는 가장 가까운 수</translation>
     </message>
     <message>
         <source>height of the layers&apos; waves; 0: they are flat</source>
-        <translation type="unfinished"></translation>
+        <translation>층의 물결 높이; 0: 평평함</translation>
     </message>
     <message>
         <source>groups outside the frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>절두체 밖의 그룹</translation>
     </message>
     <message>
         <source>groups visible without asking</source>
-        <translation type="unfinished"></translation>
+        <translation>묻지 않고 보이는 그룹</translation>
     </message>
     <message>
         <source>groups asked about</source>
-        <translation type="unfinished"></translation>
+        <translation>물어본 그룹</translation>
     </message>
     <message>
         <source>groups hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>가려진 그룹</translation>
     </message>
     <message>
         <source>objects drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>그린 물체</translation>
     </message>
     <message>
         <source>walk and queries</source>
-        <translation type="unfinished"></translation>
+        <translation>순회와 질의</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; lies in a box of the octree; it has %2 triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>물체 &quot;%1&quot;은(는) 옥트리의 한 상자에 있고 삼각형이 %2개입니다.</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, of which all are drawn where their box is visible.</source>
-        <translation type="unfinished"></translation>
+        <translation>물체 %1개의 그룹에 있으며, 상자가 보이면 모두 그립니다.</translation>
     </message>
     <message>
         <source>visit(group)</source>
-        <translation type="unfinished"></translation>
+        <translation>방문(그룹)</translation>
     </message>
     <message>
         <source>test its box against the frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>그룹의 상자를 절두체로 검사</translation>
     </message>
     <message>
         <source>first, or across near plane: visible</source>
-        <translation type="unfinished"></translation>
+        <translation>첫째이거나 근평면에 걸치면: 보임</translation>
     </message>
     <message>
         <source>else ask OpenGL: does its box show?</source>
-        <translation type="unfinished"></translation>
+        <translation>아니면 OpenGL에 상자가 보이는지 물음</translation>
     </message>
     <message>
         <source>no: hidden, leave all its objects out</source>
-        <translation type="unfinished"></translation>
+        <translation>아니요: 가려짐, 물체를 모두 제외</translation>
     </message>
     <message>
         <source>yes: visit(parts), nearest first</source>
-        <translation type="unfinished"></translation>
+        <translation>예: 방문(부분), 가까운 것부터</translation>
     </message>
     <message>
         <source>no parts: draw its objects</source>
-        <translation type="unfinished"></translation>
+        <translation>부분이 없으면: 물체를 그림</translation>
     </message>
     <message>
         <source>Octree with occlusion queries</source>
-        <translation type="unfinished"></translation>
+        <translation>차폐 질의를 쓰는 옥트리</translation>
     </message>
     <message>
         <source>Draws an octree&apos;s objects from near to far, and first asks OpenGL of each group whether its box shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>옥트리의 물체를 가까운 것부터 그리며, 그룹마다 먼저 상자가 보이는지 OpenGL에 묻습니다.</translation>
     </message>
     <message>
         <source>How many frames later an answer is used; 0: each batch is waited for, and nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>답을 몇 프레임 뒤에 쓰는지; 0: 묶음마다 답을 기다리며 아무것도 잃지 않습니다.</translation>
     </message>
     <message>
         <source>How many boxes are asked about at once, at most: more need fewer waits, and hide less from each other. The lecture asks one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>한 번에 물어보는 상자의 최대 수: 많으면 덜 기다리지만 서로를 덜 가립니다. 강의에서는 하나씩 묻습니다.</translation>
     </message>
     <message>
         <source>Which groups OpenGL is asked about.</source>
-        <translation type="unfinished"></translation>
+        <translation>어떤 그룹을 OpenGL에 물어보는지.</translation>
     </message>
     <message>
         <source>every group before its parts</source>
-        <translation type="unfinished"></translation>
+        <translation>모든 그룹을 그 부분보다 먼저</translation>
     </message>
     <message>
         <source>only groups without parts, as in the lecture</source>
-        <translation type="unfinished"></translation>
+        <translation>강의처럼 부분이 없는 그룹만</translation>
     </message>
     <message>
         <source>How many objects a group may have that is not divided into parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>나누지 않는 그룹이 가질 수 있는 물체의 수.</translation>
     </message>
     <message>
         <source>Groups by what was asked</source>
-        <translation type="unfinished"></translation>
+        <translation>물어본 결과에 따른 그룹</translation>
     </message>
     <message>
         <source>Nothing is drawn yet that could hide its box: it counts as visible without asking.</source>
-        <translation type="unfinished"></translation>
+        <translation>상자를 가릴 만한 것이 아직 그려지지 않았습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
     </message>
     <message>
         <source>Its box, grown by %2, reaches before the near plane: it counts as visible without asking.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2만큼 키운 상자가 근평면 앞까지 닿습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
     </message>
     <message>
         <source>OpenGL was asked about its box, grown by %2: it shows before what is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2만큼 키운 상자를 OpenGL에 물었습니다. 그려진 것 앞에 보입니다.</translation>
     </message>
     <message>
         <source>OpenGL was asked about its box, grown by %2: what is drawn hides all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2만큼 키운 상자를 OpenGL에 물었습니다. 그려진 것이 상자를 모두 가립니다.</translation>
     </message>
     <message>
         <source>Its box was not asked about %1 frames ago: it counts as visible, and is asked about now.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1프레임 전에는 상자를 묻지 않았습니다. 보이는 것으로 보고 지금 묻습니다.</translation>
     </message>
     <message>
         <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2만큼 키운 상자를 묻습니다. %1프레임 전의 답은 보인다는 것이었습니다.</translation>
     </message>
     <message>
         <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2만큼 키운 상자를 묻습니다. %1프레임 전의 답은 가려졌다는 것이었습니다.</translation>
     </message>
     <message>
         <source>The box counts as visible: its parts are visited, nearest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>상자를 보이는 것으로 봅니다. 부분을 가까운 것부터 방문합니다.</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
-        <translation type="unfinished"></translation>
+        <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 먼저 그려진 것이 가립니다.</translation>
     </message>
 </context>
 <context>

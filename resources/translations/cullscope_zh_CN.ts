@@ -2613,239 +2613,239 @@
     </message>
     <message>
         <source>building</source>
-        <translation type="unfinished"></translation>
+        <translation>正在构建</translation>
     </message>
     <message>
         <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
-        <translation type="unfinished"></translation>
+        <translation>讲义的结论：深度重叠极少时用画家算法或 BSP 树；重叠较少时用扫描线；面少时用画家算法、BSP 树、扫描线；面多时用深度缓冲、八叉树；从多个视点看静止场景时用 BSP 树。讲义没有给出数值：这里 1 层算极少重叠，2 层算较少，10 个面算少，100,000 个算多。</translation>
     </message>
     <message>
         <source>A verdict and the measurement agree where the method takes at most 1.25 times the least time of the first five methods, the structure built once and all views drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>构建一次结构并绘制所有视图后，若方法所用时间不超过前五种方法中最短时间的 1.25 倍，则结论与测量一致。</translation>
     </message>
     <message>
         <source>all and backface are the GPU&apos;s depth buffer, which the lecture says is used most; they are not among those that its verdicts compare. painter, bsp and octree-query draw with OpenGL, depth-buffer and scan-line on the processor.</source>
-        <translation type="unfinished"></translation>
+        <translation>all 和 backface 是 GPU 的深度缓冲，讲义说它用得最多；它们不在讲义结论所比较的方法之列。painter、bsp 和 octree-query 用 OpenGL 绘制，depth-buffer 和 scan-line 在处理器上绘制。</translation>
     </message>
     <message>
         <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>场景是波高 0.02 的各层，因此每个三角形有自己的平面，而各层互不相交：平坦的层在 BSP 树中每层只有一个节点。层数多于面数时，每层有两个三角形。</translation>
     </message>
     <message>
         <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation type="unfinished"></translation>
+        <translation>字节数包括方法所构建的内容，以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
     </message>
     <message>
         <source>lecture: good for</source>
-        <translation type="unfinished"></translation>
+        <translation>讲义：适用于</translation>
     </message>
     <message>
         <source>triangles</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形</translation>
     </message>
     <message>
         <source>all views, ms</source>
-        <translation type="unfinished"></translation>
+        <translation>所有视图，毫秒</translation>
     </message>
     <message>
         <source>both, ms</source>
-        <translation type="unfinished"></translation>
+        <translation>合计，毫秒</translation>
     </message>
     <message>
         <source>× fastest of five</source>
-        <translation type="unfinished"></translation>
+        <translation>× 五种中最快</translation>
     </message>
     <message>
         <source>verdict</source>
-        <translation type="unfinished"></translation>
+        <translation>结论</translation>
     </message>
     <message>
         <source>milliseconds, built and all views drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>毫秒，构建并绘制所有视图</translation>
     </message>
     <message>
         <source>The lecture&apos;s methods by overlap, surfaces and views</source>
-        <translation type="unfinished"></translation>
+        <translation>讲义中的方法：按重叠、面数和视图数</translation>
     </message>
     <message>
         <source>layers</source>
-        <translation type="unfinished"></translation>
+        <translation>层</translation>
     </message>
     <message>
         <source>surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>面</translation>
     </message>
     <message>
         <source>method</source>
-        <translation type="unfinished"></translation>
+        <translation>方法</translation>
     </message>
     <message>
         <source>Time by layers</source>
-        <translation type="unfinished"></translation>
+        <translation>按层数的时间</translation>
     </message>
     <message>
         <source>Time by surfaces</source>
-        <translation type="unfinished"></translation>
+        <translation>按面数的时间</translation>
     </message>
     <message>
         <source>Time by views of a static scene</source>
-        <translation type="unfinished"></translation>
+        <translation>按静止场景视图数的时间</translation>
     </message>
     <message>
         <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot; 既不是相机路径文件，也不是内置路径。内置：orbit:N、fibonacci:N、walk:N、front:N、case-1、case-2、case-3。</translation>
     </message>
     <message>
         <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
-        <translation type="unfinished"></translation>
+        <translation>场景正面前方沿 -z 观看、由场景填满的 N 个姿态</translation>
     </message>
     <message>
         <source>sheets one behind the other, each an object: seen from the front, the first one hides the others</source>
-        <translation type="unfinished"></translation>
+        <translation>前后排列的薄片，每片一个物体：从正面看，第一片遮住其余各片</translation>
     </message>
     <message>
         <source>how many layers</source>
-        <translation type="unfinished"></translation>
+        <translation>层数</translation>
     </message>
     <message>
         <source>how many triangles each layer has, to the nearest that its grid allows</source>
-        <translation type="unfinished"></translation>
+        <translation>每层的三角形数，取其网格允许的最接近值</translation>
     </message>
     <message>
         <source>height of the layers&apos; waves; 0: they are flat</source>
-        <translation type="unfinished"></translation>
+        <translation>各层波浪的高度；0：平坦</translation>
     </message>
     <message>
         <source>groups outside the frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>视锥体外的组</translation>
     </message>
     <message>
         <source>groups visible without asking</source>
-        <translation type="unfinished"></translation>
+        <translation>无需询问即可见的组</translation>
     </message>
     <message>
         <source>groups asked about</source>
-        <translation type="unfinished"></translation>
+        <translation>询问过的组</translation>
     </message>
     <message>
         <source>groups hidden</source>
-        <translation type="unfinished"></translation>
+        <translation>被遮挡的组</translation>
     </message>
     <message>
         <source>objects drawn</source>
-        <translation type="unfinished"></translation>
+        <translation>绘制的物体</translation>
     </message>
     <message>
         <source>walk and queries</source>
-        <translation type="unfinished"></translation>
+        <translation>遍历与查询</translation>
     </message>
     <message>
         <source>The object &quot;%1&quot; lies in a box of the octree; it has %2 triangles.</source>
-        <translation type="unfinished"></translation>
+        <translation>物体&quot;%1&quot;位于八叉树的一个盒子中；它有 %2 个三角形。</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, of which all are drawn where their box is visible.</source>
-        <translation type="unfinished"></translation>
+        <translation>它属于一个有 %1 个物体的组，组的盒子可见时全部绘制。</translation>
     </message>
     <message>
         <source>visit(group)</source>
-        <translation type="unfinished"></translation>
+        <translation>访问(组)</translation>
     </message>
     <message>
         <source>test its box against the frustum</source>
-        <translation type="unfinished"></translation>
+        <translation>用视锥体测试其盒子</translation>
     </message>
     <message>
         <source>first, or across near plane: visible</source>
-        <translation type="unfinished"></translation>
+        <translation>第一个或跨越近平面：可见</translation>
     </message>
     <message>
         <source>else ask OpenGL: does its box show?</source>
-        <translation type="unfinished"></translation>
+        <translation>否则问 OpenGL：盒子可见吗？</translation>
     </message>
     <message>
         <source>no: hidden, leave all its objects out</source>
-        <translation type="unfinished"></translation>
+        <translation>否：被遮挡，略去其全部物体</translation>
     </message>
     <message>
         <source>yes: visit(parts), nearest first</source>
-        <translation type="unfinished"></translation>
+        <translation>是：访问(各部分)，由近及远</translation>
     </message>
     <message>
         <source>no parts: draw its objects</source>
-        <translation type="unfinished"></translation>
+        <translation>没有部分：绘制其物体</translation>
     </message>
     <message>
         <source>Octree with occlusion queries</source>
-        <translation type="unfinished"></translation>
+        <translation>带遮挡查询的八叉树</translation>
     </message>
     <message>
         <source>Draws an octree&apos;s objects from near to far, and first asks OpenGL of each group whether its box shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>由近及远绘制八叉树中的物体，并先就每个组询问 OpenGL 其盒子是否可见。</translation>
     </message>
     <message>
         <source>How many frames later an answer is used; 0: each batch is waited for, and nothing is lost.</source>
-        <translation type="unfinished"></translation>
+        <translation>答案在多少帧之后使用；0：等待每一批的答案，不会丢失任何内容。</translation>
     </message>
     <message>
         <source>How many boxes are asked about at once, at most: more need fewer waits, and hide less from each other. The lecture asks one by one.</source>
-        <translation type="unfinished"></translation>
+        <translation>一次最多询问多少个盒子：越多等待越少，但彼此遮挡也越少。讲义中逐个询问。</translation>
     </message>
     <message>
         <source>Which groups OpenGL is asked about.</source>
-        <translation type="unfinished"></translation>
+        <translation>就哪些组询问 OpenGL。</translation>
     </message>
     <message>
         <source>every group before its parts</source>
-        <translation type="unfinished"></translation>
+        <translation>每个组，先于其各部分</translation>
     </message>
     <message>
         <source>only groups without parts, as in the lecture</source>
-        <translation type="unfinished"></translation>
+        <translation>只问没有部分的组，与讲义相同</translation>
     </message>
     <message>
         <source>How many objects a group may have that is not divided into parts.</source>
-        <translation type="unfinished"></translation>
+        <translation>不再划分的组最多可有多少个物体。</translation>
     </message>
     <message>
         <source>Groups by what was asked</source>
-        <translation type="unfinished"></translation>
+        <translation>按询问结果划分的组</translation>
     </message>
     <message>
         <source>Nothing is drawn yet that could hide its box: it counts as visible without asking.</source>
-        <translation type="unfinished"></translation>
+        <translation>尚未绘制任何可能遮住其盒子的内容：不询问即视为可见。</translation>
     </message>
     <message>
         <source>Its box, grown by %2, reaches before the near plane: it counts as visible without asking.</source>
-        <translation type="unfinished"></translation>
+        <translation>其盒子扩大 %2 后伸到近平面之前：不询问即视为可见。</translation>
     </message>
     <message>
         <source>OpenGL was asked about its box, grown by %2: it shows before what is drawn.</source>
-        <translation type="unfinished"></translation>
+        <translation>就扩大 %2 后的盒子询问了 OpenGL：它显示在已绘制内容之前。</translation>
     </message>
     <message>
         <source>OpenGL was asked about its box, grown by %2: what is drawn hides all of it.</source>
-        <translation type="unfinished"></translation>
+        <translation>就扩大 %2 后的盒子询问了 OpenGL：已绘制内容将其完全遮住。</translation>
     </message>
     <message>
         <source>Its box was not asked about %1 frames ago: it counts as visible, and is asked about now.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 帧之前没有询问其盒子：视为可见，现在询问。</translation>
     </message>
     <message>
         <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it shows.</source>
-        <translation type="unfinished"></translation>
+        <translation>询问扩大 %2 后的盒子；%1 帧之前的答案是可见。</translation>
     </message>
     <message>
         <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it is hidden.</source>
-        <translation type="unfinished"></translation>
+        <translation>询问扩大 %2 后的盒子；%1 帧之前的答案是被遮挡。</translation>
     </message>
     <message>
         <source>The box counts as visible: its parts are visited, nearest first.</source>
-        <translation type="unfinished"></translation>
+        <translation>盒子视为可见：由近及远访问其各部分。</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
-        <translation type="unfinished"></translation>
+        <translation>它属于一个有 %1 个物体的组，先测试了组的盒子：此前绘制的内容将其遮住。</translation>
     </message>
 </context>
 <context>
