@@ -137,7 +137,7 @@ void addInspectCommand(CLI::App& app, Context& context) {
 void addPathCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("path", "Writes a built-in camera path as a file, for other programs");
     auto options = std::make_shared<PathOptions>();
-    command->add_option("NAME", options->name, "orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3")->required();
+    command->add_option("NAME", options->name, "orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3")->required();
     addSceneOptions(*command, options->scene);
     command->add_option("-o,--output", options->output, "file; - is standard output")->required();
     command->callback([options, &context] { runPath(*options, context); });

@@ -1,6 +1,7 @@
 #include "core/experiments/experiment.h"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/base/error.h"
 #include "core/experiments/run_rows.h"
@@ -167,6 +168,9 @@ void addRuns(ResultTable& table, const Experiment& experiment, const Setting& se
 void addMeasured(ResultTable& table, const Experiment& experiment, const Setting& setting, const ScenePointer& scene,
                  const Progress& progress) {
     if (scene) noteScene(table, *scene);
+    // The desktop measures on a thread of its own, which has no context.
+    std::optional<HeadlessContext> own;
+    if (experiment.draws && !hasCurrentContext()) own.emplace();
     if (experiment.draws) table.gl = requireOpenGl45();
     Rows rows = experiment.measured(setting, scene, progress);
     for (Row& row : rows) row.insert(setting.labels.begin(), setting.labels.end());

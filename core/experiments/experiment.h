@@ -63,7 +63,7 @@ struct Experiment {
     std::vector<ResultColumn> columns{};
     std::vector<RowPlot> plots{};  ///< those of single frames first
     std::vector<Check> checks{};
-    bool draws = false;  ///< the function `measured` needs a current OpenGL context
+    bool draws = false;  ///< the function `measured` needs a current OpenGL context; it is given one where there is none
 
     /// The rows of a timed setting; empty: `runRows`. After an early stop: of the poses measured completely.
     std::function<Rows(const Setting& setting, const MeasureResult& result)> rowsOfRuns{};

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/experiments/cho_figure_6.h"
 #include "core/experiments/han_hong_tables.h"
+#include "core/experiments/lecture_table.h"
 
 namespace cullscope {
 
@@ -10,6 +11,7 @@ const std::vector<Experiment>& knownExperiments() {
     static const std::vector<Experiment> kExperiments = [] {
         std::vector<Experiment> experiments = hanHongTables();
         experiments.push_back(choFigure6());
+        experiments.push_back(lectureTable());
         return experiments;
     }();
     return kExperiments;

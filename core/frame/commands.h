@@ -53,7 +53,19 @@ struct AskedBoxes {
     BoxQuestion question = BoxQuestion::Samples;
     std::vector<EyeBox> boxes;
     std::vector<uint32_t> hits;  ///< indices into `boxes`, ascending
+    bool answered = true;        ///< false: a later frame gets the answer, and `hits` is empty
 };
+
+/// A question whose answer a later frame gets (FrameContext::ask). It is kept by the strategy, as a rule in a view's memory,
+/// whose copies share it; it may outlive the OpenGL context.
+class BoxTicket {
+public:
+    BoxTicket() = default;
+    virtual ~BoxTicket() = default;
+    BoxTicket(const BoxTicket&) = delete;
+    BoxTicket& operator=(const BoxTicket&) = delete;
+};
+using BoxTicketPointer = std::shared_ptr<BoxTicket>;
 
 /// One command of a frame. Draw lists hold what was drawn, also where the GPU chose it.
 using Command = std::variant<DrawList, OwnTrianglesPointer, FinishedPicturePointer, AskedBoxes>;

@@ -63,6 +63,14 @@ std::vector<uint32_t> FrameContext::visibleBoxes(std::vector<EyeBox> boxes, BoxQ
     return hits;
 }
 
+BoxTicketPointer FrameContext::ask(std::vector<EyeBox> boxes, BoxQuestion question) {
+    BoxTicketPointer ticket = putQuestion(boxes, question);
+    m_log.commands.emplace_back(AskedBoxes{question, std::move(boxes), {}, false});
+    return ticket;
+}
+
+std::optional<std::vector<uint32_t>> FrameContext::answer(BoxTicket& ticket) { return fetchAnswer(ticket); }
+
 void FrameContext::say(Decision decision) {
     decision.commands = uint32_t(m_log.commands.size());
     m_log.decisions.push_back(decision);
@@ -85,6 +93,8 @@ SelectedBoxes FrameContext::answerSelection(std::span<const EyeBox> /*boxes*/, s
 std::vector<uint32_t> FrameContext::answerQuestion(std::span<const EyeBox> /*boxes*/, BoxQuestion /*question*/) {
     throwNoContext();
 }
+BoxTicketPointer FrameContext::putQuestion(std::span<const EyeBox> /*boxes*/, BoxQuestion /*question*/) { throwNoContext(); }
+std::optional<std::vector<uint32_t>> FrameContext::fetchAnswer(BoxTicket& /*ticket*/) { throwNoContext(); }
 
 StageTimer::StageTimer(FrameContext& frame, const char* name)
     : m_frame(frame), m_name(name), m_drawingBefore(frame.drawingMilliseconds()) {}

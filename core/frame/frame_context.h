@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 
 #include "core/frame/frame_log.h"
 #include "core/scene/camera.h"
@@ -47,6 +48,12 @@ public:
     /// which they lie before what the frame has drawn so far (DepthSoFar). As indices into the span, ascending. A box that holds
     /// a point of the near rectangle may cover none (see gpu/renderer.h). Throws Error(OpenGl) without OpenGL.
     [[nodiscard]] std::vector<uint32_t> visibleBoxes(std::vector<EyeBox> boxes, BoxQuestion question);
+    /// Asks the same (Samples or DepthSoFar) without waiting: a later frame gets the answer, by `answer`. Throws Error(OpenGl)
+    /// without OpenGL.
+    [[nodiscard]] BoxTicketPointer ask(std::vector<EyeBox> boxes, BoxQuestion question);
+    /// The answer to a question of an earlier frame, as visibleBoxes gives it; waits where OpenGL is not that far. It can be
+    /// asked for any number of times. None where the question was asked of another OpenGL context, or of one that is gone.
+    [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);
 
     /// Whether decisions are asked for; where they are not, nothing has to be prepared for them.
     [[nodiscard]] bool recording() const { return m_log.recorded; }
@@ -81,6 +88,8 @@ protected:
     virtual void readBack(FrameLog& /*log*/) {}
     [[nodiscard]] virtual SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords);
     [[nodiscard]] virtual std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
+    [[nodiscard]] virtual BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, BoxQuestion question);
+    [[nodiscard]] virtual std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket);
     [[nodiscard]] const FrameLog& log() const { return m_log; }
 
 private:

@@ -3,6 +3,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include "core/base/error.h"
+#include "core/gpu/box_queries.h"
 #include "core/gpu/drawing.h"
 
 namespace cullscope {
@@ -162,52 +163,57 @@ SelectedBoxes Renderer::selectBoxes(const View& view, std::span<const EyeBox> bo
 namespace {
 
 /// One query for each box, with the program and the state that are set.
-std::vector<uint32_t> boxesWithSamples(std::span<const EyeBox> boxes, const View& view) {
-    std::vector<uint32_t> passed;
+void drawQueries(std::span<const EyeBox> boxes, std::span<const unsigned> queries, const View& view) {
     const BoxArray array(cornersOf(boxes));
     glUniformMatrix4fv(kClipFromPositions, 1, GL_FALSE, glm::value_ptr(Mat4f(view.clipFromEyeRelative())));
-    std::vector<GLuint> queries(boxes.size());
-    glCreateQueries(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, static_cast<GLsizei>(queries.size()), queries.data());
     for (size_t box = 0; box < boxes.size(); ++box) {
         glBeginQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE, queries[box]);
         glDrawElementsBaseVertex(GL_TRIANGLES, static_cast<GLsizei>(kTriangles.size()), GL_UNSIGNED_SHORT, nullptr,
                                  static_cast<GLint>(box) * kCorners);
         glEndQuery(GL_ANY_SAMPLES_PASSED_CONSERVATIVE);
     }
-    for (size_t box = 0; box < boxes.size(); ++box) {
-        GLuint any = GL_FALSE;
-        glGetQueryObjectuiv(queries[box], GL_QUERY_RESULT, &any);
-        if (any != GL_FALSE) passed.push_back(static_cast<uint32_t>(box));
-    }
-    glDeleteQueries(static_cast<GLsizei>(queries.size()), queries.data());
-    return passed;
 }
 
 }  // namespace
 
-std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes) {
-    if (boxes.empty()) return {};
+BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> boxes) {
+    auto ticket = std::make_shared<AskedTicket>(m_programs->boxQueries, boxes.size());
+    if (boxes.empty()) return ticket;
     const EmptyFramebuffer target(view.viewport());
     glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE);
     glEnable(GL_DEPTH_CLAMP);
     glUseProgram(m_programs->depth.id());
-    std::vector<uint32_t> passed = boxesWithSamples(boxes, view);
+    drawQueries(boxes, ticket->queries(), view);
     glDisable(GL_DEPTH_CLAMP);
     glClipControl(GL_LOWER_LEFT, GL_NEGATIVE_ONE_TO_ONE);
-    return passed;
+    return ticket;
 }
 
-std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn) {
-    if (boxes.empty()) return {};
+BoxTicketPointer Renderer::askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn) {
+    auto ticket = std::make_shared<AskedTicket>(m_programs->boxQueries, boxes.size());
+    if (boxes.empty()) return ticket;
     const DrawingState state(view, drawn, Facing::TwoSided);
     glEnable(GL_DEPTH_CLAMP);
     glDepthFunc(GL_GEQUAL);
     glDepthMask(GL_FALSE);
     glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
     glUseProgram(m_programs->depth.id());
-    std::vector<uint32_t> passed = boxesWithSamples(boxes, view);
+    drawQueries(boxes, ticket->queries(), view);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    return passed;
+    return ticket;
+}
+
+std::optional<std::vector<uint32_t>> Renderer::answer(BoxTicket& ticket) {
+    auto* asked = dynamic_cast<AskedTicket*>(&ticket);
+    return asked == nullptr ? std::nullopt : asked->answer(*m_programs->boxQueries);
+}
+
+std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes) {
+    return *answer(*askBoxes(view, boxes));
+}
+
+std::vector<uint32_t> Renderer::queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn) {
+    return *answer(*askBoxes(view, boxes, drawn));
 }
 
 }  // namespace cullscope

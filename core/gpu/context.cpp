@@ -132,6 +132,8 @@ GlInfo requireOpenGl45() {
     return info;
 }
 
+bool hasCurrentContext() { return eglGetCurrentContext() != EGL_NO_CONTEXT; }
+
 bool contextLost() { return glGetGraphicsResetStatus() != GL_NO_ERROR; }
 
 struct HeadlessContext::Implementation {

@@ -18,6 +18,9 @@ struct GlInfo {
 /// Reads and checks the current context. Throws Error(OpenGl) where none is current or its version is below 4.5.
 [[nodiscard]] GlInfo requireOpenGl45();
 
+/// Whether a HeadlessContext is current on this thread.
+[[nodiscard]] bool hasCurrentContext();
+
 /// Whether the current context was lost, as by a driver's reset. OpenGL reports that only for contexts made with reset
 /// notification. Needs a current context of OpenGL 4.5.
 [[nodiscard]] bool contextLost();

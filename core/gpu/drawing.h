@@ -30,6 +30,8 @@ enum Uniform : GLint {
 inline constexpr GLuint kPosition = 0;
 inline constexpr GLuint kNormal = 1;
 
+class BoxQueries;
+
 struct Renderer::Programs {
     Programs();
     ~Programs();
@@ -40,6 +42,7 @@ struct Renderer::Programs {
     std::map<std::string, Program> choices;  ///< by the body of `chosen`
     unsigned vertexArray = 0;                ///< of scene triangles
     unsigned lineArray = 0;                  ///< of LineOnGpu, one element per drawn line
+    std::shared_ptr<BoxQueries> boxQueries;  ///< of this context; tickets hold it too
 };
 
 /// Sets OpenGL's state for the renderer: reversed-Z into a framebuffer. The destructor restores the defaults that Qt expects.

@@ -45,6 +45,13 @@ std::vector<uint32_t> GpuFrame::answerQuestion(std::span<const EyeBox> boxes, Bo
     return m_renderer.queryBoxes(view(), boxes);
 }
 
+BoxTicketPointer GpuFrame::putQuestion(std::span<const EyeBox> boxes, BoxQuestion question) {
+    if (question == BoxQuestion::DepthSoFar) return m_renderer.askBoxes(view(), boxes, drawn());
+    return m_renderer.askBoxes(view(), boxes);
+}
+
+std::optional<std::vector<uint32_t>> GpuFrame::fetchAnswer(BoxTicket& ticket) { return m_renderer.answer(ticket); }
+
 Framebuffer& GpuFrame::drawn() {
     if (m_target != nullptr) {
         if (clearsNow()) m_renderer.clear(view(), *m_target, m_style);

@@ -21,6 +21,8 @@ protected:
     void readBack(FrameLog& log) override;
     [[nodiscard]] SelectedBoxes answerSelection(std::span<const EyeBox> boxes, size_t bufferWords) override;
     [[nodiscard]] std::vector<uint32_t> answerQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
+    [[nodiscard]] BoxTicketPointer putQuestion(std::span<const EyeBox> boxes, BoxQuestion question) override;
+    [[nodiscard]] std::optional<std::vector<uint32_t>> fetchAnswer(BoxTicket& ticket) override;
 
 private:
     struct PendingChoice {

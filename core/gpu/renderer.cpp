@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "core/gpu/box_queries.h"
 #include "core/gpu/submission.h"
 #include "embedded/shaders.h"
 
@@ -24,7 +25,8 @@ Renderer::Programs::Programs()
       itemOrdered(embedded::scene_vert, embedded::item_ordered_frag),
       state(embedded::scene_vert, embedded::state_frag),
       line(embedded::line_vert, embedded::line_frag),
-      sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag) {
+      sphericalModel(embedded::spherical_model_vert, embedded::spherical_model_geom, embedded::spherical_model_frag),
+      boxQueries(std::make_shared<BoxQueries>()) {
     glCreateVertexArrays(1, &vertexArray);
     for (const GLuint attribute : {kPosition, kNormal}) addAttribute(vertexArray, attribute, 0, attribute);
     glCreateVertexArrays(1, &lineArray);
@@ -37,6 +39,7 @@ Renderer::Programs::Programs()
 Renderer::Programs::~Programs() {
     glDeleteVertexArrays(1, &vertexArray);
     glDeleteVertexArrays(1, &lineArray);
+    boxQueries->close();
 }
 
 Renderer::Renderer() : m_programs(std::make_unique<Programs>()) {}

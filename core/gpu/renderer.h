@@ -131,6 +131,12 @@ public:
     [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes);
     /// The boxes that cover a sample at which they lie before, or at, what was drawn into `drawn`, whose depth does not change.
     [[nodiscard]] std::vector<uint32_t> queryBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn);
+    /// Both without waiting for the results.
+    [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes);
+    [[nodiscard]] BoxTicketPointer askBoxes(const View& view, std::span<const EyeBox> boxes, const Framebuffer& drawn);
+    /// Those results, the same at every call; waits at the first one where they are not there yet. None for a ticket of another
+    /// renderer.
+    [[nodiscard]] std::optional<std::vector<uint32_t>> answer(BoxTicket& ticket);
 
     /// Clears `target` and draws every triangle of the scene as seen by `view`, coloured by palette[stateOfTriangle[number]],
     /// almost unshaded (Lambert ± 10 %). Halo and hatch of marked triangles contrast with the style's background. Throws

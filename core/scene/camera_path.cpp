@@ -88,6 +88,27 @@ CameraPath walk(const Scene& scene, size_t count) {
     return path;
 }
 
+/// Views along −z from before the scene's front, slightly shifted on a circle, each filled by the back of the scene's box in a
+/// window of up to 16 : 9. The eye is the scene's radius away from the front.
+CameraPath front(const Scene& scene, size_t count) {
+    constexpr double kWidest = 16.0 / 9.0;
+    constexpr double kFilled = 0.9, kShift = 0.05;  // of the box's half extent
+    CameraPath path = pathAround(scene, "front:" + std::to_string(count), Angle::fromDegrees(45));
+    const bool empty = scene.bounds().empty();
+    const Vec3 half = empty ? Vec3(1.0) : scene.bounds().halfExtent();
+    const Vec3 centre = empty ? Vec3(0.0) : scene.bounds().centre();
+    const double before = radiusOf(scene);
+    const double tangent = kFilled * std::min(half.y, half.x / kWidest) / (before + 2.0 * half.z);
+    if (tangent > 1e-6) path.fovy = Angle::fromRadians(2.0 * std::atan(std::min(tangent, 1.0)));
+    const double shift = kShift * std::min(half.x, half.y);
+    for (size_t i = 0; i < count; ++i) {
+        const double turn = kTau * double(i) / double(count);
+        const Vec3 eye = centre + Vec3(shift * std::cos(turn), shift * std::sin(turn), half.z + before);
+        path.poses.push_back({eye, eye - Vec3(0, 0, before), Vec3(0, 1, 0)});
+    }
+    return path;
+}
+
 /// One of the three cases of Han & Hong 2008, Table 2.
 struct SphericalCase {
     const char* name;
@@ -168,6 +189,7 @@ std::optional<CameraPath> builtIn(std::string_view name, const Scene& scene) {
     if (id == "orbit") return orbit(scene, poseCount(rest, name));
     if (id == "fibonacci") return fibonacci(scene, poseCount(rest, name));
     if (id == "walk") return walk(scene, poseCount(rest, name));
+    if (id == "front") return front(scene, poseCount(rest, name));
     for (const SphericalCase& wanted : kSphericalCases)
         if (name == wanted.name) return sphericalCase(scene, wanted);
     return std::nullopt;
@@ -200,8 +222,8 @@ CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
     if (nameOrFile.find_first_of("./\\") == std::string_view::npos && !std::filesystem::exists(file))
         throwUsage(
             CULLSCOPE_TR(
-                "\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, "
-                "case-2, case-3."),
+                "\"%1\" is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, "
+                "case-1, case-2, case-3."),
             {std::string(nameOrFile)});
     if (!std::filesystem::is_regular_file(file))
         throwInput(CULLSCOPE_TR("%1 is no camera path file that can be read: check the name."), {file.string()});
@@ -280,6 +302,7 @@ const std::vector<BuiltInPath>& builtInPaths() {
         {"orbit:N", CULLSCOPE_TR("N poses on a circle at three times the scene's radius, 15 degrees above it")},
         {"fibonacci:N", CULLSCOPE_TR("N poses spread evenly around the scene at three times its radius")},
         {"walk:N", CULLSCOPE_TR("N poses on a walk into the scene, looking ahead")},
+        {"front:N", CULLSCOPE_TR("N poses before the scene's front, looking along -z, which the scene fills")},
         {"case-1", CULLSCOPE_TR("12 close views with a pole of the spherical map in them, 9.4 % of the faces in the frustum")},
         {"case-2", CULLSCOPE_TR("12 close views of one clump of the spherical map, 11.4 % of the faces in the frustum")},
         {"case-3", CULLSCOPE_TR("12 close views of a clump that the map's seam splits, 18.3 % of the faces in the frustum")}};

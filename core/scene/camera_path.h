@@ -24,7 +24,7 @@ struct CameraPath {
     [[nodiscard]] Camera camera(size_t pose) const;
 };
 
-/// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
+/// A built-in path (`orbit:N`, `fibonacci:N`, `walk:N`, `front:N`, `case-1`, `case-2`, `case-3`) for a scene, or a JSON file.
 /// Throws Error(Usage) for an unknown name or a bad number of poses, Error(Input) naming file and field for a bad or missing
 /// file.
 [[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);

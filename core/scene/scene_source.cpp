@@ -5,6 +5,7 @@
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
+#include "core/scene/layers_scene.h"
 #include "core/scene/split_scene.h"
 
 #ifndef CULLSCOPE_INSTALLED_DATA
@@ -144,6 +145,15 @@ OpenedScene openSplit(Request& request) {
     return opened;
 }
 
+OpenedScene openLayers(Request& request) {
+    constexpr double kMostLayers = 100'000, kMostOfALayer = 1e8;
+    Layers layers;
+    layers.count = request.arguments.count("count", double(layers.count), kMostLayers);
+    layers.triangles = request.arguments.count("triangles", double(layers.triangles), kMostOfALayer);
+    layers.waves = request.arguments.number("waves", layers.waves, 0.0, 1.0);
+    return {layersScene(request.specification, layers, request.progress), request.specification, std::nullopt};
+}
+
 MeshPointer parametricMesh(Request& request) {
     const std::string& id = request.info.id;
     const Progress& progress = request.progress;
@@ -191,6 +201,12 @@ const std::vector<Generator>& generators() {
            {"n", "20", CULLSCOPE_TR("copies along each side")},
            {"spacing", "2.5", CULLSCOPE_TR("distance between neighbours")}}},
          openField},
+        {{"layers",
+          CULLSCOPE_TR("sheets one behind the other, each an object: seen from the front, the first one hides the others"),
+          {{"count", "32", CULLSCOPE_TR("how many layers")},
+           {"triangles", "1e4", CULLSCOPE_TR("how many triangles each layer has, to the nearest that its grid allows")},
+           {"waves", "0", CULLSCOPE_TR("height of the layers' waves; 0: they are flat")}}},
+         openLayers},
         {{"mesh",
           CULLSCOPE_TR("a mesh file simplified or subdivided: mesh:FILE,triangles=N"),
           {{"triangles", "", CULLSCOPE_TR("how many triangles to make of it")}}},

@@ -36,7 +36,7 @@ bool finite(const Box3& box) {
 /// Builds the octree: its nodes are ranges of the items.
 class Builder {
 public:
-    explicit Builder(const Scene& scene) : m_scene(scene) {
+    Builder(const Scene& scene, uint32_t leafInstances) : m_scene(scene), m_leafInstances(leafInstances) {
         const auto count = static_cast<uint32_t>(scene.instances().size());
         for (uint32_t i = 0; i < count; ++i)
             if (scene.meshOf(i).triangleCount() > 0) m_items.push_back({0, i});
@@ -82,7 +82,7 @@ private:
 
     void split(uint32_t number) {
         const Node node = m_nodes[number];
-        if (node.count <= InstanceOctree::kLeafInstances || node.depth == InstanceOctree::kMaxDepth) return;
+        if (node.count <= m_leafInstances || node.depth == InstanceOctree::kMaxDepth) return;
         std::span<Item> items = itemsOf(node);
         // For the root, and for items with equal codes: a cube around these items alone separates what falls into one cell of a
         // cube that distant objects made large.
@@ -123,14 +123,15 @@ private:
     }
 
     const Scene& m_scene;
+    uint32_t m_leafInstances;
     std::vector<Item> m_items;
     std::vector<Node> m_nodes;
 };
 
 }  // namespace
 
-InstanceOctree::InstanceOctree(const Scene& scene) {
-    Builder builder(scene);
+InstanceOctree::InstanceOctree(const Scene& scene, uint32_t leafInstances) {
+    Builder builder(scene, leafInstances);
     m_nodes = builder.build();
     m_order = builder.order();
 }

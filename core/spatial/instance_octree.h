@@ -24,13 +24,14 @@ public:
         [[nodiscard]] bool leaf() const { return childCount == 0; }
     };
 
-    /// The largest number of instances in a leaf, unless their centres coincide or the leaf lies at kMaxDepth.
+    /// The largest number of instances in a leaf where nothing else is asked for, unless their centres coincide or the leaf lies
+    /// at kMaxDepth.
     static constexpr uint32_t kLeafInstances = 4;
     static constexpr uint8_t kMaxDepth = 48;
 
     InstanceOctree() = default;
     /// O(n log n). Equal scenes give equal trees.
-    explicit InstanceOctree(const Scene& scene);
+    explicit InstanceOctree(const Scene& scene, uint32_t leafInstances = kLeafInstances);
 
     /// The root first; empty where no instance has triangles.
     [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/geometry/frustum.h"
+#include "core/scene/camera.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {
@@ -40,6 +41,20 @@ struct EyeBounds {
 [[nodiscard]] inline double farthestOutside(const Plane& plane, const EyeBounds& bounds) {
     return std::max(plane.distance(bounds.sphere.centre) - bounds.sphere.radius,
                     plane.distance(bounds.box.centre) - glm::dot(glm::abs(plane.normal), bounds.box.halfExtent));
+}
+
+/// The distance ahead of the eye of a box's point farthest ahead, or nearest; below 0 behind the eye.
+[[nodiscard]] inline double farthestAhead(const EyeBox& box, const Frustum& frustum) {
+    return glm::dot(frustum.forward, box.centre) + glm::dot(glm::abs(frustum.forward), box.halfExtent);
+}
+[[nodiscard]] inline double nearestAhead(const EyeBox& box, const Frustum& frustum) {
+    return glm::dot(frustum.forward, box.centre) - glm::dot(glm::abs(frustum.forward), box.halfExtent);
+}
+
+/// A pixel's width in world units at the box's farthest distance ahead: by so much a box grows before OpenGL is asked about it.
+[[nodiscard]] inline double pixelAtFarthest(const EyeBox& box, const View& view) {
+    const double pixel = 2.0 * view.frustum().tanHalfHeight / view.viewport().height;
+    return pixel * std::max(farthestAhead(box, view.frustum()), 0.0);
 }
 
 }  // namespace cullscope

@@ -166,6 +166,7 @@ private:
 struct GroupResult {
     bool visited = false;
     Containment containment = Containment::Straddles;
+    Cause cause = Cause::OutsideFrustum;
     std::optional<FrustumPlane> rejectedBy;
 };
 
@@ -178,6 +179,7 @@ std::vector<GroupResult> groupResults(const FrameLog& log, size_t groups) {
         if (decision.outcome == Decision::Outcome::Drawn) result.containment = Containment::Inside;
         if (decision.containment != Containment::Outside) continue;
         result.containment = Containment::Outside;
+        result.cause = decision.cause;
         if (decision.plane) result.rejectedBy = decision.plane;
     }
     return results;
@@ -192,10 +194,12 @@ SnapshotNode groupOf(const InstanceOctree::Node& node, const GroupResult& result
     if (result.visited) {
         group.containment = result.containment;
         group.culled = result.containment == Containment::Outside;
+        group.cause = result.cause;
         group.rejectedBy = result.rejectedBy;
     } else if (parent != nullptr) {
         group.containment = parent->containment;
         group.culled = parent->culled;
+        group.cause = parent->cause;
         group.rejectedBy = parent->rejectedBy;
     }
     return group;

@@ -8,6 +8,7 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/software/software_raster.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
@@ -29,6 +30,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         spherical::sphericalLossless(),
         software::depthBuffer(),
         software::scanLine(),
+        occlusion::octreeQuery(),
         distance::drawDistance(),
     };
     // clang-format on

@@ -39,6 +39,9 @@ struct StructureSnapshot {
     /// The sentence about an object's bounds, English and marked for translation: %1 is the object's name, %2 the number of its
     /// triangles. Null: "tested as one box".
     const char* objectSentence = nullptr;
+    /// The sentence about a group that was neither left out nor kept as a whole: %1 is the number of its objects. Null: "reaches
+    /// over the edge of the frustum".
+    const char* groupSentence = nullptr;
     std::shared_ptr<const StructureDetails> details;  ///< null: there is nothing more
 };
 

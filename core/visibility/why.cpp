@@ -102,10 +102,16 @@ std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t ins
     const SnapshotNode* group = decidingGroup(snapshot, instance);
     if (group == nullptr || group->objects < 2) return std::nullopt;
     const std::string count = std::to_string(group->objects);
-    Message sentence{CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of the "
-                                  "frustum, so that its objects were tested one by one."),
-                     {count}};
-    if (group->culled && !group->rejectedBy)
+    Message sentence{
+        snapshot.groupSentence != nullptr
+            ? snapshot.groupSentence
+            : CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: it reaches over the edge of "
+                           "the frustum, so that its objects were tested one by one."),
+        {count}};
+    if (group->culled && group->cause == Cause::Hidden)
+        sentence = {CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it."),
+                    {count}};
+    else if (group->culled && !group->rejectedBy)
         sentence = {
             CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum."),
             {count}};
@@ -151,9 +157,12 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
     if (auto group = groupStep(snapshot, instance)) steps.push_back(std::move(*group));
     const std::array<uint64_t, kCauseCount> inPart = culledInPart(log, instance);
     const bool several = std::ranges::count_if(inPart, [](uint64_t count) { return count > 0; }) > 1;
-    // A group of this object alone that was decided as a whole: its tests are the object's.
+    // A group of this object alone: its tests are the object's, unless the object was tested by itself.
     const SnapshotNode* group = decidingGroup(snapshot, instance);
-    const bool alone = group != nullptr && group->objects == 1 && group->containment != Containment::Straddles;
+    const bool tested = std::ranges::any_of(log.decisions, [&](const Decision& decision) {
+        return decision.subject == Subject::ofObject(instance) && decision.outcome == Decision::Outcome::Open;
+    });
+    const bool alone = group != nullptr && group->objects == 1 && (group->containment != Containment::Straddles || !tested);
     const auto isAbout = [&](const Decision& decision) {
         if (decision.subject == Subject::ofObject(instance)) return true;
         // That it is kept is said of the object too.

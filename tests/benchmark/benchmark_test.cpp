@@ -154,6 +154,18 @@ TEST(Benchmarks, softwarePicturesAreTimedBesideOpenGls) {
     for (const size_t own : {2u, 3u}) EXPECT_EQ(*numberOf(table.value(own, "missed_beyond_snapping")), 0.0);
 }
 
+TEST(Benchmarks, octreeQueryTakesTurnsWithBackface) {
+    const Experiment experiment = octreeQueryBesideBackface(
+        "layers:count=8,triangles=200", {"split:mesh=knot:triangles=2000,by=clusters,triangles=100"}, {96, 64});
+    EXPECT_TRUE(experiment.needsOpenGl());
+    const ResultTable table = runExperiment(experiment, {{}, 2});
+    expectWhole(experiment, table);
+    ASSERT_EQ(table.rows.size(), 2u * 7);
+    ASSERT_EQ(table.checks.size(), 2u);
+    EXPECT_TRUE(table.checks[1].holds()) << "nothing is lost";
+    EXPECT_THAT(table.brokenPromises, testing::IsEmpty());
+}
+
 /// What the programs print and write, by a made-up experiment.
 struct Reports : testing::Test {
     void SetUp() override {

@@ -32,5 +32,9 @@ inline constexpr std::array kGrowingFaces{10'000u, 30'000u, 100'000u, 300'000u, 
 
 /// `depth-buffer` and `scan-line` beside `all` and `backface`, over a camera path: frames, and the pictures alone.
 [[nodiscard]] Experiment softwareRaster(const std::string& scene, const std::string& path);
+/// `octree-query` beside `backface` on layers that fill the picture (a scene of the generator `layers`, seen from its front), and
+/// on walks through other scenes.
+[[nodiscard]] Experiment octreeQueryBesideBackface(const std::string& layers, const std::vector<std::string>& others,
+                                                   const Viewport& size = {});
 
 }  // namespace cullscope::benchmark

@@ -25,13 +25,7 @@ struct GrownBoxes {
 };
 
 /// The length by which a box grows: a pixel's width at its farthest distance from the eye, plus the margin of a plane test.
-double growthOf(const EyeBounds& bounds, const View& view) {
-    const Frustum& frustum = view.frustum();
-    const double farthest =
-        glm::dot(frustum.forward, bounds.box.centre) + glm::dot(glm::abs(frustum.forward), bounds.box.halfExtent);
-    const double pixel = 2.0 * frustum.tanHalfHeight / view.viewport().height;
-    return pixel * std::max(farthest, 0.0) + bounds.margin;
-}
+double growthOf(const EyeBounds& bounds, const View& view) { return pixelAtFarthest(bounds.box, view) + bounds.margin; }
 
 struct ObjectBoxes : Structure {
     using Structure::Structure;

@@ -1,6 +1,8 @@
 #include "core/base/error.h"
 #include "core/geometry/random.h"
+#include "core/gpu/gpu_frame.h"
 #include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
 
 // OpenGL's tests of boxes; the cases of the battery of extremes keep their numbers: camera at the origin looking down −z, 90°,
 // aspect 1, near 0.1, far 10 unless stated.
@@ -36,6 +38,71 @@ TEST(BoxQueries, boxesInViewCoverSamplesAndThoseBesideItDoNot) {
     // With clamped depth, boxes in front of near or beyond far cover samples; a box behind the eye does not, nor one seen edge-on
     // between two rows of samples.
     EXPECT_THAT(GlEnvironment::renderer().queryBoxes(standardView(), kAround), ElementsAre(0, 5, 7, 8, 10));
+}
+
+TEST(BoxQueries, answerAskedForLaterIsThatOfTheFrameThatAsked) {
+    // A wall at distance 3 hides the box at distance 5; the answer is fetched after the wall is gone.
+    const ScenePointer scene = sceneOf({squareMesh(20, -3)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Renderer& renderer = GlEnvironment::renderer();
+    Framebuffer target(standardView().viewport());
+    renderer.draw(buffers, standardView(), everything(*scene, Facing::TwoSided), target);
+    const std::vector<EyeBox> boxes{box({-1, -1, -6}, {1, 1, -4}), box({-1, -1, -2.5}, {1, 1, -2}), box({7, -1, -6}, {9, 1, -4})};
+    const BoxTicketPointer before = renderer.askBoxes(standardView(), boxes, target);
+    renderer.clear(standardView(), target, {});
+    const BoxTicketPointer after = renderer.askBoxes(standardView(), boxes, target);
+    const BoxTicketPointer samples = renderer.askBoxes(standardView(), boxes);
+    EXPECT_THAT(*renderer.answer(*before), ElementsAre(1));
+    EXPECT_THAT(*renderer.answer(*after), ElementsAre(0, 1));
+    EXPECT_THAT(*renderer.answer(*samples), ElementsAre(0, 1));
+    EXPECT_THAT(*renderer.answer(*before), ElementsAre(1)) << "at every call the same";
+}
+
+TEST(BoxQueries, ticketsOfAnotherRendererAreNotAnswered) {
+    BoxTicketPointer kept;
+    {
+        Renderer other;
+        kept = other.askBoxes(standardView(), kAround);
+        EXPECT_TRUE(other.answer(*kept));
+        EXPECT_FALSE(GlEnvironment::renderer().answer(*kept));
+    }
+    EXPECT_FALSE(GlEnvironment::renderer().answer(*kept)) << "the renderer is gone";
+    EXPECT_EQ(glGetError(), GLenum{GL_NO_ERROR});
+}
+
+TEST(BoxQueries, queriesOfTicketsThatAreGoneAreUsedAgain) {
+    Renderer& renderer = GlEnvironment::renderer();
+    const std::vector<uint32_t> expected = renderer.queryBoxes(standardView(), kAround);
+    for (int i = 0; i < 300; ++i) {
+        const BoxTicketPointer forgotten = renderer.askBoxes(standardView(), kAround);
+        EXPECT_EQ(renderer.queryBoxes(standardView(), kAround), expected);
+    }
+}
+
+TEST(BoxQueries, frameLogsAQuestionWithoutItsAnswerAndNeedsOpenGl) {
+    const ScenePointer scene = sceneOf({squareMesh(20, -3)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const std::vector<EyeBox> boxes{box({-1, -1, -6}, {1, 1, -4})};
+    const View view = standardView();
+    GpuFrame frame(GlEnvironment::renderer(), buffers, view);
+    const BoxTicketPointer first = frame.ask(boxes, BoxQuestion::DepthSoFar);
+    frame.draw(everything(*scene, Facing::TwoSided));
+    const BoxTicketPointer second = frame.ask(boxes, BoxQuestion::DepthSoFar);
+    const FrameLog log = frame.take();
+    ASSERT_EQ(log.commands.size(), 3u);
+    const auto& asked = std::get<AskedBoxes>(log.commands[0]);
+    EXPECT_FALSE(asked.answered);
+    EXPECT_THAT(asked.hits, IsEmpty());
+    EXPECT_EQ(asked.boxes.size(), 1u);
+    // The next frame gets both answers; a replay asks nothing.
+    GpuFrame next(GlEnvironment::renderer(), buffers, view);
+    EXPECT_THAT(*next.answer(*first), ElementsAre(0));
+    EXPECT_THAT(*next.answer(*second), IsEmpty());
+    Framebuffer target(view.viewport());
+    GlEnvironment::renderer().draw(buffers, view, log, target);
+    FrameContext without(*scene, view, false);
+    EXPECT_THROW((void)without.ask(boxes, BoxQuestion::DepthSoFar), Error);
+    EXPECT_THROW((void)without.answer(*first), Error);
 }
 
 TEST(BoxSelection, case25OverflowOfTheHitBufferIsNoticed) {

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/frame/commands.h"
+
+namespace cullscope {
+
+/// OpenGL's query objects of one context, which are used again. Tickets are given back on any thread, and also when the context
+/// is gone: only `take` and `close` call OpenGL.
+class BoxQueries {
+public:
+    /// So many queries. Needs the context.
+    [[nodiscard]] std::vector<unsigned> take(size_t count);
+    void giveBack(std::span<const unsigned> queries);
+    /// Deletes all queries, also those that were not given back. Needs the context.
+    void close();
+    [[nodiscard]] bool closed() const;
+
+private:
+    mutable std::mutex m_mutex;
+    std::vector<unsigned> m_all, m_unused;
+    bool m_closed = false;
+};
+
+/// One query for each box of a question.
+class AskedTicket final : public BoxTicket {
+public:
+    /// Needs the context of `pool`.
+    AskedTicket(std::shared_ptr<BoxQueries> pool, size_t boxes) : m_pool(std::move(pool)), m_queries(m_pool->take(boxes)) {}
+    ~AskedTicket() override { m_pool->giveBack(m_queries); }
+
+    [[nodiscard]] std::span<const unsigned> queries() const { return m_queries; }
+    /// The boxes whose queries passed; none in a context that is not that of `pool`.
+    [[nodiscard]] std::optional<std::vector<uint32_t>> answer(const BoxQueries& pool);
+
+private:
+    std::shared_ptr<BoxQueries> m_pool;
+    std::vector<unsigned> m_queries;
+    std::mutex m_mutex;
+    std::optional<std::vector<uint32_t>> m_answer;  ///< once it was asked for
+};
+
+}  // namespace cullscope

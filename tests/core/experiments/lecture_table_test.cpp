@@ -1,0 +1,116 @@
+#include "core/experiments/lecture_table.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/visibility/registry.h"
+#include "tests/support/gl_environment.h"
+
+namespace cullscope::test::lecture_table_test {
+namespace {
+
+LectureTableSize quick() {
+    LectureTableSize size;
+    size.overlaps = {1, 2, 8};
+    size.surfaces = {10, 200};
+    size.views = {1, 3};
+    size.size = {64, 48};
+    size.repetitions = 1;
+    return size;
+}
+
+bool isRegistered(const std::string& id) {
+    return std::ranges::any_of(strategies(), [&](const RegisteredStrategy& strategy) { return strategy.info.id == id; });
+}
+
+std::string words(const ResultTable& table, size_t row, const char* column) {
+    const CellValue value = table.value(row, column);
+    const auto* text = std::get_if<std::string>(&value);
+    return text == nullptr ? std::string() : *text;
+}
+
+TEST(LectureTable, hasEveryMethodAtEverySetting) {
+    const Experiment experiment = lectureTable(quick());
+    EXPECT_TRUE(experiment.needsOpenGl());
+    const ResultTable table = runExperiment(experiment, {});
+    const size_t methods = lectureMethods().size();
+    ASSERT_EQ(table.rows.size(), 3u * 2 * 2 * methods);
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        const std::string method = words(table, row, "method");
+        EXPECT_EQ(method, lectureMethods()[row % methods]);
+        if (!isRegistered(method)) {
+            EXPECT_THAT(words(table, row, "total_ms"), testing::HasSubstr("There is no strategy"));
+            continue;
+        }
+        EXPECT_GT(*numberOf(table.value(row, "total_ms")), 0.0) << method;
+        EXPECT_NEAR(*numberOf(table.value(row, "total_ms")),
+                    *numberOf(table.value(row, "build_ms")) + *numberOf(table.value(row, "views_ms")), 1e-9);
+        EXPECT_EQ(*numberOf(table.value(row, "missed_pixels")), 0.0) << method;
+        EXPECT_GE(*numberOf(table.value(row, "triangles")), 2.0 * *numberOf(table.value(row, "overlap")));
+    }
+    ASSERT_EQ(table.plots.size(), 3u);
+    for (const LinePlot& plot : table.plots) EXPECT_GE(plot.lines.size(), 3u) << plot.title;
+    EXPECT_FALSE(table.gl.renderer.empty());
+}
+
+/// The verdict of the lecture on a method.
+std::string verdictOn(const char* method, int overlap, int surfaces, int views) {
+    LectureTableSize size = quick();
+    size.overlaps = {overlap};
+    size.surfaces = {surfaces};
+    size.views = {views};
+    const ResultTable table = runExperiment(lectureTable(size), {});
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        if (words(table, row, "method") == method) return words(table, row, "lecture");
+    return "no row";
+}
+
+TEST(LectureTable, statesTheLecturesVerdicts) {
+    EXPECT_EQ(verdictOn("painter", 1, 10, 1), "very little overlap, few surfaces");
+    EXPECT_EQ(verdictOn("bsp", 1, 10, 100), "very little overlap, few surfaces, many views");
+    EXPECT_EQ(verdictOn("scan-line", 2, 100, 1), "little overlap");
+    EXPECT_EQ(verdictOn("painter", 2, 100, 1), "");
+    EXPECT_EQ(verdictOn("octree-query", 8, 1000, 1), "");
+    EXPECT_EQ(verdictOn("all", 1, 10, 1), "") << "the GPU's depth buffer has none";
+}
+
+TEST(LectureTable, verdictsAreOnlyWhereTheLectureOrTheMeasurementSaysSomething) {
+    LectureTableSize size = quick();
+    size.overlaps = {8};
+    size.surfaces = {200};
+    size.views = {1};
+    const ResultTable silent = runExperiment(lectureTable(size), {});
+    for (size_t row = 0; row < silent.rows.size(); ++row) EXPECT_EQ(words(silent, row, "agreement"), "");
+    size.overlaps = {1};
+    const ResultTable spoken = runExperiment(lectureTable(size), {});
+    for (size_t row = 0; row < spoken.rows.size(); ++row) {
+        if (words(spoken, row, "lecture").empty()) continue;
+        EXPECT_THAT(words(spoken, row, "agreement"), testing::AnyOf("agrees", "disagrees: slower"));
+    }
+}
+
+TEST(LectureTable, methodThatTakesTooLongSaysSo) {
+    LectureTableSize size = quick();
+    size.overlaps = {2};
+    size.surfaces = {200};
+    size.views = {40};
+    size.secondsOfAMethod = 0.0;
+    const ResultTable table = runExperiment(lectureTable(size), {});
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        if (!isRegistered(words(table, row, "method"))) continue;
+        EXPECT_THAT(words(table, row, "total_ms"), testing::HasSubstr("1 of 40 views"));
+    }
+}
+
+TEST(LectureTable, endsWhenItIsStopped) {
+    std::stop_source stop;
+    stop.request_stop();
+    const ResultTable table = runExperiment(lectureTable(quick()), {}, {nullptr, stop.get_token()});
+    EXPECT_TRUE(table.interrupted);
+    EXPECT_TRUE(table.rows.empty());
+}
+
+}  // namespace
+}  // namespace cullscope::test::lecture_table_test

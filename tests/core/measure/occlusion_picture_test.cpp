@@ -1,0 +1,245 @@
+// `octree-query` against the picture of all objects: where it waits for the answers it loses no sample; where it uses those of
+// earlier frames, what it loses is measured.
+
+#include <cstdio>
+
+#include "core/measure/accuracy.h"
+#include "core/measure/meter.h"
+#include "core/mesh/parametric.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/layers_scene.h"
+#include "tests/support/culler.h"
+#include "tests/support/exact_visibility.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/random_views.h"
+#include "tests/support/test_scenes.h"
+
+namespace cullscope::test::occlusion_picture_test {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+CullerPointer octreeQuery(const Settings& settings) {
+    ParameterSet parameters(findStrategy("octree-query").info.parameters);
+    for (const auto& [key, value] : settings) parameters.setFromText(key, value);
+    return makeCuller("octree-query", parameters);
+}
+
+const std::vector<Settings> kWaiting{{}, {{"batch", "1"}}, {{"ask", "leaves"}, {"leaf", "3"}}, {{"facing", "two-sided"}}};
+
+struct Tally {
+    uint64_t views = 0, covered = 0, hidden = 0, different = 0;
+};
+
+/// The depth samples that a frame shows other than the picture of all objects.
+uint64_t differentSamples(const SceneBuffers& buffers, const View& view, const Culled& frame, Tally& tally) {
+    const std::vector<float> truth = picture(buffers, view, everything(buffers.scene(), frame.log.facing)).depth;
+    const std::vector<float> shown = picture(buffers, view, frame.drawList).depth;
+    uint64_t different = 0;
+    for (size_t pixel = 0; pixel < truth.size(); ++pixel) {
+        tally.covered += truth[pixel] > 0.0f ? 1 : 0;
+        different += truth[pixel] != shown[pixel] ? 1 : 0;
+    }
+    ++tally.views;
+    tally.hidden += frame.culledTriangles[size_t(Cause::Hidden)];
+    tally.different += different;
+    return different;
+}
+
+/// All ways to wait for the answers, on one scene.
+class Waiting {
+public:
+    explicit Waiting(const ScenePointer& scene) : m_scene(scene), m_buffers(scene, Upload::Vbo) {
+        for (const Settings& settings : kWaiting) {
+            m_cullers.push_back(octreeQuery(settings));
+            m_cullers.back()->build(*scene);
+        }
+    }
+    void expectNothingLost(const View& view, const std::string& where, Tally& tally) {
+        for (size_t i = 0; i < m_cullers.size(); ++i) {
+            const Culled frame = m_cullers[i]->cull(view, &GlEnvironment::renderer());
+            EXPECT_EQ(differentSamples(m_buffers, view, frame, tally), 0u)
+                << where << ", setting " << i << "; " << described(view.camera(), view.viewport());
+        }
+    }
+
+private:
+    ScenePointer m_scene;
+    SceneBuffers m_buffers;
+    std::vector<CullerPointer> m_cullers;
+};
+
+/// Objects of many sizes and directions, some large and thin, close to each other so that many hide others.
+ScenePointer crowd(uint64_t seed) {
+    Random random(seed);
+    std::vector<MeshPointer> meshes;
+    std::vector<Mat4> places;
+    const int count = 20 + int(random.between(0, 60));
+    for (int i = 0; i < count; ++i) {
+        switch (int(random.between(0, 4))) {
+            case 0:
+                meshes.push_back(squareMesh(1, 0));
+                break;
+            case 1:
+                meshes.push_back(sphereMesh(80));
+                break;
+            case 2:
+                meshes.push_back(starMesh(uint64_t(i), 200));
+                break;
+            default:
+                meshes.push_back(boxMesh(Vec3f(-1), Vec3f(1)));
+        }
+        const Vec3 axis = random.direction(), other = glm::normalize(glm::cross(axis, random.direction()));
+        Mat4 turn(1.0);
+        turn[0] = Vec4(axis, 0);
+        turn[1] = Vec4(other, 0);
+        turn[2] = Vec4(glm::cross(axis, other), 0);
+        const Vec3 size(std::pow(10.0, random.between(-1.5, 0.7)), std::pow(10.0, random.between(-1.5, 0.7)),
+                        std::pow(10.0, random.between(-2.0, 0.5)));
+        const Vec3 at(random.between(-5, 5), random.between(-5, 5), random.between(-5, 5));
+        places.push_back(translation(at) * turn * scaling(size));
+    }
+    return sceneOf(std::move(meshes), places);
+}
+
+/// From within the crowd or from outside; near planes that cut boxes, far planes within boxes; any size down to one pixel.
+View viewOf(Random& random) {
+    constexpr std::array kSizes{Viewport{96, 64}, Viewport{160, 120}, Viewport{33, 97}, Viewport{1, 1}, Viewport{300, 1}};
+    const Vec3 eye = random.direction() * random.between(0.0, 14.0);
+    const Vec3 target = random.direction() * random.between(0.0, 5.0);
+    const double near = std::pow(10.0, random.between(-3.0, 0.3));
+    const double far = near + std::pow(10.0, random.between(0.3, 2.5));
+    return {{eye, target, random.direction(), Angle::fromDegrees(random.between(5, 130)), near, far},
+            kSizes[size_t(random.between(0, double(kSizes.size())))]};
+}
+
+TEST(OcclusionPicture, nothingIsLostOnRandomScenes) {
+    constexpr uint64_t kScenes = 200, kSample = 40, kViews = 8;
+    Tally tally;
+    for (uint64_t seed = 1; seed <= howMany(kScenes, kSample); ++seed) {
+        Waiting waiting(crowd(seed));
+        Random random(seed * 7919);
+        for (uint64_t view = 0; view < kViews; ++view)
+            waiting.expectNothingLost(viewOf(random), "seed " + std::to_string(seed) + " view " + std::to_string(view), tally);
+    }
+    std::printf("long: occlusion-picture octree-query views %llu covered %llu hidden %llu different %llu\n",
+                static_cast<unsigned long long>(tally.views), static_cast<unsigned long long>(tally.covered),
+                static_cast<unsigned long long>(tally.hidden), static_cast<unsigned long long>(tally.different));
+    EXPECT_GT(tally.covered, tally.views * 1000);
+    EXPECT_GT(tally.hidden, tally.views * 100) << "the views hide next to nothing";
+}
+
+TEST(OcclusionPicture, nothingIsLostWhereObjectsTouchThePlanesOfExtremeViews) {
+    Tally tally;
+    for (uint64_t seed = 1; seed <= howMany(200, 30); ++seed) {
+        const ScenePointer scene = randomScene(seed);
+        Waiting waiting(scene);
+        Random random(seed);
+        for (int view = 0; view < 5; ++view) {
+            const RandomView sample = randomView(*scene, random);
+            const Viewport size{std::min(sample.viewport.width, 96), std::min(sample.viewport.height, 64)};
+            waiting.expectNothingLost(View(sample.camera, size),
+                                      "scene " + std::to_string(seed) + " view " + std::to_string(view), tally);
+        }
+    }
+    EXPECT_GT(tally.covered, tally.views * 20);
+}
+
+TEST(OcclusionPicture, case26NothingIsLostWithTheEyeInOrBesideBoxesThatTheFarPlaneCuts) {
+    // A box around the camera with the far plane inside it; the same with the eye 0.05 outside it; one cut by the near plane
+    // only; each behind a small thing that is drawn first and hides nothing of them.
+    Tally tally;
+    for (const double z : {0.0, 30.05, 30.0, 0.1}) {
+        const ScenePointer scene = sceneOf(
+            {squareMesh(0.001f, -0.2f), boxMesh({-30, -30, -30}, {30, 30, 30}), sphereMesh(80), boxMesh({-3, -3, -3}, {3, 3, 0})},
+            {translation({0, 0, z}), Mat4(1.0), translation({0, 0, z - 5}), translation({0, 0, z - 0.1})});
+        Waiting waiting(scene);
+        for (const Viewport size : {Viewport{64, 64}, Viewport{1, 1}})
+            for (const double far : {10.0, 1000.0}) {
+                const View view({{0, 0, z}, {0, 0, z - 1}, {0, 1, 0}, Angle::fromDegrees(90), 0.1, far}, size);
+                waiting.expectNothingLost(view, "eye at " + std::to_string(z), tally);
+            }
+    }
+    EXPECT_GT(tally.covered, 1000u);
+}
+
+TEST(OcclusionPicture, nothingIsLostOfLayersFromAnywhere) {
+    Tally tally;
+    const ScenePointer scene = layersScene("layers", {32, 100, 0.05});
+    Waiting waiting(scene);
+    for (const char* name : {"front:3", "walk:6", "orbit:5"}) {
+        const CameraPath path = cameraPath(name, *scene);
+        for (size_t pose = 0; pose < path.poses.size(); ++pose)
+            waiting.expectNothingLost(View(path.camera(pose), {120, 90}), name, tally);
+    }
+    EXPECT_GT(tally.hidden, 10'000u);
+}
+
+/// What turning by 180° a second at 60 frames a second loses with answers that are so many frames old, in all frames together.
+uint64_t missedByTurning(const ScenePointer& scene, const char* latency, uint64_t& covered) {
+    constexpr double kStep = 180.0 / 60.0;  // degrees
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CullerPointer culler = octreeQuery({{"latency", latency}});
+    culler->build(*scene);
+    uint64_t missed = 0;
+    for (int frame = 0; frame < 20; ++frame) {
+        const double yaw = Angle::fromDegrees(-15 + kStep * frame).radians();
+        const View view({{0, 0, 0}, {std::sin(yaw), 0, -std::cos(yaw)}, {0, 1, 0}, Angle::fromDegrees(50), 0.1, 100}, {160, 120});
+        const Culled culled = culler->cull(view, &GlEnvironment::renderer());
+        const Reference truth = itemBufferReference(GlEnvironment::renderer(), buffers, view, culled.log.facing);
+        Framebuffer target(view.viewport());
+        const ShownPixels shown = shownPixels(GlEnvironment::renderer(), buffers, culled.log, target);
+        const Accuracy accuracy = compare(truth, shown, culled.drawList, *scene);
+        missed += accuracy.missedPixels;
+        covered += accuracy.coveredPixels;
+    }
+    return missed;
+}
+
+TEST(OcclusionPicture, case24TurningExposesAStripWhereAnswersAreLateAndNoneWhereTheyAreWaitedFor) {
+    // A wall hides the part of each long bar that is in the first views; what sticks out beyond its right end comes into view
+    // later.
+    std::vector<MeshPointer> meshes{boxMesh({-6, -3, -4.1f}, {1.9f, 3, -4})};
+    for (int i = 0; i < 6; ++i)
+        meshes.push_back(boxMesh({-1, -2 + 0.6f * float(i), -8}, {9 + float(i), -1.7f + 0.6f * float(i), -7}));
+    const ScenePointer scene = sceneOf(std::move(meshes));
+    uint64_t covered = 0;
+    EXPECT_EQ(missedByTurning(scene, "0", covered), 0u);
+    EXPECT_GT(covered, 20'000u);
+    covered = 0;
+    const uint64_t one = missedByTurning(scene, "1", covered), two = missedByTurning(scene, "2", covered);
+    std::printf("case 24: missed with answers one frame late %llu, two frames late %llu of %llu covered\n",
+                static_cast<unsigned long long>(one), static_cast<unsigned long long>(two),
+                static_cast<unsigned long long>(covered / 2));
+    EXPECT_GT(one, 0u);
+    EXPECT_GT(two, one) << "the strip is wider the later the answers are";
+}
+
+TEST(OcclusionPicture, measuringJudgesLateAnswersWithTheMemoryOfTheView) {
+    std::vector<MeshPointer> meshes{squareMesh(4, -3)};
+    std::vector<Mat4> places{Mat4(1.0)};
+    for (int i = 0; i < 9; ++i) {
+        meshes.push_back(sphereMesh(320));
+        places.push_back(translation({2.2 * (i % 3) - 2.2, 2.2 * (i / 3) - 2.2, -8}));
+    }
+    MeasureRequest request;
+    request.scene = sceneOf(std::move(meshes), places);
+    request.strategies = {strategyFromText("octree-query"), strategyFromText("octree-query:latency=1"),
+                          strategyFromText("octree-query:latency=2")};
+    request.size = {96, 72};
+    request.timing.fixedRepetitions = 2;
+    for (int i = 0; i < 5; ++i) request.path.poses.push_back({{0.9 * i, 0, 0}, {0.9 * i, 0, -1}, {0, 1, 0}});
+    const MeasureResult result = measure(request);
+    ASSERT_EQ(result.runs.size(), 3u);
+    EXPECT_EQ(result.runs[0].losses()->missedPixels, 0u);
+    EXPECT_FALSE(result.runs[0].promiseBroken());
+    for (const size_t late : {1u, 2u}) {
+        EXPECT_EQ(result.runs[late].promise, Promise::Approximate);
+        EXPECT_EQ(result.runs[late].frames[0].accuracy->missedPixels, 0u) << "a view without a past hides nothing";
+        EXPECT_EQ(result.runs[late].frames[0].culledTriangles[size_t(Cause::Hidden)], 0u);
+        EXPECT_GT(result.runs[late].frames[late].culledTriangles[size_t(Cause::Hidden)], 0u);
+    }
+}
+
+}  // namespace
+}  // namespace cullscope::test::occlusion_picture_test

@@ -1,0 +1,257 @@
+#include "core/spatial/instance_octree.h"
+
+#include <map>
+#include <set>
+
+#include "core/mesh/parametric.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/layers_scene.h"
+#include "core/visibility/why.h"
+#include "tests/support/culler.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/test_scenes.h"
+
+namespace cullscope::test::octree_query_test {
+namespace {
+
+using Settings = std::map<std::string, std::string>;
+
+CullerPointer octreeQuery(const Settings& settings = {}) {
+    ParameterSet parameters(findStrategy("octree-query").info.parameters);
+    for (const auto& [key, value] : settings) parameters.setFromText(key, value);
+    return makeCuller("octree-query", parameters);
+}
+
+View standardView() { return {{Vec3(0.0), Vec3(0, 0, -1), Vec3(0, 1, 0), Angle::fromDegrees(90), 0.1, 100}, {100, 100}}; }
+
+Culled frameOf(Culler& culler, const View& view, Recording recording = Recording::On) {
+    return culler.cull(view, recording, &GlEnvironment::renderer());
+}
+
+std::set<uint32_t> drawn(const Culled& frame) {
+    std::set<uint32_t> instances;
+    for (const DrawRange& range : frame.drawList.ranges) instances.insert(range.instance);
+    return instances;
+}
+
+double figure(const Culled& frame, const std::string& name) {
+    for (const NamedFigure& one : frame.log.counters.figures)
+        if (one.name == name) return one.value;
+    ADD_FAILURE() << "no figure " << name;
+    return 0.0;
+}
+
+/// A wall at distance 3 that fills the view, spheres behind it, one before it, and one behind the eye.
+ScenePointer wallBeforeSpheres() {
+    std::vector<MeshPointer> meshes{squareMesh(8, -3), sphereMesh(320), sphereMesh(320)};
+    std::vector<Mat4> places{Mat4(1.0), translation({0, 0, -1.5}) * scaling(Vec3(0.2)), translation({0, 0, 6})};
+    for (int i = 0; i < 12; ++i) {
+        meshes.push_back(sphereMesh(320));
+        places.push_back(translation({2.5 * (i % 4) - 3.5, 2.5 * (i / 4) - 2.5, -8.0 - (i % 3)}));
+    }
+    return sceneOf(std::move(meshes), places);
+}
+
+TEST(OctreeQuery, leavesOutWhatAWallHidesAndDrawsTheRest) {
+    const ScenePointer scene = wallBeforeSpheres();
+    for (const Settings& settings :
+         {Settings{}, Settings{{"batch", "1"}}, Settings{{"ask", "leaves"}}, Settings{{"leaf", "3"}}}) {
+        const CullerPointer culler = octreeQuery(settings);
+        culler->build(*scene);
+        EXPECT_EQ(culler->promise(), Promise::Conservative);
+        const Culled frame = frameOf(*culler, standardView());
+        if (settings.contains("batch")) {
+            EXPECT_EQ(drawn(frame), (std::set<uint32_t>{0, 1})) << "asked one by one, the wall hides every sphere behind it";
+        }
+        EXPECT_TRUE(drawn(frame).contains(0) && drawn(frame).contains(1));
+        const uint64_t hidden = frame.culledTriangles[size_t(Cause::Hidden)];
+        EXPECT_GT(hidden, 0u);
+        EXPECT_EQ(frame.consideredTriangles + hidden + frame.culledTriangles[size_t(Cause::OutsideFrustum)],
+                  scene->triangleCount());
+    }
+}
+
+TEST(OctreeQuery, ofLayersOnlyTheFirstIsDrawn) {
+    const ScenePointer scene = layersScene("layers", {32, 200});
+    const CameraPath path = cameraPath("front:3", *scene);
+    for (const char* batch : {"1", "16", "4096"}) {
+        const CullerPointer culler = octreeQuery({{"batch", batch}});
+        culler->build(*scene);
+        for (size_t pose = 0; pose < 3; ++pose) {
+            const Culled frame = frameOf(*culler, View(path.camera(pose), {96, 64}));
+            EXPECT_EQ(drawn(frame), std::set<uint32_t>{0}) << batch;
+            EXPECT_EQ(figure(frame, "query_batches"), std::string(batch) == "1" ? 5 : 3) << "one sibling on each level";
+        }
+    }
+}
+
+TEST(OctreeQuery, asksAboutLeavesOnlyWhereToldSo) {
+    const ScenePointer scene = wallBeforeSpheres();
+    const InstanceOctree octree(*scene, 1);
+    for (const char* ask : {"nodes", "leaves"}) {
+        const CullerPointer culler = octreeQuery({{"ask", ask}, {"batch", "1"}});
+        culler->build(*scene);
+        const Culled frame = frameOf(*culler, standardView());
+        size_t inner = 0, leaves = 0;
+        for (const Decision& decision : frame.log.decisions)
+            if (decision.line == 5) ++(octree.nodes()[decision.subject.number].leaf() ? leaves : inner);
+        EXPECT_GT(leaves + inner, 0u);
+        EXPECT_EQ(inner > 0, std::string(ask) == "nodes");
+        EXPECT_EQ(double(leaves + inner), figure(frame, "queries"));
+    }
+}
+
+TEST(OctreeQuery, boxAroundTheEyeOrAcrossTheNearPlaneIsNotAskedAbout) {
+    // The sphere around the eye is drawn first; it hides the square at distance 1.5, but not what reaches before the near plane.
+    const ScenePointer scene =
+        sceneOf({sphereMesh(320), squareMesh(0.05f, -0.15f), sphereMesh(320), squareMesh(20, -1.5f)},
+                {scaling(Vec3(1.4)), Mat4(1.0), translation({0, 0, -0.55}) * scaling(Vec3(0.5)), Mat4(1.0)});
+    const CullerPointer culler = octreeQuery({{"batch", "1"}});
+    culler->build(*scene);
+    const Culled frame = frameOf(*culler, standardView());
+    EXPECT_EQ(drawn(frame), (std::set<uint32_t>{0, 1, 2}));
+    for (const Command& command : frame.log.commands)
+        if (const auto* asked = std::get_if<AskedBoxes>(&command))
+            for (const EyeBox& box : asked->boxes) {
+                EXPECT_LT(box.centre.z + box.halfExtent.z, -0.1);
+            }
+}
+
+TEST(OctreeQuery, leavesOfSeveralObjectsAreDrawnWhole) {
+    const ScenePointer scene = wallBeforeSpheres();
+    const CullerPointer culler = octreeQuery({{"leaf", "1000"}});
+    culler->build(*scene);
+    EXPECT_EQ(drawn(frameOf(*culler, standardView())).size(), scene->instances().size());
+    EXPECT_EQ(culler->structure().figures.at(2).value, 1.0) << "leaves";
+}
+
+TEST(OctreeQuery, answersAreUsedSoManyFramesLater) {
+    const ScenePointer scene = wallBeforeSpheres();
+    for (const size_t latency : {size_t{1}, size_t{2}}) {
+        const CullerPointer culler = octreeQuery({{"latency", std::to_string(latency)}, {"batch", "1"}});
+        culler->build(*scene);
+        EXPECT_EQ(culler->promise(), Promise::Approximate);
+        for (size_t frames = 0; frames < 6; ++frames) {
+            const Culled frame = frameOf(*culler, standardView(), Recording::Off);
+            const bool hides = frame.culledTriangles[size_t(Cause::Hidden)] > 0;
+            EXPECT_EQ(hides, frames >= latency) << frames;
+            for (const Command& command : frame.log.commands) {
+                const auto* asked = std::get_if<AskedBoxes>(&command);
+                EXPECT_TRUE(asked == nullptr || !asked->answered) << "nothing is waited for";
+            }
+        }
+    }
+}
+
+TEST(OctreeQuery, copiesOfAMemoryDecideTheSame) {
+    const ScenePointer scene = wallBeforeSpheres();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CullerPointer culler = octreeQuery({{"latency", "1"}});
+    culler->build(*scene);
+    (void)frameOf(*culler, standardView());
+    std::vector<uint64_t> counts;
+    for (int i = 0; i < 3; ++i) {
+        const ViewStatePointer copy = culler->state().clone();
+        GpuFrame frame(GlEnvironment::renderer(), buffers, standardView());
+        culler->built()->draw(frame, *copy);
+        counts.push_back(frame.take().consideredTriangles());
+    }
+    EXPECT_EQ(counts, std::vector<uint64_t>(3, counts[0]));
+    EXPECT_LT(counts[0], scene->triangleCount() / 2);
+}
+
+TEST(OctreeQuery, answersOfAnotherRendererThatIsGoneCountAsVisible) {
+    const ScenePointer scene = wallBeforeSpheres();
+    const CullerPointer culler = octreeQuery({{"latency", "1"}});
+    culler->build(*scene);
+    {
+        Renderer other;
+        (void)culler->cull(standardView(), &other);
+        EXPECT_GT(culler->cull(standardView(), &other).culledTriangles[size_t(Cause::Hidden)], 0u);
+    }
+    EXPECT_EQ(frameOf(*culler, standardView()).culledTriangles[size_t(Cause::Hidden)], 0u);
+}
+
+TEST(OctreeQuery, needsOpenGl) {
+    const ScenePointer scene = wallBeforeSpheres();
+    for (const char* latency : {"0", "1"}) {
+        const CullerPointer culler = octreeQuery({{"latency", latency}});
+        culler->build(*scene);
+        EXPECT_THROW((void)culler->cull(standardView()), Error);
+    }
+}
+
+TEST(OctreeQuery, decisionsNestAndNameEveryObjectOnce) {
+    const ScenePointer scene = wallBeforeSpheres();
+    for (const char* leaf : {"1", "3"})
+        for (const char* batch : {"1", "3", "64"})
+            for (const char* latency : {"0", "1"}) {
+                SCOPED_TRACE(std::string(leaf) + " " + batch + " " + latency);
+                const InstanceOctree octree(*scene, uint32_t(std::stoi(leaf)));
+                const CullerPointer culler = octreeQuery({{"batch", batch}, {"latency", latency}, {"leaf", leaf}});
+                culler->build(*scene);
+                (void)frameOf(*culler, standardView());
+                const Culled frame = frameOf(*culler, standardView());
+                const size_t lines = culler->built()->info().first(Show::Kind::Listing)->lines.size();
+                std::vector<int> ends(scene->instances().size(), 0);
+                for (const Decision& decision : frame.log.decisions) {
+                    ASSERT_TRUE(decision.line >= 1 && decision.line <= lines);
+                    const bool node = decision.subject.kind == Subject::Kind::Node;
+                    if (node) {
+                        EXPECT_EQ(decision.nesting, octree.nodes()[decision.subject.number].depth);
+                    }
+                    if (decision.outcome == Decision::Outcome::Open) continue;
+                    if (!node) ++ends[decision.subject.number];
+                    for (const uint32_t instance : frame.log.objectsOf(decision)) ++ends[instance];
+                }
+                EXPECT_THAT(ends, testing::Each(1));
+                // The listing of a triangle has what was said of all groups around its object.
+                for (uint32_t i = 0; i < scene->instances().size(); ++i) {
+                    std::vector<uint64_t> counts(lines, 0);
+                    for (const Decision& decision : frame.log.decisions) {
+                        const bool node = decision.subject.kind == Subject::Kind::Node;
+                        const auto objects = octree.instancesOf(octree.nodes()[node ? decision.subject.number : 0]);
+                        const bool about = node ? std::ranges::find(objects, i) != objects.end() : decision.subject.number == i;
+                        if (about) ++counts[decision.line - 1];
+                    }
+                    EXPECT_EQ(culler->built()->listing(frame.log, scene->firstTriangle(i))->decisions, counts) << i;
+                }
+            }
+}
+
+TEST(OctreeQuery, treeWhyAndCountsTellWhatIsHidden) {
+    const ScenePointer scene = wallBeforeSpheres();
+    const CullerPointer culler = octreeQuery({{"batch", "1"}});
+    culler->build(*scene);
+    const Culled frame = frameOf(*culler, standardView());
+    const StructureSnapshot tree = culler->snapshot(frame.log);
+    size_t hiddenGroups = 0;
+    for (const SnapshotNode& node : tree.nodes) {
+        if (node.isGroup()) {
+            hiddenGroups += node.culled && node.cause == Cause::Hidden ? 1 : 0;
+            continue;
+        }
+        EXPECT_EQ(node.culled, !drawn(frame).contains(node.instance));
+        if (node.culled) {
+            EXPECT_EQ(node.cause, node.instance == 2 ? Cause::OutsideFrustum : Cause::Hidden);
+        }
+    }
+    EXPECT_GT(hiddenGroups, 0u);
+    const Bars bars = culler->built()->bars(frame.log).at(0);
+    EXPECT_EQ(double(bars.bars[2].value), figure(frame, "queries"));
+    EXPECT_EQ(double(bars.bars[3].value), figure(frame, "hidden_nodes"));
+    EXPECT_EQ(bars.bars[4].value, 2u) << "drawn";
+    const auto has = [&](uint32_t instance, const std::string& words) {
+        for (const WhyStep& step : why(*culler->built(), frame.log, scene->firstTriangle(instance)))
+            if (step.sentence.english().find(words) != std::string::npos) return true;
+        return false;
+    };
+    EXPECT_TRUE(has(5, "hides")) << "a sphere behind the wall";
+    EXPECT_TRUE(has(5, "is not given to OpenGL"));
+    EXPECT_TRUE(has(0, "is given to OpenGL"));
+    EXPECT_FALSE(has(0, "edge of the frustum"));
+    EXPECT_TRUE(has(1, "counts as visible")) << "the first one is not asked about";
+}
+
+}  // namespace
+}  // namespace cullscope::test::octree_query_test
