@@ -92,6 +92,20 @@ int sideOfPlane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& point) 
     return exactSide(a, b, c, point);
 }
 
+int clearSideOfPlane(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& point) {
+    const Vec3 u = b - a, v = c - a, w = point - a;
+    double determinant = 0.0, unclear = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int y = (axis + 1) % 3, z = (axis + 2) % 3;
+        const double first = u[y] * v[z], second = u[z] * v[y];
+        determinant += (first - second) * w[axis];
+        // The difference's own rounding, and that of the point's coordinate.
+        const double moved = std::abs(w[axis]) * 0x1p-44 + (std::abs(point[axis]) + std::abs(a[axis])) * 0x1p-48;
+        unclear += (std::abs(first) + std::abs(second)) * moved;
+    }
+    return std::abs(determinant) > unclear ? signOf(determinant) : 0;
+}
+
 int turnOf(const Vec2& a, const Vec2& b, const Vec2& c) {
     const double first = (b.x - a.x) * (c.y - a.y), second = (b.y - a.y) * (c.x - a.x);
     const double determinant = first - second, magnitude = std::abs(first) + std::abs(second);

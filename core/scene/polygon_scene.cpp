@@ -161,7 +161,7 @@ private:
 bool isPolygonFile(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     std::ranges::transform(extension, extension.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    return extension == ".polygons";
+    return extension == std::string(".") + kPolygonExtension;
 }
 
 PolygonScene readPolygonFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {

@@ -15,6 +15,8 @@ struct PolygonScene {
     LoadReport report;
 };
 
+/// Of the files' names, without the dot.
+inline constexpr const char* kPolygonExtension = "polygons";
 /// Whether a file is one of named polygons, by its extension.
 [[nodiscard]] bool isPolygonFile(const std::filesystem::path& path);
 

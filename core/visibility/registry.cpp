@@ -8,6 +8,8 @@
 #include "core/visibility/frustum/frustum_box_tests.h"
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
+#include "core/visibility/ordering/bsp.h"
+#include "core/visibility/ordering/painter.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
 
@@ -26,6 +28,8 @@ const std::vector<RegisteredStrategy>& strategies() {
         spherical::spherical(),
         spherical::sphericalHorizon(),
         spherical::sphericalLossless(),
+        ordering::painter(),
+        ordering::bsp(),
         distance::drawDistance(),
     };
     // clang-format on

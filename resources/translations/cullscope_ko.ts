@@ -2615,6 +2615,402 @@
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>눈에서 일정 거리 너머에 완전히 있는 물체를 제외합니다.</translation>
     </message>
+    <message>
+        <source>stopped at the limit</source>
+        <translation>한도에서 멈춤</translation>
+    </message>
+    <message>
+        <source>BSP trees by the choice of the dividing plane</source>
+        <translation>분할 평면의 선택에 따른 BSP 트리</translation>
+    </message>
+    <message>
+        <source>&quot;random, small&quot;: 10,000 random triangles in a cube, with edges of at most a tenth of its side. &quot;random, large&quot;: with edges of up to its side, which fill it.</source>
+        <translation>&quot;random, small&quot;: 정육면체 안의 무작위 삼각형 10,000개, 변의 길이는 한 변의 10분의 1 이하. &quot;random, large&quot;: 변이 한 변만큼 길어 정육면체를 채움.</translation>
+    </message>
+    <message>
+        <source>A tree that needs more than 2,000,000 polygons is given up.</source>
+        <translation>다각형이 2,000,000개를 넘게 필요한 트리는 포기한다.</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>평면</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>다각형</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>노드</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>깊이</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>트리</translation>
+    </message>
+    <message>
+        <source>Computed from the scene of the same name: its planes P1, P2, … divide it level by level, and its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation>같은 이름의 장면에서 계산한다. 평면 P1, P2, …가 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>The order is that of drawing, back to front, as seen from the scene&apos;s camera V.</source>
+        <translation>순서는 장면의 카메라 V에서 볼 때 뒤에서 앞으로 그리는 순서이다.</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>문항</translation>
+    </message>
+    <message>
+        <source>answer key</source>
+        <translation>정답</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>계산</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>다름</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s quiz: leaves of a BSP tree and the order of drawing</source>
+        <translation>강의의 퀴즈: BSP 트리의 잎과 그리는 순서</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s worked example of a BSP tree</source>
+        <translation>강의의 BSP 트리 예제 풀이</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is none of polygon, plane, eye and camera. Write one of them, or # before a comment.</source>
+        <translation>%1, %2행: &quot;%3&quot;은(는) polygon, plane, eye, camera 가운데 어느 것도 아닙니다. 이 가운데 하나를 쓰거나 주석 앞에 #을 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the camera looks at its own place. Give it another target.</source>
+        <translation>%1, %2행: 카메라가 자기 자리를 보고 있습니다. 다른 목표점을 주십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a name is missing before the numbers. Write for example polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation>%1, %2행: 숫자 앞에 이름이 없습니다. 예를 들어 polygon A 0 0 0  1 0 0  0 1 0 처럼 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the name &quot;%3&quot; is used twice. Give each its own.</source>
+        <translation>%1, %2행: 이름 &quot;%3&quot;이(가) 두 번 쓰였습니다. 각각 다른 이름을 주십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is not a usable number.</source>
+        <translation>%1, %2행: &quot;%3&quot;은(는) 쓸 수 있는 수가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a polygon has three coordinates for each of three or more corners; here are %3 numbers.</source>
+        <translation>%1, %2행: 다각형은 셋 이상의 꼭짓점마다 좌표 셋을 가집니다. 여기에는 수가 %3개 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon has no area.</source>
+        <translation>%1, %2행: 다각형에 넓이가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon&apos;s corners do not lie in one plane. Write it as several polygons.</source>
+        <translation>%1, %2행: 다각형의 꼭짓점이 한 평면에 있지 않습니다. 여러 다각형으로 나누어 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a plane is written as a b c d, for ax + by + cz + d = 0, or as a point and a normal, six numbers; here are %3.</source>
+        <translation>%1, %2행: 평면은 ax + by + cz + d = 0 의 a b c d 로, 또는 점과 법선의 수 여섯 개로 씁니다. 여기에는 %3개가 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the plane&apos;s normal is 0.</source>
+        <translation>%1, %2행: 평면의 법선이 0입니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the file has a camera already.</source>
+        <translation>%1, %2행: 파일에 카메라가 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: an eye has three numbers, a camera six: its place and where it looks.</source>
+        <translation>%1, %2행: eye는 수 세 개, camera는 여섯 개를 가집니다. 자리와 바라보는 곳입니다.</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s quiz: polygons A, B and C, and the planes P1 to P3 that divide them</source>
+        <translation>강의의 퀴즈: 다각형 A, B, C와 이를 나누는 평면 P1~P3</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s worked example: polygons A to D, divided by the planes P1 and P2</source>
+        <translation>강의의 예제: 평면 P1과 P2로 나눈 다각형 A~D</translation>
+    </message>
+    <message>
+        <source>plane=given takes the planes that a scene has. &quot;%1&quot; has none: name them in a .polygons file, or take another choice of plane.</source>
+        <translation>plane=given은 장면에 있는 평면을 씁니다. &quot;%1&quot;에는 평면이 없습니다. .polygons 파일에 평면을 쓰거나 다른 평면 선택을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Building the BSP tree</source>
+        <translation>BSP 트리 만드는 중</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, another choice of plane (plane=fewest), or a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 다각형이 %2개를 넘게 필요합니다. 삼각형 %3개가 %4번 잘렸고 다각형 %5개가 아직 나뉘지 않았습니다. 삼각형 수를 줄이거나, 다른 평면 선택(plane=fewest) 또는 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times. Take fewer triangles, sort=centroid, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 화가 순서에는 다각형이 %2개를 넘게 필요합니다. 삼각형 %3개가 %4번 잘렸습니다. 삼각형 수를 줄이거나, sort=centroid 또는 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 before the plane of node %2.</source>
+        <translation>눈은 노드 %2의 평면보다 %1 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 behind the plane of node %2.</source>
+        <translation>눈은 노드 %2의 평면보다 뒤에 있다(%1).</translation>
+    </message>
+    <message>
+        <source>The eye lies in the plane of node %2, at %1: its sides may come in any order.</source>
+        <translation>눈은 노드 %2의 평면 위에 있다(%1). 양쪽의 순서는 상관없다.</translation>
+    </message>
+    <message>
+        <source>A part with %1 of the area of triangle %2 is drawn, with node %3.</source>
+        <translation>삼각형 %2 넓이의 %1인 부분을 노드 %3에서 그린다.</translation>
+    </message>
+    <message>
+        <source>the eye is before the plane</source>
+        <translation>눈이 평면 앞에 있음</translation>
+    </message>
+    <message>
+        <source>the eye is behind the plane</source>
+        <translation>눈이 평면 뒤에 있음</translation>
+    </message>
+    <message>
+        <source>the eye is in the plane</source>
+        <translation>눈이 평면 위에 있음</translation>
+    </message>
+    <message>
+        <source>The tree has the triangle in %1 parts, each drawn where the walk comes to it.</source>
+        <translation>트리에는 이 삼각형이 %1개의 부분으로 있고, 순회가 이르는 곳에서 각각 그린다.</translation>
+    </message>
+    <message>
+        <source>walking the tree</source>
+        <translation>트리 순회</translation>
+    </message>
+    <message>
+        <source>The walk starts at the root: %1 nodes, %2 polygons.</source>
+        <translation>순회는 뿌리에서 시작한다. 노드 %1개, 다각형 %2개.</translation>
+    </message>
+    <message>
+        <source>Splitting planes</source>
+        <translation>분할 평면</translation>
+    </message>
+    <message>
+        <source>&amp;Splitting planes</source>
+        <translation>분할 평면(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the first planes of the BSP tree, each within its cell</source>
+        <translation>활성 뷰에 BSP 트리의 처음 평면들을 각 칸 안에 표시</translation>
+    </message>
+    <message>
+        <source>node = root</source>
+        <translation>노드 = 뿌리</translation>
+    </message>
+    <message>
+        <source>s = side of node&apos;s plane that V is on</source>
+        <translation>s = 노드 평면에서 V가 있는 쪽</translation>
+    </message>
+    <message>
+        <source>go on with the child away from V</source>
+        <translation>V의 반대쪽 자식으로 간다</translation>
+    </message>
+    <message>
+        <source>draw what lies in the plane</source>
+        <translation>평면에 놓인 것을 그린다</translation>
+    </message>
+    <message>
+        <source>go on with the child on V&apos;s side</source>
+        <translation>V 쪽 자식으로 간다</translation>
+    </message>
+    <message>
+        <source>In which order the tree is walked.</source>
+        <translation>트리를 순회하는 순서.</translation>
+    </message>
+    <message>
+        <source>far to near, without depth test</source>
+        <translation>먼 것부터, 깊이 검사 없이</translation>
+    </message>
+    <message>
+        <source>near to far, with depth test</source>
+        <translation>가까운 것부터, 깊이 검사와 함께</translation>
+    </message>
+    <message>
+        <source>Which plane divides the polygons of a node.</source>
+        <translation>노드의 다각형을 나누는 평면.</translation>
+    </message>
+    <message>
+        <source>that of its first polygon</source>
+        <translation>첫 다각형의 평면</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that cuts the fewest polygons</source>
+        <translation>후보 가운데 다각형을 가장 적게 자르는 평면</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that divides them best</source>
+        <translation>후보 가운데 가장 고르게 나누는 평면</translation>
+    </message>
+    <message>
+        <source>the planes that the scene names, one for each level</source>
+        <translation>장면이 이름 붙인 평면, 단계마다 하나</translation>
+    </message>
+    <message>
+        <source>How many planes are tried at a node (plane=fewest and balance).</source>
+        <translation>노드에서 시험하는 평면의 수(plane=fewest, balance).</translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them.</source>
+        <translation>잘린 것을 포함해 트리가 가질 수 있는 다각형의 수.</translation>
+    </message>
+    <message>
+        <source>BSP tree</source>
+        <translation>BSP 트리</translation>
+    </message>
+    <message>
+        <source>Draws all triangles in the order of a BSP tree, cut where its planes pass through them.</source>
+        <translation>모든 삼각형을 BSP 트리의 순서로 그리고, 평면이 지나는 곳에서 자른다.</translation>
+    </message>
+    <message>
+        <source>Nodes by the eye&apos;s side</source>
+        <translation>눈이 있는 쪽에 따른 노드</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
+        <translation>검사 3: 삼각형 %1은(는) 삼각형 %2의 평면 뒤에 온전히 있다(최대 %3).</translation>
+    </message>
+    <message>
+        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
+        <translation>검사 4: 삼각형 %1에서 볼 때 삼각형 %2은(는) 온전히 눈 쪽에 있다(최대 %3).</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
+        <translation>어느 검사로도 삼각형 %1이(가) 삼각형 %2보다 먼저 올 수 없어 뒤의 것을 먼저 다룬다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
+    </message>
+    <message>
+        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
+        <translation>삼각형 %1은(는) 표시된 삼각형 %2을(를) 기다린다. 순환이므로 하나를 자른다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
+        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것을 자른다. 1/깊이의 차는 %3에서 시작한다.</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 떨어져 있거나 앞의 것이 더 멀다: %3.</translation>
+    </message>
+    <message>
+        <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
+        <translation>먼저 와야 할 것이 남지 않았다. 삼각형 %2 넓이의 %1을(를) 그린다.</translation>
+    </message>
+    <message>
+        <source>3: P is behind Q&apos;s plane</source>
+        <translation>3: P가 Q의 평면 뒤에 있음</translation>
+    </message>
+    <message>
+        <source>4: Q is before P&apos;s plane</source>
+        <translation>4: Q가 P의 평면 앞에 있음</translation>
+    </message>
+    <message>
+        <source>5: projections apart</source>
+        <translation>5: 투영이 떨어져 있음</translation>
+    </message>
+    <message>
+        <source>Q is taken first</source>
+        <translation>Q를 먼저 다룸</translation>
+    </message>
+    <message>
+        <source>one is cut</source>
+        <translation>하나를 자름</translation>
+    </message>
+    <message>
+        <source>sorting</source>
+        <translation>정렬</translation>
+    </message>
+    <message>
+        <source>%1 polygons are sorted by their farthest depth.</source>
+        <translation>다각형 %1개를 가장 먼 깊이로 정렬한다.</translation>
+    </message>
+    <message>
+        <source>sort by the farthest depth, far first</source>
+        <translation>가장 먼 깊이로 정렬, 먼 것부터</translation>
+    </message>
+    <message>
+        <source>P = the farthest one left</source>
+        <translation>P = 남은 것 중 가장 먼 것</translation>
+    </message>
+    <message>
+        <source>for each Q that P overlaps in depth</source>
+        <translation>깊이가 P와 겹치는 각 Q에 대해</translation>
+    </message>
+    <message>
+        <source>1, 2: apart in x or y? next Q</source>
+        <translation>1, 2: x나 y가 떨어짐? 다음 Q</translation>
+    </message>
+    <message>
+        <source>3: P behind Q&apos;s plane? next Q</source>
+        <translation>3: P가 Q 평면 뒤? 다음 Q</translation>
+    </message>
+    <message>
+        <source>4: Q before P&apos;s plane? next Q</source>
+        <translation>4: Q가 P 평면 앞? 다음 Q</translation>
+    </message>
+    <message>
+        <source>5: projections apart? next Q</source>
+        <translation>5: 투영이 떨어짐? 다음 Q</translation>
+    </message>
+    <message>
+        <source>Q marked, or they pierce: cut</source>
+        <translation>Q가 표시됨 또는 관통: 자름</translation>
+    </message>
+    <message>
+        <source>else mark P; P = Q, from line 3</source>
+        <translation>아니면 P 표시; P = Q, 3행부터</translation>
+    </message>
+    <message>
+        <source>no Q left: draw P</source>
+        <translation>남은 Q 없음: P를 그림</translation>
+    </message>
+    <message>
+        <source>Painter&apos;s algorithm</source>
+        <translation>화가 알고리즘</translation>
+    </message>
+    <message>
+        <source>Draws all triangles from far to near without depth test, and cuts those that wait for each other.</source>
+        <translation>모든 삼각형을 깊이 검사 없이 먼 것부터 그리고, 서로를 기다리는 것은 자른다.</translation>
+    </message>
+    <message>
+        <source>How the triangles are sorted.</source>
+        <translation>삼각형을 정렬하는 방법.</translation>
+    </message>
+    <message>
+        <source>by the tests of Newell, Newell and Sancha</source>
+        <translation>Newell, Newell, Sancha의 검사로</translation>
+    </message>
+    <message>
+        <source>by the distance of their centroids alone; shows wrong pixels</source>
+        <translation>무게중심의 거리만으로, 틀린 픽셀이 나타남</translation>
+    </message>
+    <message>
+        <source>How many polygons a frame may have, the cut ones among them.</source>
+        <translation>잘린 것을 포함해 한 프레임이 가질 수 있는 다각형의 수.</translation>
+    </message>
+    <message>
+        <source>Comparisons by what decided</source>
+        <translation>무엇이 결정했는지에 따른 비교</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

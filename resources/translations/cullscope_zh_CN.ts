@@ -2615,6 +2615,402 @@
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>略去完全位于离视点一定距离之外的对象。</translation>
     </message>
+    <message>
+        <source>stopped at the limit</source>
+        <translation>达到上限而停止</translation>
+    </message>
+    <message>
+        <source>BSP trees by the choice of the dividing plane</source>
+        <translation>按分割平面的选法比较 BSP 树</translation>
+    </message>
+    <message>
+        <source>&quot;random, small&quot;: 10,000 random triangles in a cube, with edges of at most a tenth of its side. &quot;random, large&quot;: with edges of up to its side, which fill it.</source>
+        <translation>“random, small”：立方体内 10,000 个随机三角形，边长至多为其边长的十分之一。“random, large”：边长可达其边长，充满立方体。</translation>
+    </message>
+    <message>
+        <source>A tree that needs more than 2,000,000 polygons is given up.</source>
+        <translation>需要超过 2,000,000 个多边形的树会被放弃。</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>树</translation>
+    </message>
+    <message>
+        <source>Computed from the scene of the same name: its planes P1, P2, … divide it level by level, and its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation>由同名场景计算：平面 P1、P2、… 逐层划分场景，物体挂在叶上。C1 是位于所有平面背面的叶，最后一个叶位于所有平面正面。</translation>
+    </message>
+    <message>
+        <source>The order is that of drawing, back to front, as seen from the scene&apos;s camera V.</source>
+        <translation>顺序是从场景的相机 V 看去由后向前的绘制顺序。</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>answer key</source>
+        <translation>答案</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s quiz: leaves of a BSP tree and the order of drawing</source>
+        <translation>课程测验：BSP 树的叶与绘制顺序</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s worked example of a BSP tree</source>
+        <translation>课程中的 BSP 树例题</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is none of polygon, plane, eye and camera. Write one of them, or # before a comment.</source>
+        <translation>%1 第 %2 行：“%3”不是 polygon、plane、eye、camera 之一。请写其中之一，或在注释前加 #。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the camera looks at its own place. Give it another target.</source>
+        <translation>%1 第 %2 行：相机看向自身所在的位置。请给出另一个目标点。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a name is missing before the numbers. Write for example polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation>%1 第 %2 行：数字之前缺少名称。例如写成 polygon A 0 0 0  1 0 0  0 1 0。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the name &quot;%3&quot; is used twice. Give each its own.</source>
+        <translation>%1 第 %2 行：名称“%3”用了两次。请各取其名。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is not a usable number.</source>
+        <translation>%1 第 %2 行：“%3”不是可用的数。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a polygon has three coordinates for each of three or more corners; here are %3 numbers.</source>
+        <translation>%1 第 %2 行：多边形有三个或更多顶点，每个顶点三个坐标；此处有 %3 个数。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon has no area.</source>
+        <translation>%1 第 %2 行：多边形没有面积。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon&apos;s corners do not lie in one plane. Write it as several polygons.</source>
+        <translation>%1 第 %2 行：多边形的顶点不在同一平面上。请写成多个多边形。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a plane is written as a b c d, for ax + by + cz + d = 0, or as a point and a normal, six numbers; here are %3.</source>
+        <translation>%1 第 %2 行：平面写作 a b c d，即 ax + by + cz + d = 0，或写作一点和法线共六个数；此处有 %3 个。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the plane&apos;s normal is 0.</source>
+        <translation>%1 第 %2 行：平面的法线为 0。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the file has a camera already.</source>
+        <translation>%1 第 %2 行：文件已有相机。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: an eye has three numbers, a camera six: its place and where it looks.</source>
+        <translation>%1 第 %2 行：eye 有三个数，camera 有六个数：位置和目标点。</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s quiz: polygons A, B and C, and the planes P1 to P3 that divide them</source>
+        <translation>课程测验：多边形 A、B、C 以及划分它们的平面 P1 至 P3</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s worked example: polygons A to D, divided by the planes P1 and P2</source>
+        <translation>课程例题：由平面 P1 和 P2 划分的多边形 A 至 D</translation>
+    </message>
+    <message>
+        <source>plane=given takes the planes that a scene has. &quot;%1&quot; has none: name them in a .polygons file, or take another choice of plane.</source>
+        <translation>plane=given 使用场景自带的平面。“%1”没有平面：请在 .polygons 文件中写出，或改用其他选法。</translation>
+    </message>
+    <message>
+        <source>Building the BSP tree</source>
+        <translation>正在构建 BSP 树</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, another choice of plane (plane=fewest), or a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个多边形：其 %3 个三角形已被切割 %4 次，还有 %5 个多边形未划分。请减少三角形，改用其他平面选法（plane=fewest），或提高上限。</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times. Take fewer triangles, sort=centroid, or a higher limit.</source>
+        <translation>“%1”的画家顺序需要超过 %2 个多边形：其 %3 个三角形已被切割 %4 次。请减少三角形，改用 sort=centroid，或提高上限。</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 before the plane of node %2.</source>
+        <translation>视点在节点 %2 的平面正面，距离 %1。</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 behind the plane of node %2.</source>
+        <translation>视点在节点 %2 的平面背面，距离 %1。</translation>
+    </message>
+    <message>
+        <source>The eye lies in the plane of node %2, at %1: its sides may come in any order.</source>
+        <translation>视点在节点 %2 的平面上（%1）：两侧可按任意顺序。</translation>
+    </message>
+    <message>
+        <source>A part with %1 of the area of triangle %2 is drawn, with node %3.</source>
+        <translation>在节点 %3 处绘制占三角形 %2 面积 %1 的部分。</translation>
+    </message>
+    <message>
+        <source>the eye is before the plane</source>
+        <translation>视点在平面正面</translation>
+    </message>
+    <message>
+        <source>the eye is behind the plane</source>
+        <translation>视点在平面背面</translation>
+    </message>
+    <message>
+        <source>the eye is in the plane</source>
+        <translation>视点在平面上</translation>
+    </message>
+    <message>
+        <source>The tree has the triangle in %1 parts, each drawn where the walk comes to it.</source>
+        <translation>树中该三角形有 %1 个部分，遍历到哪里就在哪里绘制。</translation>
+    </message>
+    <message>
+        <source>walking the tree</source>
+        <translation>遍历树</translation>
+    </message>
+    <message>
+        <source>The walk starts at the root: %1 nodes, %2 polygons.</source>
+        <translation>遍历从根开始：%1 个节点，%2 个多边形。</translation>
+    </message>
+    <message>
+        <source>Splitting planes</source>
+        <translation>分割平面</translation>
+    </message>
+    <message>
+        <source>&amp;Splitting planes</source>
+        <translation>分割平面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the first planes of the BSP tree, each within its cell</source>
+        <translation>在活动视图中显示 BSP 树的前若干平面，各在其单元内</translation>
+    </message>
+    <message>
+        <source>node = root</source>
+        <translation>节点 = 根</translation>
+    </message>
+    <message>
+        <source>s = side of node&apos;s plane that V is on</source>
+        <translation>s = V 在节点平面的哪一侧</translation>
+    </message>
+    <message>
+        <source>go on with the child away from V</source>
+        <translation>先走远离 V 的子节点</translation>
+    </message>
+    <message>
+        <source>draw what lies in the plane</source>
+        <translation>绘制位于平面上的部分</translation>
+    </message>
+    <message>
+        <source>go on with the child on V&apos;s side</source>
+        <translation>再走 V 一侧的子节点</translation>
+    </message>
+    <message>
+        <source>In which order the tree is walked.</source>
+        <translation>遍历树的顺序。</translation>
+    </message>
+    <message>
+        <source>far to near, without depth test</source>
+        <translation>由远到近，不做深度测试</translation>
+    </message>
+    <message>
+        <source>near to far, with depth test</source>
+        <translation>由近到远，做深度测试</translation>
+    </message>
+    <message>
+        <source>Which plane divides the polygons of a node.</source>
+        <translation>用哪个平面划分节点的多边形。</translation>
+    </message>
+    <message>
+        <source>that of its first polygon</source>
+        <translation>其第一个多边形的平面</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that cuts the fewest polygons</source>
+        <translation>候选中切割多边形最少者</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that divides them best</source>
+        <translation>候选中划分最均衡者</translation>
+    </message>
+    <message>
+        <source>the planes that the scene names, one for each level</source>
+        <translation>场景命名的平面，每层一个</translation>
+    </message>
+    <message>
+        <source>How many planes are tried at a node (plane=fewest and balance).</source>
+        <translation>每个节点试几个平面（plane=fewest 和 balance）。</translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them.</source>
+        <translation>树最多可有多少多边形，包括切割所得。</translation>
+    </message>
+    <message>
+        <source>BSP tree</source>
+        <translation>BSP 树</translation>
+    </message>
+    <message>
+        <source>Draws all triangles in the order of a BSP tree, cut where its planes pass through them.</source>
+        <translation>按 BSP 树的顺序绘制全部三角形，平面穿过处将其切开。</translation>
+    </message>
+    <message>
+        <source>Nodes by the eye&apos;s side</source>
+        <translation>按视点所在侧统计节点</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
+        <translation>测试 3：三角形 %1 完全在三角形 %2 的平面之后，最多 %3。</translation>
+    </message>
+    <message>
+        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
+        <translation>测试 4：相对三角形 %1，三角形 %2 完全在视点一侧，最多 %3。</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
+        <translation>没有测试允许三角形 %1 先于三角形 %2，故先取后者；前者的最远深度为 %3。</translation>
+    </message>
+    <message>
+        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
+        <translation>三角形 %1 等待已标记的三角形 %2：构成循环，切开其中一个；前者的最远深度为 %3。</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
+        <translation>三角形 %1 与 %2 互相穿过：切开前者；1/深度 之差从 %3 开始。</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
+        <translation>测试 5：三角形 %1 与 %2 的投影分离，或前者更远：%3。</translation>
+    </message>
+    <message>
+        <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
+        <translation>没有必须先画的了：绘制三角形 %2 面积的 %1。</translation>
+    </message>
+    <message>
+        <source>3: P is behind Q&apos;s plane</source>
+        <translation>3：P 在 Q 的平面之后</translation>
+    </message>
+    <message>
+        <source>4: Q is before P&apos;s plane</source>
+        <translation>4：Q 在 P 的平面之前</translation>
+    </message>
+    <message>
+        <source>5: projections apart</source>
+        <translation>5：投影分离</translation>
+    </message>
+    <message>
+        <source>Q is taken first</source>
+        <translation>先取 Q</translation>
+    </message>
+    <message>
+        <source>one is cut</source>
+        <translation>切开一个</translation>
+    </message>
+    <message>
+        <source>sorting</source>
+        <translation>排序</translation>
+    </message>
+    <message>
+        <source>%1 polygons are sorted by their farthest depth.</source>
+        <translation>%1 个多边形按最远深度排序。</translation>
+    </message>
+    <message>
+        <source>sort by the farthest depth, far first</source>
+        <translation>按最远深度排序，远者在先</translation>
+    </message>
+    <message>
+        <source>P = the farthest one left</source>
+        <translation>P = 剩余中最远者</translation>
+    </message>
+    <message>
+        <source>for each Q that P overlaps in depth</source>
+        <translation>对深度与 P 重叠的每个 Q</translation>
+    </message>
+    <message>
+        <source>1, 2: apart in x or y? next Q</source>
+        <translation>1、2：x 或 y 分离？下一个 Q</translation>
+    </message>
+    <message>
+        <source>3: P behind Q&apos;s plane? next Q</source>
+        <translation>3：P 在 Q 平面之后？下一个 Q</translation>
+    </message>
+    <message>
+        <source>4: Q before P&apos;s plane? next Q</source>
+        <translation>4：Q 在 P 平面之前？下一个 Q</translation>
+    </message>
+    <message>
+        <source>5: projections apart? next Q</source>
+        <translation>5：投影分离？下一个 Q</translation>
+    </message>
+    <message>
+        <source>Q marked, or they pierce: cut</source>
+        <translation>Q 已标记或互穿：切开</translation>
+    </message>
+    <message>
+        <source>else mark P; P = Q, from line 3</source>
+        <translation>否则标记 P；P = Q，回到第 3 行</translation>
+    </message>
+    <message>
+        <source>no Q left: draw P</source>
+        <translation>没有 Q 了：绘制 P</translation>
+    </message>
+    <message>
+        <source>Painter&apos;s algorithm</source>
+        <translation>画家算法</translation>
+    </message>
+    <message>
+        <source>Draws all triangles from far to near without depth test, and cuts those that wait for each other.</source>
+        <translation>不做深度测试，由远到近绘制全部三角形，互相等待者被切开。</translation>
+    </message>
+    <message>
+        <source>How the triangles are sorted.</source>
+        <translation>三角形的排序方法。</translation>
+    </message>
+    <message>
+        <source>by the tests of Newell, Newell and Sancha</source>
+        <translation>用 Newell、Newell 和 Sancha 的测试</translation>
+    </message>
+    <message>
+        <source>by the distance of their centroids alone; shows wrong pixels</source>
+        <translation>仅按质心距离；会显示错误像素</translation>
+    </message>
+    <message>
+        <source>How many polygons a frame may have, the cut ones among them.</source>
+        <translation>一帧最多可有多少多边形，包括切割所得。</translation>
+    </message>
+    <message>
+        <source>Comparisons by what decided</source>
+        <translation>按决定因素统计比较</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
