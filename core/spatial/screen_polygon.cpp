@@ -22,6 +22,9 @@ void clipTo(std::vector<Point>& polygon, std::vector<Point>& buffer, const Insid
     polygon.swap(buffer);
 }
 
+/// Corners that are nearer to each other, in pixels, are one: between them rounding decides where an edge points.
+constexpr double kSameCorner = 1e-6;
+
 double turned(const Vec2& a, const Vec2& b) { return a.x * b.y - a.y * b.x; }
 
 /// By how much two polygons overlap along the normals of the first one's edges, at least: pixels.
@@ -71,8 +74,11 @@ ScreenPolygon ScreenProjection::project(const std::vector<Vec3>& corners, const 
         result.x1 = std::max(result.x1, point.x);
         result.y0 = std::min(result.y0, point.y);
         result.y1 = std::max(result.y1, point.y);
-        result.points.push_back(point);
+        if (result.points.empty() || glm::length(point - result.points.back()) > kSameCorner) result.points.push_back(point);
     }
+    while (result.points.size() > 1 && glm::length(result.points.front() - result.points.back()) <= kSameCorner)
+        result.points.pop_back();
+    if (result.points.size() < 3) return {};
     double area = 0.0;
     for (size_t i = 2; i < result.points.size(); ++i)
         area += turned(result.points[i - 1] - result.points[0], result.points[i] - result.points[0]);

@@ -56,11 +56,11 @@ uint64_t unexplained(const SceneBuffers& buffers, const View& view, const FrameL
             if (std::abs(glm::dot(d, at)) <= glm::length(Vec2(d)) * kEdgePixels + 0x1p-22 * std::abs(glm::dot(a, at))) continue;
         }
         if (++count > 3) continue;
-        ADD_FAILURE() << "pixel " << pixel % size_t(kSize.width) << ", " << pixel / size_t(kSize.width) << " shows " << is
-                      << " in place of " << should << ", depths " << shown.depth[pixel] << " and " << truth.depth[pixel];
+        std::printf("pixel %zu: shows %u in place of %u, depths %.9g and %.9g\n", pixel, is, should, double(shown.depth[pixel]),
+                    double(truth.depth[pixel]));
     }
     if (count > 0)
-        for (const NamedFigure& figure : log.counters.figures) std::printf("%s %g\n", figure.name.c_str(), figure.value);
+        for (const NamedFigure& figure : log.counters.figures) std::printf("%s %g ", figure.name.c_str(), figure.value);
     return count;
 }
 
