@@ -18,7 +18,7 @@ constexpr uint32_t kRecordedNodes = 20'000;
 constexpr uint32_t kPlanesShown = 60;
 
 /// Lines of the listing.
-enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane, NearSide };
+enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane };
 
 struct TreeOfScene : Structure {
     using Structure::Structure;
@@ -209,7 +209,7 @@ public:
         return result;
     }
 
-    void addWhySteps(const Structure& structure, const FrameLog& log, uint32_t instance, uint32_t triangle,
+    void addWhySteps(const Structure& structure, const FrameLog& /*log*/, uint32_t instance, uint32_t triangle,
                      std::vector<WhyStep>& steps) const override {
         const Scene& scene = structure.scene();
         const auto number = double(scene.firstTriangle(instance) + triangle);
@@ -222,7 +222,6 @@ public:
                          {},
                          {},
                          Containment::Straddles});
-        (void)log;
     }
 
 protected:
