@@ -4,6 +4,7 @@
 
 #include "app/cullbench/commands.h"
 #include "core/experiments/experiment_list.h"
+#include "core/scene/polygon_scene.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -112,7 +113,7 @@ void printScenes() {
     fmt::print("Scenes: a mesh file (");
     for (const std::string& extension : readableMeshExtensions())
         fmt::print("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
-    fmt::print(") or a generator\n");
+    fmt::print("), polygons (.{}) or a generator\n", kPolygonExtension);
     for (const GeneratorInfo& generator : sceneGenerators()) {
         fmt::print("  {:<12} {}\n", generator.id, generator.description);
         for (const GeneratorParameter& parameter : generator.parameters)

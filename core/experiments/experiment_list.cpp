@@ -1,8 +1,10 @@
 #include "core/experiments/experiment_list.h"
 
 #include "core/base/error.h"
+#include "core/experiments/bsp_planes.h"
 #include "core/experiments/cho_figure_6.h"
 #include "core/experiments/han_hong_tables.h"
+#include "core/experiments/lecture_quiz.h"
 #include "core/experiments/lecture_table.h"
 
 namespace cullscope {
@@ -12,6 +14,8 @@ const std::vector<Experiment>& knownExperiments() {
         std::vector<Experiment> experiments = hanHongTables();
         experiments.push_back(choFigure6());
         experiments.push_back(lectureTable());
+        for (Experiment& question : lectureQuestions()) experiments.push_back(std::move(question));
+        experiments.push_back(bspPlanes());
         return experiments;
     }();
     return kExperiments;

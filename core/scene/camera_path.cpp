@@ -233,6 +233,7 @@ CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
 std::string defaultPathName(const Scene& scene) { return scene.instances().size() > 1 ? "walk:16" : "fibonacci:16"; }
 
 Camera overviewCamera(const Scene& scene, double aspect) {
+    if (scene.remarks().camera) return *scene.remarks().camera;
     Camera camera;
     const double radius = radiusOf(scene);
     const double halfAngle = std::min(camera.fovy.radians() / 2, std::atan(std::tan(camera.fovy.radians() / 2) * aspect));

@@ -38,7 +38,7 @@ ScenePointer withoutInstances(const ScenePointer& scene, const std::vector<bool>
     std::vector<Instance> shown;
     for (size_t i = 0; i < scene->instances().size(); ++i)
         if (i >= hidden.size() || !hidden[i]) shown.push_back(scene->instances()[i]);
-    return std::make_shared<const Scene>(scene->name(), scene->meshes(), std::move(shown));
+    return std::make_shared<const Scene>(scene->name(), scene->meshes(), std::move(shown), nullptr, scene->remarks());
 }
 
 std::vector<bool> hiddenFromText(std::string_view text, size_t objects) {

@@ -46,8 +46,9 @@ Sphere around(const std::vector<Sphere>& spheres, const Box3& bounds) {
 
 }  // namespace
 
-Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface)
-    : m_name(std::move(name)), m_meshes(std::move(meshes)), m_instances(std::move(instances)) {
+Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface,
+             SceneRemarks remarks)
+    : m_name(std::move(name)), m_meshes(std::move(meshes)), m_instances(std::move(instances)), m_remarks(std::move(remarks)) {
     std::vector<Box3> meshBoxes;
     std::vector<Sphere> meshSpheres;
     for (const MeshPointer& mesh : m_meshes) {

@@ -7,6 +7,7 @@
 #include "core/base/message.h"
 #include "core/mesh/load.h"
 #include "core/mesh/triangle_mesh.h"
+#include "core/scene/camera.h"
 
 namespace cullscope {
 
@@ -17,13 +18,27 @@ struct Instance {
     std::string name;
 };
 
+/// A plane that a scene names, such as one that a lecture divides its space by.
+struct NamedPlane {
+    std::string name;
+    Vec3 normal{0.0, 0.0, 1.0};  ///< not 0; of any length
+    double offset = 0.0;         ///< the plane is { p : normal·p + offset = 0 }, its front where this is above 0
+};
+
+/// What a scene says besides its surfaces.
+struct SceneRemarks {
+    std::vector<NamedPlane> planes{};
+    std::optional<Camera> camera{};  ///< from where it is to be seen
+};
+
 /// Meshes and their instances, in double. Immutable. Triangles have consecutive numbers: instance i owns the numbers
 /// firstTriangle(i) … firstTriangle(i) + its mesh's count − 1.
 class Scene {
 public:
     /// `sameSurface`: a scene of the same triangles, divided into other objects. Its bounds are used, so that cameras placed by
     /// the bounds are the same.
-    Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface = nullptr);
+    Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Instance> instances, const Scene* sameSurface = nullptr,
+          SceneRemarks remarks = {});
 
     [[nodiscard]] const std::string& name() const { return m_name; }
     [[nodiscard]] const std::vector<MeshPointer>& meshes() const { return m_meshes; }
@@ -49,6 +64,10 @@ public:
     /// A sphere around the scene; its radius is the R of the camera paths.
     [[nodiscard]] const Sphere& boundingSphere() const { return m_sphere; }
 
+    /// Planes that the scene names, in its order, and the camera that it gives; most scenes have none.
+    [[nodiscard]] const SceneRemarks& remarks() const { return m_remarks; }
+    [[nodiscard]] const std::vector<NamedPlane>& planes() const { return m_remarks.planes; }
+
     /// By mesh: whether it has triangles and at least one instance.
     [[nodiscard]] std::vector<bool> shownMeshes() const;
 
@@ -69,6 +88,7 @@ private:
     std::vector<Sphere> m_instanceSpheres;
     Box3 m_bounds;
     Sphere m_sphere;
+    SceneRemarks m_remarks;
 };
 
 using ScenePointer = std::shared_ptr<const Scene>;

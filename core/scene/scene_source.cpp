@@ -6,7 +6,9 @@
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
 #include "core/scene/layers_scene.h"
+#include "core/scene/polygon_scene.h"
 #include "core/scene/split_scene.h"
+#include "embedded/lecture.h"
 
 #ifndef CULLSCOPE_INSTALLED_DATA
 #define CULLSCOPE_INSTALLED_DATA "/usr/share/cullscope"
@@ -31,7 +33,12 @@ OpenedScene sceneOfOne(MeshPointer mesh, const Request& request) {
             request.specification, std::nullopt};
 }
 
+OpenedScene sceneOfPolygons(PolygonScene read, std::string specification) {
+    return {std::move(read.scene), std::move(specification), std::move(read.report)};
+}
+
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
+    if (isPolygonFile(path)) return sceneOfPolygons(readPolygonFile(path, options.load, progress), path.string());
     LoadedFile file = loadMeshFile(path, options.load, progress);
     std::vector<MeshPointer> meshes;
     std::vector<Instance> instances;
@@ -53,6 +60,13 @@ std::filesystem::path bunnyOrThrow(const SceneSourceOptions& options) {
 OpenedScene openBunny(Request& request) {
     OpenedScene opened = sceneOfFile(bunnyOrThrow(request.options), request.options, request.progress);
     opened.specification = request.specification;
+    return opened;
+}
+
+OpenedScene openLecture(Request& request) {
+    const std::string_view text = request.info.id == "quiz" ? embedded::quiz_polygons : embedded::example_polygons;
+    OpenedScene opened = sceneOfPolygons(readPolygonText(text, request.info.id, request.progress), request.specification);
+    opened.report.reset();
     return opened;
 }
 
@@ -217,7 +231,11 @@ const std::vector<Generator>& generators() {
            {"by", "components",
             CULLSCOPE_TR("components: what hangs together becomes an object; clusters: compact pieces of like size do")},
            {"triangles", "5000", CULLSCOPE_TR("how many triangles a cluster has at most (with by=clusters)")}}},
-         openSplit}};
+         openSplit},
+        {{"quiz", CULLSCOPE_TR("the lecture's quiz: polygons A, B and C, and the planes P1 to P3 that divide them"), {}},
+         openLecture},
+        {{"example", CULLSCOPE_TR("the lecture's worked example: polygons A to D, divided by the planes P1 and P2"), {}},
+         openLecture}};
     return kGenerators;
 }
 

@@ -10,6 +10,8 @@
 #include "core/visibility/frustum/frustum_octree.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/software/software_raster.h"
+#include "core/visibility/ordering/bsp.h"
+#include "core/visibility/ordering/painter.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
 
@@ -31,6 +33,8 @@ const std::vector<RegisteredStrategy>& strategies() {
         software::depthBuffer(),
         software::scanLine(),
         occlusion::octreeQuery(),
+        ordering::painter(),
+        ordering::bsp(),
         distance::drawDistance(),
     };
     // clang-format on

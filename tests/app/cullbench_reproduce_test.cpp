@@ -15,15 +15,15 @@ TEST_F(CullbenchContract, listShowsEveryExperiment) {
     const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
     std::vector<std::string> experiments;
     for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
-    EXPECT_THAT(experiments,
-                testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "vfc-40-views", "lecture-table"));
+    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "vfc-40-views",
+                                                  "lecture-table", "quiz", "example", "bsp-planes"));
     const std::string text = cullbench({"list", "experiments"}).out;
     for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
 }
 
 TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
     expectRefusal(cullbench({"reproduce", "table-9"}), 2,
-                  "Known: table-1, table-2, table-3, table-4, table-5, vfc-40-views, lecture-table.");
+                  "Known: table-1, table-2, table-3, table-4, table-5, vfc-40-views, lecture-table, quiz, example, bsp-planes.");
     expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
     expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
     expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");

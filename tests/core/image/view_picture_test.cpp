@@ -81,10 +81,15 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
         const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
         const Culled frame = strategy->cull(view, &GlEnvironment::renderer());
-        // What makes its picture itself has other roundings; its own tests hold it against OpenGL's.
-        if (!frame.log.drawsScene()) continue;
         const Picture drawn = picture(buffers, view, frame.drawList);
         const Shown look = shown(scene, registered.info.id.c_str(), view, view, {});
+        if (!frame.log.drawsScene()) {
+            // Parts of triangles are interpolated anew: equal up to rounding, away from edges.
+            size_t different = 0;
+            for (size_t i = 0; i < drawn.depth.size(); ++i) different += std::abs(look.depth[i] - drawn.depth[i]) > 1e-5f ? 1 : 0;
+            EXPECT_LT(different, drawn.depth.size() / 200) << registered.info.id;
+            continue;
+        }
         EXPECT_EQ(look.colour, drawn.colour) << registered.info.id;
         EXPECT_EQ(look.depth, drawn.depth) << registered.info.id;
     }

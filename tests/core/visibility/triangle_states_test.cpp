@@ -108,7 +108,7 @@ TEST(TriangleStates, statesOfARandomViewAreAPartition) {
                 }
                 EXPECT_EQ(count(states, TriangleState::OutsideFrustum) + count(states, TriangleState::Hidden) +
                               count(states, TriangleState::TooSmall) + frame.culledTriangles[size_t(Cause::BackFacing)] +
-                              visibleNotSubmitted(reference, frame.drawList, *scene).size() + frame.consideredTriangles,
+                              visibleNotSubmitted(reference, frame.drawList, *scene).size() + frame.drawList.triangleCount(),
                           scene->triangleCount());
             }
         }

@@ -1,0 +1,293 @@
+#include "core/spatial/painters_order.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <queue>
+
+#include "core/base/error.h"
+#include "core/geometry/predicates.h"
+#include "core/spatial/painters_grid.h"
+
+namespace cullscope {
+namespace {
+
+using Place = CutTriangles::Place;
+
+class Painter {
+public:
+    Painter(CutTriangles& triangles, const Scene& scene, const View& view, const PaintersOptions& options)
+        : m_triangles(triangles), m_scene(scene), m_view(view), m_options(options), m_projection(view) {}
+
+    PaintersOrder order() {
+        const auto count = uint32_t(m_triangles.polygons().size());
+        for (uint32_t polygon = 0; polygon < count; ++polygon) addPiece(polygon);
+        m_result.polygons.reserve(count);
+        if (m_options.byCentroid) {
+            sortByCentroid();
+        } else {
+            m_grid.emplace(m_view.viewport(), m_pieces);
+            std::vector<uint32_t> farFirst(m_pieces.size());
+            for (uint32_t i = 0; i < farFirst.size(); ++i) farFirst[i] = i;
+            std::ranges::stable_sort(farFirst, std::greater<>(), [&](uint32_t i) { return m_pieces[i].screen.far; });
+            for (const uint32_t piece : farFirst) {
+                m_grid->add(piece, true);
+                m_heap.push({m_pieces[piece].screen.far, m_pieces[piece].polygon, piece});
+            }
+            drawAll();
+        }
+        return std::move(m_result);
+    }
+
+private:
+    /// A piece that waits for others, and where the search for those goes on.
+    struct Waiting {
+        uint32_t piece = 0;
+        uint64_t cuts = 0;  ///< at the begin of the search: after a cut it begins again
+        int x = 0, y = 0;
+        size_t place = 0;
+    };
+    struct FarFirst {
+        double far;
+        uint32_t polygon;
+        uint32_t piece;
+        /// Of equally far ones the highest number comes first, so that the lowest one is on top, as in the item buffer.
+        bool operator<(const FarFirst& other) const { return far != other.far ? far < other.far : polygon < other.polygon; }
+    };
+
+    /// Adds a polygon to what is ordered, or draws it at once where it covers no sample.
+    void addPiece(uint32_t polygon) {
+        const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
+        Piece piece;
+        piece.polygon = polygon;
+        piece.plane = m_triangles.planeOf(triangle);
+        piece.eyeSide = int8_t(sideOfPlane(piece.plane.a, piece.plane.b, piece.plane.c, m_view.eye()));
+        const bool dropped = m_options.facing == Facing::Front && piece.eyeSide * (isMirrored(triangle) ? -1 : 1) < 0;
+        if (!dropped && piece.eyeSide != 0) {
+            m_corners.clear();
+            for (const CutTriangles::Corner& corner : m_triangles.cornersOf(polygon))
+                m_corners.push_back(m_triangles.position(corner.vertex) - m_view.eye());
+            piece.screen = m_projection.project(m_corners, piece.plane.normal);
+        }
+        if (piece.screen.points.empty()) {
+            ++m_result.unordered;
+            m_result.polygons.push_back(polygon);
+            return;
+        }
+        m_pieces.push_back(std::move(piece));
+    }
+
+    bool isMirrored(uint32_t triangle) {
+        if (triangle < m_firstTriangle || triangle >= m_endTriangle) {
+            const size_t instance = m_scene.instanceOf(triangle);
+            m_firstTriangle = m_scene.firstTriangle(instance);
+            m_endTriangle = m_firstTriangle + m_scene.meshOf(instance).triangleCount();
+            m_mirrored = glm::determinant(Mat3(m_scene.instances()[instance].worldFromMesh)) < 0.0;
+        }
+        return m_mirrored;
+    }
+
+    void sortByCentroid() {
+        std::vector<std::pair<double, uint32_t>> order;
+        for (uint32_t i = 0; i < m_pieces.size(); ++i) {
+            Vec3 middle(0.0);
+            const auto corners = m_triangles.cornersOf(m_pieces[i].polygon);
+            for (const CutTriangles::Corner& corner : corners) middle += m_triangles.position(corner.vertex) - m_view.eye();
+            order.emplace_back(glm::length(middle) / double(corners.size()), i);
+        }
+        std::ranges::sort(order, std::greater<>());
+        for (const auto& [distance, piece] : order) m_result.polygons.push_back(m_pieces[piece].polygon);
+    }
+
+    void drawAll() {
+        while (!m_heap.empty()) {
+            const uint32_t farthest = m_heap.top().piece;
+            m_heap.pop();
+            if (m_pieces[farthest].state != PieceState::Waiting) continue;
+            mark(farthest);
+            while (!m_waiting.empty()) advance();
+        }
+    }
+
+    void mark(uint32_t piece) {
+        m_pieces[piece].state = PieceState::Marked;
+        m_waiting.push_back(begun(piece));
+    }
+
+    [[nodiscard]] Waiting begun(uint32_t piece) const {
+        const PieceGrid::Range range = m_grid->rangeOf(m_pieces[piece].screen);
+        return {piece, m_triangles.cuts(), range.x0, range.y0, 0};
+    }
+
+    /// The search of the last piece on the stack: draws it, or goes on with one that has to be drawn before.
+    void advance() {
+        const std::optional<uint32_t> before = nextBefore(m_waiting.back());
+        const uint32_t p = m_waiting.back().piece;
+        if (!before) {
+            m_pieces[p].state = PieceState::Done;
+            m_result.polygons.push_back(m_pieces[p].polygon);
+            m_waiting.pop_back();
+            return;
+        }
+        if (m_lastTest == NewellTest::Pierce) {
+            if (!cutPiece(p, *before) && !cutPiece(*before, p)) giveUp();
+        } else if (m_pieces[*before].state == PieceState::Marked) {
+            breakCycle(*before);
+        } else {
+            mark(*before);
+        }
+    }
+
+    /// The next piece that has to be drawn before one; none: it can be drawn.
+    std::optional<uint32_t> nextBefore(Waiting& search) {
+        if (search.cuts != m_triangles.cuts()) search = begun(search.piece);
+        const PieceGrid::Range range = m_grid->rangeOf(m_pieces[search.piece].screen);
+        for (; search.y <= range.y1; ++search.y, search.x = range.x0)
+            for (; search.x <= range.x1; ++search.x, search.place = 0) {
+                PieceGrid::Cell& cell = m_grid->cell(search.x, search.y);
+                while (cell.begin < cell.pieces.size() && m_pieces[cell.pieces[cell.begin]].state == PieceState::Done)
+                    ++cell.begin;
+                for (search.place = std::max(search.place, cell.begin); search.place < cell.pieces.size(); ++search.place) {
+                    const uint32_t q = cell.pieces[search.place];
+                    if (q == search.piece || m_pieces[q].state == PieceState::Done) continue;
+                    if (m_pieces[q].screen.far <= m_pieces[search.piece].screen.near) {
+                        ++m_result.tests[size_t(NewellTest::Depth)];
+                        break;  // so are all after it
+                    }
+                    if (!m_grid->isFor(search.x, search.y, m_pieces[search.piece].screen, m_pieces[q].screen)) continue;
+                    if (mayComeFirst(search.piece, q)) continue;
+                    return q;
+                }
+            }
+        return std::nullopt;
+    }
+
+    /// Whether P may be drawn before Q, by Newell's tests.
+    bool mayComeFirst(uint32_t numberP, uint32_t numberQ) {
+        const Piece &p = m_pieces[numberP], &q = m_pieces[numberQ];
+        const auto say = [&](NewellTest test, double first = 0.0, double second = 0.0) {
+            m_lastTest = test;
+            ++m_result.tests[size_t(test)];
+            if (m_options.watch)
+                m_options.watch({test, m_triangles.polygons()[p.polygon].triangle, m_triangles.polygons()[q.polygon].triangle,
+                                 first, second});
+        };
+        const auto pass = [&](NewellTest test) {
+            m_lastTest = test;
+            ++m_result.tests[size_t(test)];
+            return true;
+        };
+        if (p.screen.x1 <= q.screen.x0 || q.screen.x1 <= p.screen.x0) return pass(NewellTest::ExtentX);
+        if (p.screen.y1 <= q.screen.y0 || q.screen.y1 <= p.screen.y0) return pass(NewellTest::ExtentY);
+        const Extent pByQ = extentOf(p, q.plane), qByP = extentOf(q, p.plane);
+        if (!pByQ.on(q.eyeSide)) return say(NewellTest::BehindQ, pByQ.least, pByQ.most), true;
+        if (!qByP.on(-p.eyeSide)) return say(NewellTest::BeforeP, qByP.least, qByP.most), true;
+        const Overlap overlap = overlapOf(p.screen, q.screen);
+        if (overlap.empty()) return say(NewellTest::Projections, overlap.thickness), true;
+        const bool qFarther = !qByP.on(p.eyeSide) || !pByQ.on(-q.eyeSide);
+        // Both planes cut the other polygon: what the overlap of the projections shows decides.
+        if (!qFarther && overlap.mostBefore <= 0.0)
+            return say(NewellTest::Projections, overlap.leastBefore, overlap.mostBefore), true;
+        if (!qFarther && overlap.leastBefore < 0.0)
+            say(NewellTest::Pierce, overlap.leastBefore, overlap.mostBefore);
+        else
+            say(q.state == PieceState::Marked ? NewellTest::Cycle : NewellTest::Swap, p.screen.far, q.screen.far);
+        return false;
+    }
+
+    /// How far a piece reaches to both sides of a plane.
+    struct Extent {
+        bool front = false, back = false;
+        double least = 0.0, most = 0.0;
+
+        [[nodiscard]] bool on(int side) const { return side > 0 ? front : back; }
+    };
+    [[nodiscard]] Extent extentOf(const Piece& piece, const CuttingPlane& plane) const {
+        Extent extent;
+        for (const CutTriangles::Corner& corner : m_triangles.cornersOf(piece.polygon)) {
+            const int side = m_triangles.side(corner.vertex, plane);
+            extent.front = extent.front || side > 0;
+            extent.back = extent.back || side < 0;
+            const double distance = plane.distance(m_triangles.position(corner.vertex));
+            extent.least = std::min(extent.least, distance);
+            extent.most = std::max(extent.most, distance);
+        }
+        return extent;
+    }
+
+    /// Cuts one of the pieces from the marked one to the end of the stack by the plane of another of them.
+    void breakCycle(uint32_t marked) {
+        size_t first = m_waiting.size();
+        while (m_waiting[--first].piece != marked) {
+        }
+        // Neighbours on the stack come first.
+        const size_t count = m_waiting.size() - first;
+        for (size_t apart = 1; apart < count; ++apart)
+            for (size_t i = count; i-- > 0;) {
+                const uint32_t p = m_waiting[first + i].piece, q = m_waiting[first + (i + apart) % count].piece;
+                if (cutPiece(p, q)) return;
+            }
+        giveUp();
+    }
+
+    /// Draws the last piece on the stack where rounding alone lets it wait.
+    void giveUp() {
+        ++m_result.unresolved;
+        const uint32_t last = m_waiting.back().piece;
+        m_pieces[last].state = PieceState::Done;
+        m_result.polygons.push_back(m_pieces[last].polygon);
+        m_waiting.pop_back();
+    }
+
+    /// Cuts P by the plane of Q; false where that plane does not cut it. What waited for P begins again.
+    bool cutPiece(uint32_t p, uint32_t q) {
+        const CuttingPlane plane = m_pieces[q].plane;
+        if (m_triangles.place(m_pieces[p].polygon, plane) != Place::Across) return false;
+        if (m_triangles.polygons().size() - m_triangles.cuts() + 1 > m_options.limit)
+            throwUsage(
+                CULLSCOPE_TR("The painter's order of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times. "
+                             "Take fewer triangles, sort=centroid, or a higher limit."),
+                {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_scene.triangleCount()),
+                 std::to_string(m_triangles.cuts())});
+        const auto [front, back] = m_triangles.cut(m_pieces[p].polygon, plane);
+        m_pieces[p].state = PieceState::Done;
+        while (!m_waiting.empty()) {
+            const uint32_t last = m_waiting.back().piece;
+            m_waiting.pop_back();
+            if (last == p) break;
+            m_pieces[last].state = PieceState::Waiting;
+            m_heap.push({m_pieces[last].screen.far, m_pieces[last].polygon, last});
+        }
+        for (const uint32_t part : {front, back}) {
+            const auto number = uint32_t(m_pieces.size());
+            addPiece(part);
+            if (m_pieces.size() == number) continue;
+            m_grid->add(number, false);
+            m_heap.push({m_pieces[number].screen.far, part, number});
+        }
+        return true;
+    }
+
+    CutTriangles& m_triangles;
+    const Scene& m_scene;
+    const View& m_view;
+    const PaintersOptions& m_options;
+    ScreenProjection m_projection;
+    std::vector<Vec3> m_corners;
+    std::vector<Piece> m_pieces;
+    std::optional<PieceGrid> m_grid;
+    std::priority_queue<FarFirst> m_heap;
+    std::vector<Waiting> m_waiting;
+    NewellTest m_lastTest = NewellTest::Depth;
+    uint64_t m_firstTriangle = 0, m_endTriangle = 0;  ///< of the instance last asked about
+    bool m_mirrored = false;
+    PaintersOrder m_result;
+};
+
+}  // namespace
+
+PaintersOrder paintersOrder(CutTriangles& triangles, const Scene& scene, const View& view, const PaintersOptions& options) {
+    return Painter(triangles, scene, view, options).order();
+}
+
+}  // namespace cullscope

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "core/frame/draw_list.h"
+#include "core/scene/camera.h"
+#include "core/spatial/cut_triangles.h"
+
+namespace cullscope {
+
+/// The tests of Newell, Newell & Sancha (1972) by their numbers: which of them says that a polygon P may be drawn before another
+/// one, Q. The first that does ends the comparison.
+enum class NewellTest : uint8_t {
+    Depth,        ///< Q lies wholly nearer than P, or as near
+    ExtentX,      ///< 1: their extents in x are apart
+    ExtentY,      ///< 2: those in y are
+    BehindQ,      ///< 3: P lies wholly behind the plane of Q, seen from the eye, or in it
+    BeforeP,      ///< 4: Q lies wholly on the eye's side of the plane of P, or in it
+    Projections,  ///< 5: their projections do not overlap, or P is farther wherever they do
+    Swap,         ///< none does: Q is to be drawn before P
+    Cycle,        ///< likewise, but Q waits for P itself: one of the polygons that wait for each other is cut
+    Pierce        ///< none does and Q is not farther either: they pass through each other, and P is cut
+};
+inline constexpr size_t kNewellTests = 9;
+
+/// What a comparison of two polygons found, while it is watched.
+struct NewellStep {
+    NewellTest test = NewellTest::Depth;
+    uint32_t p = 0, q = 0;         ///< scene triangle numbers
+    double first = 0, second = 0;  ///< what was compared: depths, pixels or distances from a plane
+};
+
+struct PaintersOptions {
+    Facing facing = Facing::TwoSided;
+    bool byCentroid = false;     ///< sorted by the distance of the centroids alone
+    uint64_t limit = 1'000'000;  ///< of polygons
+    /// Called for each comparison that goes beyond test 2; may be empty.
+    std::function<void(const NewellStep&)> watch{};
+};
+
+/// Polygons in the order in which a painter draws them, as seen from an eye.
+struct PaintersOrder {
+    std::vector<uint32_t> polygons;  ///< of the CutTriangles, far to near
+    std::array<uint64_t, kNewellTests> tests{};
+    uint64_t unordered = 0;   ///< polygons that cover no sample: outside the picture, edge-on, or dropped as back-facing
+    uint64_t unresolved = 0;  ///< polygons drawn before one that rounding alone let wait for them
+};
+
+/// Orders all polygons of `triangles` (not cut before) for a view, and cuts those that wait for each other in a cycle or pass
+/// through each other. Newell's list is a heap by the farthest depth; what may overlap a polygon is found in a grid over the
+/// picture, whose cells list polygons by that depth; a polygon that has to wait is marked and put on a stack, and where one is
+/// met that is marked already, all between are a cycle. Every polygon that is cut is cut by the plane of another one at most
+/// once, so that this ends. Polygons are compared before the near plane and within the picture. Throws Error(Usage) beyond the
+/// limit.
+[[nodiscard]] PaintersOrder paintersOrder(CutTriangles& triangles, const Scene& scene, const View& view,
+                                          const PaintersOptions& options);
+
+}  // namespace cullscope

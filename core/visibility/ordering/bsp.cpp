@@ -1,0 +1,346 @@
+#include "core/visibility/ordering/bsp.h"
+
+#include <array>
+
+#include "core/spatial/bsp_tree.h"
+#include "core/visibility/facing.h"
+#include "core/visibility/overlay.h"
+#include "core/visibility/why.h"
+
+namespace cullscope::ordering {
+namespace {
+
+constexpr const char* kPlanes = "bsp-planes";
+constexpr const char* kSides = "bsp-sides";
+/// The first nodes, level by level, that a recorded frame and the tree panel speak of one by one.
+constexpr uint32_t kRecordedNodes = 20'000;
+/// The first nodes whose planes the overlay draws; deeper cells are too small to tell apart.
+constexpr uint32_t kPlanesShown = 60;
+
+/// Lines of the listing.
+enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane };
+
+struct TreeOfScene : Structure {
+    using Structure::Structure;
+    std::optional<BspTree> tree;
+};
+
+BspOptions optionsOf(const ParameterSet& parameters) {
+    BspOptions options;
+    const std::string& plane = parameters.choice("plane");
+    options.plane = plane == "first"     ? BspPlane::First
+                    : plane == "fewest"  ? BspPlane::Fewest
+                    : plane == "balance" ? BspPlane::Balance
+                                         : BspPlane::Given;
+    options.candidates = int(parameters.integer("candidates"));
+    options.limit = uint64_t(parameters.integer("limit"));
+    return options;
+}
+
+/// Collects a frame's triangles in the order of the walk.
+class BspFrame {
+public:
+    BspFrame(FrameContext& frame, const BspTree& tree, bool nearFirst) : m_frame(frame), m_tree(tree), m_nearFirst(nearFirst) {
+        m_own->facing = frame.facing();
+        m_own->depth = nearFirst ? DepthRule::Nearest : DepthRule::InOrder;
+        const size_t triangles = tree.drawn().triangles.size();
+        m_own->positions.reserve(3 * triangles);
+        m_own->normals.reserve(3 * triangles);
+        m_own->triangles.reserve(triangles);
+    }
+
+    OwnTrianglesPointer walk() {
+        for (const BspTree::Part& part : m_tree.flatParts()) add(part);
+        m_tree.walk(
+            m_frame.view().eye(), m_nearFirst, [&](uint32_t node, int side) { visit(node, side); },
+            [&](uint32_t node) { show(node); });
+        endRun();
+        return m_own;
+    }
+
+private:
+    [[nodiscard]] bool records(uint32_t node) const { return m_frame.recording() && node < kRecordedNodes; }
+
+    void visit(uint32_t number, int side) {
+        ++m_frame.counters().nodesVisited;
+        if (!records(number) || m_tree.nodes()[number].leaf) return;
+        const BspTree::Node& node = m_tree.nodes()[number];
+        Decision test;
+        test.subject = Subject::ofNode(number);
+        test.containment = side > 0 ? Containment::Inside : side < 0 ? Containment::Outside : Containment::Straddles;
+        test.sentence = side > 0 ? CULLSCOPE_TR("The eye lies %1 before the plane of node %2.")
+                        : side < 0
+                            ? CULLSCOPE_TR("The eye lies %1 behind the plane of node %2.")
+                            : CULLSCOPE_TR("The eye lies in the plane of node %2, at %1: its sides may come in any order.");
+        test.operands = {node.plane.distance(m_frame.view().eye()), double(number)};
+        test.operandCount = 2;
+        m_frame.say(atLine(BspLine::Side, test));
+    }
+
+    void show(uint32_t number) {
+        const BspTree::Node& node = m_tree.nodes()[number];
+        const std::span<const BspTree::Part> parts = m_tree.partsOf(node);
+        // What lies in one plane: in the end the lowest number is on top, as in the item buffer.
+        for (size_t i = 0; i < parts.size(); ++i) {
+            const BspTree::Part& part = m_nearFirst ? parts[parts.size() - 1 - i] : parts[i];
+            add(part);
+            if (!records(number)) continue;
+            Decision drawn = ending({Subject::Kind::Fragment, part.triangle, uint32_t(m_instance)},
+                                    part.share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
+            drawn.cause = Cause::Hidden;
+            drawn.sentence = CULLSCOPE_TR("A part with %1 of the area of triangle %2 is drawn, with node %3.");
+            drawn.operands = {part.share, double(part.triangle), double(number)};
+            drawn.operandCount = 3;
+            m_frame.say(atLine(BspLine::OnPlane, drawn));
+        }
+    }
+
+    void add(const BspTree::Part& part) {
+        const Scene& scene = m_frame.scene();
+        const bool same = part.triangle >= m_begin && part.triangle < m_end;
+        if (!same) {
+            endRun();
+            m_instance = scene.instanceOf(part.triangle);
+            m_begin = scene.firstTriangle(m_instance);
+            m_end = m_begin + scene.meshOf(m_instance).triangleCount();
+        }
+        const OwnTriangles& from = m_tree.drawn();
+        const auto range = [&](const auto& values, size_t each) {
+            return std::pair(values.begin() + std::ptrdiff_t(each * part.first),
+                             values.begin() + std::ptrdiff_t(each * (part.first + part.count)));
+        };
+        const auto append = [&](auto& values, const auto& source, size_t each) {
+            const auto [begin, end] = range(source, each);
+            values.insert(values.end(), begin, end);
+        };
+        append(m_own->positions, from.positions, 3);
+        append(m_own->normals, from.normals, 3);
+        append(m_own->triangles, from.triangles, 1);
+    }
+
+    void endRun() {
+        const auto end = uint32_t(m_own->triangles.size());
+        if (end > m_runBegin) m_own->runs.push_back({uint32_t(m_instance), m_runBegin, end - m_runBegin});
+        m_runBegin = end;
+    }
+
+    FrameContext& m_frame;
+    const BspTree& m_tree;
+    bool m_nearFirst;
+    std::shared_ptr<OwnTriangles> m_own = std::make_shared<OwnTriangles>();
+    size_t m_instance = 0;
+    uint64_t m_begin = 0, m_end = 0;  ///< the scene triangle numbers of that instance
+    uint32_t m_runBegin = 0;
+};
+
+void sayObjectsAreDrawn(FrameContext& frame) {
+    for (uint32_t i = 0; i < frame.scene().instances().size(); ++i)
+        if (frame.scene().meshOf(i).triangleCount() > 0) frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+}
+
+/// A convex polygon, cut to the front or the back of a plane.
+std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& normal, double offset) {
+    std::vector<Vec3> result;
+    for (size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double da = glm::dot(normal, a) + offset, db = glm::dot(normal, b) + offset;
+        if (da >= 0.0) result.push_back(a);
+        if (da * db < 0.0) result.push_back(a + (b - a) * (da / (da - db)));
+    }
+    return result;
+}
+
+/// The part of a node's plane that lies in its cell and in the scene's box.
+std::vector<Vec3> planeInCell(const BspTree& tree, uint32_t number, const Box3& box) {
+    const BspTree::Node& node = tree.nodes()[number];
+    const Vec3 normal = node.plane.normal, centre = box.centre();
+    const Vec3 side = glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+    const Vec3 other = glm::cross(normal, side);
+    const Vec3 foot = centre - normal * node.plane.distance(centre);
+    const double reach = std::max(box.diagonal(), 1e-300);
+    std::vector<Vec3> polygon{foot - (side + other) * reach, foot + (side - other) * reach, foot + (side + other) * reach,
+                              foot - (side - other) * reach};
+    for (int axis = 0; axis < 3; ++axis) {
+        Vec3 inward(0.0);
+        inward[axis] = 1.0;
+        polygon = clipped(polygon, inward, -box.min[axis]);
+        polygon = clipped(polygon, -inward, box.max[axis]);
+    }
+    auto below = int32_t(number);
+    for (int32_t above = node.parent; above != BspTree::kNone; above = tree.nodes()[size_t(above)].parent) {
+        const BspTree::Node& cutting = tree.nodes()[size_t(above)];
+        const double sign = cutting.front == below ? 1.0 : -1.0;
+        polygon = clipped(polygon, cutting.plane.normal * sign, -sign * glm::dot(cutting.plane.normal, cutting.plane.a));
+        below = above;
+    }
+    return polygon;
+}
+
+class Bsp final : public StrategyWith<TreeOfScene> {
+public:
+    [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view /*id*/, const OverlayContext& context,
+                                                    const Structure& structure, const FrameLog& log) const override {
+        OverlayLines lines;
+        lines.cased = true;
+        const BspTree& tree = *own(structure).tree;
+        const auto count = uint32_t(std::min<size_t>(tree.nodes().size(), kPlanesShown));
+        for (uint32_t number = 0; number < count; ++number) {
+            const BspTree::Node& node = tree.nodes()[number];
+            if (node.leaf) continue;
+            const std::vector<Vec3> polygon = planeInCell(tree, number, context.scene.bounds());
+            // The side that the eye is on decides the colour, the depth in the tree how strong it is.
+            const Vec3f side = BspTree::sideOf(node, log.camera.eye) >= 0 ? context.planes[0] : context.planes[1];
+            const float weight = 1.0f / float(1 + node.depth / 2);
+            const Vec3f colour = side * weight + context.contrast * (1.0f - weight) * 0.5f;
+            for (size_t i = 0; i < polygon.size(); ++i)
+                lines.lines.push_back({polygon[i], polygon[(i + 1) % polygon.size()], colour});
+        }
+        return {std::move(lines)};
+    }
+
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
+        Bars result;
+        std::array<uint64_t, 3> counts{};
+        for (const Decision& decision : log.decisions)
+            if (decision.line == uint8_t(BspLine::Side)) ++counts[size_t(decision.containment)];
+        result.bars = {{CULLSCOPE_TR("the eye is before the plane"), counts[size_t(Containment::Inside)]},
+                       {CULLSCOPE_TR("the eye is behind the plane"), counts[size_t(Containment::Outside)]},
+                       {CULLSCOPE_TR("the eye is in the plane"), counts[size_t(Containment::Straddles)]}};
+        return result;
+    }
+
+    void addWhySteps(const Structure& structure, const FrameLog& /*log*/, uint32_t instance, uint32_t triangle,
+                     std::vector<WhyStep>& steps) const override {
+        const Scene& scene = structure.scene();
+        const auto number = double(scene.firstTriangle(instance) + triangle);
+        size_t parts = 0;
+        const BspTree& tree = *own(structure).tree;
+        for (const BspTree::Part& part : tree.parts()) parts += double(part.triangle) == number ? 1 : 0;
+        steps.push_back({{CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it."),
+                          {std::to_string(parts)}},
+                         {},
+                         {},
+                         {},
+                         Containment::Straddles});
+    }
+
+protected:
+    void fill(TreeOfScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        structure.tree.emplace(structure.scene(), optionsOf(parameters), progress);
+        const BspTree& tree = *structure.tree;
+        structure.report.bytes = tree.bytes();
+        structure.report.figures = {{"nodes", double(tree.nodes().size())},
+                                    {"depth", double(tree.depth())},
+                                    {"fragments", double(tree.parts().size())},
+                                    {"cuts", double(tree.cuts())}};
+    }
+
+    void decide(FrameContext& frame, const TreeOfScene& structure, ViewState& /*state*/,
+                const ParameterSet& parameters) const override {
+        OwnTrianglesPointer own;
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("walking the tree"));
+            if (frame.recording()) {
+                Decision start;
+                start.subject = Subject::ofNode(0);
+                start.sentence = CULLSCOPE_TR("The walk starts at the root: %1 nodes, %2 polygons.");
+                start.operands = {double(structure.tree->nodes().size()), double(structure.tree->parts().size())};
+                start.operandCount = 2;
+                frame.say(atLine(BspLine::Start, start));
+            }
+            own = BspFrame(frame, *structure.tree, parameters.choice("order") == "front-to-back").walk();
+            if (frame.recording()) sayObjectsAreDrawn(frame);
+            frame.counters().bytesTouched = structure.tree->bytes();
+            frame.counters().figures = {{"fragments", double(structure.tree->parts().size())}};
+        }
+        if (!own->triangles.empty()) frame.draw(std::move(own));
+    }
+
+    [[nodiscard]] Promise promiseOf(const TreeOfScene& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Conservative;
+    }
+
+    /// The tree that the panel "Tree" shows: a box around what each node has below it.
+    [[nodiscard]] StructureSnapshot snapshotOf(const TreeOfScene& structure, const FrameLog& /*log*/) const override {
+        StructureSnapshot snapshot;
+        const BspTree& tree = *structure.tree;
+        for (uint32_t number = 0; number < std::min<size_t>(tree.nodes().size(), kRecordedNodes); ++number) {
+            const BspTree::Node& from = tree.nodes()[number];
+            SnapshotNode node;
+            node.parent = from.parent;
+            node.instance = SnapshotNode::kGroup;
+            node.number = number;
+            node.objects = from.polygons;
+            node.box = from.box.empty() ? Box3{Vec3(0.0), Vec3(0.0)} : from.box;
+            node.triangles = from.polygons;
+            node.containment = Containment::Straddles;
+            snapshot.nodes.push_back(node);
+        }
+        return snapshot;
+    }
+};
+
+Message noPlanes(const std::string& option, const std::string& strategy, const std::string& having) {
+    return {"%1: the strategy \"%2\" has no splitting planes. Having them: %3.", {option, strategy, having}};
+}
+
+Show splittingPlanes() {
+    Show show;
+    show.id = kPlanes;
+    show.help = "of bsp: the first splitting planes, each within its cell and the scene's box";
+    show.title = CULLSCOPE_TR("Splitting planes");
+    show.action = CULLSCOPE_TR("&Splitting planes");
+    show.explanation = CULLSCOPE_TR("Show in the active view the first planes of the BSP tree, each within its cell");
+    show.absent = noPlanes;
+    return show;
+}
+
+Show bspListing() {
+    return listingShow({{CULLSCOPE_TR("node = root"), 0},
+                        {CULLSCOPE_TR("s = side of node's plane that V is on"), 0},
+                        {CULLSCOPE_TR("go on with the child away from V"), 1},
+                        {CULLSCOPE_TR("draw what lies in the plane"), 1},
+                        {CULLSCOPE_TR("go on with the child on V's side"), 1}});
+}
+
+std::vector<ParameterDeclaration> bspParameters() {
+    const auto building = [](ParameterDeclaration declaration) { return readWhenBuilding(std::move(declaration)); };
+    return {facingParameter(),
+            choiceParameter("order", "back-to-front", CULLSCOPE_TR("In which order the tree is walked."),
+                            {{"back-to-front", CULLSCOPE_TR("far to near, without depth test")},
+                             {"front-to-back", CULLSCOPE_TR("near to far, with depth test")}}),
+            building(choiceParameter("plane", "balance", CULLSCOPE_TR("Which plane divides the polygons of a node."),
+                                     {{"first", CULLSCOPE_TR("that of its first polygon")},
+                                      {"fewest", CULLSCOPE_TR("of some candidates the one that cuts the fewest polygons")},
+                                      {"balance", CULLSCOPE_TR("of some candidates the one that divides them best")},
+                                      {"given", CULLSCOPE_TR("the planes that the scene names, one for each level")}})),
+            building({"candidates",
+                      ParameterType::Integer,
+                      int64_t{8},
+                      1.0,
+                      1000.0,
+                      "",
+                      CULLSCOPE_TR("How many planes are tried at a node (plane=fewest and balance)."),
+                      {}}),
+            building({"limit",
+                      ParameterType::Integer,
+                      int64_t{1'000'000},
+                      1.0,
+                      1e8,
+                      "",
+                      CULLSCOPE_TR("How many polygons the tree may have, the cut ones among them."),
+                      {}})};
+}
+
+}  // namespace
+
+RegisteredStrategy bsp() {
+    StrategyInfo info{"bsp", CULLSCOPE_TR("BSP tree"),
+                      CULLSCOPE_TR("Draws all triangles in the order of a BSP tree, cut where its planes pass through them."),
+                      "Fuchs, Kedem & Naylor 1980", bspParameters()};
+    info.shows = {splittingPlanes(), bspListing(), barsShow(kSides, CULLSCOPE_TR("Nodes by the eye's side"))};
+    return {std::move(info), std::make_shared<Bsp>()};
+}
+
+}  // namespace cullscope::ordering

@@ -1,0 +1,229 @@
+#include "core/visibility/ordering/painter.h"
+
+#include "core/spatial/painters_order.h"
+#include "core/visibility/facing.h"
+
+namespace cullscope::ordering {
+namespace {
+
+constexpr const char* kTests = "newell-tests";
+/// A recorded frame says every comparison of two polygons in scenes of at most so many triangles; of larger ones only what is
+/// drawn.
+constexpr uint64_t kComparedTriangles = 5'000;
+constexpr size_t kMostComparisons = 100'000;
+/// So many polygons of a frame are said to be drawn one by one.
+constexpr size_t kRecordedPolygons = 100'000;
+
+/// Lines of the listing.
+enum class PainterLine : uint8_t { Sort = 1, Farthest, Candidates, Extents, Behind, Before, Projections, Cut, Swap, Draw };
+
+struct TrianglesOfScene : Structure {
+    using Structure::Structure;
+    std::optional<CutTriangles> triangles;
+};
+
+struct ToldTest {
+    PainterLine line;
+    const char* sentence;
+};
+
+/// The line and the sentence of a comparison; %1 and %2 are the triangles P and Q, %3 what was compared.
+ToldTest toldTest(NewellTest test) {
+    switch (test) {
+        case NewellTest::BehindQ:
+            return {PainterLine::Behind,
+                    CULLSCOPE_TR("Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.")};
+        case NewellTest::BeforeP:
+            return {PainterLine::Before,
+                    CULLSCOPE_TR("Test 4: seen from triangle %1, triangle %2 lies wholly on the eye's side, by up to %3.")};
+        case NewellTest::Swap:
+            return {PainterLine::Swap, CULLSCOPE_TR("No test lets triangle %1 come before triangle %2, which is taken first; the "
+                                                    "farthest depth of the first is %3.")};
+        case NewellTest::Cycle:
+            return {PainterLine::Cut, CULLSCOPE_TR("Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is "
+                                                   "cut; the farthest depth of the first is %3.")};
+        case NewellTest::Pierce:
+            return {PainterLine::Cut, CULLSCOPE_TR("Triangles %1 and %2 pass through each other: the first one is cut; the "
+                                                   "difference of 1 / depth begins at %3.")};
+        default:
+            break;
+    }
+    return {PainterLine::Projections,
+            CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.")};
+}
+
+class PaintersFrame {
+public:
+    PaintersFrame(FrameContext& frame, const CutTriangles& triangles, const ParameterSet& parameters)
+        : m_frame(frame), m_triangles(triangles) {
+        m_options.facing = frame.facing();
+        m_options.byCentroid = parameters.choice("sort") == "centroid";
+        m_options.limit = uint64_t(parameters.integer("limit"));
+        if (frame.recording() && frame.scene().triangleCount() <= kComparedTriangles)
+            m_options.watch = [this](const NewellStep& step) { compared(step); };
+    }
+
+    OwnTrianglesPointer order() {
+        const PaintersOrder order = paintersOrder(m_triangles, m_frame.scene(), m_frame.view(), m_options);
+        m_triangles.finish();
+        m_own->facing = m_frame.facing();
+        m_own->positions.reserve(3 * order.polygons.size());
+        m_own->normals.reserve(3 * order.polygons.size());
+        m_own->triangles.reserve(order.polygons.size());
+        for (const uint32_t triangle : m_triangles.flat()) add(triangle, [&] { m_triangles.drawWhole(triangle, *m_own); });
+        size_t said = 0;
+        for (const uint32_t polygon : order.polygons) {
+            const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
+            add(triangle, [&] { m_triangles.draw(polygon, *m_own); });
+            if (m_frame.recording() && ++said <= kRecordedPolygons) drawn(triangle, m_triangles.share(polygon));
+        }
+        count(order);
+        return m_own;
+    }
+
+private:
+    void compared(const NewellStep& step) {
+        if (++m_comparisons > kMostComparisons) return;
+        const ToldTest told = toldTest(step.test);
+        Decision test;
+        test.subject = {Subject::Kind::Fragment, step.p, uint32_t(m_frame.scene().instanceOf(step.p))};
+        const bool later = step.test == NewellTest::Swap || step.test == NewellTest::Cycle || step.test == NewellTest::Pierce;
+        test.containment = later ? Containment::Straddles : Containment::Inside;
+        test.sentence = told.sentence;
+        const double value = std::abs(step.first) > std::abs(step.second) || later ? step.first : step.second;
+        test.operands = {double(step.p), double(step.q), value};
+        test.operandCount = 3;
+        m_frame.say(atLine(told.line, test));
+    }
+
+    void drawn(uint32_t triangle, double share) {
+        Decision end = ending({Subject::Kind::Fragment, triangle, uint32_t(m_instance)},
+                              share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
+        end.cause = Cause::Hidden;
+        end.sentence = CULLSCOPE_TR("Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.");
+        end.operands = {share, double(triangle)};
+        end.operandCount = 2;
+        m_frame.say(atLine(PainterLine::Draw, end));
+    }
+
+    template <typename Draw>
+    void add(uint32_t triangle, const Draw& draw) {
+        const Scene& scene = m_frame.scene();
+        if (triangle < m_begin || triangle >= m_end) {
+            m_instance = scene.instanceOf(triangle);
+            m_begin = scene.firstTriangle(m_instance);
+            m_end = m_begin + scene.meshOf(m_instance).triangleCount();
+            m_own->runs.push_back({uint32_t(m_instance), uint32_t(m_own->triangles.size()), 0});
+        }
+        draw();
+        m_own->runs.back().count = uint32_t(m_own->triangles.size()) - m_own->runs.back().first;
+    }
+
+    void count(const PaintersOrder& order) {
+        constexpr std::array kNames{"test_depth",        "test_1_x", "test_2_y", "test_3_behind", "test_4_before",
+                                    "test_5_projection", "swaps",    "cycles",   "pierced"};
+        static_assert(kNames.size() == kNewellTests);
+        for (size_t i = 0; i < kNewellTests; ++i) m_frame.counters().figures.push_back({kNames[i], double(order.tests[i])});
+        m_frame.counters().figures.push_back({"cuts", double(m_triangles.cuts())});
+        m_frame.counters().figures.push_back({"unresolved", double(order.unresolved)});
+        m_frame.counters().bytesTouched = m_triangles.bytes();
+    }
+
+    FrameContext& m_frame;
+    CutTriangles m_triangles;  ///< a copy, which the frame cuts
+    PaintersOptions m_options;
+    std::shared_ptr<OwnTriangles> m_own = std::make_shared<OwnTriangles>();
+    size_t m_instance = 0;
+    uint64_t m_begin = 0, m_end = 0;  ///< the scene triangle numbers of that instance
+    size_t m_comparisons = 0;
+};
+
+class PaintersAlgorithm final : public StrategyWith<TrianglesOfScene> {
+public:
+    [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
+        Bars result;
+        std::array<uint64_t, kMostListingLines + 1> counts{};
+        for (const Decision& decision : log.decisions)
+            if (decision.line < counts.size()) ++counts[decision.line];
+        const auto at = [&](PainterLine line) { return counts[size_t(line)]; };
+        result.bars = {{CULLSCOPE_TR("3: P is behind Q's plane"), at(PainterLine::Behind)},
+                       {CULLSCOPE_TR("4: Q is before P's plane"), at(PainterLine::Before)},
+                       {CULLSCOPE_TR("5: projections apart"), at(PainterLine::Projections)},
+                       {CULLSCOPE_TR("Q is taken first"), at(PainterLine::Swap)},
+                       {CULLSCOPE_TR("one is cut"), at(PainterLine::Cut)}};
+        return result;
+    }
+
+protected:
+    void fill(TrianglesOfScene& structure, const ParameterSet& /*parameters*/, const Progress& progress) const override {
+        structure.triangles.emplace(structure.scene(), progress);
+        structure.report.bytes = structure.triangles->bytes();
+        structure.report.figures = {{"polygons", double(structure.triangles->polygons().size())}};
+    }
+
+    void decide(FrameContext& frame, const TrianglesOfScene& structure, ViewState& /*state*/,
+                const ParameterSet& parameters) const override {
+        OwnTrianglesPointer own;
+        {
+            const StageTimer stage(frame, CULLSCOPE_TR("sorting"));
+            if (frame.recording()) {
+                Decision sorted;
+                sorted.subject = Subject::ofNode(0);
+                sorted.sentence = CULLSCOPE_TR("%1 polygons are sorted by their farthest depth.");
+                sorted.operands = {double(structure.triangles->polygons().size())};
+                sorted.operandCount = 1;
+                frame.say(atLine(PainterLine::Sort, sorted));
+            }
+            own = PaintersFrame(frame, *structure.triangles, parameters).order();
+            if (frame.recording())
+                for (uint32_t i = 0; i < frame.scene().instances().size(); ++i)
+                    if (frame.scene().meshOf(i).triangleCount() > 0)
+                        frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+        }
+        if (!own->triangles.empty()) frame.draw(std::move(own));
+    }
+
+    [[nodiscard]] Promise promiseOf(const TrianglesOfScene& /*structure*/, const ParameterSet& parameters,
+                                    Facing /*facing*/) const override {
+        return parameters.choice("sort") == "newell" ? Promise::Conservative : Promise::Approximate;
+    }
+};
+
+Show painterListing() {
+    return listingShow({{CULLSCOPE_TR("sort by the farthest depth, far first"), 0},
+                        {CULLSCOPE_TR("P = the farthest one left"), 0},
+                        {CULLSCOPE_TR("for each Q that P overlaps in depth"), 1},
+                        {CULLSCOPE_TR("1, 2: apart in x or y? next Q"), 2},
+                        {CULLSCOPE_TR("3: P behind Q's plane? next Q"), 2},
+                        {CULLSCOPE_TR("4: Q before P's plane? next Q"), 2},
+                        {CULLSCOPE_TR("5: projections apart? next Q"), 2},
+                        {CULLSCOPE_TR("Q marked, or they pierce: cut"), 2},
+                        {CULLSCOPE_TR("else mark P; P = Q, from line 3"), 2},
+                        {CULLSCOPE_TR("no Q left: draw P"), 1}});
+}
+
+}  // namespace
+
+RegisteredStrategy painter() {
+    StrategyInfo info{
+        "painter",
+        CULLSCOPE_TR("Painter's algorithm"),
+        CULLSCOPE_TR("Draws all triangles from far to near without depth test, and cuts those that wait for each other."),
+        "Newell, Newell & Sancha 1972",
+        {facingParameter(),
+         choiceParameter("sort", "newell", CULLSCOPE_TR("How the triangles are sorted."),
+                         {{"newell", CULLSCOPE_TR("by the tests of Newell, Newell and Sancha")},
+                          {"centroid", CULLSCOPE_TR("by the distance of their centroids alone; shows wrong pixels")}}),
+         {"limit",
+          ParameterType::Integer,
+          int64_t{1'000'000},
+          1.0,
+          1e8,
+          "",
+          CULLSCOPE_TR("How many polygons a frame may have, the cut ones among them."),
+          {}}}};
+    info.shows = {painterListing(), barsShow(kTests, CULLSCOPE_TR("Comparisons by what decided"))};
+    return {std::move(info), std::make_shared<PaintersAlgorithm>()};
+}
+
+}  // namespace cullscope::ordering

@@ -1,0 +1,58 @@
+#include "core/experiments/lecture_quiz.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "core/experiments/experiment_list.h"
+#include "core/scene/scene_source.h"
+
+namespace cullscope::test::lecture_quiz_test {
+namespace {
+
+using testing::ElementsAre;
+
+TEST(LectureQuiz, leavesAndOrderAreThoseOfTheKey) {
+    const ScenePointer scene = openScene("quiz").scene;
+    const LectureCells cells = lectureCells(*scene, scene->remarks().camera->eye);
+    EXPECT_THAT(cells.leaves, ElementsAre("B", "A2", "NULL", "A1", "NULL", "C2", "NULL", "C1"));
+    EXPECT_THAT(cells.order, ElementsAre("B", "A2", "A1", "C2", "C1"));
+}
+
+TEST(LectureQuiz, exampleIsDrawnAsInTheLecture) {
+    const ScenePointer scene = openScene("example").scene;
+    EXPECT_THAT(lectureCells(*scene, scene->remarks().camera->eye).order, ElementsAre("B", "D", "A", "C"));
+}
+
+TEST(LectureQuiz, orderFollowsTheEyeThroughAllEightCells) {
+    const ScenePointer scene = openScene("quiz").scene;
+    const std::vector<std::string> leaves = lectureCells(*scene, Vec3(0.0)).leaves;
+    int cells = 0;
+    // Before or behind P1 (x), P2 (z) and P3 (x + 2y + z + 2): the height puts the eye on the wanted side of P3.
+    for (int sides = 0; sides < 8; ++sides) {
+        const bool p1 = (sides & 4) != 0, p2 = (sides & 2) != 0, p3 = (sides & 1) != 0;
+        const Vec3 eye(p1 ? 5 : -5, p3 ? 20 : -20, p2 ? 5 : -5);
+        // The leaves far from the eye come first: at each plane the side without the eye.
+        std::vector<std::string> expected;
+        for (int step = 0; step < 8; ++step) {
+            const int leaf = step ^ (p1 ? 0 : 4) ^ (p2 ? 0 : 2) ^ (p3 ? 0 : 1);
+            if (leaves[size_t(leaf)] != "NULL") expected.push_back(leaves[size_t(leaf)]);
+        }
+        EXPECT_EQ(lectureCells(*scene, eye).order, expected) << "sides " << sides;
+        ++cells;
+    }
+    EXPECT_EQ(cells, 8);
+}
+
+TEST(LectureQuiz, experimentsAgreeWithTheKey) {
+    for (const char* id : {"quiz", "example"}) {
+        const ResultTable table = runExperiment(findExperiment(id), {});
+        EXPECT_FALSE(table.checkFailed()) << tableText(table);
+        ASSERT_EQ(table.checks.size(), 1u);
+        EXPECT_EQ(table.checks.front().value, 0.0);
+    }
+    EXPECT_EQ(runExperiment(findExperiment("quiz"), {}).rows.size(), 9u);
+}
+
+}  // namespace
+}  // namespace cullscope::test::lecture_quiz_test

@@ -1,0 +1,201 @@
+// The BSP tree: its planes part what lies below them, nothing is lost, and it ends on whatever it is given.
+#include "core/spatial/bsp_tree.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+#include <thread>
+
+#include "core/base/error.h"
+#include "core/mesh/parametric.h"
+#include "core/scene/scene_source.h"
+#include "tests/support/cut_scenes.h"
+
+namespace cullscope::test::bsp_tree_test {
+namespace {
+
+constexpr BspPlane kOwnPlanes[] = {BspPlane::First, BspPlane::Fewest, BspPlane::Balance};
+
+/// The shares of every triangle's parts are all of it.
+void expectAreasConserved(const BspTree& tree, const Scene& scene) {
+    std::vector<double> shares(scene.triangleCount(), 0.0);
+    for (const BspTree::Part& part : tree.parts()) {
+        EXPECT_GE(part.share, -1e-12) << "a part is turned over";
+        shares[part.triangle] += part.share;
+    }
+    for (size_t i = 0; i < shares.size(); ++i) ASSERT_NEAR(shares[i], 1.0, 1e-9) << "triangle " << i;
+}
+
+/// What hangs below the front of a node lies before its plane, up to the rounding of corners.
+void expectSorted(const BspTree& tree, double tolerance) {
+    for (const BspTree::Node& node : tree.nodes()) {
+        if (node.partCount == 0 || node.parent == BspTree::kNone) continue;
+        const OwnTriangles& drawn = tree.drawn();
+        for (int32_t below = int32_t(&node - tree.nodes().data()), above = node.parent; above != BspTree::kNone;
+             below = above, above = tree.nodes()[size_t(above)].parent) {
+            const BspTree::Node& plane = tree.nodes()[size_t(above)];
+            const double sign = plane.front == below ? 1.0 : -1.0;
+            for (const BspTree::Part& part : tree.partsOf(node))
+                for (uint32_t corner = 3 * part.first; corner < 3 * (part.first + part.count); ++corner)
+                    ASSERT_GE(sign * plane.plane.distance(Vec3(drawn.positions[corner])), -tolerance);
+        }
+    }
+}
+
+TEST(BspTree, partsLieOnTheirSidesAndNothingIsLost) {
+    for (uint64_t seed = 0; seed < howMany(60, 24); ++seed)
+        for (const BspPlane plane : kOwnPlanes) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + " plane " + std::to_string(int(plane)));
+            const ScenePointer scene = hardScene(seed);
+            const BspTree tree(*scene, {.plane = plane});
+            expectAreasConserved(tree, *scene);
+            expectSorted(tree, 1e-6);
+            EXPECT_EQ(tree.parts().size(), scene->triangleCount() + tree.cuts());
+        }
+}
+
+TEST(BspTree, convexSolidIsAListWithoutCuts) {
+    const ScenePointer scene = sceneOf({sphereMesh(320)});
+    const BspTree tree(*scene, {.plane = BspPlane::First});
+    EXPECT_EQ(tree.cuts(), 0u);
+    EXPECT_EQ(tree.nodes().size(), tree.depth() + 1u);
+    EXPECT_EQ(tree.nodes().size(), scene->triangleCount());
+    // A box has six planes, each with two triangles.
+    const ScenePointer box = sceneOf({boxMesh({-1, -2, -3}, {1, 2, 3})});
+    const BspTree sides(*box, {});
+    EXPECT_EQ(sides.nodes().size(), 6u);
+    for (const BspTree::Node& node : sides.nodes()) EXPECT_EQ(node.partCount, 2u);
+}
+
+TEST(BspTree, cycleIsCut) {
+    const BspTree tree(*sceneOf({threeBars()}), {});
+    EXPECT_GE(tree.cuts(), 1u);
+}
+
+TEST(BspTree, walkComesToEveryPartOnceAndNeverFromNearToFar) {
+    const ScenePointer scene = hardScene(5);
+    const BspTree tree(*scene, {});
+    Random random(2);
+    for (int i = 0; i < 50; ++i) {
+        const Vec3 eye = 3.0 * random.direction() * random.unit();
+        std::vector<uint32_t> farFirst, nearFirst;
+        tree.walk(
+            eye, false, [](uint32_t, int) {}, [&](uint32_t node) { farFirst.push_back(node); });
+        tree.walk(
+            eye, true, [](uint32_t, int) {}, [&](uint32_t node) { nearFirst.push_back(node); });
+        ASSERT_EQ(farFirst.size(), tree.nodes().size());
+        std::ranges::reverse(nearFirst);
+        EXPECT_EQ(farFirst, nearFirst);
+        std::vector<size_t> place(farFirst.size());
+        for (size_t at = 0; at < farFirst.size(); ++at) place[farFirst[at]] = at;
+        for (uint32_t node = 1; node < tree.nodes().size(); ++node) {
+            const BspTree::Node& parent = tree.nodes()[size_t(tree.nodes()[node].parent)];
+            const int side = BspTree::sideOf(parent, eye);
+            const bool sameSide = parent.front == int32_t(node) ? side >= 0 : side < 0;
+            EXPECT_EQ(place[node] > place[size_t(tree.nodes()[node].parent)], sameSide);
+        }
+    }
+}
+
+TEST(BspTree, coplanarPolygonsStayAtOneNode) {
+    std::vector<Vec3f> corners;
+    for (int x = 0; x < 100; ++x)
+        for (int y = 0; y < 50; ++y) {
+            const Vec3f at(0.1f * float(x), 0.1f * float(y), 0.0f);
+            corners.insert(corners.end(), {at, at + Vec3f(0.1f, 0, 0), at + Vec3f(0.1f, 0.1f, 0)});
+            corners.insert(corners.end(), {at, at + Vec3f(0.1f, 0.1f, 0), at + Vec3f(0, 0.1f, 0)});
+        }
+    const MeshPointer plate = soupMesh(std::move(corners));
+    const BspTree flat(*sceneOf({plate}), {});
+    EXPECT_EQ(flat.nodes().size(), 1u);
+    EXPECT_EQ(flat.parts().size(), 10'000u);
+    // Turned, the corners are rounded: planes differ by rounding, which must neither lose anything nor cut without end.
+    const Mat4 turned = glm::rotate(Mat4(1.0), 0.7, glm::normalize(Vec3(1, 2, 3)));
+    const ScenePointer oblique = sceneOf({plate}, {turned});
+    const BspTree tree(*oblique, {});
+    expectAreasConserved(tree, *oblique);
+    EXPECT_LT(tree.parts().size(), 200'000u);
+}
+
+TEST(BspTree, millionCoplanarTrianglesEndAndCanBeStopped) {
+    const auto side = uint32_t(std::sqrt(double(howMany(1'000'000, 100'000)) / 2.0));
+    std::vector<Vec3f> positions;
+    std::vector<uint32_t> indices;
+    for (uint32_t y = 0; y <= side; ++y)
+        for (uint32_t x = 0; x <= side; ++x) positions.emplace_back(0.01f * float(x), 0.01f * float(y), 0.5f);
+    for (uint32_t y = 0; y < side; ++y)
+        for (uint32_t x = 0; x < side; ++x) {
+            const uint32_t at = y * (side + 1) + x;
+            for (const uint32_t index : {at, at + 1, at + side + 2, at, at + side + 2, at + side + 1}) indices.push_back(index);
+        }
+    const ScenePointer scene = sceneOf({meshOf(std::move(positions), std::move(indices))});
+    std::stop_source stopped;
+    stopped.request_stop();
+    EXPECT_THROW(BspTree(*scene, {}, {nullptr, stopped.get_token()}), Error);
+    const BspTree tree(*scene, {});
+    EXPECT_EQ(tree.nodes().size(), 1u);
+    EXPECT_EQ(tree.parts().size(), scene->triangleCount());
+}
+
+TEST(BspTree, sliversOfAspectABillionKeepTheirAreas) {
+    Random random(11);
+    std::vector<Vec3f> corners;
+    for (int i = 0; i < 60; ++i) {
+        const float y = float(random.between(-1, 1)), z = float(random.between(-1, 1));
+        corners.insert(corners.end(), {{-1, y, z}, {1, y, -z}, {0, y + 2e-9f * (y == 0 ? 1 : 0) + 1e-6f, 0}});
+    }
+    // Flattened by their transform to 1e-9 of their length.
+    const ScenePointer scene = sceneOf({soupMesh(std::move(corners)), randomTriangles(4, 40, 1.0)},
+                                       {glm::rotate(Mat4(1.0), 0.3, Vec3(0, 0, 1)) * scaling({1, 1e-3, 1})});
+    const BspTree tree(*scene, {});
+    expectAreasConserved(tree, *scene);
+}
+
+TEST(BspTree, limitStopsItWithASentence) {
+    const ScenePointer scene = sceneOf({randomTriangles(1, 2'000, 2.0)});
+    try {
+        const BspTree tree(*scene, {.limit = 20'000});
+        FAIL() << tree.parts().size();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.kind(), ErrorKind::Usage);
+        EXPECT_NE(std::string(error.what()).find("more than 20000 polygons: its 2000 triangles were cut"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST(BspTree, buildStopsWithinATenthOfASecond) {
+    const ScenePointer scene = sceneOf({randomTriangles(1, 10'000, 2.0)});
+    using Clock = std::chrono::steady_clock;
+    std::stop_source source;
+    Clock::time_point asked;
+    std::thread stopper([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(300));
+        asked = Clock::now();
+        source.request_stop();
+    });
+    EXPECT_THROW(BspTree(*scene, {.limit = 100'000'000}, {nullptr, source.get_token()}), Error);
+    const double waited = std::chrono::duration<double, std::milli>(Clock::now() - asked).count();
+    stopper.join();
+    EXPECT_LT(waited, 100.0 * (fewSamples() ? 5 : 1));
+}
+
+TEST(BspTree, trianglesWithoutAreaAreKeptAside) {
+    const ScenePointer scene = sceneOf({soupMesh({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}})});
+    const BspTree tree(*scene, {});
+    EXPECT_EQ(tree.nodes().size(), 1u);
+    EXPECT_EQ(tree.flatParts().size(), 1u);
+    EXPECT_EQ(tree.parts().size(), 2u);
+}
+
+TEST(BspTree, givenPlanesNeedAScene) {
+    EXPECT_THROW(BspTree(*sceneOf({squareMesh(1, 0)}), {.plane = BspPlane::Given}), Error);
+    const ScenePointer quiz = openScene("quiz").scene;
+    const BspTree tree(*quiz, {.plane = BspPlane::Given});
+    EXPECT_EQ(tree.nodes().size(), 15u) << "three levels of planes, eight leaves";
+    expectAreasConserved(tree, *quiz);
+}
+
+}  // namespace
+}  // namespace cullscope::test::bsp_tree_test

@@ -1,0 +1,180 @@
+// Pictures drawn by order against the GPU's depth buffer: equal away from edges and from depths that it does not resolve.
+
+#include "core/measure/accuracy.h"
+#include "core/mesh/parametric.h"
+#include "core/scene/scene_source.h"
+#include "core/spatial/bsp_tree.h"
+#include "core/spatial/screen_polygon.h"
+#include "tests/support/culler.h"
+#include "tests/support/cut_scenes.h"
+#include "tests/support/gl_environment.h"
+#include "tests/support/pixel_edges.h"
+
+namespace cullscope::test::ordering_picture_test {
+namespace {
+
+constexpr Viewport kSize{160, 120};
+
+CullerPointer strategy(const char* id, const std::vector<std::pair<const char*, const char*>>& values) {
+    ParameterSet parameters(findStrategy(id).info.parameters);
+    for (const auto& [key, value] : values) parameters.setFromText(key, value);
+    return makeCuller(id, parameters);
+}
+
+/// One over the forward distance of a triangle's plane at a pixel, as a linear function of the picture.
+Vec3 inverseOf(const Scene& scene, const View& view, uint32_t triangle) {
+    const size_t instance = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(instance);
+    std::vector<Vec3> corners;
+    for (size_t i = 0; i < 3; ++i) {
+        const size_t index = mesh.indices()[3 * (triangle - scene.firstTriangle(instance)) + i];
+        corners.push_back(Vec3(scene.instances()[instance].worldFromMesh * Vec4(mesh.position(index), 1.0)) - view.eye());
+    }
+    return ScreenProjection(view)
+        .project(corners, glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])))
+        .inverse;
+}
+
+/// The pixels at which a frame shows another triangle than the depth buffer, and which nothing explains: neither an edge of one
+/// of the two within 1/128 pixel, nor depths that both planes have within 1/128 pixel (the raster's snapping moves each plane by
+/// its own slope), nor depths that a float does not tell apart.
+uint64_t unexplained(const SceneBuffers& buffers, const View& view, const FrameLog& log, const Reference& truth,
+                     uint64_t* differing) {
+    const Scene& scene = buffers.scene();
+    Framebuffer target(view.viewport());
+    const ShownPixels shown = shownPixels(GlEnvironment::renderer(), buffers, log, target);
+    const PixelEdges edges(scene, view.camera(), view.viewport());
+    uint64_t count = 0;
+    for (size_t pixel = 0; pixel < truth.triangle.size(); ++pixel) {
+        const uint32_t is = shown.triangle[pixel], should = truth.triangle[pixel];
+        if (is == should) continue;
+        ++*differing;
+        if (is != 0 && edges.toEdgeOf(is - 1, pixel) <= kEdgePixels) continue;
+        if (should != 0 && edges.toEdgeOf(should - 1, pixel) <= kEdgePixels) continue;
+        if (is != 0 && should != 0) {
+            const Vec3 a = inverseOf(scene, view, is - 1), b = inverseOf(scene, view, should - 1), d = a - b;
+            const Vec3 at(double(pixel % size_t(kSize.width)) + 0.5, double(pixel / size_t(kSize.width)) + 0.5, 1.0);
+            if (std::abs(glm::dot(d, at)) <=
+                (glm::length(Vec2(a)) + glm::length(Vec2(b))) * kEdgePixels + 0x1p-22 * std::abs(glm::dot(a, at)))
+                continue;
+        }
+        if (++count > 3) continue;
+        std::printf("pixel %zu: shows %u in place of %u, depths %.9g and %.9g\n", pixel, is, should, double(shown.depth[pixel]),
+                    double(truth.depth[pixel]));
+    }
+    if (count > 0)
+        for (const NamedFigure& figure : log.counters.figures) std::printf("%s %g ", figure.name.c_str(), figure.value);
+    return count;
+}
+
+uint64_t unexplained(Culler& culler, const SceneBuffers& buffers, const View& view, uint64_t* differing) {
+    const Culled frame = culler.cull(view);
+    const Reference truth = itemBufferReference(GlEnvironment::renderer(), buffers, view, culler.referenceFacing());
+    return unexplained(buffers, view, frame.log, truth, differing);
+}
+
+View outside(Random& random) {
+    return {{random.between(2.5, 4.0) * random.direction(), 0.3 * random.direction(), random.direction(), Angle::fromDegrees(45),
+             0.05, 100},
+            kSize};
+}
+View within(Random& random) {
+    const Vec3 eye = 0.6 * random.direction();
+    return {{eye, eye + random.direction(), random.direction(), Angle::fromDegrees(70), 0.05, 100}, kSize};
+}
+
+TEST(OrderingPicture, isThatOfTheDepthBufferOnScenesThatAreHardToOrder) {
+    const std::vector<std::pair<std::string, CullerPointer>> contestants = [] {
+        std::vector<std::pair<std::string, CullerPointer>> result;
+        result.emplace_back("painter", strategy("painter", {}));
+        for (const char* plane : {"first", "fewest", "balance"})
+            result.emplace_back(std::string("bsp ") + plane, strategy("bsp", {{"plane", plane}}));
+        result.emplace_back("bsp front to back", strategy("bsp", {{"order", "front-to-back"}}));
+        return result;
+    }();
+    uint64_t differing = 0, cuts = 0;
+    for (uint64_t seed = 0; seed < howMany(200, 200); ++seed) {
+        const ScenePointer scene = hardScene(seed);
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        Random random(seed);
+        const View views[] = {outside(random), within(random)};
+        for (const auto& [name, culler] : contestants) {
+            culler->build(*scene);
+            for (const View& view : views) {
+                EXPECT_EQ(unexplained(*culler, buffers, view, &differing), 0u)
+                    << name << " seed " << seed << (&view == views ? " from outside" : " from within");
+            }
+            for (const auto& figure : culler->structure().figures)
+                if (figure.name == "cuts") cuts += uint64_t(figure.value);
+        }
+    }
+    EXPECT_GT(cuts, 1000u);
+    RecordProperty("differing_pixels", int(differing));
+}
+
+TEST(OrderingPicture, barsInACycleAreCutAndRight) {
+    const ScenePointer scene = sceneOf({threeBars()});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View view({{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+    for (const char* id : {"painter", "bsp"}) {
+        const CullerPointer culler = strategy(id, {});
+        culler->build(*scene);
+        uint64_t differing = 0;
+        EXPECT_EQ(unexplained(*culler, buffers, view, &differing), 0u) << id;
+        EXPECT_GT(culler->cull(view).consideredTriangles, scene->triangleCount()) << id << " cuts nothing";
+    }
+    const CullerPointer naive = strategy("painter", {{"sort", "centroid"}});
+    naive->build(*scene);
+    uint64_t differing = 0;
+    EXPECT_GT(unexplained(*naive, buffers, view, &differing), 20u) << "centroids alone get the cycle wrong";
+    EXPECT_EQ(naive->promise(), Promise::Approximate);
+}
+
+TEST(OrderingPicture, closedMeshesShowNoGaps) {
+    // Cut edges of neighbours have their corners in common: the background never shows through.
+    const ScenePointer scene = sceneOf({knotMesh(3000), starMesh(7, 1500)}, {Mat4(1.0), translation({0.8, 0.2, 0.3})});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    for (const char* id : {"painter", "bsp"}) {
+        const CullerPointer culler = strategy(id, {});
+        culler->build(*scene);
+        Random random(4);
+        uint64_t differing = 0;
+        for (uint64_t i = 0; i < howMany(40, 8); ++i) {
+            EXPECT_EQ(unexplained(*culler, buffers, outside(random), &differing), 0u) << id << " view " << i;
+        }
+        RecordProperty(std::string(id) + "_differing_pixels", int(differing));
+    }
+}
+
+TEST(OrderingPicture, treeStaysAsItIsWhereverTheEyeIs) {
+    const ScenePointer scene = sceneOf({randomTriangles(8, howMany(10'000, 1'500), 0.2)});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CullerPointer culler = strategy("bsp", {});
+    culler->build(*scene);
+    const auto structure = culler->built()->structure();
+    Random random(6);
+    uint64_t differing = 0;
+    for (uint64_t i = 0; i < howMany(1'000, 40); ++i) {
+        const View view = i % 2 == 0 ? outside(random) : within(random);
+        ASSERT_EQ(unexplained(*culler, buffers, view, &differing), 0u) << "view " << i;
+        EXPECT_EQ(culler->built()->structure(), structure);
+    }
+}
+
+TEST(OrderingPicture, quizIsDrawnInTheOrderOfItsPlanes) {
+    const ScenePointer scene = openScene("quiz").scene;
+    const CullerPointer culler = strategy("bsp", {{"plane", "given"}});
+    culler->build(*scene);
+    const View view(*scene->remarks().camera, kSize);
+    const FrameLog log = culler->cull(view, Recording::On).log;
+    std::string order;
+    for (const OwnTriangles::Run& run : std::get<OwnTrianglesPointer>(log.commands.front())->runs)
+        order += scene->instances()[run.instance].name;
+    EXPECT_EQ(order, "BAC") << "runs of one object are one";
+    size_t sides = 0;
+    for (const Decision& decision : log.decisions) sides += decision.line == 2 ? 1 : 0;
+    EXPECT_EQ(sides, 7u) << "the planes above eight leaves";
+}
+
+}  // namespace
+}  // namespace cullscope::test::ordering_picture_test

@@ -1,0 +1,77 @@
+#pragma once
+
+#include "core/geometry/random.h"
+#include "tests/support/test_scenes.h"
+
+namespace cullscope::test {
+
+/// Triangles as one mesh: three corners each.
+inline MeshPointer soupMesh(std::vector<Vec3f> corners) {
+    std::vector<uint32_t> indices(corners.size());
+    for (uint32_t i = 0; i < indices.size(); ++i) indices[i] = i;
+    return meshOf(std::move(corners), std::move(indices));
+}
+
+/// Random triangles in the cube [−1, 1]³ with edges of about `edge`.
+inline MeshPointer randomTriangles(uint64_t seed, size_t count, double edge) {
+    Random random(seed);
+    std::vector<Vec3f> corners;
+    for (size_t i = 0; i < count; ++i) {
+        const Vec3 middle(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1));
+        for (int corner = 0; corner < 3; ++corner) corners.push_back(Vec3f(middle + 0.5 * edge * random.direction()));
+    }
+    return soupMesh(std::move(corners));
+}
+
+/// Three bars that overlap each other in a cycle, seen from (0, 0, 6): stability case 27.
+inline MeshPointer threeBars() {
+    std::vector<Vec3f> corners;
+    for (int turn = 0; turn < 3; ++turn) {
+        const double angle = 2.0943951023931953 * turn, c = std::cos(angle), s = std::sin(angle);
+        const auto turned = [&](double x, double y, double z) { return Vec3f(Vec3(c * x - s * y, s * x + c * y, z)); };
+        const Vec3f a = turned(-3, -1.2, .5), b = turned(3, -1.2, -.5), d = turned(3, -.8, -.5), e = turned(-3, -.8, .5);
+        corners.insert(corners.end(), {a, b, d, a, d, e});
+    }
+    return soupMesh(std::move(corners));
+}
+
+/// A scene of some triangles that are hard to order, one kind by seed: through each other, in cycles, in one plane, sharing
+/// edges, touching, and all of these.
+inline ScenePointer hardScene(uint64_t seed) {
+    Random random(seed);
+    const auto place = [&] { return Vec3(random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)); };
+    std::vector<Vec3f> corners;
+    const auto add = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
+        corners.insert(corners.end(), {Vec3f(a), Vec3f(b), Vec3f(c)});
+    };
+    const uint64_t kind = seed % 6;
+    if (kind == 0 || kind == 5)
+        for (int i = 0; i < 12; ++i) add(place(), place(), place());
+    if (kind == 1 || kind == 5)  // a cycle of long thin ones around an axis
+        for (int i = 0; i < 5; ++i) {
+            const double angle = 1.2566370614359172 * i, next = angle + 1.9;
+            const Vec3 from(std::cos(angle), std::sin(angle), 0.5), to(std::cos(next), std::sin(next), -0.5);
+            add(from, to, to + Vec3(0.2, 0.1, 0.0));
+            add(from, to + Vec3(0.2, 0.1, 0.0), from + Vec3(0.2, 0.1, 0.0));
+        }
+    if (kind == 2 || kind == 5)  // in one plane, side by side, and parallel ones behind; on a grid of halves, so that it is exact
+        for (int z = 0; z < 3; ++z)
+            for (int x = -2; x < 2; ++x) {
+                const Vec3 corner(0.5 * x, -0.5 + 0.25 * z, 0.5 * z - 0.5);
+                add(corner, corner + Vec3(0.5, 0, 0), corner + Vec3(0.5, 0.5, 0));
+                add(corner, corner + Vec3(0.5, 0.5, 0), corner + Vec3(0, 0.5, 0));
+            }
+    if (kind == 3 || kind == 5) {  // fans around shared edges
+        const Vec3 a = place(), b = place();
+        for (int i = 0; i < 8; ++i) add(a, b, place());
+    }
+    if (kind == 4 || kind == 5)  // corners that lie in other triangles
+        for (int i = 0; i < 6; ++i) {
+            const Vec3 a(-1, 0.25 * i - 0.75, -0.5), b(1, 0.25 * i - 0.75, -0.5), c(0, 0.25 * i - 0.5, 0.5);
+            add(a, b, c);
+            add(0.5 * (a + c), place(), place());
+        }
+    return sceneOf({soupMesh(std::move(corners))});
+}
+
+}  // namespace cullscope::test
