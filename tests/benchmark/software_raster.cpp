@@ -35,7 +35,7 @@ double stageOf(const RunMeasurement& run, const std::string& name) {
 }
 
 /// Ratios are of total times over the path's poses, whose frames were drawn in turns.
-Rows rowsOf(const Setting& setting, const MeasureResult& result) {
+Rows softwareRows(const Setting& setting, const MeasureResult& result) {
     Rows rows;
     double all = 0.0;
     for (const RunMeasurement& run : result.runs)
@@ -85,7 +85,7 @@ Experiment softwareRaster(const std::string& scene, const std::string& path) {
     experiment.checks = {
         everyRowCheck("the depth buffer's picture, times as fast as all", depthBuffer, "picture_speedup", {.least = 4.0}),
         everyRowCheck("its whole frame, shaded and given to OpenGL, times as fast as all", depthBuffer, "frame_speedup", {})};
-    experiment.rowsOfRuns = rowsOf;
+    experiment.rowsOfRuns = softwareRows;
     return experiment;
 }
 
