@@ -46,11 +46,14 @@ size_t FrameLog::commandsWithin(size_t entries) const {
 }
 
 FrameLog FrameLog::upTo(size_t entries) const {
-    FrameLog part = *this;
-    const size_t drawn = commandsWithin(std::min(entries, this->entries()));
-    part.commands.resize(drawn);
-    part.decisions.resize(std::min(entries - std::min(drawn, entries), decisions.size()));
-    return part;
+    const size_t all = std::min(entries, this->entries());
+    const auto drawn = std::ptrdiff_t(commandsWithin(all)), decided = std::ptrdiff_t(all) - drawn;
+    return {camera,          size,
+            facing,          {commands.begin(), commands.begin() + drawn},
+            recorded,        {decisions.begin(), decisions.begin() + decided},
+            objects,         notes,
+            counters,        stages,
+            cullMilliseconds};
 }
 
 namespace {

@@ -2615,6 +2615,138 @@
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>눈에서 일정 거리 너머에 완전히 있는 물체를 제외합니다.</translation>
     </message>
+    <message>
+        <source>A test</source>
+        <translation>시험</translation>
+    </message>
+    <message>
+        <source>Drawn completely</source>
+        <translation>전부 그림</translation>
+    </message>
+    <message>
+        <source>Drawn in part</source>
+        <translation>일부 그림</translation>
+    </message>
+    <message>
+        <source>Left out completely</source>
+        <translation>전부 제외</translation>
+    </message>
+    <message>
+        <source>About an object</source>
+        <translation>물체에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a node</source>
+        <translation>노드에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a cell</source>
+        <translation>셀에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a part of a triangle</source>
+        <translation>삼각형의 일부에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a tile of the picture</source>
+        <translation>그림의 타일에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a piece of a row</source>
+        <translation>행의 일부에 관한 것</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn</source>
+        <translation>장면의 삼각형을 그림</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn</source>
+        <translation>전략이 만든 삼각형을 그림</translation>
+    </message>
+    <message>
+        <source>A finished picture is shown</source>
+        <translation>완성된 그림을 보임</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes</source>
+        <translation>상자를 OpenGL에 물음</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>제외: %1</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>%1행</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>%1행: %2</translation>
+    </message>
+    <message>
+        <source>Drawn in part; the rest is left out: %1</source>
+        <translation>일부만 그리고 나머지는 제외: %1</translation>
+    </message>
+    <message>
+        <source>Is drawn</source>
+        <translation>그림</translation>
+    </message>
+    <message>
+        <source>Tested</source>
+        <translation>시험함</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn: %1, in %2 ranges</source>
+        <translation>장면의 삼각형을 그림: %1개, 범위 %2개</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn: %1</source>
+        <translation>전략이 만든 삼각형을 그림: %1개</translation>
+    </message>
+    <message>
+        <source>A picture that the strategy made is shown: %1 × %2 pixels</source>
+        <translation>전략이 만든 그림을 보임: %1 × %2 픽셀</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes, and hits %2</source>
+        <translation>OpenGL에 상자 %1개를 물어 %2개가 맞음</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>물체 %1</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>노드 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1 of %2</source>
+        <translation>%2의 셀 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>셀 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle of %2</source>
+        <translation>%2의 삼각형 조각 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle</source>
+        <translation>삼각형 조각 %1</translation>
+    </message>
+    <message>
+        <source>Tile %1 of the picture</source>
+        <translation>그림의 타일 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row, of %2</source>
+        <translation>%2의 행 조각 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row</source>
+        <translation>행 조각 %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2646,6 +2778,13 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>그 밖에 OpenMesh, libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::AnswerDialog</name>
+    <message>
+        <source>What was expected, and what happened</source>
+        <translation>예상과 실제</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3234,14 @@ OpenGL %2
         <source>help; this page</source>
         <translation>도움말, 이 쪽</translation>
     </message>
+    <message>
+        <source>step through the frame; Page Up and Page Down step</source>
+        <translation>프레임을 단계별로 보기; Page Up과 Page Down으로 이동</translation>
+    </message>
+    <message>
+        <source>question first: name what you expect, then reveal</source>
+        <translation>먼저 질문: 예상을 지정한 뒤 공개</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -3231,6 +3378,10 @@ OpenGL %2
     <message>
         <source>Lines of the strategy</source>
         <translation>전략의 줄</translation>
+    </message>
+    <message>
+        <source>Decisions up to this step that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>이 단계까지 이 행들에서 내린 결정: %1개. 마지막 결정은 %2행입니다.</translation>
     </message>
 </context>
 <context>
@@ -3794,6 +3945,80 @@ OpenGL %2
     <message>
         <source>missed</source>
         <translation>놓침</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PredictionModel</name>
+    <message>
+        <source>triangle %1</source>
+        <translation>삼각형 %1</translation>
+    </message>
+    <message>
+        <source>vanishes</source>
+        <translation>사라짐</translation>
+    </message>
+    <message>
+        <source>is drawn</source>
+        <translation>그려짐</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ 맞음</translation>
+    </message>
+    <message>
+        <source>✗ wrong</source>
+        <translation>✗ 틀림</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>예상</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>실제</translation>
+    </message>
+    <message>
+        <source>Right or wrong</source>
+        <translation>맞음/틀림</translation>
+    </message>
+    <message>
+        <source>Right: %1 of %2</source>
+        <translation>맞음: %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionBar</name>
+    <message>
+        <source>Click what you expect; a second click takes it back. Named: %1</source>
+        <translation>예상하는 것을 클릭하십시오. 다시 클릭하면 취소됩니다. 지정: %1</translation>
+    </message>
+    <message>
+        <source>What vanishes?</source>
+        <translation>무엇이 사라집니까?</translation>
+    </message>
+    <message>
+        <source>In which order is it drawn?</source>
+        <translation>어떤 순서로 그려집니까?</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>질문</translation>
+    </message>
+    <message>
+        <source>Reveal</source>
+        <translation>공개</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>질문 취소</translation>
     </message>
 </context>
 <context>
@@ -4398,6 +4623,112 @@ snapping</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::StepBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step, number of steps</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>place, size of the steps</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>by subject</source>
+        <translation>대상별</translation>
+    </message>
+    <message>
+        <source>by object</source>
+        <translation>물체별</translation>
+    </message>
+    <message>
+        <source>by command</source>
+        <translation>명령별</translation>
+    </message>
+    <message>
+        <source>in equal parts</source>
+        <translation>균등하게</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>일시 정지</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>여기서부터 재생</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>전략의 결정을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>중단점</translation>
+    </message>
+    <message>
+        <source>Breakpoints: %1</source>
+        <translation>중단점: %1</translation>
+    </message>
+    <message>
+        <source>Each step is one decision or command of the frame.</source>
+        <translation>한 단계는 프레임의 결정이나 명령 하나입니다.</translation>
+    </message>
+    <message>
+        <source>This frame has %1 decisions and commands: each step takes several of them.</source>
+        <translation>이 프레임에는 결정과 명령이 %1개 있습니다. 한 단계가 그중 여러 개를 묶습니다.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>kind of decision, how many</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>To the start (Shift+Page Up)</source>
+        <translation>처음으로 (Shift+Page Up)</translation>
+    </message>
+    <message>
+        <source>One step back (Page Up)</source>
+        <translation>한 단계 뒤로 (Page Up)</translation>
+    </message>
+    <message>
+        <source>One step on (Page Down)</source>
+        <translation>한 단계 앞으로 (Page Down)</translation>
+    </message>
+    <message>
+        <source>To the end (Shift+Page Down)</source>
+        <translation>끝으로 (Shift+Page Down)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>단계</translation>
+    </message>
+    <message>
+        <source>Steps a second:</source>
+        <translation>초당 단계:</translation>
+    </message>
+    <message>
+        <source>Playing stops at decisions of these kinds; Ctrl+Page Down and Ctrl+Page Up go to the next and the last one</source>
+        <translation>이런 결정에서 재생이 멈춥니다. Ctrl+Page Down과 Ctrl+Page Up은 다음과 이전 중단점으로 갑니다</translation>
+    </message>
+    <message>
+        <source>Show the whole frame again (F8)</source>
+        <translation>프레임 전체를 다시 보기 (F8)</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::Stepper</name>
+    <message>
+        <source>Nothing was decided and nothing was drawn yet.</source>
+        <translation>아직 아무것도 결정하거나 그리지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>subject of a decision, what was found</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::StrategyPanel</name>
     <message>
         <source>Strategy of view %1</source>
@@ -4643,6 +4974,14 @@ snapping</source>
     <message>
         <source>frozen</source>
         <translation>고정</translation>
+    </message>
+    <message>
+        <source>What do you expect? The figures come with the answer.</source>
+        <translation>무엇을 예상하십니까? 수치는 답과 함께 나옵니다.</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · whole frame: %3</source>
+        <translation>단계 %1 / %2 · 프레임 전체: %3</translation>
     </message>
 </context>
 <context>
@@ -5130,6 +5469,46 @@ snapping</source>
     <message>
         <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
         <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
+    </message>
+    <message>
+        <source>S&amp;tep through</source>
+        <translation>단계별로 보기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Replay the active view&apos;s frame step by step, with what the strategy decides</source>
+        <translation>활성 뷰의 프레임을 전략의 결정과 함께 단계별로 재생</translation>
+    </message>
+    <message>
+        <source>&amp;Question first</source>
+        <translation>먼저 질문(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Hide figures and verdicts until what the audience expects was clicked, then reveal both beside each other</source>
+        <translation>청중의 예상을 클릭할 때까지 수치와 판정을 숨긴 뒤 나란히 공개</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>한 단계 앞으로</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>한 단계 뒤로</translation>
+    </message>
+    <message>
+        <source>To the first step</source>
+        <translation>첫 단계로</translation>
+    </message>
+    <message>
+        <source>To the last step</source>
+        <translation>마지막 단계로</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint</source>
+        <translation>다음 중단점으로</translation>
+    </message>
+    <message>
+        <source>Back to the last breakpoint</source>
+        <translation>이전 중단점으로</translation>
     </message>
 </context>
 </TS>

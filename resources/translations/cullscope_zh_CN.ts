@@ -2615,6 +2615,138 @@
         <source>Leaves out objects that lie wholly beyond a distance from the eye.</source>
         <translation>略去完全位于离视点一定距离之外的对象。</translation>
     </message>
+    <message>
+        <source>A test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Drawn completely</source>
+        <translation>全部绘制</translation>
+    </message>
+    <message>
+        <source>Drawn in part</source>
+        <translation>部分绘制</translation>
+    </message>
+    <message>
+        <source>Left out completely</source>
+        <translation>全部舍去</translation>
+    </message>
+    <message>
+        <source>About an object</source>
+        <translation>关于物体</translation>
+    </message>
+    <message>
+        <source>About a node</source>
+        <translation>关于节点</translation>
+    </message>
+    <message>
+        <source>About a cell</source>
+        <translation>关于单元</translation>
+    </message>
+    <message>
+        <source>About a part of a triangle</source>
+        <translation>关于三角形的一部分</translation>
+    </message>
+    <message>
+        <source>About a tile of the picture</source>
+        <translation>关于图像的块</translation>
+    </message>
+    <message>
+        <source>About a piece of a row</source>
+        <translation>关于一行的一段</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn</source>
+        <translation>绘制场景的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn</source>
+        <translation>绘制策略自己的三角形</translation>
+    </message>
+    <message>
+        <source>A finished picture is shown</source>
+        <translation>显示完成的图像</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes</source>
+        <translation>就包围盒询问 OpenGL</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>舍去：%1</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>Drawn in part; the rest is left out: %1</source>
+        <translation>绘制一部分，其余舍去：%1</translation>
+    </message>
+    <message>
+        <source>Is drawn</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Tested</source>
+        <translation>已测试</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn: %1, in %2 ranges</source>
+        <translation>绘制场景的三角形：%1 个，分 %2 段</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn: %1</source>
+        <translation>绘制策略自己的三角形：%1 个</translation>
+    </message>
+    <message>
+        <source>A picture that the strategy made is shown: %1 × %2 pixels</source>
+        <translation>显示策略生成的图像：%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes, and hits %2</source>
+        <translation>就 %1 个包围盒询问 OpenGL，命中 %2 个</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>物体 %1</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1 of %2</source>
+        <translation>%2 的单元 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle of %2</source>
+        <translation>%2 的三角形部分 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle</source>
+        <translation>三角形部分 %1</translation>
+    </message>
+    <message>
+        <source>Tile %1 of the picture</source>
+        <translation>图像的块 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row, of %2</source>
+        <translation>%2 的行段 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row</source>
+        <translation>行段 %1</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2646,6 +2778,13 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>此外还使用 OpenMesh、libepoxy、GLM、meshoptimizer、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::AnswerDialog</name>
+    <message>
+        <source>What was expected, and what happened</source>
+        <translation>预期与实际</translation>
     </message>
 </context>
 <context>
@@ -3095,6 +3234,14 @@ OpenGL %2
         <source>help; this page</source>
         <translation>帮助；本页</translation>
     </message>
+    <message>
+        <source>step through the frame; Page Up and Page Down step</source>
+        <translation>逐步查看该帧；Page Up 和 Page Down 移动</translation>
+    </message>
+    <message>
+        <source>question first: name what you expect, then reveal</source>
+        <translation>先提问：指出预期，再揭示</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -3231,6 +3378,10 @@ OpenGL %2
     <message>
         <source>Lines of the strategy</source>
         <translation>策略的各行</translation>
+    </message>
+    <message>
+        <source>Decisions up to this step that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>到这一步为止在这些行作出的决定：%1 个。最后一个在第 %2 行。</translation>
     </message>
 </context>
 <context>
@@ -3794,6 +3945,80 @@ OpenGL %2
     <message>
         <source>missed</source>
         <translation>丢失</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PredictionModel</name>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>vanishes</source>
+        <translation>消失</translation>
+    </message>
+    <message>
+        <source>is drawn</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ 正确</translation>
+    </message>
+    <message>
+        <source>✗ wrong</source>
+        <translation>✗ 错误</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>预期</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>实际</translation>
+    </message>
+    <message>
+        <source>Right or wrong</source>
+        <translation>对错</translation>
+    </message>
+    <message>
+        <source>Right: %1 of %2</source>
+        <translation>正确：%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionBar</name>
+    <message>
+        <source>Click what you expect; a second click takes it back. Named: %1</source>
+        <translation>点击您预期的对象；再次点击可取消。已指出：%1</translation>
+    </message>
+    <message>
+        <source>What vanishes?</source>
+        <translation>什么会消失？</translation>
+    </message>
+    <message>
+        <source>In which order is it drawn?</source>
+        <translation>按什么顺序绘制？</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Reveal</source>
+        <translation>揭示</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>撤回</translation>
     </message>
 </context>
 <context>
@@ -4398,6 +4623,112 @@ snapping</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::StepBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step, number of steps</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>place, size of the steps</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>by subject</source>
+        <translation>按对象</translation>
+    </message>
+    <message>
+        <source>by object</source>
+        <translation>按物体</translation>
+    </message>
+    <message>
+        <source>by command</source>
+        <translation>按命令</translation>
+    </message>
+    <message>
+        <source>in equal parts</source>
+        <translation>等分</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>从此处播放</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>正在读取策略的决定…</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>断点</translation>
+    </message>
+    <message>
+        <source>Breakpoints: %1</source>
+        <translation>断点：%1</translation>
+    </message>
+    <message>
+        <source>Each step is one decision or command of the frame.</source>
+        <translation>每一步是该帧的一个决定或命令。</translation>
+    </message>
+    <message>
+        <source>This frame has %1 decisions and commands: each step takes several of them.</source>
+        <translation>该帧有 %1 个决定和命令：每一步包含其中若干个。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>kind of decision, how many</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>To the start (Shift+Page Up)</source>
+        <translation>到开头（Shift+Page Up）</translation>
+    </message>
+    <message>
+        <source>One step back (Page Up)</source>
+        <translation>后退一步（Page Up）</translation>
+    </message>
+    <message>
+        <source>One step on (Page Down)</source>
+        <translation>前进一步（Page Down）</translation>
+    </message>
+    <message>
+        <source>To the end (Shift+Page Down)</source>
+        <translation>到末尾（Shift+Page Down）</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source>Steps a second:</source>
+        <translation>每秒步数：</translation>
+    </message>
+    <message>
+        <source>Playing stops at decisions of these kinds; Ctrl+Page Down and Ctrl+Page Up go to the next and the last one</source>
+        <translation>播放会停在这些类型的决定处；Ctrl+Page Down 和 Ctrl+Page Up 跳到下一个和上一个</translation>
+    </message>
+    <message>
+        <source>Show the whole frame again (F8)</source>
+        <translation>重新显示整帧（F8）</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::Stepper</name>
+    <message>
+        <source>Nothing was decided and nothing was drawn yet.</source>
+        <translation>尚未作出任何决定，也未绘制任何内容。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>subject of a decision, what was found</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::StrategyPanel</name>
     <message>
         <source>Strategy of view %1</source>
@@ -4643,6 +4974,14 @@ snapping</source>
     <message>
         <source>frozen</source>
         <translation>已冻结</translation>
+    </message>
+    <message>
+        <source>What do you expect? The figures come with the answer.</source>
+        <translation>您预期什么？数字随答案显示。</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · whole frame: %3</source>
+        <translation>第 %1 / %2 步 · 整帧：%3</translation>
     </message>
 </context>
 <context>
@@ -5130,6 +5469,46 @@ snapping</source>
     <message>
         <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
         <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
+    </message>
+    <message>
+        <source>S&amp;tep through</source>
+        <translation>逐步查看(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Replay the active view&apos;s frame step by step, with what the strategy decides</source>
+        <translation>逐步重放当前视图的帧，并显示策略的决定</translation>
+    </message>
+    <message>
+        <source>&amp;Question first</source>
+        <translation>先提问(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Hide figures and verdicts until what the audience expects was clicked, then reveal both beside each other</source>
+        <translation>隐藏数字和判定，直到点击了观众的预期，再并排揭示</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>前进一步</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>后退一步</translation>
+    </message>
+    <message>
+        <source>To the first step</source>
+        <translation>到第一步</translation>
+    </message>
+    <message>
+        <source>To the last step</source>
+        <translation>到最后一步</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint</source>
+        <translation>到下一个断点</translation>
+    </message>
+    <message>
+        <source>Back to the last breakpoint</source>
+        <translation>回到上一个断点</translation>
     </message>
 </context>
 </TS>

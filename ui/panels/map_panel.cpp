@@ -109,6 +109,9 @@ std::shared_ptr<const TriangleStates> MapPanel::truth() const {
 }
 
 std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
+    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    if (!shown.empty() && step && step->shape.triangle && step->shape.object == shown.map->object)
+        return uint32_t(*step->shape.triangle - m_session.scene()->firstTriangle(shown.map->object));
     const std::optional<Pick>& pick = m_session.pick();
     if (shown.empty() || !pick || m_session.objectOf(shown.map->object) != pick->object) return std::nullopt;
     return uint32_t(pick->triangle - m_session.opened()->scene->firstTriangle(pick->object));
