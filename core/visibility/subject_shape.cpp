@@ -21,7 +21,7 @@ public:
         const auto found = std::ranges::find_if(
             snapshot.nodes, [&](const SnapshotNode& node) { return node.isGroup() && node.number == decision.subject.number; });
         if (found != snapshot.nodes.end()) {
-            m_shape.node = uint32_t(found - snapshot.nodes.begin());
+            m_shape.node = found->number;
             m_shape.boxes.push_back(found->box);
             return;
         }

@@ -18,7 +18,7 @@ struct SubjectShape {
     std::optional<std::array<Vec2, 2>> pixels;   ///< lower left and upper right corner in the culling view's picture
     std::optional<uint32_t> object;              ///< instance
     std::optional<uint64_t> triangle;            ///< number in the scene: one of the subject's
-    std::optional<uint32_t> node;                ///< index into StructureSnapshot::nodes
+    std::optional<uint32_t> node;                ///< of a group: its number in the structure (SnapshotNode::number)
 };
 
 /// `log`: the whole frame's. `snapshot`: of that frame. Of a command: what it draws, or the boxes that it asks about.

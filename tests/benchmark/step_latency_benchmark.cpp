@@ -53,8 +53,11 @@ public:
         const LogPlace before = session.step()->place;
         const Clock::time_point start = Clock::now();
         post();
-        while (session.step()->place == before || !session.pictures()->isCurrent(session.activeView()))
+        const Clock::time_point patience = start + std::chrono::seconds(30);
+        while (session.step()->place == before || !session.pictures()->isCurrent(session.activeView())) {
             QApplication::processEvents(QEventLoop::AllEvents, 1);
+            if (Clock::now() > patience) throw std::runtime_error("a step is not shown");
+        }
         window.views().pane(session.activeView()).picture().repaint();
         const double passed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         // The panels follow; the next step begins when all is quiet.
@@ -62,7 +65,11 @@ public:
         return passed;
     }
 
-    void postKey(int key) { QTest::keyClick(&window.views().pane(session.activeView()).picture(), Qt::Key(key)); }
+    /// A window that no window manager made active gets no shortcuts: the key's action is posted.
+    void postKey(int key) {
+        QAction* action = key == Qt::Key_PageDown ? window.actions().stepOn : window.actions().stepBack;
+        QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
+    }
 
     Session session{{}};
     Language language;

@@ -32,9 +32,8 @@ public:
 
     /// The node of a row, as an index into StructureSnapshot::nodes.
     [[nodiscard]] size_t nodeOf(const QModelIndex& index) const { return size_t(index.internalId()); }
-    /// Whether there is a node with this index, and its row.
-    [[nodiscard]] bool has(size_t node) const { return !empty() && node < m_snapshot->nodes.size(); }
-    [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
+    /// The row of the group with a number in the structure (SnapshotNode::number); invalid: there is none.
+    [[nodiscard]] QModelIndex indexOfGroup(uint32_t number) const;
     /// The instance of a row; none for a box with child boxes or a group.
     [[nodiscard]] std::optional<uint32_t> instanceAt(const QModelIndex& index) const;
     /// The row of the first leaf of an instance; invalid: it has none.
@@ -53,6 +52,7 @@ private:
     [[nodiscard]] size_t childCount(size_t place) const { return m_firstChild[place + 1] - m_firstChild[place]; }
     /// Whether the node is a group or has children, and so represents no single object.
     [[nodiscard]] bool holdsOthers(size_t node) const;
+    [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
     /// The state of a box that was kept and holds one object; none: not known.
     [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const SnapshotNode& node, size_t number) const;
     [[nodiscard]] QString text(const SnapshotNode& node, size_t number, int column) const;

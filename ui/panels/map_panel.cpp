@@ -105,7 +105,8 @@ std::shared_ptr<const TriangleStates> MapPanel::truth() const {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
-    return known && m_reader.fresh() && figures.states->againstTruth ? figures.states : nullptr;
+    return known && m_reader.fresh() && !m_session.stepOf(m_session.activeView()) && figures.states->againstTruth ? figures.states
+                                                                                                                  : nullptr;
 }
 
 std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {

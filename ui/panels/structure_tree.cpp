@@ -75,12 +75,13 @@ std::shared_ptr<const TriangleStates> StructureTree::statesOfTruth() const {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
-    return known && m_reader.fresh() ? figures.states : nullptr;
+    // At a step the truth is not known: it is that of the whole frame.
+    return known && m_reader.fresh() && !m_session.stepOf(m_session.activeView()) ? figures.states : nullptr;
 }
 
 QModelIndex StructureTree::followedRow() const {
     if (const ShownStep* step = m_session.stepOf(m_session.activeView()); step != nullptr) {
-        if (step->shape.node && m_model->has(*step->shape.node)) return m_model->indexOfNode(*step->shape.node);
+        if (step->shape.node) return m_model->indexOfGroup(*step->shape.node);
         if (step->shape.object) return m_model->indexOfInstance(*step->shape.object);
     }
     const std::optional<Pick>& pick = m_session.pick();
