@@ -51,14 +51,17 @@ public:
     /// From the posting until the view has been painted with the picture of the step, in milliseconds.
     double milliseconds(const std::function<void()>& post) {
         const LogPlace before = session.step()->place;
-        const Clock::time_point start = Clock::now();
+        const int view = session.activeView();
+        bool painted = false;
+        // Emitted when the window has been composed with what the view painted.
+        const auto watch = QObject::connect(&window.views().pane(view).picture(), &QOpenGLWidget::frameSwapped, [&] {
+            painted = !(session.step()->place == before) && session.pictures()->isCurrent(view);
+        });
+        const Clock::time_point start = Clock::now(), patience = start + std::chrono::seconds(30);
         post();
-        const Clock::time_point patience = start + std::chrono::seconds(30);
-        while (session.step()->place == before || !session.pictures()->isCurrent(session.activeView())) {
-            QApplication::processEvents(QEventLoop::AllEvents, 1);
-            if (Clock::now() > patience) throw std::runtime_error("a step is not shown");
-        }
-        window.views().pane(session.activeView()).picture().repaint();
+        while (!painted && Clock::now() < patience) QApplication::processEvents(QEventLoop::AllEvents, 1);
+        QObject::disconnect(watch);
+        if (!painted) throw std::runtime_error("a step is not shown");
         const double passed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         // The panels follow; the next step begins when all is quiet.
         QTest::qWait(30);

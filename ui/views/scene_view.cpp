@@ -43,7 +43,7 @@ SceneView::SceneView(Session& session, int view, QWidget* parent)
         if (changed == m_view) update();
     });
     connect(&session, &Session::pickChanged, this, qOverload<>(&SceneView::update));
-    connect(&session, &Session::stepChanged, this, qOverload<>(&SceneView::update));
+    // A step is painted with its picture, which pictureChanged tells of: painting the former one again would delay it.
     connect(&session, &Session::questionChanged, this, qOverload<>(&SceneView::update));
     connect(&session, &Session::setupChanged, this, [this](int changed) {
         if (changed != m_view) return;
