@@ -6,6 +6,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/overlays.h"
 #include "core/base/error.h"
+#include "core/frame/entry_words.h"
 #include "core/gpu/colour.h"
 #include "core/gpu/gpu_frame.h"
 #include "core/image/cell_map_picture.h"
@@ -23,6 +24,8 @@ struct RenderOptions {
     std::string background, surface;
     double fovy = 45.0, nearDistance = 0.0, farDistance = 0.0;
     int64_t pose = 0;
+    std::optional<uint64_t> step;
+    bool steps = false;
     OverlayOptions overlays;
 };
 
@@ -133,6 +136,26 @@ FrameLog frameOf(Renderer& renderer, const SceneBuffers& buffers, const BuiltStr
     return frame.take();
 }
 
+/// The entries of a frame's log: number, line of the listing, sentence.
+void printSteps(std::FILE* words, const Scene& scene, const FrameLog& log) {
+    const FrameEntries entries(log);
+    for (size_t i = 0; i < entries.size(); ++i) {
+        const FrameEntry entry = entries.at(i);
+        const bool lined = entry.decision != nullptr && entry.decision->line > 0;
+        fmt::print(words, "{:>8}  {:<7}  {}\n", i + 1, lined ? fmt::format("line {}", entry.decision->line) : "",
+                   entryLine(scene, entry));
+    }
+}
+
+/// The frame's log up to the chosen step.
+FrameLog upToStep(const RenderOptions& options, FrameLog log) {
+    if (!options.step) return log;
+    if (*options.step > log.entries())
+        throwUsage(CULLSCOPE_TR("--step %1: the frame has %2 steps."),
+                   {std::to_string(*options.step), std::to_string(log.entries())});
+    return log.upTo(*options.step);
+}
+
 void run(const RenderOptions& options, const Context& context) {
     const Viewport size = sizeFromText(options.size);
     const StrategyRequest request = strategiesOf({options.strategy}, options.parameters).front();
@@ -155,8 +178,9 @@ void run(const RenderOptions& options, const Context& context) {
     terminalProgress(context).check();
     Renderer renderer;
     const SceneBuffers buffers(opened.scene, Upload::Vbo);
-    const FrameLog log =
-        frameOf(renderer, buffers, *strategy, view, choice.needsDecisions() || (below && below->overlays.needsDecisions()));
+    const bool recording =
+        choice.needsDecisions() || (below && below->overlays.needsDecisions()) || options.step || options.steps;
+    const FrameLog log = upToStep(options, frameOf(renderer, buffers, *strategy, view, recording));
     Drawn drawn = drawPicture(renderer, buffers, *strategy, log, viewingView, choice, style);
     if (below) {
         const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);
@@ -177,6 +201,7 @@ void run(const RenderOptions& options, const Context& context) {
     fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, log.consideredTriangles(),
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());
     if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
+    if (options.steps) printSteps(words, *opened.scene, log);
     if (!line.empty()) fmt::print(words, "{}: {}\n", options.output, line);
 }
 
@@ -202,6 +227,8 @@ void addRenderCommand(CLI::App& app, Context& context) {
     command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command->add_option("--background", options->background, "colour behind the scene, RRGGBB");
     command->add_option("--surface", options->surface, "colour of the surfaces, RRGGBB");
+    command->add_option("--step", options->step, "draw only so many of the frame's decisions and commands, from 0");
+    command->add_flag("--steps", options->steps, "print the frame's decisions and commands, one a line");
     addOverlayOptions(*command, options->overlays);
     command->add_option("-o,--output", options->output, "picture file: .png, .jpg, .tif, .exr; - is standard output (PNG)")
         ->required();

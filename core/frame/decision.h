@@ -65,8 +65,11 @@ struct Decision {
     /// below −margin.
     std::array<double, kOperands> operands{};
     uint8_t operandCount = 0;
-    uint8_t nesting = 0;       ///< how many subjects, whose decisions came before, this one lies in
-    PlaceRun places;           ///< of a Cell: its triangles, in the order FrameLog::order
+    uint8_t nesting = 0;  ///< how many subjects, whose decisions came before, this one lies in
+    /// Of a Cell: its triangles, in the order FrameLog::order. Of a Fragment: its triangles among the strategy's own that
+    /// are drawn next. Of a Tile or Span: from its lower left to its upper right pixel, which are numbered row by row from the
+    /// bottom. None: not said.
+    PlaceRun places;
     uint32_t firstObject = 0;  ///< of a Node that is decided as a whole: its objects, in FrameLog::objects
     uint32_t objectCount = 0;
     uint32_t commands = 0;  ///< number of the frame's commands before it

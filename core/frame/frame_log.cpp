@@ -46,12 +46,20 @@ size_t FrameLog::commandsWithin(size_t entries) const {
 }
 
 FrameLog FrameLog::upTo(size_t entries) const {
-    FrameLog part = *this;
-    const size_t drawn = commandsWithin(std::min(entries, this->entries()));
-    part.commands.resize(drawn);
-    part.decisions.resize(std::min(entries - std::min(drawn, entries), decisions.size()));
-    if (notes && part.decisions.size() < decisions.size()) part.notes = notes->within(part.decisions.size());
-    return part;
+    const size_t all = std::min(entries, this->entries());
+    const auto drawn = std::ptrdiff_t(commandsWithin(all)), decided = std::ptrdiff_t(all) - drawn;
+    return {camera,
+            size,
+            facing,
+            {commands.begin(), commands.begin() + drawn},
+            recorded,
+            {decisions.begin(), decisions.begin() + decided},
+            order,
+            objects,
+            notes && size_t(decided) < decisions.size() ? notes->within(size_t(decided)) : notes,
+            counters,
+            stages,
+            cullMilliseconds};
 }
 
 namespace {

@@ -1,18 +1,12 @@
 #include "core/visibility/why.h"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "core/frame/entry_words.h"
 #include "core/scene/eye_triangle.h"
 
 namespace cullscope {
 namespace {
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.6g", value);
-    return text;
-}
 
 /// The sentence that every decision of an outcome has, for decisions without one of their own.
 Message endSentence(const Decision& decision) {
@@ -31,14 +25,9 @@ WhyStep step(const Decision& decision) {
         return result;
     }
     std::vector<std::string> arguments;
-    if (decision.plane) {
-        arguments.emplace_back(planeName(*decision.plane));
-        result.distance = decision.distance();
-    }
+    if (decision.plane) result.distance = decision.distance();
     if (decision.plane || decision.margin() != 0.0) result.bound = decision.margin();
-    // The sentence says on which side of a plane the distance lies.
-    for (size_t i = 0; i < decision.operandCount; ++i)
-        arguments.push_back(number(decision.plane ? std::abs(decision.operands[i]) : decision.operands[i]));
+    for (const Term& term : decisionTerms(decision)) arguments.push_back(term.english());
     result.sentence = {decision.sentence, std::move(arguments)};
     return result;
 }

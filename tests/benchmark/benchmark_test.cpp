@@ -243,6 +243,13 @@ TEST(BenchmarkPrograms, movesAreTimedInTheWindow) {
     EXPECT_THAT(result.exitStatus, testing::AnyOf(0, 1)) << result.err;
     EXPECT_THAT(result.out, testing::HasSubstr("longest wait of a move"));
 }
+
+TEST(BenchmarkPrograms, stepsAreTimedInTheWindow) {
+    const test::ProcessResult result =
+        test::runProcess({programPath("step_latency_benchmark"), "sphere:triangles=500", "spherical", "100", "3"});
+    EXPECT_THAT(result.exitStatus, testing::AnyOf(0, 1)) << result.err;
+    EXPECT_THAT(result.out, testing::HasSubstr("slowest step"));
+}
 #endif
 
 }  // namespace

@@ -73,6 +73,8 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                          {{tr("Ctrl + 1, 2, 4, 8"), tr("number of views")},
                           {tr("Tab"), tr("next view or panel")},
                           {QStringLiteral("F5"), tr("lecture; Page Up and Page Down step, B blanks, Esc leaves")},
+                          {QStringLiteral("F8"), tr("step through the frame; Page Up and Page Down step")},
+                          {QStringLiteral("F9"), tr("question first: name what you expect, then reveal")},
                           {tr("Ctrl + O, Ctrl + S"), tr("open; save the session")},
                           {tr("Ctrl + Z, Ctrl + Shift + Z"), tr("undo, redo")},
                           {QStringLiteral("F12"), tr("screenshot; with Ctrl: without overlays; with Ctrl + Shift: ask")},

@@ -16,7 +16,8 @@ namespace cullscope::ui {
 struct SnapshotReading {
     BuiltStrategyPointer strategy;
     Camera culling;
-    ViewFramePointer frame;  ///< what was read; null: the frame failed
+    ViewFramePointer frame;        ///< what was read; null: the frame failed
+    std::optional<LogPlace> upTo;  ///< where a replay of the frame stops, with which `frame` ends; none: it is whole
     Viewport size;
     /// Never null; the pointer stays the same while strategy, camera and size do.
     std::shared_ptr<const StructureSnapshot> snapshot;

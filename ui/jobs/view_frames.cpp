@@ -1,5 +1,7 @@
 #include "ui/jobs/view_frames.h"
 
+#include "core/frame/frame_steps.h"
+
 namespace cullscope::ui {
 
 namespace {
@@ -66,6 +68,15 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, bool recorded, 
     const std::lock_guard lock(m_mutex);
     ++m_decided[request.view];
     return frame;
+}
+
+size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place) {
+    return entriesAtShare(place.entries, place.whole, frame.log.entries());
+}
+
+ViewFramePointer frameUpTo(const ViewFramePointer& frame, const std::optional<LogPlace>& place) {
+    if (!frame || !place) return frame;
+    return std::make_shared<const ViewFrame>(ViewFrame{frame->request, frame->log.upTo(entriesUpTo(*frame, *place))});
 }
 
 ViewLook shownLook(const ViewFrame& frame, ViewLook look) {

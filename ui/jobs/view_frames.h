@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "core/gpu/gpu_frame.h"
 #include "core/image/view_picture.h"
@@ -32,6 +33,17 @@ struct ViewFrame {
     FrameLog log;
 };
 using ViewFramePointer = std::shared_ptr<const ViewFrame>;
+
+/// A place in a frame's log: its first `entries` entries, where it has `whole` of them; in another log the same share.
+struct LogPlace {
+    size_t entries = 0, whole = 0;
+
+    bool operator==(const LogPlace&) const = default;
+};
+/// The number of entries of a frame's log up to that place.
+[[nodiscard]] size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place);
+/// The frame with the part of its log up to a place; without a place the frame itself. A null frame stays null.
+[[nodiscard]] ViewFramePointer frameUpTo(const ViewFramePointer& frame, const std::optional<LogPlace>& place);
 
 /// The frames of the views, each decided once, with each view's memory. Used on the GPU thread; `decided` on any.
 class ViewFrames {

@@ -2,6 +2,7 @@
 
 #include <QRgb>
 
+#include "core/frame/decided_ahead.h"
 #include "core/image/spherical_model.h"
 #include "core/image/view_picture.h"
 #include "core/scene/camera_moves.h"
@@ -45,6 +46,19 @@ void markDifferences(ViewPicture& picture, const std::vector<PixelDifference>& d
 
 }  // namespace
 
+namespace {
+
+/// What a request shows of its frame.
+ViewFramePointer shownFrame(const ViewRequest& request, const ViewFramePointer& frame) {
+    if (!request.unanswered) return frameUpTo(frame, request.upTo);
+    auto all = std::make_shared<ViewFrame>(ViewFrame{frame->request, frame->log.upTo(0)});
+    all->log.facing = request.strategy->referenceFacing();
+    all->log.commands = {everything(request.buffers->scene(), all->log.facing)};
+    return all;
+}
+
+}  // namespace
+
 QColor addedPixelColour() { return QColor::fromRgb(kAddedColour); }
 
 Renderer& ViewPictureDrawer::renderer() {
@@ -63,10 +77,13 @@ void ViewPictureDrawer::letGo() {
     m_frames->forget();
 }
 
-PictureDrawing::PictureDrawing(const ViewRequest& request, ViewFramePointer frame, ViewFramePointer other)
+PictureDrawing::PictureDrawing(const ViewRequest& request, const ViewFramePointer& frame, ViewFramePointer other)
     : m_picture(std::make_shared<ViewPicture>()), m_viewing(request.viewing, request.size), m_states(request.states) {
     m_picture->request = request;
-    m_picture->frame = std::move(frame);
+    m_picture->frame = shownFrame(request, frame);
+    if (request.upTo && !request.unanswered && request.look.colouring == Colouring::Shaded && !request.look.sphericalModel)
+        m_ahead = decidedAhead(frame->log, entriesUpTo(*frame, *request.upTo));
+    if (!m_ahead.ranges.empty()) m_picture->ahead = newImage(request.size, QImage::Format_RGBA8888);
     const Scene& scene = request.buffers->scene();
     m_picture->consideredTriangles = log().consideredTriangles();
     if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->snapshot(log()));
@@ -92,6 +109,14 @@ void PictureDrawing::draw(Renderer& renderer, Framebuffer& target) {
     copyTile(target.readColour(), target.tile(), m_picture->colour);
     copyTile(target.readDepth(), target.tile(), m_picture->depth, request.size.width);
     if (m_truth || m_other) drawBeside(renderer, target);
+    if (!m_ahead.ranges.empty()) drawAhead(renderer, target);
+}
+
+void PictureDrawing::drawAhead(Renderer& renderer, Framebuffer& target) {
+    DrawStyle style = m_picture->request.style;
+    style.backgroundAlpha = 0.0f;
+    renderer.draw(*m_picture->request.buffers, m_viewing, m_ahead, target, style);
+    copyTile(target.readColour(), target.tile(), m_picture->ahead);
 }
 
 void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
@@ -138,7 +163,7 @@ ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
 
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
     const Scene& scene = request.buffers->scene();
-    const ViewFramePointer frame = m_frames->of(request.frame(), request.needsDecisions(), renderer());
+    const ViewFramePointer frame = shownFrame(request, m_frames->of(request.frame(), request.needsDecisions(), renderer()));
     if (request.look.sphericalModel) {
         const std::optional<DirectionPick> found =
             pickSphericalModel(scene, drawnTriangles(scene, frame->log), request.size, request.style, x, y);

@@ -29,23 +29,26 @@ struct ViewRequest {
     DrawStyle style;
     TriangleStatesPointer states;  ///< against the truth, if that is known already; else null
     Wipe::Mode wipe = Wipe::Mode::None;
-    BuiltStrategyPointer other;  ///< the other strategy in Wipe::Mode::OtherView and Difference
-    int otherView = 0;           ///< with `other`: the view that it is the strategy of
+    BuiltStrategyPointer other;      ///< the other strategy in Wipe::Mode::OtherView and Difference
+    int otherView = 0;               ///< with `other`: the view that it is the strategy of
+    std::optional<LogPlace> upTo{};  ///< where a replay of the frame stops; none: at its end
+    bool unanswered = false;         ///< all triangles are shown in place of the frame: what a strategy decided is not told yet
 
     [[nodiscard]] bool complete() const { return buffers && strategy && strategy->scenePointer() == buffers->scenePointer(); }
     /// The frame that the picture replays, and the one beside which it is shown (with `other`).
     [[nodiscard]] FrameRequest frame() const { return {buffers, strategy, culling, cullingSize, culledBy}; }
     [[nodiscard]] FrameRequest otherFrame() const { return {buffers, other, culling, cullingSize, otherView}; }
-    /// Whether the picture shows decisions.
-    [[nodiscard]] bool needsDecisions() const { return cullscope::needsDecisions(look); }
+    /// Whether the picture shows decisions, or stops among them.
+    [[nodiscard]] bool needsDecisions() const { return cullscope::needsDecisions(look) || upTo; }
     bool operator==(const ViewRequest&) const = default;
 };
 
 /// A picture with the picture it is compared with. The rows of images start at the top, those of arrays at the bottom.
 struct ViewPicture {
     ViewRequest request;
-    ViewFramePointer frame;
+    ViewFramePointer frame;  ///< what is shown of it: with `upTo` its part
     QImage colour;
+    QImage ahead;                      ///< what the part of the frame decided to draw and did not draw yet; null: nothing
     std::vector<float> depth;          ///< reversed depth of `colour`
     QImage other;                      ///< the truth, or the other view's picture; null without a wipe
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
@@ -63,8 +66,8 @@ using ViewPicturePointer = std::shared_ptr<const ViewPicture>;
 /// A picture being drawn: a frame replayed tile by tile on the thread whose context is current. Throws what core throws.
 class PictureDrawing {
 public:
-    /// `other`: the frame of the request's other strategy; null where there is none.
-    PictureDrawing(const ViewRequest& request, ViewFramePointer frame, ViewFramePointer other);
+    /// `frame`: the whole one. `other`: that of the request's other strategy; null where there is none.
+    PictureDrawing(const ViewRequest& request, const ViewFramePointer& frame, ViewFramePointer other);
 
     /// Draws the part of the picture that `target` covers.
     void draw(Renderer& renderer, Framebuffer& target);
@@ -76,12 +79,14 @@ public:
     [[nodiscard]] const TriangleStatesPointer& states() const { return m_states; }
 
 private:
+    void drawAhead(Renderer& renderer, Framebuffer& target);
     void drawBeside(Renderer& renderer, Framebuffer& target);
     void forgetSameTriangles(std::vector<PixelDifference>& differences, Renderer& renderer, const PictureTile& tile) const;
 
     std::shared_ptr<ViewPicture> m_picture;
     View m_viewing;
     TriangleStatesPointer m_states;
+    DrawList m_ahead;                 ///< of ViewPicture::ahead
     std::optional<DrawList> m_truth;  ///< what is drawn beside the picture: all triangles,
     ViewFramePointer m_other;         ///< or another frame
     std::vector<PixelDifference> m_differences;

@@ -87,6 +87,13 @@ QModelIndex StructureModel::indexOfInstance(uint32_t instance) const {
     return indexOfNode(size_t(m_nodeOfInstance[instance]));
 }
 
+QModelIndex StructureModel::indexOfGroup(uint32_t number) const {
+    if (empty()) return {};
+    const auto found = std::ranges::find_if(
+        m_snapshot->nodes, [number](const SnapshotNode& node) { return node.isGroup() && node.number == number; });
+    return found == m_snapshot->nodes.end() ? QModelIndex() : indexOfNode(size_t(found - m_snapshot->nodes.begin()));
+}
+
 QModelIndex StructureModel::index(int row, int column, const QModelIndex& parent) const {
     if (!hasIndex(row, column, parent)) return {};
     const size_t list = place(parent.isValid() ? int64_t(nodeOf(parent)) : -1);

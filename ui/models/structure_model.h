@@ -32,6 +32,8 @@ public:
 
     /// The node of a row, as an index into StructureSnapshot::nodes.
     [[nodiscard]] size_t nodeOf(const QModelIndex& index) const { return size_t(index.internalId()); }
+    /// The row of the group with a number in the structure (SnapshotNode::number); invalid: there is none.
+    [[nodiscard]] QModelIndex indexOfGroup(uint32_t number) const;
     /// The instance of a row; none for a box with child boxes or a group.
     [[nodiscard]] std::optional<uint32_t> instanceAt(const QModelIndex& index) const;
     /// The row of the first leaf of an instance; invalid: it has none.

@@ -68,6 +68,10 @@ QString ListingPanel::summary() const {
     const SnapshotReadingPointer reading = this->reading();
     if (!reading) return tr("The strategy's decisions are being read…");
     const std::optional<uint64_t> triangle = m_reader.pickedTriangle();
+    if (reading->upTo)
+        return tr("Decisions up to this step that fell at these lines: %1. The last one fell at line %2.")
+            .arg(countText(reading->listing->total()))
+            .arg(reading->listing->current);
     if (!triangle || reading->triangle != triangle || !reading->pickedListing)
         return tr("Decisions of this frame that fell at these lines: %1. The last one fell at line %2.")
             .arg(countText(reading->listing->total()))
@@ -85,7 +89,7 @@ void ListingPanel::refresh() {
     const Show* show = shownStrategy(m_session).first(Show::Kind::Listing);
     if (show != std::exchange(m_show, show)) m_model->setLines(show == nullptr ? std::vector<ListingLine>() : show->lines);
     const SnapshotReadingPointer reading = this->reading();
-    const bool picked = reading && reading->pickedListing && reading->triangle == m_reader.pickedTriangle();
+    const bool picked = reading && !reading->upTo && reading->pickedListing && reading->triangle == m_reader.pickedTriangle();
     m_model->setState(reading ? reading->listing : std::nullopt, !reading ? std::nullopt
                                                                  : picked ? reading->pickedListing
                                                                           : reading->listing);

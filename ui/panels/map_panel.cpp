@@ -105,10 +105,14 @@ std::shared_ptr<const TriangleStates> MapPanel::truth() const {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
-    return known && m_reader.fresh() && figures.states->againstTruth ? figures.states : nullptr;
+    return known && m_reader.fresh() && !m_session.stepOf(m_session.activeView()) && figures.states->againstTruth ? figures.states
+                                                                                                                  : nullptr;
 }
 
 std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
+    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    if (!shown.empty() && step && step->shape.triangle && step->shape.object == shown.map->object)
+        return uint32_t(*step->shape.triangle - m_session.scene()->firstTriangle(shown.map->object));
     const std::optional<Pick>& pick = m_session.pick();
     if (shown.empty() || !pick || m_session.objectOf(shown.map->object) != pick->object) return std::nullopt;
     return uint32_t(pick->triangle - m_session.opened()->scene->firstTriangle(pick->object));

@@ -5,6 +5,7 @@
 
 #include "ui/plots/map_widget.h"
 #include "ui/plots/picture_menu.h"
+#include "ui/session/snapshot_reader.h"
 
 namespace cullscope::ui {
 

@@ -36,6 +36,7 @@ StructureTree::StructureTree(Session& session, SnapshotReader& reader, QWidget* 
     connect(&reader, &SnapshotReader::changed, this, &StructureTree::refresh);
     connect(&session, &Session::metricsChanged, this, &StructureTree::refresh);
     connect(&session, &Session::pickChanged, this, &StructureTree::followPick);
+    connect(&session, &Session::stepChanged, this, &StructureTree::followPick);
     connect(m_view->selectionModel(), &QItemSelectionModel::selectionChanged, this, &StructureTree::pickSelected);
     connect(m_model, &StructureModel::modelReset, m_view, [this] { m_view->expandFirstLevels(kFirstRows); });
     retranslate();
@@ -67,21 +68,30 @@ void StructureTree::refresh() {
     m_empty->setText(emptySentence());
     // A selected group is not the picked object: it stays selected until the user picks another object.
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
-    if (rows.isEmpty() || m_model->instanceAt(rows.front())) followPick();
+    if (rows.isEmpty() || m_model->instanceAt(rows.front()) || m_session.stepOf(m_session.activeView())) followPick();
 }
 
 std::shared_ptr<const TriangleStates> StructureTree::statesOfTruth() const {
     const ViewMetrics& figures = m_session.figures(m_session.activeView());
     const bool known = figures.state == ViewMetrics::State::Ready && figures.states && figures.subject.buffers &&
                        figures.subject.buffers->scenePointer() == m_session.scene();
-    return known && m_reader.fresh() ? figures.states : nullptr;
+    // At a step the truth is not known: it is that of the whole frame.
+    return known && m_reader.fresh() && !m_session.stepOf(m_session.activeView()) ? figures.states : nullptr;
+}
+
+QModelIndex StructureTree::followedRow() const {
+    if (const ShownStep* step = m_session.stepOf(m_session.activeView()); step != nullptr) {
+        if (step->shape.node) return m_model->indexOfGroup(*step->shape.node);
+        if (step->shape.object) return m_model->indexOfInstance(*step->shape.object);
+    }
+    const std::optional<Pick>& pick = m_session.pick();
+    const std::optional<uint32_t> instance = pick ? m_session.instanceOf(pick->object) : std::nullopt;
+    return instance ? m_model->indexOfInstance(*instance) : QModelIndex();
 }
 
 void StructureTree::followPick() {
     const QScopedValueRollback guard(m_following, true);
-    const std::optional<Pick>& pick = m_session.pick();
-    const std::optional<uint32_t> instance = pick ? m_session.instanceOf(pick->object) : std::nullopt;
-    const QModelIndex index = instance ? m_model->indexOfInstance(*instance) : QModelIndex();
+    const QModelIndex index = followedRow();
     if (!index.isValid()) {
         m_view->clearSelection();
         return;

@@ -26,6 +26,8 @@ private:
     void setUpView();
     void refresh();
     [[nodiscard]] std::shared_ptr<const TriangleStates> statesOfTruth() const;
+    /// The row of the subject in hand where the active view is stepped, else of the picked object; invalid: there is none.
+    [[nodiscard]] QModelIndex followedRow() const;
     void followPick();
     void pickSelected();
     void retranslate();

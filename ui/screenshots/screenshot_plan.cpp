@@ -94,6 +94,8 @@ ScreenshotPlan::Part shownPart(const Session& session, int view, bool overlays) 
 
 /// Whether the truth may be computed: the screen shows it already, or the scene is small enough.
 bool mayMeasure(const ViewRequest& shown) {
+    // What a part of a frame or an open question shows has no truth.
+    if (shown.upTo || shown.unanswered) return false;
     return shown.states || shown.buffers->scene().triangleCount() <= kOptionalAnalysisLimit;
 }
 

@@ -53,6 +53,7 @@ Session::Session(Options options, QObject* parent)
 Session::~Session() {
     m_loader.blockSignals(true);
     m_loader.cancel();
+    m_step.reset();
     if (m_meter) m_meter->cancel();
     for (ViewState& view : m_views) view.figures = {};
     // Finish work and deliveries of the GPU thread while that thread exists.
@@ -146,6 +147,7 @@ void Session::show(const OpenedScenePointer& opened) {
     m_chosenNear.reset();
     m_camera = Camera{};
     m_pick.reset();
+    setStep(std::nullopt);
     if (m_pictures) m_pictures->forget();
     for (int view = 0; view < kMostViews; ++view)
         if (setup(view).role == Role::Frozen) m_views[size_t(view)].setup.role = Role::Linked;
@@ -290,6 +292,7 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
         request.wipe = Wipe::Mode::None;
         request.other = nullptr;
     }
+    limitToStep(request);
     return request.complete() ? std::optional(request) : std::nullopt;
 }
 
@@ -313,6 +316,7 @@ void Session::pickAt(int view, int x, int y) {
     m_pictures->pick(*request, x, y, [this, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
         // A scene that changed meanwhile numbers its triangles in another way.
         if (m_scene != request.buffers->scenePointer()) return;
+        if (m_question) return picked ? nameInQuestion(picked->triangle) : void();
         if (!picked) return setPick(std::nullopt);
         const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
         const uint32_t object = objectOf(instance);

@@ -6,9 +6,11 @@
 #include <memory>
 #include <optional>
 
+#include "core/frame/prediction.h"
 #include "core/gpu/context.h"
 #include "core/scene/camera_moves.h"
 #include "core/scene/scene_source.h"
+#include "core/visibility/subject_shape.h"
 #include "ui/jobs/background.h"
 #include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/picture_maker.h"
@@ -32,6 +34,19 @@ struct Pick {
     Vec3 point{0.0};
 
     bool operator==(const Pick&) const = default;
+};
+
+/// Where a stepped view stands in its frame's replay.
+struct ShownStep {
+    int view = 0;    ///< whose culling is stepped; its observers show the same
+    LogPlace place;  ///< in `frame`
+    size_t step = 0, count = 0;
+    ViewFramePointer frame;  ///< the whole one, recorded
+    SubjectShape shape;      ///< of the entry in hand
+
+    [[nodiscard]] bool operator==(const ShownStep& other) const {
+        return view == other.view && place == other.place && step == other.step && frame == other.frame;
+    }
 };
 
 /// The document of the desktop: the scene, the camera that the linked views share, the setups of all views, their pictures and
@@ -135,6 +150,18 @@ public:
     }
     [[nodiscard]] PictureMaker* pictures() { return m_pictures.get(); }
 
+    // Stepping (stepper.h)
+    [[nodiscard]] const std::optional<ShownStep>& step() const { return m_step; }
+    void setStep(const std::optional<ShownStep>& step);
+    /// The step of the frame that a view shows; null: it is not stepped.
+    [[nodiscard]] const ShownStep* stepOf(int view) const {
+        return m_step && m_step->view == culledBy(view) ? &*m_step : nullptr;
+    }
+    /// The open question with what is expected so far; its items are numbered as in the shown scene. While it is open, no view
+    /// tells what its strategy decided: all show all triangles, and a click names what is clicked.
+    [[nodiscard]] const std::optional<Prediction>& question() const { return m_question; }
+    void setQuestion(const std::optional<Prediction>& question);
+
     // Metrics
     [[nodiscard]] const ViewMetrics& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
     /// The views whose metrics the shown pictures have, in order and without duplicates. An observer has those of the observed
@@ -181,6 +208,8 @@ signals:
     void pictureChanged(int view);
     /// The metrics of a view changed. Its observers have the same metrics.
     void metricsChanged(int view);
+    void stepChanged();
+    void questionChanged();
     void pickChanged();
     /// Emitted after pickChanged if the pick came from a click into this view's picture.
     void pickedInPicture(int view);
@@ -199,6 +228,8 @@ private:
     void makeGraphics();
     void makeView(int view);
     void tellRepairs();
+    void nameInQuestion(uint64_t triangle);
+    void limitToStep(ViewRequest& request) const;
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);
     /// The view whose aspect ratio determines the linked views' initial camera.
@@ -241,6 +272,8 @@ private:
     int m_viewCount = 2;
     int m_activeView = 1;
     std::optional<Pick> m_pick;
+    std::optional<ShownStep> m_step;
+    std::optional<Prediction> m_question;
     QTimer m_rest;
     std::vector<ViewMeter::Subject> m_underWay;  ///< subjects that the meter is measuring
     bool m_measuring = true;

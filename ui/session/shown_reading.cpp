@@ -18,6 +18,8 @@ SnapshotReadingPointer shownReading(const Session& session, const SnapshotReader
 }
 
 std::optional<uint32_t> pickedInstance(const Session& session) {
+    // The subject in hand of a stepped view comes first.
+    if (const ShownStep* step = session.stepOf(session.activeView()); step && step->shape.object) return step->shape.object;
     const std::optional<Pick>& pick = session.pick();
     return pick ? session.instanceOf(pick->object) : std::nullopt;
 }
@@ -48,8 +50,8 @@ QString absenceWords(Absence absence) {
 
 void followReading(Session& session, SnapshotReader& reader, QObject* context, const std::function<void()>& then) {
     QObject::connect(&reader, &SnapshotReader::changed, context, then);
-    for (const auto signal :
-         {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged, &Session::activeViewChanged})
+    for (const auto signal : {&Session::pickChanged, &Session::hiddenChanged, &Session::sceneChanged, &Session::activeViewChanged,
+                              &Session::stepChanged})
         QObject::connect(&session, signal, context, then);
 }
 

@@ -10,7 +10,8 @@ namespace cullscope::ui {
 /// What panels show of the active view's strategy: the newest reading of the present scene, of an older camera or strategy until
 /// the next one is there, which avoids flicker. Null: there is none.
 [[nodiscard]] SnapshotReadingPointer shownReading(const Session& session, const SnapshotReader& reader);
-/// The picked object, numbered as in the shown scene; none: no object is picked, or it is hidden.
+/// The object in hand where the active view is stepped, else the picked one, numbered as in the shown scene; none: there is
+/// none, or it is hidden.
 [[nodiscard]] std::optional<uint32_t> pickedInstance(const Session& session);
 
 /// Why panels have nothing to show.

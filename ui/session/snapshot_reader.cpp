@@ -49,10 +49,11 @@ SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const V
     reading->culling = request.frame.culling;
     reading->size = request.frame.size;
     reading->triangle = request.triangle;
+    reading->upTo = request.upTo;
     reading->failure = failure;
     reading->snapshot = std::make_shared<const StructureSnapshot>();
-    reading->frame = frame;
-    if (frame) read(*reading, frame->log, known);
+    reading->frame = frameUpTo(frame, request.upTo);
+    if (frame) read(*reading, reading->frame->log, known);
     return reading;
 }
 
@@ -60,8 +61,9 @@ SnapshotReader::SnapshotReader(Session& session, QObject* parent) : QObject(pare
     m_pause.setSingleShot(true);
     m_pause.setInterval(kPauseBetweenReadings);
     connect(&m_pause, &QTimer::timeout, this, &SnapshotReader::check);
-    for (const auto signal : {&Session::sceneChanged, &Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged,
-                              &Session::viewCountChanged, &Session::activeViewChanged, &Session::pickChanged})
+    for (const auto signal :
+         {&Session::sceneChanged, &Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged,
+          &Session::viewCountChanged, &Session::activeViewChanged, &Session::pickChanged, &Session::stepChanged})
         connect(&session, signal, this, &SnapshotReader::check);
     // No signal reports a view's new size; its next picture or metrics do.
     for (const auto signal :
@@ -97,12 +99,12 @@ std::optional<uint64_t> SnapshotReader::pickedTriangle() const {
 std::optional<SnapshotReader::Request> SnapshotReader::present() const {
     const std::optional<ViewRequest> view = m_session.viewRequest(m_session.activeView());
     if (!view || view->strategy->scenePointer() != m_session.scene()) return std::nullopt;
-    return Request{view->frame(), pickedTriangle()};
+    return Request{view->frame(), pickedTriangle(), view->upTo};
 }
 
 bool SnapshotReader::answers(const Request& request) const {
     return m_reading && m_reading->strategy == request.frame.strategy && m_reading->culling == request.frame.culling &&
-           m_reading->size == request.frame.size && m_reading->triangle == request.triangle;
+           m_reading->size == request.frame.size && m_reading->triangle == request.triangle && m_reading->upTo == request.upTo;
 }
 
 bool SnapshotReader::fresh() const {
@@ -117,14 +119,17 @@ void SnapshotReader::check() {
     if (outdated) m_reading = nullptr;
     const bool fresh = this->fresh();
     if (fresh != std::exchange(m_wasFresh, fresh) || outdated) emit changed();
-    if (!fresh && wanted() && !busy() && !m_pause.isActive()) start();
+    // A step is short, and what panels show of it is asked for at once.
+    const bool pauses = m_pause.isActive() && !m_session.stepOf(m_session.activeView());
+    if (!fresh && wanted() && !busy() && !pauses) start();
 }
 
 void SnapshotReader::start() {
     const std::optional<Request> request = present();
     if (!request) return;
     const bool same = m_reading && m_reading->failure.empty() && m_reading->strategy == request->frame.strategy &&
-                      m_reading->culling == request->frame.culling && m_reading->size == request->frame.size;
+                      m_reading->culling == request->frame.culling && m_reading->size == request->frame.size &&
+                      m_reading->upTo == request->upTo;
     const SnapshotReadingPointer known = same ? m_reading : nullptr;
     m_pause.start();
     ++m_begun;
@@ -157,7 +162,7 @@ void SnapshotReader::startReading(const Request& request, const ViewFramePointer
 
 void SnapshotReader::take(const Request& request, SnapshotReadingPointer reading) {
     const std::optional<Request> now = present();
-    if (now && now->frame.sameFrame(request.frame) && now->triangle == request.triangle) {
+    if (now && now->frame.sameFrame(request.frame) && now->triangle == request.triangle && now->upTo == request.upTo) {
         m_reading = std::move(reading);
         m_wasFresh = true;
         emit changed();

@@ -48,6 +48,7 @@ private:
     struct Request {
         FrameRequest frame;
         std::optional<uint64_t> triangle;
+        std::optional<LogPlace> upTo;
     };
 
     [[nodiscard]] static SnapshotReadingPointer readingOf(const Request& request, const ViewFramePointer& frame,

@@ -11,6 +11,8 @@ constexpr double kRing = 8.0;
 constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind the eye plane, are clipped
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
+constexpr double kNamedSize = 1.6;  // of a mark in a question, in lines of text
+const QColor kInHand(255, 176, 0);  // seen on light and dark backgrounds, with its dark edge
 
 /// Draws a line that is visible on any background: light with a dark edge.
 template <typename Draw>
@@ -88,6 +90,58 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const V
         twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawLines(lines); });
         if (std::max(bounds.width(), bounds.height()) < kSmall)
             twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawEllipse(bounds.center(), kRing, kRing); });
+    }
+    painter.restore();
+}
+
+void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
+                  bool ownPicture) {
+    const Projection projection(viewing, layout);
+    painter.save();
+    painter.setClipRect(layout.rect(), Qt::IntersectClip);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    QVector<QLineF> lines;
+    for (const Box3& box : shape.boxes) lines << boxLines(projection, box, viewing.eye());
+    for (std::array<Vec3, 3> corners : shape.triangles) {
+        for (Vec3& corner : corners) corner -= viewing.eye();
+        lines << triangleLines(projection, corners);
+    }
+    const auto draw = [&](const QColor& colour, double width) {
+        painter.setPen(QPen(colour, width));
+        painter.drawLines(lines);
+        if (!shape.pixels || !ownPicture) return;
+        painter.drawRect(QRectF(layout.positionOf((*shape.pixels)[0]), layout.positionOf((*shape.pixels)[1])).normalized());
+    };
+    draw(kEdge, 4.0);
+    draw(kInHand, 2.0);
+    painter.restore();
+}
+
+void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const View& viewing,
+                     const PictureLayout& layout) {
+    const Projection projection(viewing, layout);
+    painter.save();
+    painter.setClipRect(layout.rect(), Qt::IntersectClip);
+    painter.setRenderHint(QPainter::Antialiasing);
+    const double height = QFontMetricsF(painter.font(), painter.device()).height() * kNamedSize;
+    for (size_t i = 0; i < prediction.items.size(); ++i) {
+        const uint64_t item = prediction.items[i];
+        const size_t instance = prediction.ofTriangles ? scene.instanceOf(item) : item;
+        Vec3 middle = scene.instanceBox(instance).centre() - viewing.eye();
+        if (prediction.ofTriangles) {
+            const std::array<Vec3, 3> corners =
+                InstanceFromEye(scene, instance, viewing.eye()).corners(item - scene.firstTriangle(instance));
+            middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+        }
+        const std::optional<QLineF> place = projection.line(middle, middle);
+        if (!place) continue;
+        const QRectF disc(place->x1() - height / 2.0, place->y1() - height / 2.0, height, height);
+        painter.setPen(QPen(kEdge, 2.0));
+        painter.setBrush(kInHand);
+        painter.drawEllipse(disc);
+        const bool ordered = prediction.question == Prediction::Question::Order;
+        painter.drawText(disc, Qt::AlignCenter, ordered ? QString::number(i + 1) : QStringLiteral("✗"));
     }
     painter.restore();
 }

@@ -11,4 +11,13 @@ namespace cullscope::ui {
 /// object if the scene has several. Drawn on top of the picture, so that hidden and culled objects are marked too.
 void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const View& viewing, const PictureLayout& layout);
 
+/// Marks the subject in hand of a stepped view: its boxes, its triangles, and, where the picture is the culling view's
+/// (`ownPicture`), its rectangle of the picture.
+void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
+                  bool ownPicture);
+
+/// Marks what was named in an open question: with its place in an order, else with a cross.
+void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const View& viewing,
+                     const PictureLayout& layout);
+
 }  // namespace cullscope::ui

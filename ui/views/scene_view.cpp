@@ -15,6 +15,7 @@ namespace cullscope::ui {
 
 namespace {
 
+constexpr double kAheadOpacity = 0.35;  // of what is decided and not drawn yet
 constexpr QRgb kDarkBackground = 0x14171c;
 constexpr QRgb kDarkSurface = 0xccccc7;
 constexpr QRgb kLightBackground = 0xffffff;
@@ -42,6 +43,8 @@ SceneView::SceneView(Session& session, int view, QWidget* parent)
         if (changed == m_view) update();
     });
     connect(&session, &Session::pickChanged, this, qOverload<>(&SceneView::update));
+    // A step is painted with its picture, which pictureChanged tells of: painting the former one again would delay it.
+    connect(&session, &Session::questionChanged, this, qOverload<>(&SceneView::update));
     connect(&session, &Session::setupChanged, this, [this](int changed) {
         if (changed != m_view) return;
         m_lossesShown = m_lossesShown && m_session.setup(m_view).wipe.mode == Wipe::Mode::Loss;
@@ -112,7 +115,7 @@ PictureExtras SceneView::extras() const {
         if (m_loupe) extras.loupe = m_loupePlace;
         return extras;
     }
-    extras.wipe = m_session.setup(m_view).wipe;
+    if (!m_session.question()) extras.wipe = m_session.setup(m_view).wipe;
     const auto nameOf = [this](int view) {
         return translated(findStrategy(m_session.slot(m_session.culledBy(view)).id()).info.name);
     };
@@ -212,10 +215,29 @@ void SceneView::paintGL() {
     else
         painter.fillRect(layout.rect(), QColor::fromRgbF(m_session.drawStyle().background.x, m_session.drawStyle().background.y,
                                                          m_session.drawStyle().background.z));
+    paintStep(painter, layout);
     if (const OpenedScenePointer& opened = m_session.opened();
-        shown && opened && m_session.pick() && !shown->request.look.sphericalModel)
+        shown && opened && m_session.pick() && !m_session.question() && !shown->request.look.sphericalModel)
         paintPick(painter, *opened->scene, *m_session.pick(), View(shown->request.viewing, shown->request.size), layout);
     if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
+}
+
+void SceneView::paintStep(QPainter& painter, const PictureLayout& layout) const {
+    const ViewPicturePointer shown = m_session.picture(m_view);
+    const ShownStep* step = m_session.stepOf(m_view);
+    if (shown && m_session.question() && m_session.scene() == shown->request.buffers->scenePointer())
+        paintPrediction(painter, *m_session.scene(), *m_session.question(), View(shown->request.viewing, shown->request.size),
+                        layout);
+    if (!shown || !step || m_session.question() || shown->request.look.sphericalModel) return;
+    if (!shown->ahead.isNull()) {
+        painter.setOpacity(kAheadOpacity);
+        painter.drawImage(layout.rect(), shown->ahead);
+        painter.setOpacity(1.0);
+    }
+    // Of a newer frame's subject nothing is known before the picture of that frame is there.
+    if (!shown->frame->request.sameFrame(step->frame->request)) return;
+    paintSubject(painter, step->shape, View(shown->request.viewing, shown->request.size), layout,
+                 shown->request.viewing == shown->request.culling);
 }
 
 void SceneView::tellSize() {

@@ -90,6 +90,8 @@ protected:
 
 private:
     void tellSize();
+    /// What a stepped view has over its picture: what is decided and not drawn yet, and the subject in hand.
+    void paintStep(QPainter& painter, const PictureLayout& layout) const;
     void moveLoupe(const QPointF& position);
     void endLoupe();
     [[nodiscard]] double depthAt(const ViewPicture& picture, const QPointF& position) const;

@@ -51,7 +51,8 @@ ViewHeader::ViewHeader(Session& session, int view, QWidget* parent)
     connect(&session, &Session::strategyChosen, this, mine);
     connect(&session, &Session::strategyBuilt, this, mine);
     connect(&session, &Session::metricsChanged, this, mine);
-    connect(&session, &Session::activeViewChanged, this, &ViewHeader::refresh);
+    for (const auto signal : {&Session::activeViewChanged, &Session::stepChanged, &Session::questionChanged})
+        connect(&session, signal, this, &ViewHeader::refresh);
     connect(&session, &Session::viewCountChanged, this, &ViewHeader::refresh);
     refresh();
 }
@@ -86,7 +87,13 @@ QString ViewHeader::roleWord() const {
     return {};
 }
 
-QString ViewHeader::secondLine() const { return metricsLine(m_session.figures(m_view)); }
+QString ViewHeader::secondLine() const {
+    if (m_session.question()) return tr("What do you expect? The figures come with the answer.");
+    const QString figures = metricsLine(m_session.figures(m_view));
+    const ShownStep* step = m_session.stepOf(m_view);
+    if (!step) return figures;
+    return tr("step %1 of %2 · whole frame: %3").arg(countText(step->step), countText(step->count), figures);
+}
 
 void ViewHeader::refresh() {
     const ViewMetrics& figures = m_session.figures(m_view);
@@ -100,7 +107,7 @@ void ViewHeader::refresh() {
                       translated(info().description)};
     if (promise()) lines << tr("Promise: %1, %2", "word, sentence").arg(promiseWord(*promise()), promiseSentence(*promise()));
     const QString details = metricsDetails(figures, m_session.gpu() ? m_session.gpu()->info() : GlInfo{});
-    if (!details.isEmpty()) lines << details;
+    if (!details.isEmpty() && !m_session.question()) lines << details;
     setToolTip(QStringLiteral("<p style='white-space:pre-wrap'>%1</p>").arg(lines.join(QLatin1Char('\n')).toHtmlEscaped()));
     setAccessibleName(
         tr("View %1: %2, %3", "letter, strategy and promise, figures").arg(viewLetter(m_view), firstLine(), secondLine()));

@@ -42,6 +42,7 @@ ViewPane::ViewPane(Session& session, int view, QWidget* parent)
     connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::pictureChanged, this, mine);
     connect(&session, &Session::metricsChanged, this, mine);
+    connect(&session, &Session::questionChanged, this, &ViewPane::arrange);
     connect(m_picture, &SceneView::lossMarked, this, &ViewPane::refreshChip);
     retranslate();
 }
@@ -143,7 +144,7 @@ void ViewPane::setPanel(QWidget* panel) {
 
 void ViewPane::arrange() {
     m_picture->setVisible(!m_panel);
-    m_budget->setVisible(!m_panel);
+    m_budget->setVisible(!m_panel && !m_session.question());
     m_header->setVisible(!m_lent);
     if (m_lent) {
         QFont large = font();

@@ -60,6 +60,7 @@ LectureWindow::LectureWindow(Session& session, ViewGrid& views, QWidget* structu
     connect(&session, &Session::strategyChosen, this, mine);
     connect(&session, &Session::setupChanged, this, mine);
     connect(&session, &Session::sceneChanged, this, &LectureWindow::refresh);
+    connect(&session, &Session::questionChanged, this, &LectureWindow::refresh);
 }
 
 LectureWindow::~LectureWindow() { giveBack(); }
@@ -113,7 +114,13 @@ void LectureWindow::showView(int view) {
     arrange();
 }
 
+void LectureWindow::setStepper(Stepper* stepper) {
+    m_stepper = stepper;
+    connect(stepper, &Stepper::changed, this, &LectureWindow::refresh);
+}
+
 void LectureWindow::step(int way) {
+    if (m_stepper && m_stepper->active()) return way > 0 ? m_stepper->forward() : m_stepper->back();
     const std::vector<int> shown = m_session.shownViews();
     const auto place = std::find(shown.begin(), shown.end(), shownView());
     if (place == shown.end()) return;
@@ -159,16 +166,17 @@ void LectureWindow::refresh() {
     const StrategyInfo& info = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
     const QString scene = m_session.opened() ? QString::fromStdString(m_session.opened()->scene->name()) : QString();
     m_title->setText(tr("%1 – %2", "strategy, scene").arg(m_pane->header().firstLine(), scene));
-    m_explanation->setText(translated(info.description));
+    const bool stepped = m_stepper && m_stepper->place() && m_session.stepOf(view) != nullptr;
+    m_explanation->setText(stepped ? m_stepper->sentence() : translated(info.description));
     const ViewMetrics& figures = m_session.figures(view);
-    const bool ready = figures.state == ViewMetrics::State::Ready;
+    const bool ready = figures.state == ViewMetrics::State::Ready && !m_session.question();
     const QString none = QStringLiteral("…");
     m_numbers[0]->setText(tr("Speed: %1").arg(ready && figures.speedup ? speedText(*figures.speedup) : none));
     m_numbers[1]->setText(tr("Submitted: %1").arg(ready ? percentText(figures.submittedShare()) + QStringLiteral(" %") : none));
     m_numbers[2]->setText(tr("Missed: %1").arg(ready ? countText(figures.accuracy.missedPixels) : none));
     m_back->setText(tr("◀ Back"));
     m_next->setText(tr("Next ▶"));
-    const bool several = m_session.shownViews().size() > 1;
+    const bool several = m_session.shownViews().size() > 1 || stepped;
     m_back->setEnabled(several);
     m_next->setEnabled(several);
     m_software->setText(tr("Software OpenGL"));

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <array>
 
+#include "ui/session/stepper.h"
 #include "ui/views/view_grid.h"
 
 namespace cullscope::ui {
@@ -20,6 +21,8 @@ public:
     LectureWindow(Session& session, ViewGrid& views, QWidget* structure, QWidget* parent = nullptr);
     ~LectureWindow() override;
 
+    /// While a view is stepped, the keys and buttons go through its frame, not through the views. Outlives this window.
+    void setStepper(Stepper* stepper);
     /// Shows the window, on the second screen if there is one.
     void begin();
     [[nodiscard]] int shownView() const { return m_pane ? m_pane->view() : -1; }
@@ -48,6 +51,7 @@ private:
     [[nodiscard]] int scaled(int length) const;
 
     Session& m_session;
+    Stepper* m_stepper = nullptr;
     ViewGrid& m_views;
     ViewPane* m_pane = nullptr;
     QLabel* m_title;

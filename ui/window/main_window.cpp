@@ -91,7 +91,15 @@ void MainWindow::makeCentre() {
     rail->setContentsMargins(2, 4, 2, 4);
     rail->addStretch(1);
     row->addWidget(m_side);
-    row->addWidget(m_stack, 1);
+    m_steps = new StepCommands(m_session, *m_actions, this);
+    m_stepBar = new StepBar(m_session, m_steps->stepper(), centre);
+    auto* middle = new QVBoxLayout;
+    middle->setSpacing(0);
+    middle->addWidget(m_stack, 1);
+    middle->addWidget(m_stepBar);
+    m_questionBar = new QuestionBar(m_session, m_steps->questions(), centre);
+    middle->addWidget(m_questionBar);
+    row->addLayout(middle, 1);
     row->addWidget(m_rightRail);
     m_message = new MessageBar(*m_stack);
     setCentralWidget(centre);
@@ -221,6 +229,11 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::cameraChanged, this,
             [this] { (m_session.upAxis() == UpAxis::Z ? m_actions->upZ : m_actions->upY)->setChecked(true); });
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
+    // What the panels show would answer an open question.
+    connect(&m_session, &Session::questionChanged, this, [this] {
+        m_dockScroll->widget()->setVisible(!m_session.question());
+        m_statistics->widget()->setVisible(!m_session.question());
+    });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);
     connect(&m_language, &Language::changed, this, &MainWindow::showState);
 }
@@ -294,6 +307,7 @@ void MainWindow::beginLecture() {
         m_lecture->deleteLater();
         m_lecture = nullptr;
     });
+    m_lecture->setStepper(&m_steps->stepper());
     m_lecture->begin();
 }
 

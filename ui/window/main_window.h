@@ -11,7 +11,9 @@
 #include "ui/panels/loading_strip.h"
 #include "ui/panels/message_bar.h"
 #include "ui/panels/metrics_panel.h"
+#include "ui/panels/question_bar.h"
 #include "ui/panels/scene_panel.h"
+#include "ui/panels/step_bar.h"
 #include "ui/panels/strategy_panel.h"
 #include "ui/panels/structure_panel.h"
 #include "ui/session/session.h"
@@ -26,6 +28,7 @@
 #include "ui/window/placed_panels.h"
 #include "ui/window/side_panel.h"
 #include "ui/window/statistics_dock.h"
+#include "ui/window/step_commands.h"
 #include "ui/window/view_commands.h"
 #include "ui/window/window_actions.h"
 #include "ui/window/window_memory.h"
@@ -59,6 +62,9 @@ public:
     [[nodiscard]] DocumentCommands& document() { return *m_document; }
     [[nodiscard]] PathCommands& paths() { return *m_paths; }
     [[nodiscard]] StatisticsDock& statistics() { return *m_statistics; }
+    [[nodiscard]] Stepper& stepper() { return m_steps->stepper(); }
+    [[nodiscard]] StepBar& stepBar() { return *m_stepBar; }
+    [[nodiscard]] QuestionBar& questionBar() { return *m_questionBar; }
     [[nodiscard]] PaperCommands& papers() { return *m_papers; }
 
     /// Restores geometry, panels and, if `viewCount`, the number of views from the last start. Returns false if none are stored.
@@ -109,6 +115,9 @@ private:
     EmptyState* m_empty;
     ViewGrid* m_views;
     ViewCommands* m_viewCommands;
+    StepCommands* m_steps;
+    StepBar* m_stepBar;
+    QuestionBar* m_questionBar;
     SidePanel* m_side;
     LectureWindow* m_lecture = nullptr;
     QWidget* m_rightRail;

@@ -46,6 +46,7 @@ bool MainWindow::restoreLayout(bool viewCount) {
 
 void MainWindow::closeEvent(QCloseEvent* event) {
     if (m_keepsLayout) m_memory->save({arrangement(), m_session.viewCount()});
+    m_steps->stepper().stop();
     if (m_lecture) m_lecture->close();
     QMainWindow::closeEvent(event);
 }

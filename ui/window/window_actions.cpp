@@ -70,6 +70,14 @@ void WindowActions::makeView() {
     frame = command(Qt::Key_Period, QStringLiteral("frame"));
     upY = option(upAxis, QStringLiteral("y"));
     upZ = option(upAxis, QStringLiteral("z"));
+    stepThrough = toggle(Qt::Key_F8, QStringLiteral("step-forward"));
+    questionFirst = toggle(Qt::Key_F9);
+    stepOn = command(Qt::Key_PageDown);
+    stepBack = command(Qt::Key_PageUp);
+    stepFirst = command(QKeySequence(Qt::SHIFT | Qt::Key_PageUp));
+    stepLast = command(QKeySequence(Qt::SHIFT | Qt::Key_PageDown));
+    stepToBreakpoint = command(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
+    stepBackToBreakpoint = command(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
     lecture = command(Qt::Key_F5, QStringLiteral("lecture"));
     reproduce = command({});
     resetLayout = command({});
@@ -152,7 +160,7 @@ void WindowActions::fill(QMenuBar& bar) {
     m_fileMenu->addAction(quit);
     m_editMenu->addActions({undo, redo});
     m_viewMenu->addActions(views->actions());
-    m_viewMenu->addActions({lecture, reproduce});
+    m_viewMenu->addActions({lecture, stepThrough, questionFirst, reproduce});
     m_viewMenu->addSeparator();
     m_viewMenu->addActions({home, frame});
     m_viewMenu->addMenu(bookmarks);
@@ -269,6 +277,15 @@ void WindowActions::retranslateView() {
     say(upY, tr("&y up"), tr("The y axis points up"));
     say(upZ, tr("&z up"), tr("The z axis points up"));
     say(lecture, tr("&Lecture"), tr("Show the active view full screen, large enough for the back row"));
+    say(stepThrough, tr("S&tep through"), tr("Replay the active view's frame step by step, with what the strategy decides"));
+    say(questionFirst, tr("&Question first"),
+        tr("Hide figures and verdicts until what the audience expects was clicked, then reveal both beside each other"));
+    say(stepOn, tr("One step on"), {});
+    say(stepBack, tr("One step back"), {});
+    say(stepFirst, tr("To the first step"), {});
+    say(stepLast, tr("To the last step"), {});
+    say(stepToBreakpoint, tr("On to the next breakpoint"), {});
+    say(stepBackToBreakpoint, tr("Back to the last breakpoint"), {});
     say(reproduce, tr("Repro&duce a paper's table…"),
         tr("Measure what a paper's table shows, in the paper's windows, and put its numbers beside ours"));
     say(resetLayout, tr("&Reset the layout"), tr("Put all panels back to their places"));

@@ -38,6 +38,8 @@ public:
     QAction *oneView, *twoViews, *fourViews, *eightViews;
     QAction *home, *frame;
     QAction *upY, *upZ;
+    QAction *stepThrough, *questionFirst;
+    QAction *stepOn, *stepBack, *stepFirst, *stepLast, *stepToBreakpoint, *stepBackToBreakpoint;  ///< only while stepping
     QAction *lecture, *resetLayout;
     QAction* reproduce;
     QAction *systemAppearance, *lightAppearance, *darkAppearance;

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "core/frame/frame_log.h"
+
+namespace cullscope {
+
+/// What the first `entries` entries of a log have decided to draw, and no command among them has drawn yet: the part of the next
+/// draw list that decisions since the last drawing command name as drawn, wholly or in part. A strategy that decides about
+/// everything before it draws can so be followed. Empty where the next drawing command is no draw list.
+[[nodiscard]] DrawList decidedAhead(const FrameLog& log, size_t entries);
+
+}  // namespace cullscope

@@ -1,0 +1,104 @@
+#include "core/frame/entry_words.h"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/base/message.h"
+
+namespace cullscope {
+namespace {
+
+std::string sixDigits(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.6g", value);
+    return text;
+}
+
+/// The words that every decision of an outcome has, for decisions without a sentence of their own.
+Words outcomeWords(const Decision& decision) {
+    switch (decision.outcome) {
+        case Decision::Outcome::Culled:
+            return {CULLSCOPE_TR("Left out: %1"), {Term::marked(causeName(decision.cause))}};
+        case Decision::Outcome::PartlyDrawn:
+            return {CULLSCOPE_TR("Drawn in part; the rest is left out: %1"), {Term::marked(causeName(decision.cause))}};
+        case Decision::Outcome::Drawn:
+            return {CULLSCOPE_TR("Is drawn"), {}};
+        case Decision::Outcome::DrawnAfterAll:
+            return {CULLSCOPE_TR("Left out before, and drawn after all"), {}};
+        case Decision::Outcome::Open:
+            break;
+    }
+    return {CULLSCOPE_TR("Tested"), {}};
+}
+
+struct CommandWords {
+    Words operator()(const DrawList& list) const {
+        return {CULLSCOPE_TR("Triangles of the scene are drawn: %1, in %2 ranges"),
+                {Term::count(list.triangleCount()), Term::count(list.ranges.size())}};
+    }
+    Words operator()(const OwnTrianglesPointer& own) const {
+        return {CULLSCOPE_TR("Triangles of the strategy's own are drawn: %1"), {Term::count(own->triangles.size())}};
+    }
+    Words operator()(const FinishedPicturePointer& picture) const {
+        return {CULLSCOPE_TR("A picture that the strategy made is shown: %1 × %2 pixels"),
+                {Term::plain(uint64_t(picture->size.width)), Term::plain(uint64_t(picture->size.height))}};
+    }
+    Words operator()(const AskedBoxes& asked) const {
+        return {CULLSCOPE_TR("OpenGL is asked about %1 boxes, and hits %2"),
+                {Term::count(asked.boxes.size()), Term::count(asked.hits.size())}};
+    }
+};
+
+}  // namespace
+
+std::vector<Term> decisionTerms(const Decision& decision) {
+    std::vector<Term> terms;
+    if (decision.plane) terms.push_back(Term::marked(planeName(*decision.plane)));
+    for (size_t i = 0; i < decision.operandCount; ++i)
+        terms.push_back(Term::name(sixDigits(decision.plane ? std::abs(decision.operands[i]) : decision.operands[i])));
+    return terms;
+}
+
+Words subjectWords(const Scene& scene, const Subject& subject) {
+    const auto named = [&](uint32_t instance) { return Term::name(scene.instances()[instance].name); };
+    const bool ofObject = subject.object < scene.instances().size();
+    const Term number = Term::plain(subject.number);
+    switch (subject.kind) {
+        case Subject::Kind::Object:
+            if (ofObject) return {CULLSCOPE_TR("Object %1"), {named(subject.object)}};
+            return {CULLSCOPE_TR("Object %1"), {number}};
+        case Subject::Kind::Node:
+            return {CULLSCOPE_TR("Node %1"), {number}};
+        case Subject::Kind::Cell:
+            if (ofObject) return {CULLSCOPE_TR("Cell %1 of %2"), {number, named(subject.object)}};
+            return {CULLSCOPE_TR("Cell %1"), {number}};
+        case Subject::Kind::Ray:
+            if (ofObject) return {CULLSCOPE_TR("Ray %1 to %2"), {number, named(subject.object)}};
+            return {CULLSCOPE_TR("Ray %1"), {number}};
+        case Subject::Kind::Band:
+            if (ofObject) return {CULLSCOPE_TR("Band %1 of %2"), {number, named(subject.object)}};
+            return {CULLSCOPE_TR("Band %1"), {number}};
+        case Subject::Kind::Fragment:
+            if (ofObject) return {CULLSCOPE_TR("Part %1 of a triangle of %2"), {number, named(subject.object)}};
+            return {CULLSCOPE_TR("Part %1 of a triangle"), {number}};
+        case Subject::Kind::Tile:
+            return {CULLSCOPE_TR("Tile %1 of the picture"), {number}};
+        case Subject::Kind::Span:
+            break;
+    }
+    if (ofObject) return {CULLSCOPE_TR("Piece %1 of a row, of %2"), {number, named(subject.object)}};
+    return {CULLSCOPE_TR("Piece %1 of a row"), {number}};
+}
+
+Words entryWords(const FrameEntry& entry) {
+    if (entry.command != nullptr) return std::visit(CommandWords{}, *entry.command);
+    if (entry.decision->sentence == nullptr) return outcomeWords(*entry.decision);
+    return {entry.decision->sentence, decisionTerms(*entry.decision)};
+}
+
+std::string entryLine(const Scene& scene, const FrameEntry& entry) {
+    const std::string words = entryWords(entry).english();
+    return entry.decision == nullptr ? words : subjectWords(scene, entry.decision->subject).english() + ": " + words;
+}
+
+}  // namespace cullscope

@@ -1,0 +1,168 @@
+#include "core/visibility/subject_shape.h"
+
+#include <algorithm>
+
+#include "core/scene/eye_triangle.h"
+
+namespace cullscope {
+namespace {
+
+class ShapeMaker {
+public:
+    ShapeMaker(const Scene& scene, const FrameLog& log) : m_scene(scene), m_log(log) {}
+
+    void addObject(uint32_t instance) {
+        if (instance >= m_scene.instances().size()) return;
+        m_shape.object = instance;
+        m_shape.boxes.push_back(m_scene.instanceBox(instance));
+    }
+
+    void addNode(const StructureSnapshot& snapshot, const Decision& decision) {
+        const auto found = std::ranges::find_if(
+            snapshot.nodes, [&](const SnapshotNode& node) { return node.isGroup() && node.number == decision.subject.number; });
+        if (found != snapshot.nodes.end()) {
+            m_shape.node = found->number;
+            m_shape.boxes.push_back(found->box);
+            return;
+        }
+        Box3 box;
+        for (const uint32_t instance : m_log.objectsOf(decision)) box.add(m_scene.instanceBox(instance));
+        if (decision.objectCount > 0) m_shape.boxes.push_back(box);
+    }
+
+    /// The triangles at its places.
+    void addCell(const Decision& decision) {
+        const uint32_t instance = decision.subject.object;
+        if (instance >= m_scene.instances().size() || decision.places.count == 0) return addObject(instance);
+        m_shape.object = instance;
+        addPlaces(m_log.order.get(), instance, decision.places.first, decision.places.count);
+        finish();
+    }
+
+    /// A part of a triangle: its own triangles, by their places among those that the frame draws next.
+    void addFragment(const Decision& decision) {
+        const OwnTrianglesPointer* own = next<OwnTrianglesPointer>(decision.commands);
+        if (own == nullptr || decision.places.count == 0) return addObject(decision.subject.object);
+        addOwn(**own, decision.places.first, decision.places.count);
+        finish();
+    }
+
+    /// A rectangle of the picture: from its lower left to its upper right pixel, numbered row by row from the bottom.
+    void addPixels(const Decision& decision) {
+        if (decision.subject.object != Subject::kNoObject) addObject(decision.subject.object);
+        const auto width = uint32_t(m_log.size.width);
+        if (decision.places.count == 0 || width == 0) return;
+        const uint32_t first = decision.places.first, last = first + decision.places.count - 1;
+        m_shape.pixels = {{Vec2(first % width, first / width), Vec2(last % width + 1, last / width + 1)}};
+    }
+
+    void operator()(const DrawList& list) {
+        for (const DrawRange& range : list.ranges)
+            addPlaces(list.order.get(), range.instance, range.firstIndex / 3, range.indexCount / 3);
+        finish();
+    }
+    void operator()(const OwnTrianglesPointer& own) {
+        addOwn(*own, 0, uint32_t(own->triangles.size()));
+        finish();
+    }
+    void operator()(const FinishedPicturePointer&) {}
+    void operator()(const AskedBoxes& asked) {
+        for (const EyeBox& box : asked.boxes) {
+            if (m_shape.boxes.size() == SubjectShape::kMostTriangles) return;
+            const Vec3 centre = m_log.camera.eye + box.centre;
+            m_shape.boxes.push_back({centre - box.halfExtent, centre + box.halfExtent});
+        }
+    }
+
+    [[nodiscard]] SubjectShape take() { return std::move(m_shape); }
+
+private:
+    /// The next command of a type from a command on; null: there is none.
+    template <typename Type>
+    [[nodiscard]] const Type* next(size_t command) const {
+        for (; command < m_log.commands.size(); ++command)
+            if (const auto* found = std::get_if<Type>(&m_log.commands[command])) return found;
+        return nullptr;
+    }
+
+    void addPlaces(const TriangleOrder* order, uint32_t instance, uint64_t first, uint64_t count) {
+        const uint32_t mesh = m_scene.instances()[instance].mesh;
+        const InstanceFromEye corners(m_scene, instance, Vec3(0.0));
+        const uint64_t end = std::min<uint64_t>(first + count, m_scene.meshOf(instance).triangleCount());
+        for (uint64_t place = first; place < end; ++place) {
+            const uint64_t own = triangleAt(order, mesh, place);
+            if (!m_shape.triangle) m_shape.triangle = m_scene.firstTriangle(instance) + own;
+            add(corners.corners(own));
+        }
+    }
+
+    void addOwn(const OwnTriangles& own, uint64_t first, uint64_t count) {
+        for (const OwnTriangles::Run& run : own.runs) {
+            const Mat4& world = m_scene.instances()[run.instance].worldFromMesh;
+            const Vec3 origin = m_scene.meshOf(run.instance).origin();
+            for (uint64_t i = std::max<uint64_t>(first, run.first); i < std::min<uint64_t>(first + count, run.first + run.count);
+                 ++i) {
+                std::array<Vec3, 3> corners;
+                for (size_t corner = 0; corner < 3; ++corner)
+                    corners[corner] = Vec3(world * Vec4(origin + Vec3(own.positions[3 * i + corner]), 1.0));
+                if (!m_shape.triangle) m_shape.triangle = own.triangles[i];
+                m_shape.object = run.instance;
+                add(corners);
+            }
+        }
+    }
+
+    void add(const std::array<Vec3, 3>& corners) {
+        for (const Vec3& corner : corners) m_box.add(corner);
+        ++m_count;
+        if (m_shape.triangles.size() < SubjectShape::kMostTriangles) m_shape.triangles.push_back(corners);
+    }
+
+    void finish() {
+        if (m_count <= SubjectShape::kMostTriangles) return;
+        m_shape.triangles.clear();
+        m_shape.boxes.push_back(m_box);
+    }
+
+    const Scene& m_scene;
+    const FrameLog& m_log;
+    SubjectShape m_shape;
+    Box3 m_box;
+    size_t m_count = 0;
+};
+
+}  // namespace
+
+SubjectShape subjectShape(const Scene& scene, const FrameLog& log, const StructureSnapshot& snapshot, const FrameEntry& entry) {
+    ShapeMaker maker(scene, log);
+    if (entry.command != nullptr) {
+        std::visit(maker, *entry.command);
+        return maker.take();
+    }
+    const Decision& decision = *entry.decision;
+    switch (decision.subject.kind) {
+        case Subject::Kind::Object:
+            maker.addObject(decision.subject.number);
+            break;
+        case Subject::Kind::Node:
+            maker.addNode(snapshot, decision);
+            break;
+        case Subject::Kind::Ray:
+        case Subject::Kind::Band:
+            maker.addObject(decision.subject.object);
+            break;
+        case Subject::Kind::Cell:
+            maker.addCell(decision);
+            break;
+        case Subject::Kind::Fragment:
+            maker.addFragment(decision);
+            break;
+        case Subject::Kind::Tile:
+        case Subject::Kind::Span:
+            maker.addPixels(decision);
+            break;
+    }
+    return maker.take();
+}
+
+}  // namespace cullscope

@@ -1,0 +1,55 @@
+#include "ui/models/prediction_model.h"
+
+#include "ui/text/wording.h"
+
+namespace cullscope::ui {
+
+PredictionModel::PredictionModel(ScenePointer scene, Prediction prediction, std::vector<PredictionRow> rows, QObject* parent)
+    : QAbstractTableModel(parent), m_scene(std::move(scene)), m_prediction(std::move(prediction)), m_rows(std::move(rows)) {}
+
+int PredictionModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }
+
+QString PredictionModel::itemText(uint64_t item) const {
+    if (m_prediction.ofTriangles) return tr("triangle %1").arg(countText(item));
+    return QString::fromStdString(m_scene->instances()[item].name);
+}
+
+QString PredictionModel::placeText(const std::optional<size_t>& place) const {
+    if (m_prediction.question == Prediction::Question::Vanish) return place == 1 ? tr("vanishes") : tr("is drawn");
+    return place ? countText(*place) : QStringLiteral("–");
+}
+
+QVariant PredictionModel::data(const QModelIndex& index, int role) const {
+    if (!index.isValid() || role != Qt::DisplayRole) return {};
+    const PredictionRow& row = m_rows[size_t(index.row())];
+    switch (index.column()) {
+        case Item:
+            return itemText(row.item);
+        case Expected:
+            return placeText(row.expected);
+        case Actual:
+            return placeText(row.actual);
+        default:
+            return row.right() ? tr("✓ right") : tr("✗ wrong");
+    }
+}
+
+QVariant PredictionModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+    switch (section) {
+        case Item:
+            return m_prediction.ofTriangles ? tr("Triangle") : tr("Object");
+        case Expected:
+            return tr("Expected");
+        case Actual:
+            return tr("What happened");
+        default:
+            return tr("Right or wrong");
+    }
+}
+
+QString PredictionModel::score() const {
+    return tr("Right: %1 of %2").arg(countText(rightRows(m_rows)), countText(m_rows.size()));
+}
+
+}  // namespace cullscope::ui

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "core/frame/prediction.h"
+
+namespace cullscope::ui {
+
+/// What was expected of each object or triangle, beside what the frame did with it.
+class PredictionModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { Item, Expected, Actual, Right, ColumnCount };
+
+    PredictionModel(ScenePointer scene, Prediction prediction, std::vector<PredictionRow> rows, QObject* parent = nullptr);
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+    /// "Right: 3 of 4".
+    [[nodiscard]] QString score() const;
+
+private:
+    [[nodiscard]] QString itemText(uint64_t item) const;
+    [[nodiscard]] QString placeText(const std::optional<size_t>& place) const;
+
+    ScenePointer m_scene;
+    Prediction m_prediction;
+    std::vector<PredictionRow> m_rows;
+};
+
+}  // namespace cullscope::ui
