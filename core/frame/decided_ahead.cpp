@@ -15,11 +15,12 @@ public:
     explicit NamedAsDrawn(const FrameLog& log) : m_log(log) {}
 
     void add(const Decision& decision) {
-        if (decision.outcome != Decision::Outcome::Drawn && decision.outcome != Decision::Outcome::PartlyDrawn) return;
+        using Outcome = Decision::Outcome;
+        const bool whole = decision.outcome == Outcome::Drawn || decision.outcome == Outcome::DrawnAfterAll;
+        if (!whole && decision.outcome != Outcome::PartlyDrawn) return;
         for (const uint32_t instance : m_log.objectsOf(decision)) m_objects.insert(instance);
         if (decision.subject.kind == Subject::Kind::Object) m_objects.insert(decision.subject.number);
-        if (decision.subject.kind == Subject::Kind::Cell && decision.outcome == Decision::Outcome::Drawn)
-            m_cells[decision.subject.object].push_back(decision.places);
+        if (decision.subject.kind == Subject::Kind::Cell && whole) m_cells[decision.subject.object].push_back(decision.places);
     }
 
     void sort() {

@@ -788,10 +788,6 @@
         <translation>%1: &quot;%2&quot;은(는) 수여야 합니다.</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
-        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: check the name and that you may read it.</source>
         <translation>%1 파일을 열 수 없습니다. 이름과 읽기 권한을 확인하세요.</translation>
     </message>
@@ -2763,6 +2759,870 @@
         <source>show the rows</source>
         <translation>행들을 표시</translation>
     </message>
+    <message>
+        <source>stopped at the limit</source>
+        <translation>한도에서 멈춤</translation>
+    </message>
+    <message>
+        <source>BSP trees by the choice of the dividing plane</source>
+        <translation>분할 평면의 선택에 따른 BSP 트리</translation>
+    </message>
+    <message>
+        <source>&quot;random, small&quot;: 10,000 random triangles in a cube, with edges of at most a tenth of its side. &quot;random, large&quot;: with edges of up to its side, which fill it.</source>
+        <translation>&quot;random, small&quot;: 정육면체 안의 무작위 삼각형 10,000개, 변의 길이는 한 변의 10분의 1 이하. &quot;random, large&quot;: 변이 한 변만큼 길어 정육면체를 채움.</translation>
+    </message>
+    <message>
+        <source>A tree that needs more than 2,000,000 polygons is given up.</source>
+        <translation>다각형이 2,000,000개를 넘게 필요한 트리는 포기한다.</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>장면</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>평면</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>다각형</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>노드</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>깊이</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>트리</translation>
+    </message>
+    <message>
+        <source>Computed from the scene of the same name: its planes P1, P2, … divide it level by level, and its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation>같은 이름의 장면에서 계산한다. 평면 P1, P2, …가 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>The order is that of drawing, back to front, as seen from the scene&apos;s camera V.</source>
+        <translation>순서는 장면의 카메라 V에서 볼 때 뒤에서 앞으로 그리는 순서이다.</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>문항</translation>
+    </message>
+    <message>
+        <source>answer key</source>
+        <translation>정답</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>계산</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>다름</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s quiz: leaves of a BSP tree and the order of drawing</source>
+        <translation>강의의 퀴즈: BSP 트리의 잎과 그리는 순서</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s worked example of a BSP tree</source>
+        <translation>강의의 BSP 트리 예제 풀이</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>만드는 중</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
+        <translation>강의의 평가: 깊이 겹침이 아주 적으면 화가 알고리즘이나 BSP 트리, 조금 있으면 스캔 라인, 면이 적으면 화가 알고리즘, BSP 트리, 스캔 라인, 면이 많으면 깊이 버퍼와 옥트리, 정지한 장면을 여러 시점에서 보면 BSP 트리. 강의에는 수치가 없습니다. 여기서는 층 1개가 아주 적은 겹침, 2개가 적은 겹침, 면 10개가 적은 수, 100,000개가 많은 수입니다.</translation>
+    </message>
+    <message>
+        <source>A verdict and the measurement agree where the method takes at most 1.25 times the least time of the first five methods, the structure built once and all views drawn.</source>
+        <translation>구조를 한 번 만들고 모든 시점을 그렸을 때 방법이 앞의 다섯 방법 중 가장 짧은 시간의 1.25배 이하이면 평가와 측정이 일치합니다.</translation>
+    </message>
+    <message>
+        <source>all and backface are the GPU&apos;s depth buffer, which the lecture says is used most; they are not among those that its verdicts compare. painter, bsp and octree-query draw with OpenGL, depth-buffer and scan-line on the processor.</source>
+        <translation>all과 backface는 GPU의 깊이 버퍼로, 강의에 따르면 가장 많이 쓰입니다. 강의가 비교하는 방법에는 들지 않습니다. painter, bsp, octree-query는 OpenGL로, depth-buffer와 scan-line은 프로세서로 그립니다.</translation>
+    </message>
+    <message>
+        <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
+        <translation>장면은 높이 0.02의 물결이 있는 층입니다. 그래서 삼각형마다 자기 평면이 있고 층끼리는 만나지 않습니다. 평평한 층이라면 BSP 트리의 노드는 층마다 하나뿐입니다. 층이 면보다 많으면 층마다 삼각형이 두 개입니다.</translation>
+    </message>
+    <message>
+        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation>바이트는 방법이 만든 것과, GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
+    </message>
+    <message>
+        <source>lecture: good for</source>
+        <translation>강의: 알맞은 경우</translation>
+    </message>
+    <message>
+        <source>all views, ms</source>
+        <translation>모든 시점, ms</translation>
+    </message>
+    <message>
+        <source>both, ms</source>
+        <translation>합계, ms</translation>
+    </message>
+    <message>
+        <source>× fastest of five</source>
+        <translation>× 다섯 중 최단</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>평가</translation>
+    </message>
+    <message>
+        <source>milliseconds, built and all views drawn</source>
+        <translation>밀리초, 구조 생성과 모든 시점 그리기</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s methods by overlap, surfaces and views</source>
+        <translation>겹침, 면, 시점에 따른 강의의 방법들</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>층</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>면</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>방법</translation>
+    </message>
+    <message>
+        <source>Time by layers</source>
+        <translation>층 수에 따른 시간</translation>
+    </message>
+    <message>
+        <source>Time by surfaces</source>
+        <translation>면 수에 따른 시간</translation>
+    </message>
+    <message>
+        <source>Time by views of a static scene</source>
+        <translation>정지한 장면의 시점 수에 따른 시간</translation>
+    </message>
+    <message>
+        <source>A test</source>
+        <translation>시험</translation>
+    </message>
+    <message>
+        <source>Drawn completely</source>
+        <translation>전부 그림</translation>
+    </message>
+    <message>
+        <source>Drawn in part</source>
+        <translation>일부 그림</translation>
+    </message>
+    <message>
+        <source>Left out completely</source>
+        <translation>전부 제외</translation>
+    </message>
+    <message>
+        <source>Drawn after all</source>
+        <translation>결국 그려짐</translation>
+    </message>
+    <message>
+        <source>About an object</source>
+        <translation>물체에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a node</source>
+        <translation>노드에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a cell</source>
+        <translation>셀에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a ray</source>
+        <translation>광선에 대해</translation>
+    </message>
+    <message>
+        <source>About a band</source>
+        <translation>띠에 대해</translation>
+    </message>
+    <message>
+        <source>About a part of a triangle</source>
+        <translation>삼각형의 일부에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a tile of the picture</source>
+        <translation>그림의 타일에 관한 것</translation>
+    </message>
+    <message>
+        <source>About a piece of a row</source>
+        <translation>행의 일부에 관한 것</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn</source>
+        <translation>장면의 삼각형을 그림</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn</source>
+        <translation>전략이 만든 삼각형을 그림</translation>
+    </message>
+    <message>
+        <source>A finished picture is shown</source>
+        <translation>완성된 그림을 보임</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes</source>
+        <translation>상자를 OpenGL에 물음</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>제외: %1</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>%1행</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>%1행: %2</translation>
+    </message>
+    <message>
+        <source>Drawn in part; the rest is left out: %1</source>
+        <translation>일부만 그리고 나머지는 제외: %1</translation>
+    </message>
+    <message>
+        <source>Is drawn</source>
+        <translation>그림</translation>
+    </message>
+    <message>
+        <source>Left out before, and drawn after all</source>
+        <translation>앞서 제외되었으나 결국 그려짐</translation>
+    </message>
+    <message>
+        <source>Tested</source>
+        <translation>시험함</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn: %1, in %2 ranges</source>
+        <translation>장면의 삼각형을 그림: %1개, 범위 %2개</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn: %1</source>
+        <translation>전략이 만든 삼각형을 그림: %1개</translation>
+    </message>
+    <message>
+        <source>A picture that the strategy made is shown: %1 × %2 pixels</source>
+        <translation>전략이 만든 그림을 보임: %1 × %2 픽셀</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes, and hits %2</source>
+        <translation>OpenGL에 상자 %1개를 물어 %2개가 맞음</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>물체 %1</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>노드 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1 of %2</source>
+        <translation>%2의 셀 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>셀 %1</translation>
+    </message>
+    <message>
+        <source>Ray %1 to %2</source>
+        <translation>%2(으)로 가는 광선 %1</translation>
+    </message>
+    <message>
+        <source>Ray %1</source>
+        <translation>광선 %1</translation>
+    </message>
+    <message>
+        <source>Band %1 of %2</source>
+        <translation>%2의 띠 %1</translation>
+    </message>
+    <message>
+        <source>Band %1</source>
+        <translation>띠 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle of %2</source>
+        <translation>%2의 삼각형 조각 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle</source>
+        <translation>삼각형 조각 %1</translation>
+    </message>
+    <message>
+        <source>Tile %1 of the picture</source>
+        <translation>그림의 타일 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row, of %2</source>
+        <translation>%2의 행 조각 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row</source>
+        <translation>행 조각 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
+        <translation>&quot;%1&quot;은(는) 카메라 경로 파일도 내장 경로도 아닙니다. 내장 경로: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</translation>
+    </message>
+    <message>
+        <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
+        <translation>장면 앞에서 -z 방향으로 보며 장면이 화면을 채우는 N개 자세</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is none of polygon, plane, eye and camera. Write one of them, or # before a comment.</source>
+        <translation>%1, %2행: &quot;%3&quot;은(는) polygon, plane, eye, camera 가운데 어느 것도 아닙니다. 이 가운데 하나를 쓰거나 주석 앞에 #을 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the camera looks at its own place. Give it another target.</source>
+        <translation>%1, %2행: 카메라가 자기 자리를 보고 있습니다. 다른 목표점을 주십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a name is missing before the numbers. Write for example polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation>%1, %2행: 숫자 앞에 이름이 없습니다. 예를 들어 polygon A 0 0 0  1 0 0  0 1 0 처럼 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the name &quot;%3&quot; is used twice. Give each its own.</source>
+        <translation>%1, %2행: 이름 &quot;%3&quot;이(가) 두 번 쓰였습니다. 각각 다른 이름을 주십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is not a usable number.</source>
+        <translation>%1, %2행: &quot;%3&quot;은(는) 쓸 수 있는 수가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a polygon has three coordinates for each of three or more corners; here are %3 numbers.</source>
+        <translation>%1, %2행: 다각형은 셋 이상의 꼭짓점마다 좌표 셋을 가집니다. 여기에는 수가 %3개 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon has no area.</source>
+        <translation>%1, %2행: 다각형에 넓이가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon&apos;s corners do not lie in one plane. Write it as several polygons.</source>
+        <translation>%1, %2행: 다각형의 꼭짓점이 한 평면에 있지 않습니다. 여러 다각형으로 나누어 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a plane is written as a b c d, for ax + by + cz + d = 0, or as a point and a normal, six numbers; here are %3.</source>
+        <translation>%1, %2행: 평면은 ax + by + cz + d = 0 의 a b c d 로, 또는 점과 법선의 수 여섯 개로 씁니다. 여기에는 %3개가 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the plane&apos;s normal is 0.</source>
+        <translation>%1, %2행: 평면의 법선이 0입니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the file has a camera already.</source>
+        <translation>%1, %2행: 파일에 카메라가 이미 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: an eye has three numbers, a camera six: its place and where it looks.</source>
+        <translation>%1, %2행: eye는 수 세 개, camera는 여섯 개를 가집니다. 자리와 바라보는 곳입니다.</translation>
+    </message>
+    <message>
+        <source>sheets one behind the other, each an object: seen from the front, the first one hides the others</source>
+        <translation>앞뒤로 놓인 층들, 층마다 한 물체: 앞에서 보면 첫째 층이 나머지를 가립니다</translation>
+    </message>
+    <message>
+        <source>how many layers</source>
+        <translation>층의 수</translation>
+    </message>
+    <message>
+        <source>how many triangles each layer has, to the nearest that its grid allows</source>
+        <translation>층마다의 삼각형 수, 격자가 허용하는 가장 가까운 수</translation>
+    </message>
+    <message>
+        <source>height of the layers&apos; waves; 0: they are flat</source>
+        <translation>층의 물결 높이; 0: 평평함</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s quiz: polygons A, B and C, and the planes P1 to P3 that divide them</source>
+        <translation>강의의 퀴즈: 다각형 A, B, C와 이를 나누는 평면 P1~P3</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s worked example: polygons A to D, divided by the planes P1 and P2</source>
+        <translation>강의의 예제: 평면 P1과 P2로 나눈 다각형 A~D</translation>
+    </message>
+    <message>
+        <source>plane=given takes the planes that a scene has. &quot;%1&quot; has none: name them in a .polygons file, or take another choice of plane.</source>
+        <translation>plane=given은 장면에 있는 평면을 씁니다. &quot;%1&quot;에는 평면이 없습니다. .polygons 파일에 평면을 쓰거나 다른 평면 선택을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Building the BSP tree</source>
+        <translation>BSP 트리 만드는 중</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, another choice of plane (plane=fewest), or a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 다각형이 %2개를 넘게 필요합니다. 삼각형 %3개가 %4번 잘렸고 다각형 %5개가 아직 나뉘지 않았습니다. 삼각형 수를 줄이거나, 다른 평면 선택(plane=fewest) 또는 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times. Take fewer triangles, sort=centroid, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 화가 순서에는 다각형이 %2개를 넘게 필요합니다. 삼각형 %3개가 %4번 잘렸습니다. 삼각형 수를 줄이거나, sort=centroid 또는 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>groups outside the frustum</source>
+        <translation>절두체 밖의 그룹</translation>
+    </message>
+    <message>
+        <source>groups visible without asking</source>
+        <translation>묻지 않고 보이는 그룹</translation>
+    </message>
+    <message>
+        <source>groups asked about</source>
+        <translation>물어본 그룹</translation>
+    </message>
+    <message>
+        <source>groups hidden</source>
+        <translation>가려진 그룹</translation>
+    </message>
+    <message>
+        <source>objects drawn</source>
+        <translation>그린 물체</translation>
+    </message>
+    <message>
+        <source>walk and queries</source>
+        <translation>순회와 질의</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; lies in a box of the octree; it has %2 triangles.</source>
+        <translation>물체 &quot;%1&quot;은(는) 옥트리의 한 상자에 있고 삼각형이 %2개입니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, of which all are drawn where their box is visible.</source>
+        <translation>물체 %1개의 그룹에 있으며, 상자가 보이면 모두 그립니다.</translation>
+    </message>
+    <message>
+        <source>visit(group)</source>
+        <translation>방문(그룹)</translation>
+    </message>
+    <message>
+        <source>test its box against the frustum</source>
+        <translation>그룹의 상자를 절두체로 검사</translation>
+    </message>
+    <message>
+        <source>first, or across near plane: visible</source>
+        <translation>첫째이거나 근평면에 걸치면: 보임</translation>
+    </message>
+    <message>
+        <source>else ask OpenGL: does its box show?</source>
+        <translation>아니면 OpenGL에 상자가 보이는지 물음</translation>
+    </message>
+    <message>
+        <source>no: hidden, leave all its objects out</source>
+        <translation>아니요: 가려짐, 물체를 모두 제외</translation>
+    </message>
+    <message>
+        <source>yes: visit(parts), nearest first</source>
+        <translation>예: 방문(부분), 가까운 것부터</translation>
+    </message>
+    <message>
+        <source>no parts: draw its objects</source>
+        <translation>부분이 없으면: 물체를 그림</translation>
+    </message>
+    <message>
+        <source>Octree with occlusion queries</source>
+        <translation>차폐 질의를 쓰는 옥트리</translation>
+    </message>
+    <message>
+        <source>Draws an octree&apos;s objects from near to far, and first asks OpenGL of each group whether its box shows.</source>
+        <translation>옥트리의 물체를 가까운 것부터 그리며, 그룹마다 먼저 상자가 보이는지 OpenGL에 묻습니다.</translation>
+    </message>
+    <message>
+        <source>How many frames later an answer is used; 0: each batch is waited for, and nothing is lost.</source>
+        <translation>답을 몇 프레임 뒤에 쓰는지; 0: 묶음마다 답을 기다리며 아무것도 잃지 않습니다.</translation>
+    </message>
+    <message>
+        <source>How many boxes are asked about at once, at most: more need fewer waits, and hide less from each other. The lecture asks one by one.</source>
+        <translation>한 번에 물어보는 상자의 최대 수: 많으면 덜 기다리지만 서로를 덜 가립니다. 강의에서는 하나씩 묻습니다.</translation>
+    </message>
+    <message>
+        <source>Which groups OpenGL is asked about.</source>
+        <translation>어떤 그룹을 OpenGL에 물어보는지.</translation>
+    </message>
+    <message>
+        <source>every group before its parts</source>
+        <translation>모든 그룹을 그 부분보다 먼저</translation>
+    </message>
+    <message>
+        <source>only groups without parts, as in the lecture</source>
+        <translation>강의처럼 부분이 없는 그룹만</translation>
+    </message>
+    <message>
+        <source>How many objects a group may have that is not divided into parts.</source>
+        <translation>나누지 않는 그룹이 가질 수 있는 물체의 수.</translation>
+    </message>
+    <message>
+        <source>Groups by what was asked</source>
+        <translation>물어본 결과에 따른 그룹</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet that could hide its box: it counts as visible without asking.</source>
+        <translation>상자를 가릴 만한 것이 아직 그려지지 않았습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, reaches before the near plane: it counts as visible without asking.</source>
+        <translation>%2만큼 키운 상자가 근평면 앞까지 닿습니다. 묻지 않고 보이는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about its box, grown by %2: it shows before what is drawn.</source>
+        <translation>%2만큼 키운 상자를 OpenGL에 물었습니다. 그려진 것 앞에 보입니다.</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about its box, grown by %2: what is drawn hides all of it.</source>
+        <translation>%2만큼 키운 상자를 OpenGL에 물었습니다. 그려진 것이 상자를 모두 가립니다.</translation>
+    </message>
+    <message>
+        <source>Its box was not asked about %1 frames ago: it counts as visible, and is asked about now.</source>
+        <translation>%1프레임 전에는 상자를 묻지 않았습니다. 보이는 것으로 보고 지금 묻습니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it shows.</source>
+        <translation>%2만큼 키운 상자를 묻습니다. %1프레임 전의 답은 보인다는 것이었습니다.</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it is hidden.</source>
+        <translation>%2만큼 키운 상자를 묻습니다. %1프레임 전의 답은 가려졌다는 것이었습니다.</translation>
+    </message>
+    <message>
+        <source>The box counts as visible: its parts are visited, nearest first.</source>
+        <translation>상자를 보이는 것으로 봅니다. 부분을 가까운 것부터 방문합니다.</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 before the plane of node %2.</source>
+        <translation>눈은 노드 %2의 평면보다 %1 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 behind the plane of node %2.</source>
+        <translation>눈은 노드 %2의 평면보다 뒤에 있다(%1).</translation>
+    </message>
+    <message>
+        <source>The eye lies in the plane of node %2, at %1: its sides may come in any order.</source>
+        <translation>눈은 노드 %2의 평면 위에 있다(%1). 양쪽의 순서는 상관없다.</translation>
+    </message>
+    <message>
+        <source>A part with %1 of the area of triangle %2 is drawn, with node %3.</source>
+        <translation>삼각형 %2 넓이의 %1인 부분을 노드 %3에서 그린다.</translation>
+    </message>
+    <message>
+        <source>the eye is before the plane</source>
+        <translation>눈이 평면 앞에 있음</translation>
+    </message>
+    <message>
+        <source>the eye is behind the plane</source>
+        <translation>눈이 평면 뒤에 있음</translation>
+    </message>
+    <message>
+        <source>the eye is in the plane</source>
+        <translation>눈이 평면 위에 있음</translation>
+    </message>
+    <message>
+        <source>The tree has the triangle in %1 parts, each drawn where the walk comes to it.</source>
+        <translation>트리에는 이 삼각형이 %1개의 부분으로 있고, 순회가 이르는 곳에서 각각 그린다.</translation>
+    </message>
+    <message>
+        <source>walking the tree</source>
+        <translation>트리 순회</translation>
+    </message>
+    <message>
+        <source>The walk starts at the root: %1 nodes, %2 polygons.</source>
+        <translation>순회는 뿌리에서 시작한다. 노드 %1개, 다각형 %2개.</translation>
+    </message>
+    <message>
+        <source>Splitting planes</source>
+        <translation>분할 평면</translation>
+    </message>
+    <message>
+        <source>&amp;Splitting planes</source>
+        <translation>분할 평면(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the first planes of the BSP tree, each within its cell</source>
+        <translation>활성 뷰에 BSP 트리의 처음 평면들을 각 칸 안에 표시</translation>
+    </message>
+    <message>
+        <source>node = root</source>
+        <translation>노드 = 뿌리</translation>
+    </message>
+    <message>
+        <source>s = side of node&apos;s plane that V is on</source>
+        <translation>s = 노드 평면에서 V가 있는 쪽</translation>
+    </message>
+    <message>
+        <source>go on with the child away from V</source>
+        <translation>V의 반대쪽 자식으로 간다</translation>
+    </message>
+    <message>
+        <source>draw what lies in the plane</source>
+        <translation>평면에 놓인 것을 그린다</translation>
+    </message>
+    <message>
+        <source>go on with the child on V&apos;s side</source>
+        <translation>V 쪽 자식으로 간다</translation>
+    </message>
+    <message>
+        <source>In which order the tree is walked.</source>
+        <translation>트리를 순회하는 순서.</translation>
+    </message>
+    <message>
+        <source>far to near, without depth test</source>
+        <translation>먼 것부터, 깊이 검사 없이</translation>
+    </message>
+    <message>
+        <source>near to far, with depth test</source>
+        <translation>가까운 것부터, 깊이 검사와 함께</translation>
+    </message>
+    <message>
+        <source>Which plane divides the polygons of a node.</source>
+        <translation>노드의 다각형을 나누는 평면.</translation>
+    </message>
+    <message>
+        <source>that of its first polygon</source>
+        <translation>첫 다각형의 평면</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that cuts the fewest polygons</source>
+        <translation>후보 가운데 다각형을 가장 적게 자르는 평면</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that divides them best</source>
+        <translation>후보 가운데 가장 고르게 나누는 평면</translation>
+    </message>
+    <message>
+        <source>the planes that the scene names, one for each level</source>
+        <translation>장면이 이름 붙인 평면, 단계마다 하나</translation>
+    </message>
+    <message>
+        <source>How many planes are tried at a node (plane=fewest and balance).</source>
+        <translation>노드에서 시험하는 평면의 수(plane=fewest, balance).</translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them.</source>
+        <translation>잘린 것을 포함해 트리가 가질 수 있는 다각형의 수.</translation>
+    </message>
+    <message>
+        <source>BSP tree</source>
+        <translation>BSP 트리</translation>
+    </message>
+    <message>
+        <source>Draws all triangles in the order of a BSP tree, cut where its planes pass through them.</source>
+        <translation>모든 삼각형을 BSP 트리의 순서로 그리고, 평면이 지나는 곳에서 자른다.</translation>
+    </message>
+    <message>
+        <source>Nodes by the eye&apos;s side</source>
+        <translation>눈이 있는 쪽에 따른 노드</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
+        <translation>검사 3: 삼각형 %1은(는) 삼각형 %2의 평면 뒤에 온전히 있다(최대 %3).</translation>
+    </message>
+    <message>
+        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
+        <translation>검사 4: 삼각형 %1에서 볼 때 삼각형 %2은(는) 온전히 눈 쪽에 있다(최대 %3).</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
+        <translation>어느 검사로도 삼각형 %1이(가) 삼각형 %2보다 먼저 올 수 없어 뒤의 것을 먼저 다룬다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
+    </message>
+    <message>
+        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
+        <translation>삼각형 %1은(는) 표시된 삼각형 %2을(를) 기다린다. 순환이므로 하나를 자른다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
+        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것을 자른다. 1/깊이의 차는 %3에서 시작한다.</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 떨어져 있거나 앞의 것이 더 멀다: %3.</translation>
+    </message>
+    <message>
+        <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
+        <translation>먼저 와야 할 것이 남지 않았다. 삼각형 %2 넓이의 %1을(를) 그린다.</translation>
+    </message>
+    <message>
+        <source>3: P is behind Q&apos;s plane</source>
+        <translation>3: P가 Q의 평면 뒤에 있음</translation>
+    </message>
+    <message>
+        <source>4: Q is before P&apos;s plane</source>
+        <translation>4: Q가 P의 평면 앞에 있음</translation>
+    </message>
+    <message>
+        <source>5: projections apart</source>
+        <translation>5: 투영이 떨어져 있음</translation>
+    </message>
+    <message>
+        <source>Q is taken first</source>
+        <translation>Q를 먼저 다룸</translation>
+    </message>
+    <message>
+        <source>one is cut</source>
+        <translation>하나를 자름</translation>
+    </message>
+    <message>
+        <source>sorting</source>
+        <translation>정렬</translation>
+    </message>
+    <message>
+        <source>%1 polygons are sorted by their farthest depth.</source>
+        <translation>다각형 %1개를 가장 먼 깊이로 정렬한다.</translation>
+    </message>
+    <message>
+        <source>sort by the farthest depth, far first</source>
+        <translation>가장 먼 깊이로 정렬, 먼 것부터</translation>
+    </message>
+    <message>
+        <source>P = the farthest one left</source>
+        <translation>P = 남은 것 중 가장 먼 것</translation>
+    </message>
+    <message>
+        <source>for each Q that P overlaps in depth</source>
+        <translation>깊이가 P와 겹치는 각 Q에 대해</translation>
+    </message>
+    <message>
+        <source>1, 2: apart in x or y? next Q</source>
+        <translation>1, 2: x나 y가 떨어짐? 다음 Q</translation>
+    </message>
+    <message>
+        <source>3: P behind Q&apos;s plane? next Q</source>
+        <translation>3: P가 Q 평면 뒤? 다음 Q</translation>
+    </message>
+    <message>
+        <source>4: Q before P&apos;s plane? next Q</source>
+        <translation>4: Q가 P 평면 앞? 다음 Q</translation>
+    </message>
+    <message>
+        <source>5: projections apart? next Q</source>
+        <translation>5: 투영이 떨어짐? 다음 Q</translation>
+    </message>
+    <message>
+        <source>Q marked, or they pierce: cut</source>
+        <translation>Q가 표시됨 또는 관통: 자름</translation>
+    </message>
+    <message>
+        <source>else mark P; P = Q, from line 3</source>
+        <translation>아니면 P 표시; P = Q, 3행부터</translation>
+    </message>
+    <message>
+        <source>no Q left: draw P</source>
+        <translation>남은 Q 없음: P를 그림</translation>
+    </message>
+    <message>
+        <source>Painter&apos;s algorithm</source>
+        <translation>화가 알고리즘</translation>
+    </message>
+    <message>
+        <source>Draws all triangles from far to near without depth test, and cuts those that wait for each other.</source>
+        <translation>모든 삼각형을 깊이 검사 없이 먼 것부터 그리고, 서로를 기다리는 것은 자른다.</translation>
+    </message>
+    <message>
+        <source>How the triangles are sorted.</source>
+        <translation>삼각형을 정렬하는 방법.</translation>
+    </message>
+    <message>
+        <source>by the tests of Newell, Newell and Sancha</source>
+        <translation>Newell, Newell, Sancha의 검사로</translation>
+    </message>
+    <message>
+        <source>by the distance of their centroids alone; shows wrong pixels</source>
+        <translation>무게중심의 거리만으로, 틀린 픽셀이 나타남</translation>
+    </message>
+    <message>
+        <source>How many polygons a frame may have, the cut ones among them.</source>
+        <translation>잘린 것을 포함해 한 프레임이 가질 수 있는 다각형의 수.</translation>
+    </message>
+    <message>
+        <source>Comparisons by what decided</source>
+        <translation>무엇이 결정했는지에 따른 비교</translation>
+    </message>
+    <message>
+        <source>All normals in the cell&apos;s cone are turned to the eye: cones are not tested in its parts.</source>
+        <translation>셀의 원뿔에 든 법선이 모두 눈을 향합니다. 그 부분들에서는 원뿔을 검사하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The planes of its triangles have the eye behind them by at least %1, more than the %2 that rounding and snapping may undo.</source>
+        <translation>눈이 삼각형들의 평면 뒤로 적어도 %1 떨어져 있으며, 반올림과 스냅이 되돌릴 수 있는 %2보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>The planes of its triangles have the eye behind them by at least %1: not more than the %2 that rounding and snapping may undo.</source>
+        <translation>눈이 삼각형들의 평면 뒤로 적어도 %1 떨어져 있지만, 반올림과 스냅이 되돌릴 수 있는 %2보다 크지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Its sphere reaches the slope %1; the kernel&apos;s horizon before it is not everywhere higher (%2): part of it may be visible.</source>
+        <translation>구가 기울기 %1까지 이릅니다. 그 앞 커널의 지평선이 모든 곳에서 더 높지는 않습니다(%2). 일부가 보일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Its sphere reaches the slope %1; the kernel&apos;s horizon before it is higher, at least %2: hidden.</source>
+        <translation>구가 기울기 %1까지 이릅니다. 그 앞 커널의 지평선이 적어도 %2로 더 높습니다. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>Its sphere begins at the slope %1, above the kernel&apos;s horizon, at most %2: the kernel hides none of it.</source>
+        <translation>구가 기울기 %1에서 시작하며, 많아야 %2인 커널의 지평선보다 위입니다. 커널이 아무것도 가리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Left out, but drawn after all: it lies between two ranges, and fewer than %1 triangles are not worth a range of their own.</source>
+        <translation>제외되었으나 결국 그려집니다. 두 구간 사이에 있고, %1개보다 적은 삼각형은 구간을 따로 둘 만하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.</source>
+        <translation>모서리 광선 %1은(는) 맵의 셀 %2개를 지나 R = %3에서 삼각형에 맞습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 passes %2 cells of the map and hits nothing: the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
+        <translation>모서리 광선 %1은(는) 맵의 셀 %2개를 지나지만 아무것에도 맞지 않습니다. 광선에 가장 가까운 구의 점(R = %3)을 씁니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 misses the bounding sphere (cells passed: %2): the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
+        <translation>모서리 광선 %1은(는) 경계 구를 빗나갑니다(지난 셀: %2개). 광선에 가장 가까운 구의 점(R = %3)을 씁니다.</translation>
+    </message>
+    <message>
+        <source>The region between the four corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
+        <translation>네 모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 셀의 삼각형: %3.</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
+        <translation>α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 적어도 일부가 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
+        <translation>α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
+        <translation>앞쪽 절반에 있는 α = %3°까지의 띠: S %1, 그 앞의 최댓값 %2. 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
+        <translation>α = %3°까지의 띠: S %1 &gt; 그 앞의 최댓값 %2. 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
+        <translation>α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
+        <translation>α = %3°까지의 띠: S %1이지만 같은 부채꼴의 더 가까운 띠가 가려졌습니다(그 앞의 최댓값 %2). 그 뒤로는 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
+        <translation>검사로 제외된 셀이지만 양쪽 구간과 함께 그려집니다. 이렇게 적은 삼각형은 구간을 따로 둘 만하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
+        <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 먼저 그려진 것이 가립니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2794,6 +3654,13 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>그 밖에 OpenMesh, libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json, fmt를 각각의 자유 라이선스에 따라 사용합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::AnswerDialog</name>
+    <message>
+        <source>What was expected, and what happened</source>
+        <translation>예상과 실제</translation>
     </message>
 </context>
 <context>
@@ -3243,6 +4110,14 @@ OpenGL %2
         <source>help; this page</source>
         <translation>도움말, 이 쪽</translation>
     </message>
+    <message>
+        <source>step through the frame; Page Up and Page Down step</source>
+        <translation>프레임을 단계별로 보기; Page Up과 Page Down으로 이동</translation>
+    </message>
+    <message>
+        <source>question first: name what you expect, then reveal</source>
+        <translation>먼저 질문: 예상을 지정한 뒤 공개</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -3379,6 +4254,10 @@ OpenGL %2
     <message>
         <source>Lines of the strategy</source>
         <translation>전략의 줄</translation>
+    </message>
+    <message>
+        <source>Decisions up to this step that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>이 단계까지 이 행들에서 내린 결정: %1개. 마지막 결정은 %2행입니다.</translation>
     </message>
 </context>
 <context>
@@ -3942,6 +4821,80 @@ OpenGL %2
     <message>
         <source>missed</source>
         <translation>놓침</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PredictionModel</name>
+    <message>
+        <source>triangle %1</source>
+        <translation>삼각형 %1</translation>
+    </message>
+    <message>
+        <source>vanishes</source>
+        <translation>사라짐</translation>
+    </message>
+    <message>
+        <source>is drawn</source>
+        <translation>그려짐</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ 맞음</translation>
+    </message>
+    <message>
+        <source>✗ wrong</source>
+        <translation>✗ 틀림</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>물체</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>예상</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>실제</translation>
+    </message>
+    <message>
+        <source>Right or wrong</source>
+        <translation>맞음/틀림</translation>
+    </message>
+    <message>
+        <source>Right: %1 of %2</source>
+        <translation>맞음: %1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionBar</name>
+    <message>
+        <source>Click what you expect; a second click takes it back. Named: %1</source>
+        <translation>예상하는 것을 클릭하십시오. 다시 클릭하면 취소됩니다. 지정: %1</translation>
+    </message>
+    <message>
+        <source>What vanishes?</source>
+        <translation>무엇이 사라집니까?</translation>
+    </message>
+    <message>
+        <source>In which order is it drawn?</source>
+        <translation>어떤 순서로 그려집니까?</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>질문</translation>
+    </message>
+    <message>
+        <source>Reveal</source>
+        <translation>공개</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>질문 취소</translation>
     </message>
 </context>
 <context>
@@ -4546,6 +5499,112 @@ snapping</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::StepBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step, number of steps</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>place, size of the steps</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>by subject</source>
+        <translation>대상별</translation>
+    </message>
+    <message>
+        <source>by object</source>
+        <translation>물체별</translation>
+    </message>
+    <message>
+        <source>by command</source>
+        <translation>명령별</translation>
+    </message>
+    <message>
+        <source>in equal parts</source>
+        <translation>균등하게</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>일시 정지</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>여기서부터 재생</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>전략의 결정을 읽는 중…</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>중단점</translation>
+    </message>
+    <message>
+        <source>Breakpoints: %1</source>
+        <translation>중단점: %1</translation>
+    </message>
+    <message>
+        <source>Each step is one decision or command of the frame.</source>
+        <translation>한 단계는 프레임의 결정이나 명령 하나입니다.</translation>
+    </message>
+    <message>
+        <source>This frame has %1 decisions and commands: each step takes several of them.</source>
+        <translation>이 프레임에는 결정과 명령이 %1개 있습니다. 한 단계가 그중 여러 개를 묶습니다.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>kind of decision, how many</comment>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>To the start (Shift+Page Up)</source>
+        <translation>처음으로 (Shift+Page Up)</translation>
+    </message>
+    <message>
+        <source>One step back (Page Up)</source>
+        <translation>한 단계 뒤로 (Page Up)</translation>
+    </message>
+    <message>
+        <source>One step on (Page Down)</source>
+        <translation>한 단계 앞으로 (Page Down)</translation>
+    </message>
+    <message>
+        <source>To the end (Shift+Page Down)</source>
+        <translation>끝으로 (Shift+Page Down)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>단계</translation>
+    </message>
+    <message>
+        <source>Steps a second:</source>
+        <translation>초당 단계:</translation>
+    </message>
+    <message>
+        <source>Playing stops at decisions of these kinds; Ctrl+Page Down and Ctrl+Page Up go to the next and the last one</source>
+        <translation>이런 결정에서 재생이 멈춥니다. Ctrl+Page Down과 Ctrl+Page Up은 다음과 이전 중단점으로 갑니다</translation>
+    </message>
+    <message>
+        <source>Show the whole frame again (F8)</source>
+        <translation>프레임 전체를 다시 보기 (F8)</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::Stepper</name>
+    <message>
+        <source>Nothing was decided and nothing was drawn yet.</source>
+        <translation>아직 아무것도 결정하거나 그리지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>subject of a decision, what was found</comment>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::StrategyPanel</name>
     <message>
         <source>Strategy of view %1</source>
@@ -4791,6 +5850,14 @@ snapping</source>
     <message>
         <source>frozen</source>
         <translation>고정</translation>
+    </message>
+    <message>
+        <source>What do you expect? The figures come with the answer.</source>
+        <translation>무엇을 예상하십니까? 수치는 답과 함께 나옵니다.</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · whole frame: %3</source>
+        <translation>단계 %1 / %2 · 프레임 전체: %3</translation>
     </message>
 </context>
 <context>
@@ -5278,6 +6345,46 @@ snapping</source>
     <message>
         <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
         <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
+    </message>
+    <message>
+        <source>S&amp;tep through</source>
+        <translation>단계별로 보기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Replay the active view&apos;s frame step by step, with what the strategy decides</source>
+        <translation>활성 뷰의 프레임을 전략의 결정과 함께 단계별로 재생</translation>
+    </message>
+    <message>
+        <source>&amp;Question first</source>
+        <translation>먼저 질문(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Hide figures and verdicts until what the audience expects was clicked, then reveal both beside each other</source>
+        <translation>청중의 예상을 클릭할 때까지 수치와 판정을 숨긴 뒤 나란히 공개</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>한 단계 앞으로</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>한 단계 뒤로</translation>
+    </message>
+    <message>
+        <source>To the first step</source>
+        <translation>첫 단계로</translation>
+    </message>
+    <message>
+        <source>To the last step</source>
+        <translation>마지막 단계로</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint</source>
+        <translation>다음 중단점으로</translation>
+    </message>
+    <message>
+        <source>Back to the last breakpoint</source>
+        <translation>이전 중단점으로</translation>
     </message>
 </context>
 </TS>

@@ -788,10 +788,6 @@
         <translation>%1：“%2”必须是数字。</translation>
     </message>
     <message>
-        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, case-1, case-2, case-3.</source>
-        <translation>“%1”既不是相机路径文件，也不是内置路径。内置路径：orbit:N、fibonacci:N、walk:N、case-1、case-2、case-3。</translation>
-    </message>
-    <message>
         <source>%1 cannot be opened: check the name and that you may read it.</source>
         <translation>无法打开 %1：请检查名称和读取权限。</translation>
     </message>
@@ -2763,6 +2759,870 @@
         <source>show the rows</source>
         <translation>显示各行</translation>
     </message>
+    <message>
+        <source>stopped at the limit</source>
+        <translation>达到上限而停止</translation>
+    </message>
+    <message>
+        <source>BSP trees by the choice of the dividing plane</source>
+        <translation>按分割平面的选法比较 BSP 树</translation>
+    </message>
+    <message>
+        <source>&quot;random, small&quot;: 10,000 random triangles in a cube, with edges of at most a tenth of its side. &quot;random, large&quot;: with edges of up to its side, which fill it.</source>
+        <translation>“random, small”：立方体内 10,000 个随机三角形，边长至多为其边长的十分之一。“random, large”：边长可达其边长，充满立方体。</translation>
+    </message>
+    <message>
+        <source>A tree that needs more than 2,000,000 polygons is given up.</source>
+        <translation>需要超过 2,000,000 个多边形的树会被放弃。</translation>
+    </message>
+    <message>
+        <source>scene</source>
+        <translation>场景</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>平面</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>多边形</translation>
+    </message>
+    <message>
+        <source>nodes</source>
+        <translation>节点</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>深度</translation>
+    </message>
+    <message>
+        <source>tree</source>
+        <translation>树</translation>
+    </message>
+    <message>
+        <source>Computed from the scene of the same name: its planes P1, P2, … divide it level by level, and its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation>由同名场景计算：平面 P1、P2、… 逐层划分场景，物体挂在叶上。C1 是位于所有平面背面的叶，最后一个叶位于所有平面正面。</translation>
+    </message>
+    <message>
+        <source>The order is that of drawing, back to front, as seen from the scene&apos;s camera V.</source>
+        <translation>顺序是从场景的相机 V 看去由后向前的绘制顺序。</translation>
+    </message>
+    <message>
+        <source>asked</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>answer key</source>
+        <translation>答案</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>计算</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>不同</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s quiz: leaves of a BSP tree and the order of drawing</source>
+        <translation>课程测验：BSP 树的叶与绘制顺序</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s worked example of a BSP tree</source>
+        <translation>课程中的 BSP 树例题</translation>
+    </message>
+    <message>
+        <source>building</source>
+        <translation>正在构建</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
+        <translation>讲义的结论：深度重叠极少时用画家算法或 BSP 树；重叠较少时用扫描线；面少时用画家算法、BSP 树、扫描线；面多时用深度缓冲、八叉树；从多个视点看静止场景时用 BSP 树。讲义没有给出数值：这里 1 层算极少重叠，2 层算较少，10 个面算少，100,000 个算多。</translation>
+    </message>
+    <message>
+        <source>A verdict and the measurement agree where the method takes at most 1.25 times the least time of the first five methods, the structure built once and all views drawn.</source>
+        <translation>构建一次结构并绘制所有视图后，若方法所用时间不超过前五种方法中最短时间的 1.25 倍，则结论与测量一致。</translation>
+    </message>
+    <message>
+        <source>all and backface are the GPU&apos;s depth buffer, which the lecture says is used most; they are not among those that its verdicts compare. painter, bsp and octree-query draw with OpenGL, depth-buffer and scan-line on the processor.</source>
+        <translation>all 和 backface 是 GPU 的深度缓冲，讲义说它用得最多；它们不在讲义结论所比较的方法之列。painter、bsp 和 octree-query 用 OpenGL 绘制，depth-buffer 和 scan-line 在处理器上绘制。</translation>
+    </message>
+    <message>
+        <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
+        <translation>场景是波高 0.02 的各层，因此每个三角形有自己的平面，而各层互不相交：平坦的层在 BSP 树中每层只有一个节点。层数多于面数时，每层有两个三角形。</translation>
+    </message>
+    <message>
+        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation>字节数包括方法所构建的内容，以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
+    </message>
+    <message>
+        <source>lecture: good for</source>
+        <translation>讲义：适用于</translation>
+    </message>
+    <message>
+        <source>all views, ms</source>
+        <translation>所有视图，毫秒</translation>
+    </message>
+    <message>
+        <source>both, ms</source>
+        <translation>合计，毫秒</translation>
+    </message>
+    <message>
+        <source>× fastest of five</source>
+        <translation>× 五种中最快</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>结论</translation>
+    </message>
+    <message>
+        <source>milliseconds, built and all views drawn</source>
+        <translation>毫秒，构建并绘制所有视图</translation>
+    </message>
+    <message>
+        <source>The lecture&apos;s methods by overlap, surfaces and views</source>
+        <translation>讲义中的方法：按重叠、面数和视图数</translation>
+    </message>
+    <message>
+        <source>layers</source>
+        <translation>层</translation>
+    </message>
+    <message>
+        <source>surfaces</source>
+        <translation>面</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>方法</translation>
+    </message>
+    <message>
+        <source>Time by layers</source>
+        <translation>按层数的时间</translation>
+    </message>
+    <message>
+        <source>Time by surfaces</source>
+        <translation>按面数的时间</translation>
+    </message>
+    <message>
+        <source>Time by views of a static scene</source>
+        <translation>按静止场景视图数的时间</translation>
+    </message>
+    <message>
+        <source>A test</source>
+        <translation>测试</translation>
+    </message>
+    <message>
+        <source>Drawn completely</source>
+        <translation>全部绘制</translation>
+    </message>
+    <message>
+        <source>Drawn in part</source>
+        <translation>部分绘制</translation>
+    </message>
+    <message>
+        <source>Left out completely</source>
+        <translation>全部舍去</translation>
+    </message>
+    <message>
+        <source>Drawn after all</source>
+        <translation>最终仍绘制</translation>
+    </message>
+    <message>
+        <source>About an object</source>
+        <translation>关于物体</translation>
+    </message>
+    <message>
+        <source>About a node</source>
+        <translation>关于节点</translation>
+    </message>
+    <message>
+        <source>About a cell</source>
+        <translation>关于单元</translation>
+    </message>
+    <message>
+        <source>About a ray</source>
+        <translation>关于一条射线</translation>
+    </message>
+    <message>
+        <source>About a band</source>
+        <translation>关于一个带</translation>
+    </message>
+    <message>
+        <source>About a part of a triangle</source>
+        <translation>关于三角形的一部分</translation>
+    </message>
+    <message>
+        <source>About a tile of the picture</source>
+        <translation>关于图像的块</translation>
+    </message>
+    <message>
+        <source>About a piece of a row</source>
+        <translation>关于一行的一段</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn</source>
+        <translation>绘制场景的三角形</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn</source>
+        <translation>绘制策略自己的三角形</translation>
+    </message>
+    <message>
+        <source>A finished picture is shown</source>
+        <translation>显示完成的图像</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about boxes</source>
+        <translation>就包围盒询问 OpenGL</translation>
+    </message>
+    <message>
+        <source>Left out: %1</source>
+        <translation>舍去：%1</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>第 %1 行</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>第 %1 行：%2</translation>
+    </message>
+    <message>
+        <source>Drawn in part; the rest is left out: %1</source>
+        <translation>绘制一部分，其余舍去：%1</translation>
+    </message>
+    <message>
+        <source>Is drawn</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>Left out before, and drawn after all</source>
+        <translation>先被剔除，最终仍绘制</translation>
+    </message>
+    <message>
+        <source>Tested</source>
+        <translation>已测试</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene are drawn: %1, in %2 ranges</source>
+        <translation>绘制场景的三角形：%1 个，分 %2 段</translation>
+    </message>
+    <message>
+        <source>Triangles of the strategy&apos;s own are drawn: %1</source>
+        <translation>绘制策略自己的三角形：%1 个</translation>
+    </message>
+    <message>
+        <source>A picture that the strategy made is shown: %1 × %2 pixels</source>
+        <translation>显示策略生成的图像：%1 × %2 像素</translation>
+    </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes, and hits %2</source>
+        <translation>就 %1 个包围盒询问 OpenGL，命中 %2 个</translation>
+    </message>
+    <message>
+        <source>Object %1</source>
+        <translation>物体 %1</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1 of %2</source>
+        <translation>%2 的单元 %1</translation>
+    </message>
+    <message>
+        <source>Cell %1</source>
+        <translation>单元 %1</translation>
+    </message>
+    <message>
+        <source>Ray %1 to %2</source>
+        <translation>射向 %2 的射线 %1</translation>
+    </message>
+    <message>
+        <source>Ray %1</source>
+        <translation>射线 %1</translation>
+    </message>
+    <message>
+        <source>Band %1 of %2</source>
+        <translation>%2 的带 %1</translation>
+    </message>
+    <message>
+        <source>Band %1</source>
+        <translation>带 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle of %2</source>
+        <translation>%2 的三角形部分 %1</translation>
+    </message>
+    <message>
+        <source>Part %1 of a triangle</source>
+        <translation>三角形部分 %1</translation>
+    </message>
+    <message>
+        <source>Tile %1 of the picture</source>
+        <translation>图像的块 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row, of %2</source>
+        <translation>%2 的行段 %1</translation>
+    </message>
+    <message>
+        <source>Piece %1 of a row</source>
+        <translation>行段 %1</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is neither a camera path file nor a built-in path. Built in: orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3.</source>
+        <translation>&quot;%1&quot; 既不是相机路径文件，也不是内置路径。内置：orbit:N、fibonacci:N、walk:N、front:N、case-1、case-2、case-3。</translation>
+    </message>
+    <message>
+        <source>N poses before the scene&apos;s front, looking along -z, which the scene fills</source>
+        <translation>场景正面前方沿 -z 观看、由场景填满的 N 个姿态</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is none of polygon, plane, eye and camera. Write one of them, or # before a comment.</source>
+        <translation>%1 第 %2 行：“%3”不是 polygon、plane、eye、camera 之一。请写其中之一，或在注释前加 #。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the camera looks at its own place. Give it another target.</source>
+        <translation>%1 第 %2 行：相机看向自身所在的位置。请给出另一个目标点。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a name is missing before the numbers. Write for example polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation>%1 第 %2 行：数字之前缺少名称。例如写成 polygon A 0 0 0  1 0 0  0 1 0。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the name &quot;%3&quot; is used twice. Give each its own.</source>
+        <translation>%1 第 %2 行：名称“%3”用了两次。请各取其名。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: &quot;%3&quot; is not a usable number.</source>
+        <translation>%1 第 %2 行：“%3”不是可用的数。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a polygon has three coordinates for each of three or more corners; here are %3 numbers.</source>
+        <translation>%1 第 %2 行：多边形有三个或更多顶点，每个顶点三个坐标；此处有 %3 个数。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon has no area.</source>
+        <translation>%1 第 %2 行：多边形没有面积。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the polygon&apos;s corners do not lie in one plane. Write it as several polygons.</source>
+        <translation>%1 第 %2 行：多边形的顶点不在同一平面上。请写成多个多边形。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: a plane is written as a b c d, for ax + by + cz + d = 0, or as a point and a normal, six numbers; here are %3.</source>
+        <translation>%1 第 %2 行：平面写作 a b c d，即 ax + by + cz + d = 0，或写作一点和法线共六个数；此处有 %3 个。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the plane&apos;s normal is 0.</source>
+        <translation>%1 第 %2 行：平面的法线为 0。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the file has a camera already.</source>
+        <translation>%1 第 %2 行：文件已有相机。</translation>
+    </message>
+    <message>
+        <source>%1, line %2: an eye has three numbers, a camera six: its place and where it looks.</source>
+        <translation>%1 第 %2 行：eye 有三个数，camera 有六个数：位置和目标点。</translation>
+    </message>
+    <message>
+        <source>sheets one behind the other, each an object: seen from the front, the first one hides the others</source>
+        <translation>前后排列的薄片，每片一个物体：从正面看，第一片遮住其余各片</translation>
+    </message>
+    <message>
+        <source>how many layers</source>
+        <translation>层数</translation>
+    </message>
+    <message>
+        <source>how many triangles each layer has, to the nearest that its grid allows</source>
+        <translation>每层的三角形数，取其网格允许的最接近值</translation>
+    </message>
+    <message>
+        <source>height of the layers&apos; waves; 0: they are flat</source>
+        <translation>各层波浪的高度；0：平坦</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s quiz: polygons A, B and C, and the planes P1 to P3 that divide them</source>
+        <translation>课程测验：多边形 A、B、C 以及划分它们的平面 P1 至 P3</translation>
+    </message>
+    <message>
+        <source>the lecture&apos;s worked example: polygons A to D, divided by the planes P1 and P2</source>
+        <translation>课程例题：由平面 P1 和 P2 划分的多边形 A 至 D</translation>
+    </message>
+    <message>
+        <source>plane=given takes the planes that a scene has. &quot;%1&quot; has none: name them in a .polygons file, or take another choice of plane.</source>
+        <translation>plane=given 使用场景自带的平面。“%1”没有平面：请在 .polygons 文件中写出，或改用其他选法。</translation>
+    </message>
+    <message>
+        <source>Building the BSP tree</source>
+        <translation>正在构建 BSP 树</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, another choice of plane (plane=fewest), or a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个多边形：其 %3 个三角形已被切割 %4 次，还有 %5 个多边形未划分。请减少三角形，改用其他平面选法（plane=fewest），或提高上限。</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times. Take fewer triangles, sort=centroid, or a higher limit.</source>
+        <translation>“%1”的画家顺序需要超过 %2 个多边形：其 %3 个三角形已被切割 %4 次。请减少三角形，改用 sort=centroid，或提高上限。</translation>
+    </message>
+    <message>
+        <source>groups outside the frustum</source>
+        <translation>视锥体外的组</translation>
+    </message>
+    <message>
+        <source>groups visible without asking</source>
+        <translation>无需询问即可见的组</translation>
+    </message>
+    <message>
+        <source>groups asked about</source>
+        <translation>询问过的组</translation>
+    </message>
+    <message>
+        <source>groups hidden</source>
+        <translation>被遮挡的组</translation>
+    </message>
+    <message>
+        <source>objects drawn</source>
+        <translation>绘制的物体</translation>
+    </message>
+    <message>
+        <source>walk and queries</source>
+        <translation>遍历与查询</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; lies in a box of the octree; it has %2 triangles.</source>
+        <translation>物体&quot;%1&quot;位于八叉树的一个盒子中；它有 %2 个三角形。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, of which all are drawn where their box is visible.</source>
+        <translation>它属于一个有 %1 个物体的组，组的盒子可见时全部绘制。</translation>
+    </message>
+    <message>
+        <source>visit(group)</source>
+        <translation>访问(组)</translation>
+    </message>
+    <message>
+        <source>test its box against the frustum</source>
+        <translation>用视锥体测试其盒子</translation>
+    </message>
+    <message>
+        <source>first, or across near plane: visible</source>
+        <translation>第一个或跨越近平面：可见</translation>
+    </message>
+    <message>
+        <source>else ask OpenGL: does its box show?</source>
+        <translation>否则问 OpenGL：盒子可见吗？</translation>
+    </message>
+    <message>
+        <source>no: hidden, leave all its objects out</source>
+        <translation>否：被遮挡，略去其全部物体</translation>
+    </message>
+    <message>
+        <source>yes: visit(parts), nearest first</source>
+        <translation>是：访问(各部分)，由近及远</translation>
+    </message>
+    <message>
+        <source>no parts: draw its objects</source>
+        <translation>没有部分：绘制其物体</translation>
+    </message>
+    <message>
+        <source>Octree with occlusion queries</source>
+        <translation>带遮挡查询的八叉树</translation>
+    </message>
+    <message>
+        <source>Draws an octree&apos;s objects from near to far, and first asks OpenGL of each group whether its box shows.</source>
+        <translation>由近及远绘制八叉树中的物体，并先就每个组询问 OpenGL 其盒子是否可见。</translation>
+    </message>
+    <message>
+        <source>How many frames later an answer is used; 0: each batch is waited for, and nothing is lost.</source>
+        <translation>答案在多少帧之后使用；0：等待每一批的答案，不会丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>How many boxes are asked about at once, at most: more need fewer waits, and hide less from each other. The lecture asks one by one.</source>
+        <translation>一次最多询问多少个盒子：越多等待越少，但彼此遮挡也越少。讲义中逐个询问。</translation>
+    </message>
+    <message>
+        <source>Which groups OpenGL is asked about.</source>
+        <translation>就哪些组询问 OpenGL。</translation>
+    </message>
+    <message>
+        <source>every group before its parts</source>
+        <translation>每个组，先于其各部分</translation>
+    </message>
+    <message>
+        <source>only groups without parts, as in the lecture</source>
+        <translation>只问没有部分的组，与讲义相同</translation>
+    </message>
+    <message>
+        <source>How many objects a group may have that is not divided into parts.</source>
+        <translation>不再划分的组最多可有多少个物体。</translation>
+    </message>
+    <message>
+        <source>Groups by what was asked</source>
+        <translation>按询问结果划分的组</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet that could hide its box: it counts as visible without asking.</source>
+        <translation>尚未绘制任何可能遮住其盒子的内容：不询问即视为可见。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, reaches before the near plane: it counts as visible without asking.</source>
+        <translation>其盒子扩大 %2 后伸到近平面之前：不询问即视为可见。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about its box, grown by %2: it shows before what is drawn.</source>
+        <translation>就扩大 %2 后的盒子询问了 OpenGL：它显示在已绘制内容之前。</translation>
+    </message>
+    <message>
+        <source>OpenGL was asked about its box, grown by %2: what is drawn hides all of it.</source>
+        <translation>就扩大 %2 后的盒子询问了 OpenGL：已绘制内容将其完全遮住。</translation>
+    </message>
+    <message>
+        <source>Its box was not asked about %1 frames ago: it counts as visible, and is asked about now.</source>
+        <translation>%1 帧之前没有询问其盒子：视为可见，现在询问。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it shows.</source>
+        <translation>询问扩大 %2 后的盒子；%1 帧之前的答案是可见。</translation>
+    </message>
+    <message>
+        <source>Its box, grown by %2, is asked about; %1 frames ago the answer was that it is hidden.</source>
+        <translation>询问扩大 %2 后的盒子；%1 帧之前的答案是被遮挡。</translation>
+    </message>
+    <message>
+        <source>The box counts as visible: its parts are visited, nearest first.</source>
+        <translation>盒子视为可见：由近及远访问其各部分。</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 before the plane of node %2.</source>
+        <translation>视点在节点 %2 的平面正面，距离 %1。</translation>
+    </message>
+    <message>
+        <source>The eye lies %1 behind the plane of node %2.</source>
+        <translation>视点在节点 %2 的平面背面，距离 %1。</translation>
+    </message>
+    <message>
+        <source>The eye lies in the plane of node %2, at %1: its sides may come in any order.</source>
+        <translation>视点在节点 %2 的平面上（%1）：两侧可按任意顺序。</translation>
+    </message>
+    <message>
+        <source>A part with %1 of the area of triangle %2 is drawn, with node %3.</source>
+        <translation>在节点 %3 处绘制占三角形 %2 面积 %1 的部分。</translation>
+    </message>
+    <message>
+        <source>the eye is before the plane</source>
+        <translation>视点在平面正面</translation>
+    </message>
+    <message>
+        <source>the eye is behind the plane</source>
+        <translation>视点在平面背面</translation>
+    </message>
+    <message>
+        <source>the eye is in the plane</source>
+        <translation>视点在平面上</translation>
+    </message>
+    <message>
+        <source>The tree has the triangle in %1 parts, each drawn where the walk comes to it.</source>
+        <translation>树中该三角形有 %1 个部分，遍历到哪里就在哪里绘制。</translation>
+    </message>
+    <message>
+        <source>walking the tree</source>
+        <translation>遍历树</translation>
+    </message>
+    <message>
+        <source>The walk starts at the root: %1 nodes, %2 polygons.</source>
+        <translation>遍历从根开始：%1 个节点，%2 个多边形。</translation>
+    </message>
+    <message>
+        <source>Splitting planes</source>
+        <translation>分割平面</translation>
+    </message>
+    <message>
+        <source>&amp;Splitting planes</source>
+        <translation>分割平面(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the first planes of the BSP tree, each within its cell</source>
+        <translation>在活动视图中显示 BSP 树的前若干平面，各在其单元内</translation>
+    </message>
+    <message>
+        <source>node = root</source>
+        <translation>节点 = 根</translation>
+    </message>
+    <message>
+        <source>s = side of node&apos;s plane that V is on</source>
+        <translation>s = V 在节点平面的哪一侧</translation>
+    </message>
+    <message>
+        <source>go on with the child away from V</source>
+        <translation>先走远离 V 的子节点</translation>
+    </message>
+    <message>
+        <source>draw what lies in the plane</source>
+        <translation>绘制位于平面上的部分</translation>
+    </message>
+    <message>
+        <source>go on with the child on V&apos;s side</source>
+        <translation>再走 V 一侧的子节点</translation>
+    </message>
+    <message>
+        <source>In which order the tree is walked.</source>
+        <translation>遍历树的顺序。</translation>
+    </message>
+    <message>
+        <source>far to near, without depth test</source>
+        <translation>由远到近，不做深度测试</translation>
+    </message>
+    <message>
+        <source>near to far, with depth test</source>
+        <translation>由近到远，做深度测试</translation>
+    </message>
+    <message>
+        <source>Which plane divides the polygons of a node.</source>
+        <translation>用哪个平面划分节点的多边形。</translation>
+    </message>
+    <message>
+        <source>that of its first polygon</source>
+        <translation>其第一个多边形的平面</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that cuts the fewest polygons</source>
+        <translation>候选中切割多边形最少者</translation>
+    </message>
+    <message>
+        <source>of some candidates the one that divides them best</source>
+        <translation>候选中划分最均衡者</translation>
+    </message>
+    <message>
+        <source>the planes that the scene names, one for each level</source>
+        <translation>场景命名的平面，每层一个</translation>
+    </message>
+    <message>
+        <source>How many planes are tried at a node (plane=fewest and balance).</source>
+        <translation>每个节点试几个平面（plane=fewest 和 balance）。</translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them.</source>
+        <translation>树最多可有多少多边形，包括切割所得。</translation>
+    </message>
+    <message>
+        <source>BSP tree</source>
+        <translation>BSP 树</translation>
+    </message>
+    <message>
+        <source>Draws all triangles in the order of a BSP tree, cut where its planes pass through them.</source>
+        <translation>按 BSP 树的顺序绘制全部三角形，平面穿过处将其切开。</translation>
+    </message>
+    <message>
+        <source>Nodes by the eye&apos;s side</source>
+        <translation>按视点所在侧统计节点</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
+        <translation>测试 3：三角形 %1 完全在三角形 %2 的平面之后，最多 %3。</translation>
+    </message>
+    <message>
+        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
+        <translation>测试 4：相对三角形 %1，三角形 %2 完全在视点一侧，最多 %3。</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
+        <translation>没有测试允许三角形 %1 先于三角形 %2，故先取后者；前者的最远深度为 %3。</translation>
+    </message>
+    <message>
+        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
+        <translation>三角形 %1 等待已标记的三角形 %2：构成循环，切开其中一个；前者的最远深度为 %3。</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
+        <translation>三角形 %1 与 %2 互相穿过：切开前者；1/深度 之差从 %3 开始。</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
+        <translation>测试 5：三角形 %1 与 %2 的投影分离，或前者更远：%3。</translation>
+    </message>
+    <message>
+        <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
+        <translation>没有必须先画的了：绘制三角形 %2 面积的 %1。</translation>
+    </message>
+    <message>
+        <source>3: P is behind Q&apos;s plane</source>
+        <translation>3：P 在 Q 的平面之后</translation>
+    </message>
+    <message>
+        <source>4: Q is before P&apos;s plane</source>
+        <translation>4：Q 在 P 的平面之前</translation>
+    </message>
+    <message>
+        <source>5: projections apart</source>
+        <translation>5：投影分离</translation>
+    </message>
+    <message>
+        <source>Q is taken first</source>
+        <translation>先取 Q</translation>
+    </message>
+    <message>
+        <source>one is cut</source>
+        <translation>切开一个</translation>
+    </message>
+    <message>
+        <source>sorting</source>
+        <translation>排序</translation>
+    </message>
+    <message>
+        <source>%1 polygons are sorted by their farthest depth.</source>
+        <translation>%1 个多边形按最远深度排序。</translation>
+    </message>
+    <message>
+        <source>sort by the farthest depth, far first</source>
+        <translation>按最远深度排序，远者在先</translation>
+    </message>
+    <message>
+        <source>P = the farthest one left</source>
+        <translation>P = 剩余中最远者</translation>
+    </message>
+    <message>
+        <source>for each Q that P overlaps in depth</source>
+        <translation>对深度与 P 重叠的每个 Q</translation>
+    </message>
+    <message>
+        <source>1, 2: apart in x or y? next Q</source>
+        <translation>1、2：x 或 y 分离？下一个 Q</translation>
+    </message>
+    <message>
+        <source>3: P behind Q&apos;s plane? next Q</source>
+        <translation>3：P 在 Q 平面之后？下一个 Q</translation>
+    </message>
+    <message>
+        <source>4: Q before P&apos;s plane? next Q</source>
+        <translation>4：Q 在 P 平面之前？下一个 Q</translation>
+    </message>
+    <message>
+        <source>5: projections apart? next Q</source>
+        <translation>5：投影分离？下一个 Q</translation>
+    </message>
+    <message>
+        <source>Q marked, or they pierce: cut</source>
+        <translation>Q 已标记或互穿：切开</translation>
+    </message>
+    <message>
+        <source>else mark P; P = Q, from line 3</source>
+        <translation>否则标记 P；P = Q，回到第 3 行</translation>
+    </message>
+    <message>
+        <source>no Q left: draw P</source>
+        <translation>没有 Q 了：绘制 P</translation>
+    </message>
+    <message>
+        <source>Painter&apos;s algorithm</source>
+        <translation>画家算法</translation>
+    </message>
+    <message>
+        <source>Draws all triangles from far to near without depth test, and cuts those that wait for each other.</source>
+        <translation>不做深度测试，由远到近绘制全部三角形，互相等待者被切开。</translation>
+    </message>
+    <message>
+        <source>How the triangles are sorted.</source>
+        <translation>三角形的排序方法。</translation>
+    </message>
+    <message>
+        <source>by the tests of Newell, Newell and Sancha</source>
+        <translation>用 Newell、Newell 和 Sancha 的测试</translation>
+    </message>
+    <message>
+        <source>by the distance of their centroids alone; shows wrong pixels</source>
+        <translation>仅按质心距离；会显示错误像素</translation>
+    </message>
+    <message>
+        <source>How many polygons a frame may have, the cut ones among them.</source>
+        <translation>一帧最多可有多少多边形，包括切割所得。</translation>
+    </message>
+    <message>
+        <source>Comparisons by what decided</source>
+        <translation>按决定因素统计比较</translation>
+    </message>
+    <message>
+        <source>All normals in the cell&apos;s cone are turned to the eye: cones are not tested in its parts.</source>
+        <translation>单元法线锥中的法线全都朝向视点：其各部分不再测试法线锥。</translation>
+    </message>
+    <message>
+        <source>The planes of its triangles have the eye behind them by at least %1, more than the %2 that rounding and snapping may undo.</source>
+        <translation>视点位于其三角形所在平面之后至少 %1，大于舍入和捕捉可能抵消的 %2。</translation>
+    </message>
+    <message>
+        <source>The planes of its triangles have the eye behind them by at least %1: not more than the %2 that rounding and snapping may undo.</source>
+        <translation>视点位于其三角形所在平面之后至少 %1：不大于舍入和捕捉可能抵消的 %2。</translation>
+    </message>
+    <message>
+        <source>Its sphere reaches the slope %1; the kernel&apos;s horizon before it is not everywhere higher (%2): part of it may be visible.</source>
+        <translation>其包围球达到斜率 %1；它之前内核的地平线并非处处更高（%2）：它可能部分可见。</translation>
+    </message>
+    <message>
+        <source>Its sphere reaches the slope %1; the kernel&apos;s horizon before it is higher, at least %2: hidden.</source>
+        <translation>其包围球达到斜率 %1；它之前内核的地平线更高，至少为 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>Its sphere begins at the slope %1, above the kernel&apos;s horizon, at most %2: the kernel hides none of it.</source>
+        <translation>其包围球自斜率 %1 起，高于至多为 %2 的内核地平线：内核不遮挡它的任何部分。</translation>
+    </message>
+    <message>
+        <source>Left out, but drawn after all: it lies between two ranges, and fewer than %1 triangles are not worth a range of their own.</source>
+        <translation>先被剔除，最终仍绘制：它位于两个区间之间，少于 %1 个三角形不值得单独成为区间。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.</source>
+        <translation>角点射线 %1 经过图的 %2 个单元，在 R = %3 处击中三角形。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 passes %2 cells of the map and hits nothing: the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
+        <translation>角点射线 %1 经过图的 %2 个单元而未击中：取球面上离它最近的点，R = %3。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 misses the bounding sphere (cells passed: %2): the sphere&apos;s point nearest to it, at R = %3, is taken.</source>
+        <translation>角点射线 %1 未与包围球相交（经过的单元：%2）：取球面上离它最近的点，R = %3。</translation>
+    </message>
+    <message>
+        <source>The region between the four corners is case %1; boxes around it: %2; triangles in their cells: %3.</source>
+        <translation>四个角点之间的区域属于情形 %1；外围框：%2；其单元中的三角形：%3。</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
+        <translation>至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：至少部分绘制。</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
+        <translation>至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
+        <translation>近半球中至 α = %3° 的带：S %1，之前的最大值 %2：绘制。</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
+        <translation>至 α = %3° 的带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
+        <translation>至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>Band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
+        <translation>至 α = %3° 的带：S %1，但该扇区中更近的带已被遮挡（之前的最大值 %2）：其后不再绘制。</translation>
+    </message>
+    <message>
+        <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
+        <translation>测试剔除了该单元，但它随两侧的区间一起绘制：这么少的三角形不值得单独成为区间。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
+        <translation>它属于一个有 %1 个物体的组，先测试了组的盒子：此前绘制的内容将其遮住。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -2794,6 +3654,13 @@ OpenGL %2
     <message>
         <source>Also: OpenMesh and libepoxy, GLM, meshoptimizer, tinyobjloader, OpenImageIO, Embree, oneTBB, OpenSSL, CLI11, nlohmann-json and fmt, each under its own free licence.</source>
         <translation>此外还使用 OpenMesh、libepoxy、GLM、meshoptimizer、tinyobjloader、OpenImageIO、Embree、oneTBB、OpenSSL、CLI11、nlohmann-json 和 fmt，它们各自采用自由许可证。</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::AnswerDialog</name>
+    <message>
+        <source>What was expected, and what happened</source>
+        <translation>预期与实际</translation>
     </message>
 </context>
 <context>
@@ -3243,6 +4110,14 @@ OpenGL %2
         <source>help; this page</source>
         <translation>帮助；本页</translation>
     </message>
+    <message>
+        <source>step through the frame; Page Up and Page Down step</source>
+        <translation>逐步查看该帧；Page Up 和 Page Down 移动</translation>
+    </message>
+    <message>
+        <source>question first: name what you expect, then reveal</source>
+        <translation>先提问：指出预期，再揭示</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -3379,6 +4254,10 @@ OpenGL %2
     <message>
         <source>Lines of the strategy</source>
         <translation>策略的各行</translation>
+    </message>
+    <message>
+        <source>Decisions up to this step that fell at these lines: %1. The last one fell at line %2.</source>
+        <translation>到这一步为止在这些行作出的决定：%1 个。最后一个在第 %2 行。</translation>
     </message>
 </context>
 <context>
@@ -3942,6 +4821,80 @@ OpenGL %2
     <message>
         <source>missed</source>
         <translation>丢失</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::PredictionModel</name>
+    <message>
+        <source>triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>vanishes</source>
+        <translation>消失</translation>
+    </message>
+    <message>
+        <source>is drawn</source>
+        <translation>绘制</translation>
+    </message>
+    <message>
+        <source>✓ right</source>
+        <translation>✓ 正确</translation>
+    </message>
+    <message>
+        <source>✗ wrong</source>
+        <translation>✗ 错误</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>三角形</translation>
+    </message>
+    <message>
+        <source>Object</source>
+        <translation>物体</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>预期</translation>
+    </message>
+    <message>
+        <source>What happened</source>
+        <translation>实际</translation>
+    </message>
+    <message>
+        <source>Right or wrong</source>
+        <translation>对错</translation>
+    </message>
+    <message>
+        <source>Right: %1 of %2</source>
+        <translation>正确：%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionBar</name>
+    <message>
+        <source>Click what you expect; a second click takes it back. Named: %1</source>
+        <translation>点击您预期的对象；再次点击可取消。已指出：%1</translation>
+    </message>
+    <message>
+        <source>What vanishes?</source>
+        <translation>什么会消失？</translation>
+    </message>
+    <message>
+        <source>In which order is it drawn?</source>
+        <translation>按什么顺序绘制？</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>问题</translation>
+    </message>
+    <message>
+        <source>Reveal</source>
+        <translation>揭示</translation>
+    </message>
+    <message>
+        <source>Withdraw</source>
+        <translation>撤回</translation>
     </message>
 </context>
 <context>
@@ -4546,6 +5499,112 @@ snapping</source>
     </message>
 </context>
 <context>
+    <name>cullscope::ui::StepBar</name>
+    <message>
+        <source>%1 of %2</source>
+        <comment>a step, number of steps</comment>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>place, size of the steps</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>by subject</source>
+        <translation>按对象</translation>
+    </message>
+    <message>
+        <source>by object</source>
+        <translation>按物体</translation>
+    </message>
+    <message>
+        <source>by command</source>
+        <translation>按命令</translation>
+    </message>
+    <message>
+        <source>in equal parts</source>
+        <translation>等分</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>暂停</translation>
+    </message>
+    <message>
+        <source>Play from here</source>
+        <translation>从此处播放</translation>
+    </message>
+    <message>
+        <source>The strategy&apos;s decisions are being read…</source>
+        <translation>正在读取策略的决定…</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>断点</translation>
+    </message>
+    <message>
+        <source>Breakpoints: %1</source>
+        <translation>断点：%1</translation>
+    </message>
+    <message>
+        <source>Each step is one decision or command of the frame.</source>
+        <translation>每一步是该帧的一个决定或命令。</translation>
+    </message>
+    <message>
+        <source>This frame has %1 decisions and commands: each step takes several of them.</source>
+        <translation>该帧有 %1 个决定和命令：每一步包含其中若干个。</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <comment>kind of decision, how many</comment>
+        <translation>%1（%2）</translation>
+    </message>
+    <message>
+        <source>To the start (Shift+Page Up)</source>
+        <translation>到开头（Shift+Page Up）</translation>
+    </message>
+    <message>
+        <source>One step back (Page Up)</source>
+        <translation>后退一步（Page Up）</translation>
+    </message>
+    <message>
+        <source>One step on (Page Down)</source>
+        <translation>前进一步（Page Down）</translation>
+    </message>
+    <message>
+        <source>To the end (Shift+Page Down)</source>
+        <translation>到末尾（Shift+Page Down）</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>步</translation>
+    </message>
+    <message>
+        <source>Steps a second:</source>
+        <translation>每秒步数：</translation>
+    </message>
+    <message>
+        <source>Playing stops at decisions of these kinds; Ctrl+Page Down and Ctrl+Page Up go to the next and the last one</source>
+        <translation>播放会停在这些类型的决定处；Ctrl+Page Down 和 Ctrl+Page Up 跳到下一个和上一个</translation>
+    </message>
+    <message>
+        <source>Show the whole frame again (F8)</source>
+        <translation>重新显示整帧（F8）</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::Stepper</name>
+    <message>
+        <source>Nothing was decided and nothing was drawn yet.</source>
+        <translation>尚未作出任何决定，也未绘制任何内容。</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <comment>subject of a decision, what was found</comment>
+        <translation>%1：%2</translation>
+    </message>
+</context>
+<context>
     <name>cullscope::ui::StrategyPanel</name>
     <message>
         <source>Strategy of view %1</source>
@@ -4791,6 +5850,14 @@ snapping</source>
     <message>
         <source>frozen</source>
         <translation>已冻结</translation>
+    </message>
+    <message>
+        <source>What do you expect? The figures come with the answer.</source>
+        <translation>您预期什么？数字随答案显示。</translation>
+    </message>
+    <message>
+        <source>step %1 of %2 · whole frame: %3</source>
+        <translation>第 %1 / %2 步 · 整帧：%3</translation>
     </message>
 </context>
 <context>
@@ -5278,6 +6345,46 @@ snapping</source>
     <message>
         <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
         <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
+    </message>
+    <message>
+        <source>S&amp;tep through</source>
+        <translation>逐步查看(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Replay the active view&apos;s frame step by step, with what the strategy decides</source>
+        <translation>逐步重放当前视图的帧，并显示策略的决定</translation>
+    </message>
+    <message>
+        <source>&amp;Question first</source>
+        <translation>先提问(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Hide figures and verdicts until what the audience expects was clicked, then reveal both beside each other</source>
+        <translation>隐藏数字和判定，直到点击了观众的预期，再并排揭示</translation>
+    </message>
+    <message>
+        <source>One step on</source>
+        <translation>前进一步</translation>
+    </message>
+    <message>
+        <source>One step back</source>
+        <translation>后退一步</translation>
+    </message>
+    <message>
+        <source>To the first step</source>
+        <translation>到第一步</translation>
+    </message>
+    <message>
+        <source>To the last step</source>
+        <translation>到最后一步</translation>
+    </message>
+    <message>
+        <source>On to the next breakpoint</source>
+        <translation>到下一个断点</translation>
+    </message>
+    <message>
+        <source>Back to the last breakpoint</source>
+        <translation>回到上一个断点</translation>
     </message>
 </context>
 </TS>

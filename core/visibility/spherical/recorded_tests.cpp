@@ -14,14 +14,14 @@ void recordRay(const CornerRay& ray, const Subject& subject, FrameContext& frame
     search.operands = {subject.number + 1.0, double(ray.walkedCells.size()), glm::length(ray.point)};
     search.operandCount = 3;
     search.containment = ray.hit ? Containment::Inside : ray.span ? Containment::Straddles : Containment::Outside;
-    search.sentence = ray.hit ? CULLSCOPE_TR("Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.")
-                      : ray.span
-                          ? CULLSCOPE_TR(
-                                "Corner ray %1 passes %2 cells of the map and hits nothing: the sphere's point nearest to it, at "
-                                "R = %3, is taken.")
-                          : CULLSCOPE_TR(
-                                "Corner ray %1 misses the bounding sphere, and so all of the %2 cells on its way: the sphere's "
-                                "point nearest to it, at R = %3, is taken.");
+    search.sentence =
+        ray.hit    ? CULLSCOPE_TR("Corner ray %1 passes %2 cells of the map and hits a triangle at R = %3.")
+        : ray.span ? CULLSCOPE_TR(
+                         "Corner ray %1 passes %2 cells of the map and hits nothing: the sphere's point nearest to it, at "
+                         "R = %3, is taken.")
+                   : CULLSCOPE_TR(
+                         "Corner ray %1 misses the bounding sphere (cells passed: %2): the sphere's point nearest to it, at "
+                         "R = %3, is taken.");
     frame.say(atLine(BandsLine::Rays, search));
 }
 
