@@ -10,12 +10,7 @@ namespace cullscope::cullbench {
 namespace {
 
 /// What strategies declare that stands in place of the scene's picture.
-std::vector<const Show*> declaredPictures() {
-    std::vector<const Show*> pictures;
-    for (const Show* show : declaredShows())
-        if (show->kind == Show::Kind::Picture || show->kind == Show::Kind::DirectionMap) pictures.push_back(show);
-    return pictures;
-}
+std::vector<const Show*> declaredPictures() { return declaredShows(Show::Kind::DirectionMap); }
 
 /// The ids of the pictures that strategies declare, in the form "ID, ".
 std::string pictureList() {

@@ -6,6 +6,7 @@
 #include "app/cullbench/commands.h"
 #include "app/cullbench/overlays.h"
 #include "core/base/error.h"
+#include "core/frame/decided_ahead.h"
 #include "core/frame/entry_words.h"
 #include "core/gpu/colour.h"
 #include "core/gpu/gpu_frame.h"
@@ -106,8 +107,8 @@ Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltSt
     if (choice.needsDecisions()) drawn.line = strategy.frameLine(log);
     if (!choice.picture.empty()) {
         const CellMapPointer map = strategy.directionMap(choice.picture, log);
-        drawn.rgba = map ? cellMapPicture(*map, choice.colouring, viewing.viewport(), style)
-                         : strategy.picture(choice.picture, choice.colouring, log, viewing.viewport(), style);
+        if (!map) throwUsage(CULLSCOPE_TR("--overlay %1: this frame decided nothing that could be shown."), {choice.picture});
+        drawn.rgba = cellMapPicture(*map, choice.colouring, viewing.viewport(), style);
         return drawn;
     }
     Framebuffer target(viewing.viewport());
@@ -153,7 +154,7 @@ FrameLog upToStep(const RenderOptions& options, FrameLog log) {
     if (*options.step > log.entries())
         throwUsage(CULLSCOPE_TR("--step %1: the frame has %2 steps."),
                    {std::to_string(*options.step), std::to_string(log.entries())});
-    return log.upTo(*options.step);
+    return replayUpTo(log, *options.step);
 }
 
 void run(const RenderOptions& options, const Context& context) {

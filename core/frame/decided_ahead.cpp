@@ -51,6 +51,73 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// The decisions that name parts of the next command: those after the command before it.
+std::span<const Decision> aboutNext(const FrameLog& log, size_t commands, size_t decided) {
+    const std::span<const Decision> said = std::span(log.decisions).first(decided);
+    const auto first = std::ranges::find_if(said, [&](const Decision& decision) { return decision.commands >= commands; });
+    return {first, said.end()};
+}
+
+OwnTrianglesPointer firstOf(const OwnTriangles& all, uint32_t count) {
+    auto part = std::make_shared<OwnTriangles>();
+    part->facing = all.facing;
+    part->depth = all.depth;
+    part->positions.assign(all.positions.begin(), all.positions.begin() + std::ptrdiff_t(3 * size_t(count)));
+    part->normals.assign(all.normals.begin(), all.normals.begin() + std::ptrdiff_t(3 * size_t(count)));
+    part->triangles.assign(all.triangles.begin(), all.triangles.begin() + std::ptrdiff_t(count));
+    for (const OwnTriangles::Run& run : all.runs)
+        if (run.first < count) part->runs.push_back({run.instance, run.first, std::min(run.count, count - run.first)});
+    return part;
+}
+
+OwnTrianglesPointer namedPart(const OwnTriangles& all, std::span<const Decision> said) {
+    uint32_t end = 0;
+    for (const Decision& decision : said)
+        if (decision.subject.kind == Subject::Kind::Fragment && decision.places.count > 0)
+            end = std::max(end, decision.places.first + decision.places.count);
+    return end == 0 ? nullptr : firstOf(all, std::min(end, uint32_t(all.triangles.size())));
+}
+
+FinishedPicturePointer namedPart(const FinishedPicture& all, std::span<const Decision> said) {
+    auto part = std::make_shared<FinishedPicture>();
+    part->size = all.size;
+    part->triangle.resize(all.triangle.size());
+    part->depth.resize(all.depth.size());
+    const auto width = uint32_t(all.size.width);
+    bool any = false;
+    for (const Decision& decision : said) {
+        const bool pixels = decision.subject.kind == Subject::Kind::Tile || decision.subject.kind == Subject::Kind::Span;
+        if (!pixels || decision.places.count == 0) continue;
+        const uint32_t first = decision.places.first, last = first + decision.places.count - 1;
+        if (last >= all.triangle.size()) continue;
+        any = true;
+        for (uint32_t row = first / width; row <= last / width; ++row) {
+            const auto from = std::ptrdiff_t(row * width + first % width), to = std::ptrdiff_t(row * width + last % width + 1);
+            std::copy(all.triangle.begin() + from, all.triangle.begin() + to, part->triangle.begin() + from);
+            std::copy(all.depth.begin() + from, all.depth.begin() + to, part->depth.begin() + from);
+        }
+    }
+    return any ? part : nullptr;
+}
+
+}  // namespace
+
+FrameLog replayUpTo(const FrameLog& log, size_t entries) {
+    FrameLog part = log.upTo(entries);
+    const size_t done = part.commands.size();
+    const auto next = std::find_if_not(log.commands.begin() + std::ptrdiff_t(done), log.commands.end(), isQuestion);
+    if (next == log.commands.end()) return part;
+    const std::span<const Decision> said = aboutNext(log, done, part.decisions.size());
+    if (const auto* own = std::get_if<OwnTrianglesPointer>(&*next)) {
+        if (OwnTrianglesPointer named = namedPart(**own, said)) part.commands.emplace_back(std::move(named));
+    } else if (const auto* picture = std::get_if<FinishedPicturePointer>(&*next)) {
+        if (FinishedPicturePointer named = namedPart(**picture, said)) part.commands.emplace_back(std::move(named));
+    }
+    return part;
+}
+
 DrawList decidedAhead(const FrameLog& log, size_t entries) {
     const size_t all = std::min(entries, log.entries()), done = log.commandsWithin(all), decided = all - done;
     const auto begin = log.commands.begin();

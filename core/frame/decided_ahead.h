@@ -9,4 +9,9 @@ namespace cullscope {
 /// everything before it draws can so be followed. Empty where the next drawing command is no draw list.
 [[nodiscard]] DrawList decidedAhead(const FrameLog& log, size_t entries);
 
+/// The first `entries` entries (FrameLog::upTo) as they are shown: where decisions name parts of the strategy's own triangles
+/// (Subject::Kind::Fragment) or of its finished picture (Tile, Span) before the command that shows them all, those parts are a
+/// last command of their own. The own triangles end with the last part that was named; of a picture there are the pixels named.
+[[nodiscard]] FrameLog replayUpTo(const FrameLog& log, size_t entries);
+
 }  // namespace cullscope

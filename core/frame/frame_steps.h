@@ -29,11 +29,11 @@ private:
 
 /// What one step of a replay adds.
 enum class StepGrain {
-    Entry,    ///< one command or decision
-    Subject,  ///< all consecutive decisions about one subject
-    Object,   ///< all consecutive decisions about one object and its parts, or about one node
+    Entry,     ///< one command or decision
+    Subject,   ///< all consecutive decisions about one subject
+    Object,    ///< all consecutive decisions about one object and its parts, or about one node
     Commands,  ///< a command with all decisions before it
-    Share     ///< equal numbers of entries
+    Share      ///< equal numbers of entries
 };
 
 /// The steps in which a log is replayed: the finest grain that needs no more than a number of steps. The first step replays

@@ -57,11 +57,6 @@ std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::stri
     return absent(elsewhere->absent, colouring);
 }
 
-std::vector<uint8_t> BuiltStrategy::picture(std::string_view id, std::string_view colouring, const FrameLog& log,
-                                            const Viewport& size, const DrawStyle& style) const {
-    return m_strategy->picture(id, colouring, *m_structure, log, size, style);
-}
-
 CellMapPointer BuiltStrategy::directionMap(std::string_view id, const FrameLog& log,
                                            const std::optional<uint32_t>& object) const {
     return m_info.show(id) == nullptr ? nullptr : m_strategy->directionMap(id, *m_structure, log, object);

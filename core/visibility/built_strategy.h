@@ -42,12 +42,9 @@ public:
     /// The lines of an overlay that the strategy declares; none for any other id.
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
                                                     const FrameLog& log) const;
-    /// Why an overlay or a picture that some strategy declares cannot be shown of this frame; none where it can. `colouring`: of
-    /// a picture, else empty.
+    /// Why an overlay or a map that some strategy declares cannot be shown of this frame; none where it can. `colouring`: of a
+    /// map, else empty.
     [[nodiscard]] std::optional<Message> whyNotShown(std::string_view id, std::string_view colouring, const FrameLog& log) const;
-    /// A picture that the strategy declares: RGBA, rows from the bottom.
-    [[nodiscard]] std::vector<uint8_t> picture(std::string_view id, std::string_view colouring, const FrameLog& log,
-                                               const Viewport& size, const DrawStyle& style) const;
     /// A map of directions that the strategy declares (strategy.h); null for any other id.
     [[nodiscard]] CellMapPointer directionMap(std::string_view id, const FrameLog& log,
                                               const std::optional<uint32_t>& object = {}) const;

@@ -9,9 +9,9 @@
 #include "core/visibility/frustum/frustum_culling.h"
 #include "core/visibility/frustum/frustum_octree.h"
 #include "core/visibility/occlusion/octree_query.h"
-#include "core/visibility/software/software_raster.h"
 #include "core/visibility/ordering/bsp.h"
 #include "core/visibility/ordering/painter.h"
+#include "core/visibility/software/software_raster.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
 

@@ -14,7 +14,7 @@ namespace cullscope {
 /// "--overlay kernel"; `having` names the strategies that declare it, separated by commas. Only cullbench prints it.
 using AbsentShow = Message (*)(const std::string& option, const std::string& strategy, const std::string& having);
 
-/// One of the colourings of a Show that is a picture or a map.
+/// One of the colourings of a Show that is a map.
 struct ShowColouring {
     std::string id;               ///< on the command line and in metadata
     AbsentShow absent = nullptr;  ///< null: every strategy that declares the show has this colouring
@@ -26,7 +26,6 @@ struct Show {
     enum class Kind {
         Overlay,       ///< lines over a view's picture
         Boxes,         ///< the strategy's own form of the overlay `boxes`
-        Picture,       ///< a picture in place of the scene's
         DirectionMap,  ///< a map of directions, of one object (frame/cell_map.h), in place of the scene's picture and in the
                        ///< desktop's panel "Inside"
         Curve,         ///< values over an axis, of one object (frame/curve.h), in a tab of the desktop's panel "Inside"
@@ -40,8 +39,8 @@ struct Show {
     std::string action;       ///< the same with a marked key, in the window's menu
     std::string explanation;  ///< one sentence about it, marked for translation
     std::vector<TriangleState> legend;      ///< the states whose colours it uses
-    AbsentShow absent = nullptr;            ///< never null for what cullbench draws: Overlay, Picture, DirectionMap
-    std::vector<ShowColouring> colourings;  ///< of a Picture or a DirectionMap: the first one is the default
+    AbsentShow absent = nullptr;            ///< never null for what cullbench draws: Overlay, DirectionMap
+    std::vector<ShowColouring> colourings;  ///< of a DirectionMap: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
     std::vector<ListingLine> lines;         ///< of a Listing: kMostListingLines at most
 };

@@ -53,11 +53,6 @@ std::optional<Message> Strategy::whyNotShown(std::string_view /*id*/, std::strin
     return std::nullopt;
 }
 
-std::vector<uint8_t> Strategy::picture(std::string_view /*id*/, std::string_view /*colouring*/, const Structure& /*structure*/,
-                                       const FrameLog& /*log*/, const Viewport& /*size*/, const DrawStyle& /*style*/) const {
-    return {};
-}
-
 CellMapPointer Strategy::directionMap(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& /*log*/,
                                       const std::optional<uint32_t>& /*object*/) const {
     return nullptr;

@@ -22,7 +22,6 @@ namespace cullscope {
 
 struct CellMap;
 struct Curve;
-struct DrawStyle;
 struct OverlayContext;
 struct OverlayLines;
 struct WhyStep;
@@ -162,13 +161,9 @@ public:
     /// The lines of a declared overlay.
     [[nodiscard]] virtual std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
                                                             const Structure& structure, const FrameLog& log) const;
-    /// Why a declared show has nothing to show of this frame; none where it has. `colouring`: of a picture, else empty.
+    /// Why a declared show has nothing to show of this frame; none where it has. `colouring`: of a map, else empty.
     [[nodiscard]] virtual std::optional<Message> whyNotShown(std::string_view id, std::string_view colouring,
                                                              const Structure& structure, const FrameLog& log) const;
-    /// A declared picture: RGBA, rows from the bottom.
-    [[nodiscard]] virtual std::vector<uint8_t> picture(std::string_view id, std::string_view colouring,
-                                                       const Structure& structure, const FrameLog& log, const Viewport& size,
-                                                       const DrawStyle& style) const;
     /// A declared map of directions of one object; null where the frame tells nothing of it. `object` as for a curve. May take as
     /// long as the strategy's own structures do: it is called beside the window.
     [[nodiscard]] virtual CellMapPointer directionMap(std::string_view id, const Structure& structure, const FrameLog& log,

@@ -1,5 +1,6 @@
 #include "ui/jobs/view_frames.h"
 
+#include "core/frame/decided_ahead.h"
 #include "core/frame/frame_steps.h"
 
 namespace cullscope::ui {
@@ -76,7 +77,7 @@ size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place) {
 
 ViewFramePointer frameUpTo(const ViewFramePointer& frame, const std::optional<LogPlace>& place) {
     if (!frame || !place) return frame;
-    return std::make_shared<const ViewFrame>(ViewFrame{frame->request, frame->log.upTo(entriesUpTo(*frame, *place))});
+    return std::make_shared<const ViewFrame>(ViewFrame{frame->request, replayUpTo(frame->log, entriesUpTo(*frame, *place))});
 }
 
 ViewLook shownLook(const ViewFrame& frame, ViewLook look) {

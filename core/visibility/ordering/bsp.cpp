@@ -83,12 +83,14 @@ private:
         // What lies in one plane: in the end the lowest number is on top, as in the item buffer.
         for (size_t i = 0; i < parts.size(); ++i) {
             const BspTree::Part& part = m_nearFirst ? parts[parts.size() - 1 - i] : parts[i];
+            const auto first = uint32_t(m_own->triangles.size());
             add(part);
             if (!records(number)) continue;
             Decision drawn = ending({Subject::Kind::Fragment, part.triangle, uint32_t(m_instance)},
                                     part.share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
             drawn.cause = Cause::Hidden;
             drawn.sentence = CULLSCOPE_TR("A part with %1 of the area of triangle %2 is drawn, with node %3.");
+            drawn.places = {first, part.count};
             drawn.operands = {part.share, double(part.triangle), double(number)};
             drawn.operandCount = 3;
             m_frame.say(atLine(BspLine::OnPlane, drawn));

@@ -74,8 +74,9 @@ public:
         size_t said = 0;
         for (const uint32_t polygon : order.polygons) {
             const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
+            const auto first = uint32_t(m_own->triangles.size());
             add(triangle, [&] { m_triangles.draw(polygon, *m_own); });
-            if (m_frame.recording() && ++said <= kRecordedPolygons) drawn(triangle, m_triangles.share(polygon));
+            if (m_frame.recording() && ++said <= kRecordedPolygons) drawn(triangle, m_triangles.share(polygon), first);
         }
         count(order);
         return m_own;
@@ -96,11 +97,13 @@ private:
         m_frame.say(atLine(told.line, test));
     }
 
-    void drawn(uint32_t triangle, double share) {
+    /// `first`: of its triangles among those drawn; they are the last ones so far.
+    void drawn(uint32_t triangle, double share, uint32_t first) {
         Decision end = ending({Subject::Kind::Fragment, triangle, uint32_t(m_instance)},
                               share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
         end.cause = Cause::Hidden;
         end.sentence = CULLSCOPE_TR("Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.");
+        end.places = {first, uint32_t(m_own->triangles.size()) - first};
         end.operands = {share, double(triangle)};
         end.operandCount = 2;
         m_frame.say(atLine(PainterLine::Draw, end));

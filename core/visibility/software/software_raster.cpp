@@ -141,6 +141,14 @@ private:
     }
 };
 
+/// A rectangle of the picture, as decisions name it (Decision::places): rows [firstRow, endRow), columns [begin, end).
+PlaceRun pixelsOf(const FrameContext& frame, int firstRow, int endRow, int begin, int end) {
+    if (firstRow >= endRow || begin >= end) return {};
+    const int width = frame.view().viewport().width;
+    const auto first = uint32_t(firstRow * width + begin), last = uint32_t((endRow - 1) * width + end - 1);
+    return {first, last - first + 1};
+}
+
 /// Sums of an operand over the decisions that fell at a line.
 uint64_t sumAtLine(const FrameLog& log, uint8_t line, size_t operand) {
     double sum = 0.0;
@@ -167,11 +175,12 @@ protected:
         if (!frame.recording()) return drawn;
         for (uint32_t tile = 0; tile < drawn.rows.size(); ++tile) {
             const RowCounts& counts = drawn.rows[tile];
-            frame.say(atLine(Line::Compare,
-                             said({Subject::Kind::Tile, tile, Subject::kNoObject}, Decision::Outcome::Open,
-                                  CULLSCOPE_TR("In this tile %1 depths were compared with the stored ones; %2 were nearer and "
-                                               "stored. %3 pixels show a surface."),
-                                  {double(counts.comparisons), double(counts.written), double(counts.covered)})));
+            Decision stored = said({Subject::Kind::Tile, tile, Subject::kNoObject}, Decision::Outcome::Open,
+                                   CULLSCOPE_TR("In this tile %1 depths were compared with the stored ones; %2 were nearer and "
+                                                "stored. %3 pixels show a surface."),
+                                   {double(counts.comparisons), double(counts.written), double(counts.covered)});
+            stored.places = pixelsOf(frame, counts.firstRow, counts.endRow, 0, frame.view().viewport().width);
+            frame.say(atLine(Line::Compare, stored));
         }
         return drawn;
     }
@@ -205,12 +214,20 @@ private:
         for (uint32_t row = 0; row < drawn.rows.size(); ++row) {
             const RowCounts& counts = drawn.rows[row];
             for (; spansToo && next < drawn.spans.size() && drawn.spans[next].row == int(row); ++next)
-                frame.say(decisionOf(drawn.spans[next], uint32_t(next)));
-            frame.say(atLine(Line::Done, said({Subject::Kind::Tile, row, Subject::kNoObject}, Decision::Outcome::Open,
-                                              CULLSCOPE_TR("In this row %1 depths were compared, where a depth buffer compares "
-                                                           "%2; %3 spans were filled."),
-                                              {double(counts.comparisons), double(counts.samples), double(counts.spans)})));
+                sayPart(frame, drawn.spans[next], uint32_t(next));
+            Decision done = said({Subject::Kind::Tile, row, Subject::kNoObject}, Decision::Outcome::Open,
+                                 CULLSCOPE_TR("In this row %1 depths were compared, where a depth buffer compares "
+                                              "%2; %3 spans were filled."),
+                                 {double(counts.comparisons), double(counts.samples), double(counts.spans)});
+            done.places = pixelsOf(frame, int(row), int(row) + 1, 0, frame.view().viewport().width);
+            frame.say(atLine(Line::Done, done));
         }
+    }
+
+    static void sayPart(FrameContext& frame, const RowSpan& span, uint32_t number) {
+        Decision filled = decisionOf(span, number);
+        filled.places = pixelsOf(frame, span.row, span.row + 1, span.begin, span.end);
+        frame.say(filled);
     }
 
     static Decision decisionOf(const RowSpan& span, uint32_t number) {

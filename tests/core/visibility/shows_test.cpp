@@ -19,7 +19,7 @@ TEST(Shows, haveWordsAndSayWhyTheyAreAbsent) {
             EXPECT_EQ(common.contains(show.id), show.kind == Show::Kind::Boxes) << show.id;
             // What cullbench draws says why a strategy has it not.
             using enum Show::Kind;
-            const bool drawn = show.kind == Overlay || show.kind == Picture || show.kind == DirectionMap;
+            const bool drawn = show.kind == Overlay || show.kind == DirectionMap;
             EXPECT_EQ(show.absent != nullptr, drawn) << show.id;
             EXPECT_EQ(show.lines.empty(), show.kind != Listing) << show.id;
             EXPECT_FALSE((show.kind == Curve || show.kind == Bars) && show.title.empty()) << show.id;
