@@ -199,7 +199,7 @@ std::string sizeText(Viewport size) { return std::to_string(size.width) + "×" +
 Setting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
     Setting setting;
     setting.scene = kBunny;
-    setting.strategies = {kAllId, kBackfaceId, "spherical"};
+    setting.strategies = {"all", "backface", "spherical"};
     setting.shown = "spherical";
     setting.path = path;
     setting.size = size;
@@ -216,7 +216,7 @@ void addCases(Experiment& experiment, const Cases& rows, Viewport size, int wind
         const std::string path = "case-" + std::to_string(i + 1);
         Setting setting = timedSetting(path, size, windows, Upload::Vbo);
         setting.labels["case"] = double(i + 1);
-        setting.stated[kAllId] = {{"paper_fps", rows[i].fpsAll}};
+        setting.stated["all"] = {{"paper_fps", rows[i].fpsAll}};
         setting.stated["spherical"] = {{"paper_fps", rows[i].fpsProposed},
                                        {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
         experiment.settings.push_back(setting);
@@ -246,7 +246,7 @@ Experiment table2() {
     experiment.columns = timedColumns({caseColumn()}, paper);
     addCases(experiment, kTable2, kSmall, 1);
     for (size_t i = 0; i < experiment.settings.size(); ++i) {
-        experiment.settings[i].stated[kAllId]["paper_faces"] = kFacesOfTable2;
+        experiment.settings[i].stated["all"]["paper_faces"] = kFacesOfTable2;
         experiment.settings[i].stated["spherical"]["paper_faces"] = kConsideredOfTable2[i];
     }
     return experiment;
@@ -279,7 +279,7 @@ Row rangeCells(const Range& range) {
 void addInside(Experiment& experiment, Upload upload, const Range& all, const Range& proposed) {
     Setting setting = timedSetting("fibonacci:12", kLarge, 1, upload);
     setting.strategies.push_back("spherical-horizon");
-    setting.stated[kAllId] = rangeCells(all);
+    setting.stated["all"] = rangeCells(all);
     setting.stated["spherical"] = rangeCells(proposed);
     setting.stated["spherical"]["paper_speedup_vs_all"] = proposed.mean / all.mean;
     experiment.settings.push_back(setting);

@@ -31,8 +31,8 @@ constexpr std::array kMethods{Method{.id = "painter", .littleOverlap = true, .fe
                               Method{.id = "octree-query", .manySurfaces = true, .onGpu = true},
                               Method{.id = "depth-buffer", .manySurfaces = true},
                               Method{.id = "scan-line", .someOverlap = true, .fewSurfaces = true},
-                              Method{.id = kAllId, .onGpu = true, .ranked = false},
-                              Method{.id = kBackfaceId, .onGpu = true, .ranked = false}};
+                              Method{.id = "all", .onGpu = true, .ranked = false},
+                              Method{.id = "backface", .onGpu = true, .ranked = false}};
 
 // ---- The lecture's verdicts
 
@@ -135,13 +135,9 @@ private:
 /// than the reference.
 double missedPixels(Renderer& renderer, const SceneBuffers& buffers, const Entrant& entrant, Framebuffer& target) {
     const FrameLog& log = entrant.log();
-    const View view(log.camera, log.size);
-    const Reference truth = itemBufferReference(renderer, buffers, view, entrant.built()->referenceFacing());
-    const ShownPixels shown = shownPixels(renderer, buffers, log, target);
-    const Scene& scene = buffers.scene();
-    if (!log.drawsScene() || entrant.built()->facing() != entrant.built()->referenceFacing())
-        return double(missedBeyondSnapping(truth, shown, scene, view));
-    return double(compare(truth, shown, drawnTriangles(scene, log), scene).missedPixels);
+    const Reference truth =
+        itemBufferReference(renderer, buffers, View(log.camera, log.size), entrant.built()->referenceFacing());
+    return double(judge(renderer, buffers, log, truth, target).lostPixels());
 }
 
 /// Draws all views, the methods in turns, every other turn in reverse order.

@@ -206,4 +206,16 @@ uint64_t extraBeyondSnapping(const Reference& reference, const ShownPixels& show
     return beyond;
 }
 
+JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, const Reference& reference,
+                  Framebuffer& target) {
+    const Scene& scene = buffers.scene();
+    JudgedFrame judged;
+    judged.shown = shownPixels(renderer, buffers, log, target);
+    judged.accuracy = compare(reference, judged.shown, drawnTriangles(scene, log), scene);
+    judged.ownRaster = !log.drawsScene();
+    if (judged.ownRaster || log.facing != reference.facing)
+        judged.missedBeyondSnapping = missedBeyondSnapping(reference, judged.shown, scene, View(log.camera, log.size));
+    return judged;
+}
+
 }  // namespace cullscope

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/measure/reference.h"
@@ -57,6 +58,22 @@ struct ShownPixels {
 /// a closed mesh seen from outside.
 [[nodiscard]] uint64_t missedBeyondSnapping(const Reference& reference, const ShownPixels& shown, const Scene& scene,
                                             const View& view);
+
+/// A frame beside the truth.
+struct JudgedFrame {
+    ShownPixels shown;
+    Accuracy accuracy;
+    bool ownRaster = false;  ///< the frame shows other surfaces than the scene's, or in an order of its own
+    /// Set where a missed pixel may be the raster's doing: with `ownRaster`, or where the reference has another facing rule than
+    /// the frame. Then it is these pixels that are lost.
+    std::optional<uint64_t> missedBeyondSnapping;
+
+    [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
+};
+/// Judges what a frame showed by a replay of its log, into `target`, which has the culling view's size: for the tables, for the
+/// desktop's views and for cullbench.
+[[nodiscard]] JudgedFrame judge(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, const Reference& reference,
+                                Framebuffer& target);
 
 /// The same for extra pixels: explained where the centre lies near an edge of the triangle that the picture shows, or that
 /// triangle lies before the truth by at most the depth change over 1/128 pixel. Of frames that have triangle numbers.

@@ -128,14 +128,12 @@ private:
     }
 
     void compareWithTruth(FrameMeasurement& frame, const TimedFrames& timed, const RunMeasurement& run) {
-        const Scene& scene = *m_request.scene;
         std::optional<Reference>& truth = m_pose->references[run.referenceFacing == Facing::Front ? 1 : 0];
         if (!truth) truth = itemBufferReference(m_renderer, *m_buffers, timed.view, run.referenceFacing);
-        const ShownPixels shown = shownPixels(m_renderer, *m_buffers, timed.log, *m_targets.front());
-        frame.accuracy = compare(*truth, shown, drawnTriangles(scene, timed.log), scene);
-        frame.ownRaster = !timed.log.drawsScene();
-        if (frame.ownRaster || run.facing != run.referenceFacing)
-            frame.missedBeyondSnapping = missedBeyondSnapping(*truth, shown, scene, timed.view);
+        const JudgedFrame judged = judge(m_renderer, *m_buffers, timed.log, *truth, *m_targets.front());
+        frame.accuracy = judged.accuracy;
+        frame.ownRaster = judged.ownRaster;
+        frame.missedBeyondSnapping = judged.missedBeyondSnapping.value_or(0);
     }
 
     void endPose() {

@@ -49,7 +49,8 @@ struct FrameMeasurement {
 struct Losses {
     uint64_t coveredPixels = 0;  ///< of the reference
     uint64_t missedPixels = 0;
-    uint64_t missedBeyondSnapping = 0;  ///< where the reference has another facing rule than the strategy
+    uint64_t missedBeyondSnapping = 0;  ///< with `beyondSnapping`
+    bool beyondSnapping = false;        ///< whether it is those pixels that are lost (JudgedFrame::missedBeyondSnapping)
     uint64_t largestHolePixels = 0;
     std::optional<size_t> worstPose;  ///< with the most missed pixels; none where nothing is missed
 };

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <numeric>
 
+#include "core/visibility/registry.h"
+
 namespace cullscope {
 namespace {
 
 /// Sets both ratios of a run's times to a baseline's; neither where no such baseline was measured.
-void compareTo(const char* baseline, const RunMeasurement& run, const std::vector<RunMeasurement>& runs, RatioEstimate& ofTotals,
+void compareTo(BaselineRole role, const RunMeasurement& run, const std::vector<RunMeasurement>& runs, RatioEstimate& ofTotals,
                RatioEstimate& mean) {
-    const auto found = std::ranges::find_if(runs, [&](const RunMeasurement& other) { return other.strategy.id == baseline; });
+    const std::string& id = baselineOf(role).id;
+    const auto found = std::ranges::find_if(runs, [&](const RunMeasurement& other) { return other.strategy.id == id; });
     if (found == runs.end()) return;
     std::vector<double> ratios;
     for (size_t i = 0; i < run.frames.size(); ++i)
@@ -51,8 +54,8 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     summary.culledFraction = triangles > 0 ? 1.0 - considered / double(frames.size()) / triangles : 0.0;
     if (const std::optional<Losses> lost = run.losses())
         summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
-    compareTo(kAllId, run, runs, summary.ratioToAll, summary.speedupVsAll);
-    compareTo(kBackfaceId, run, runs, summary.ratioToBackface, summary.speedupVsBackface);
+    compareTo(BaselineRole::Triangles, run, runs, summary.ratioToAll, summary.speedupVsAll);
+    compareTo(BaselineRole::FrontFaces, run, runs, summary.ratioToBackface, summary.speedupVsBackface);
     return summary;
 }
 
@@ -64,6 +67,7 @@ std::optional<Losses> RunMeasurement::losses() const {
         losses.coveredPixels += frame.accuracy->coveredPixels;
         losses.missedPixels += frame.accuracy->missedPixels;
         losses.missedBeyondSnapping += frame.missedBeyondSnapping;
+        losses.beyondSnapping = losses.beyondSnapping || frame.ownRaster || facing != referenceFacing;
         losses.largestHolePixels = std::max(losses.largestHolePixels, frame.accuracy->largestHolePixels);
         if (frame.accuracy->missedPixels <= most) continue;
         most = frame.accuracy->missedPixels;

@@ -41,10 +41,14 @@ const std::vector<RegisteredStrategy>& strategies() {
     return kStrategies;
 }
 
+const StrategyInfo& baselineOf(BaselineRole role) {
+    return std::ranges::find(strategies(), role, [](const RegisteredStrategy& strategy) { return strategy.info.baseline; })->info;
+}
+
 std::vector<const StrategyInfo*> baselines() {
     std::vector<const StrategyInfo*> result;
     for (const RegisteredStrategy& strategy : strategies())
-        if (strategy.info.baseline) result.push_back(&strategy.info);
+        if (strategy.info.baseline != BaselineRole::None) result.push_back(&strategy.info);
     return result;
 }
 

@@ -17,12 +17,10 @@ struct RegisteredStrategy {
 /// Every strategy, in the order in which lists show them. A new strategy needs one pair of files and one line there.
 [[nodiscard]] const std::vector<RegisteredStrategy>& strategies();
 
-/// The baselines by name: direct rendering, which the papers compare with, and OpenGL's own back-face culling, the stronger one.
-inline constexpr const char* kAllId = "all";
-inline constexpr const char* kBackfaceId = "backface";
-
 /// The strategies that others are compared with, from the weakest to the strongest.
 [[nodiscard]] std::vector<const StrategyInfo*> baselines();
+/// The strategy with a role; not BaselineRole::None.
+[[nodiscard]] const StrategyInfo& baselineOf(BaselineRole role);
 
 /// What strategies declare to show, each id once, in the order of the registry. Where several strategies declare it, as the one
 /// with the most colourings does.

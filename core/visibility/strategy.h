@@ -50,6 +50,13 @@ struct DeclaredSweep {
     std::string automatic{};          ///< the value with which the strategy chooses itself; empty: there is none
 };
 
+/// What the others are compared with by a strategy that is measured along with them.
+enum class BaselineRole {
+    None,       ///< it is no baseline
+    Triangles,  ///< drawing every triangle: what the papers compare with
+    FrontFaces  ///< drawing every front face: the strong baseline
+};
+
 /// The properties of a strategy that do not depend on a scene.
 struct StrategyInfo {
     std::string id;           ///< on the command line and in files
@@ -59,8 +66,8 @@ struct StrategyInfo {
     std::vector<ParameterDeclaration> parameters;
     GlRequirement glRequirement = GlRequirement::None;
     bool remembers = false;  ///< what it draws depends on the frames before, by its ViewState: a frame is judged with that memory
-    bool baseline = false;   ///< the others are compared with it, so it is measured along with them
-    bool byPlanes = false;   ///< decides by the six planes of the frustum alone
+    BaselineRole baseline = BaselineRole::None;
+    bool byPlanes = false;  ///< decides by the six planes of the frustum alone
     std::vector<DeclaredSweep> sweeps{};
     std::vector<Show> shows{};
     /// With CompatibilityProfile: why it cannot be used with an OpenGL that gives none, and what to use instead. One English

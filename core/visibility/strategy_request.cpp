@@ -61,7 +61,7 @@ std::vector<StrategyRequest> missingBaselines(const std::vector<StrategyRequest>
     std::vector<StrategyRequest> missing;
     for (const RegisteredStrategy& known : cullscope::strategies()) {
         const auto same = [&](const StrategyRequest& strategy) { return strategy.id == known.info.id; };
-        if (known.info.baseline && std::ranges::none_of(strategies, same))
+        if (known.info.baseline != BaselineRole::None && std::ranges::none_of(strategies, same))
             missing.push_back({known.info.id, ParameterSet(known.info.parameters)});
     }
     return missing;

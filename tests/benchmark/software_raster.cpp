@@ -39,7 +39,7 @@ Rows softwareRows(const Setting& setting, const MeasureResult& result) {
     Rows rows;
     double all = 0.0;
     for (const RunMeasurement& run : result.runs)
-        if (run.strategy.id == kAllId) all = totalOf(run, &FrameMeasurement::frameMilliseconds);
+        if (run.strategy.id == "all") all = totalOf(run, &FrameMeasurement::frameMilliseconds);
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
         const double poses = double(run.frames.size()), frame = totalOf(run, &FrameMeasurement::frameMilliseconds);

@@ -148,26 +148,13 @@ private:
         return files;
     }
 
-    /// The text of a constant that a header of the strategies defines; empty where none does.
-    [[nodiscard]] std::string valueOf(const std::string& constant) const {
-        const std::regex definition("\\b" + constant + "\\s*=\\s*\"([^\"]*)\"");
-        std::smatch match;
-        for (const auto& [file, text] : m_texts)
-            if (file.starts_with("core/visibility/") && file.ends_with(".h") && std::regex_search(text, match, definition))
-                return match[1];
-        return {};
-    }
-
     /// The ids of the strategies that a source of a family describes.
     [[nodiscard]] std::vector<std::string> strategiesIn(const std::string& file) const {
         static const std::regex kInfo(R"re(\w\(\)\s*\{\s*(?:return|StrategyInfo\s+\w+)\s*\{+\s*"([a-z][a-z-]*)")re");
         std::vector<std::string> ids;
         if (!file.starts_with("core/visibility/")) return ids;
-        static const std::regex kNamed(R"re(return\s*\{+\s*(k\w*Id)\b)re");
         const std::string& text = m_texts.at(file);
         for (std::sregex_iterator match(text.begin(), text.end(), kInfo), end; match != end; ++match) ids.push_back((*match)[1]);
-        for (std::sregex_iterator match(text.begin(), text.end(), kNamed), end; match != end; ++match)
-            if (const std::string id = valueOf((*match)[1]); !id.empty()) ids.push_back(id);
         return ids;
     }
 

@@ -67,16 +67,6 @@ TEST_F(Reach, strategyThatManyTestsNameReachesThoseOfItsLayerAndFamily) {
                             Pair("visibility", ElementsAre("Planes.loseNothing", "Strategies.loseNothing"))));
 }
 
-TEST_F(Reach, idMayBeAConstantOfTheRegistry) {
-    write("core/visibility/registry.h", "constexpr const char* kEverythingId = \"everything\";\n");
-    write("core/visibility/baseline/everything.h", "");
-    write("core/visibility/baseline/everything.cpp",
-          source("baseline/everything") + "X x() { return {{kEverythingId, \"\"}}; }\n");
-    write("tests/core/visibility/everything_test.cpp", "TEST(Everything, isDrawn) { make(\"everything\"); }\n");
-    EXPECT_THAT(testsReached(root(), {"core/visibility/baseline/everything.cpp"}),
-                ElementsAre(Pair("visibility", ElementsAre("Everything.isDrawn"))));
-}
-
 TEST_F(Reach, benchmarkReachesTheTestOfBenchmarks) {
     write("tests/benchmark/experiments.h", "");
     write("tests/benchmark/octree.cpp", "#include \"core/geometry/bounds.h\"\n#include \"tests/benchmark/experiments.h\"\n");

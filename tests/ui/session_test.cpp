@@ -261,7 +261,7 @@ TEST(Session, truthIsComputedOnceForViewsThatShareIt) {
     session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(30.0), {}));
     EXPECT_EQ(session.figures(0).state, ViewMetrics::State::Stale);
     ASSERT_TRUE(waitUntil([&] { return session.metricsSettled(); }));
-    EXPECT_EQ(session.figures(0).facing, session.figures(1).facing);
+    EXPECT_EQ(session.figures(0).truthFacing, session.figures(1).truthFacing);
     EXPECT_EQ(session.meter()->referencesComputed(), before + 1);
 }
 

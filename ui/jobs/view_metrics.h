@@ -48,11 +48,11 @@ struct ViewMetrics {
     bool timed = false;                    ///< false: the errors are known, the speed is still being measured
     uint64_t consideredTriangles = 0;
     uint64_t sceneTriangles = 0;
-    Facing facing = Facing::TwoSided;
+    Facing truthFacing = Facing::TwoSided;
     Viewport size;
     Accuracy accuracy;
-    /// The number of missed pixels that the rasteriser's snapping of vertices does not explain. Only set if the strategy draws
-    /// with another facing rule than the truth (`backface`).
+    /// The number of missed pixels that the rasteriser's snapping of vertices does not explain. Only set where the snapping may
+    /// explain some (measure/accuracy.h, JudgedFrame).
     std::optional<uint64_t> missedBeyondSnapping;
 
     /// The state of every triangle; set once the truth is known.

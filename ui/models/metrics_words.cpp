@@ -52,7 +52,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
         lines << QCoreApplication::translate("Wording", "Truth: item buffer of %1 × %2 pixels, %3")
                      .arg(figures.size.width)
                      .arg(figures.size.height)
-                     .arg(facingWord(figures.facing));
+                     .arg(facingWord(figures.truthFacing));
     }
     if (!gl.renderer.empty()) {
         const QString renderer = QString::fromStdString(gl.renderer);

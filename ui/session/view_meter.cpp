@@ -109,22 +109,24 @@ struct ViewMeter::Bench {
         figures.cullMilliseconds = log.cullMilliseconds;
         figures.consideredTriangles = log.consideredTriangles();
         figures.sceneTriangles = scene.triangleCount();
-        figures.facing = log.facing;
         figures.size = view.viewport();
-        const ShownPixels shown = shownPixels(*renderer, *what.buffers, log, into);
         const auto truth = reference(*what.buffers, view, what.strategy->referenceFacing());
-        figures.accuracy = compare(*truth, shown, drawnTriangles(scene, log), scene);
-        if (figures.facing != truth->facing) figures.missedBeyondSnapping = missedBeyondSnapping(*truth, shown, scene, view);
+        const JudgedFrame judged = judge(*renderer, *what.buffers, log, *truth, into);
+        figures.truthFacing = truth->facing;
+        figures.accuracy = judged.accuracy;
+        figures.missedBeyondSnapping = judged.missedBeyondSnapping;
         figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, log, truth->visible()));
-        const std::vector<uint8_t> missed = missedMask(*truth, shown);
+        const std::vector<uint8_t> missed = missedMask(*truth, judged.shown);
         figures.lostObjects = lostObjects(scene, *truth, missed);
         figures.holes = holes(missed, truth->size);
         return figures;
     }
 
     BuiltStrategyPointer baselineFor(const ScenePointer& scene) {
-        if (!baseline || baseline->scenePointer() != scene)
-            baseline = buildStrategy(kBackfaceId, ParameterSet(findStrategy(kBackfaceId).info.parameters), scene, *structures);
+        if (!baseline || baseline->scenePointer() != scene) {
+            const StrategyInfo& info = baselineOf(BaselineRole::FrontFaces);
+            baseline = buildStrategy(info.id, ParameterSet(info.parameters), scene, *structures);
+        }
         return baseline;
     }
 };

@@ -13,7 +13,7 @@ std::vector<PlotPen> pensOf(const std::vector<RunFigures>& runs, const PlotColou
     std::vector<PlotPen> pens;
     size_t number = 0;
     for (const RunFigures& run : runs) {
-        const PlotStroke stroke = run.id == QLatin1String(kAllId) ? PlotStroke::Dotted : PlotStroke::Dashed;
+        const PlotStroke stroke = run.role == BaselineRole::Triangles ? PlotStroke::Dotted : PlotStroke::Dashed;
         if (run.baseline)
             pens.push_back({colours.faintText.rgba(), 2.0, stroke});
         else

@@ -24,7 +24,7 @@ void addLosses(ResultRow& row, const RunMeasurement& run) {
     const std::optional<Losses> losses = run.losses();
     if (!losses || !run.summary.missedPixelRate) return;
     row.missedPixels = losses->missedPixels;
-    if (run.facing != run.referenceFacing) row.missedBeyondSnapping = losses->missedBeyondSnapping;
+    if (losses->beyondSnapping) row.missedBeyondSnapping = losses->missedBeyondSnapping;
     row.worstPose = losses->worstPose;
     row.missedPpm = kMillion * *run.summary.missedPixelRate;
 }

@@ -39,7 +39,8 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         RunFigures figures;
         figures.label = runLabel(run.strategy);
         figures.id = QString::fromStdString(run.strategy.id);
-        figures.baseline = findStrategy(run.strategy.id).info.baseline;
+        figures.role = findStrategy(run.strategy.id).info.baseline;
+        figures.baseline = figures.role != BaselineRole::None;
         figures.parameters = run.strategy.parameters;
         figures.promise = run.promise;
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;

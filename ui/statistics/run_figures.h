@@ -24,6 +24,7 @@ struct RunFigures {
     QString label;  ///< the strategy's id, and its parameters where they differ from the defaults
     QString id;
     bool baseline = false;  ///< the others are compared with it
+    BaselineRole role = BaselineRole::None;
     ParameterSet parameters;
     Promise promise = Promise::Approximate;
     double frameMilliseconds = 0.0;   ///< mean over poses

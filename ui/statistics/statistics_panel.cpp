@@ -37,7 +37,8 @@ std::vector<TimeBar::Entry> timesOf(const std::vector<LiveFigures>& views) {
         if (view.figures.state != ViewMetrics::State::Ready) continue;
         const double cull = view.figures.cullMilliseconds;
         entries.push_back({view.view + QStringLiteral(" · ") + runLabel(view.strategy), cull,
-                           view.figures.frameMilliseconds - cull, findStrategy(view.strategy.id).info.baseline});
+                           view.figures.frameMilliseconds - cull,
+                           findStrategy(view.strategy.id).info.baseline != BaselineRole::None});
     }
     return entries;
 }
@@ -250,7 +251,7 @@ void StatisticsPanel::fillRuns() {
     int usual = 0;
     if (m_result)
         for (const RunMeasurement& run : m_result->runs) {
-            if (labels.size() == usual && findStrategy(run.strategy.id).info.baseline) ++usual;
+            if (labels.size() == usual && findStrategy(run.strategy.id).info.baseline != BaselineRole::None) ++usual;
             labels << runLabel(run.strategy);
         }
     QStringList before;

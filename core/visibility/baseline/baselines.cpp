@@ -74,26 +74,26 @@ protected:
 }  // namespace
 
 RegisteredStrategy all() {
-    return {{kAllId,
+    return {{"all",
              CULLSCOPE_TR("All triangles"),
              CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
              "",
              {},
              GlRequirement::None,
              false,
-             true},
+             BaselineRole::Triangles},
             std::make_shared<All>()};
 }
 
 RegisteredStrategy backface() {
-    return {{kBackfaceId,
+    return {{"backface",
              CULLSCOPE_TR("Back-face culling"),
              CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
              "",
              {},
              GlRequirement::None,
              false,
-             true},
+             BaselineRole::FrontFaces},
             std::make_shared<Backface>()};
 }
 

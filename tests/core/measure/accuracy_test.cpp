@@ -186,6 +186,31 @@ TEST(Accuracy, removedObjectIsCountedExactly) {
     }
 }
 
+TEST(Judge, tellsWhereTheRasterMayHaveMissedAPixel) {
+    const ScenePointer scene = sceneOf({knotMesh(400)});
+    const View view({{0, 1, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(45), 0.1, 50}, {96, 72});
+    Renderer& renderer = GlEnvironment::renderer();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    Framebuffer target(view.viewport());
+    struct Expected {
+        const char* id;
+        bool ownRaster, beyondSnapping;
+    };
+    for (const auto& [id, ownRaster, beyondSnapping] : {Expected{"all", false, false}, Expected{"backface", false, true},
+                                                        Expected{"bsp", true, true}, Expected{"depth-buffer", true, true}}) {
+        SCOPED_TRACE(id);
+        const CullerPointer culler = makeCuller(id);
+        culler->build(*scene);
+        const FrameLog log = culler->cull(view, &renderer).log;
+        const Reference truth = itemBufferReference(renderer, buffers, view, culler->built()->referenceFacing());
+        const JudgedFrame judged = judge(renderer, buffers, log, truth, target);
+        EXPECT_EQ(judged.ownRaster, ownRaster);
+        EXPECT_EQ(judged.missedBeyondSnapping.has_value(), beyondSnapping);
+        EXPECT_EQ(judged.lostPixels(), 0u);
+        EXPECT_GT(judged.accuracy.coveredPixels, 500u);
+    }
+}
+
 TEST(MissedBeyondSnapping, innerPixelsCountAndEdgePixelsDoNot) {
     // A square from (−1, −1) to (1, 1), 64 × 64 pixels of 1/32 each: its diagonal passes through pixel centres, no other
     // edge does.

@@ -70,7 +70,7 @@ TEST(Shows, sweepsAreOfDeclaredParameters) {
 TEST(Baselines, areListedFromTheWeakestToTheStrongest) {
     std::vector<std::string> ids;
     for (const StrategyInfo* info : baselines()) ids.push_back(info->id);
-    EXPECT_EQ(ids, (std::vector<std::string>{kAllId, kBackfaceId}));
+    EXPECT_EQ(ids, (std::vector<std::string>{"all", "backface"}));
 }
 
 }  // namespace

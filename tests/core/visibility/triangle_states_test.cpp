@@ -1,5 +1,6 @@
 #include "core/visibility/triangle_states.h"
 
+#include <map>
 #include <numeric>
 
 #include "core/measure/accuracy.h"
@@ -83,17 +84,23 @@ TEST(TriangleStates, statesOfARandomViewAreAPartition) {
     for (uint64_t seed = 1; seed <= 12; ++seed) {
         const ScenePointer scene = randomScene(seed);
         const SceneBuffers buffers(scene, Upload::Vbo);
+        std::vector<CullerPointer> built;
+        for (const RegisteredStrategy& registered : strategies()) {
+            built.push_back(makeCuller(registered.info.id));
+            built.back()->build(*scene);
+        }
         Random random(seed);
         for (int i = 0; i < 8; ++i) {
             const RandomView sample = randomView(*scene, random);
             const View view(sample.camera, small(sample.viewport));
-            for (const RegisteredStrategy& registered : strategies()) {
-                SCOPED_TRACE(registered.info.id + " scene seed " + std::to_string(seed) + " view " + std::to_string(i));
-                const CullerPointer strategy = makeCuller(registered.info.id);
-                strategy->build(*scene);
+            std::map<Facing, Reference> references;
+            for (const CullerPointer& strategy : built) {
+                SCOPED_TRACE(strategy->built()->info().id + " scene seed " + std::to_string(seed) + " view " + std::to_string(i));
                 const Culled frame = strategy->cull(view, Recording::On, &GlEnvironment::renderer());
-                const Reference reference =
-                    itemBufferReference(GlEnvironment::renderer(), buffers, view, strategy->referenceFacing());
+                const Facing facing = strategy->referenceFacing();
+                if (!references.contains(facing))
+                    references[facing] = itemBufferReference(GlEnvironment::renderer(), buffers, view, facing);
+                const Reference& reference = references.at(facing);
                 const TriangleStates states = triangleStates(*scene, frame.log, reference.visible());
                 EXPECT_TRUE(states.againstTruth);
                 expectPartition(states, *scene);

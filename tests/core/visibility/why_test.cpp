@@ -221,13 +221,16 @@ std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& 
 TEST(Decisions, everyTriangleNotSubmittedHasACause) {
     for (uint64_t seed = 1; seed <= 20; ++seed) {
         const ScenePointer scene = randomScene(seed);
+        std::vector<CullerPointer> built;
+        for (const RegisteredStrategy& registered : strategies()) {
+            built.push_back(coarse(registered));
+            built.back()->build(*scene);
+        }
         Random random(seed);
         for (int i = 0; i < 10; ++i) {
             const RandomView sample = randomView(*scene, random);
-            for (const RegisteredStrategy& registered : strategies()) {
-                SCOPED_TRACE(registered.info.id + " seed " + std::to_string(seed) + " view " + std::to_string(i));
-                const CullerPointer strategy = coarse(registered);
-                strategy->build(*scene);
+            for (const CullerPointer& strategy : built) {
+                SCOPED_TRACE(strategy->built()->info().id + " seed " + std::to_string(seed) + " view " + std::to_string(i));
                 const Culled frame =
                     strategy->cull(View(sample.camera, sample.viewport), Recording::On, &GlEnvironment::renderer());
                 EXPECT_EQ(namedCauses(*scene, frame), frame.culledTriangles) << "decisions and counters disagree";

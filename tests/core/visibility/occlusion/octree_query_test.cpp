@@ -150,9 +150,10 @@ TEST(OctreeQuery, copiesOfAMemoryDecideTheSame) {
     culler->build(*scene);
     (void)frameOf(*culler, standardView());
     std::vector<uint64_t> counts;
+    const View view = standardView();
     for (int i = 0; i < 3; ++i) {
         const ViewStatePointer copy = culler->state().clone();
-        GpuFrame frame(GlEnvironment::renderer(), buffers, standardView());
+        GpuFrame frame(GlEnvironment::renderer(), buffers, view);
         culler->built()->draw(frame, *copy);
         counts.push_back(frame.take().consideredTriangles());
     }
