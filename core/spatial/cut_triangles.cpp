@@ -176,7 +176,8 @@ uint32_t CutTriangles::edgeLine(uint32_t from, uint32_t to) {
 
 uint32_t CutTriangles::vertexOn(uint32_t triangle, Corner& from, uint32_t to, const CuttingPlane& plane) {
     if (from.line == kNone) from.line = edgeLine(from.vertex, to);
-    const uint64_t edge = vertexPair(from.vertex, to);
+    // Two polygons in one place have edges with the same ends on lines of their own.
+    const std::pair edge(from.line, vertexPair(from.vertex, to));
     if (const auto known = m_madeNow.find(edge); known != m_madeNow.end()) return known->second;
     const Line line = m_lines[from.line];
     const double begin = along(from.line, from.vertex), end = along(from.line, to);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 #include <span>
 #include <unordered_map>
 #include <utility>
@@ -116,9 +117,9 @@ private:
     uint64_t m_cuts = 0;
     // Of the current plane.
     uint32_t m_plane = kNone;
-    std::vector<int8_t> m_sides;                       ///< by vertex; 2: not known
-    std::vector<uint32_t> m_knownSides;                ///< vertices whose sides are known
-    std::unordered_map<uint64_t, uint32_t> m_madeNow;  ///< by edge
+    std::vector<int8_t> m_sides;                                  ///< by vertex; 2: not known
+    std::vector<uint32_t> m_knownSides;                           ///< vertices whose sides are known
+    std::map<std::pair<uint32_t, uint64_t>, uint32_t> m_madeNow;  ///< by line and ends of an edge
     // After `finish`: the vertices of each line, in their order along it.
     std::vector<uint32_t> m_lineStarts, m_lineVertices;
 };

@@ -119,6 +119,24 @@ TEST(BspTree, coplanarPolygonsStayAtOneNode) {
     EXPECT_LT(tree.parts().size(), 200'000u);
 }
 
+TEST(BspTree, trianglesInOnePlaceAreCutEachOnLinesOfItsOwn) {
+    for (uint64_t seed = 0; seed < 6; ++seed)
+        for (const BspPlane plane : kOwnPlanes) {
+            SCOPED_TRACE("seed " + std::to_string(seed) + " plane " + std::to_string(int(plane)));
+            const MeshPointer once = randomTriangles(seed, 30, 1.5);
+            std::vector<Vec3f> corners;
+            for (size_t i = 0; i < once->indices().size(); i += 3) {
+                const auto at = [&](size_t corner) { return once->positions()[once->indices()[i + corner]]; };
+                // The same, turned by a corner, and from its other side.
+                corners.insert(corners.end(), {at(0), at(1), at(2), at(1), at(2), at(0), at(0), at(2), at(1)});
+            }
+            const ScenePointer scene = sceneOf({soupMesh(std::move(corners))});
+            const BspTree tree(*scene, {.plane = plane});
+            EXPECT_GT(tree.cuts(), 10u);
+            expectAreasConserved(tree, *scene);
+        }
+}
+
 TEST(BspTree, millionCoplanarTrianglesEndAndCanBeStopped) {
     const auto side = uint32_t(std::sqrt(double(howMany(1'000'000, 100'000)) / 2.0));
     std::vector<Vec3f> positions;
