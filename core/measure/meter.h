@@ -107,8 +107,8 @@ struct Contestants {
 [[nodiscard]] Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
                                            const Progress& progress = {});
 
-/// A measurement in steps of one frame or one comparison with the truth: every strategy at every pose, in turns. Whoever runs the
-/// steps may do other work in between. Needs the same current context, or one of its share group, in every call but resultSoFar.
+/// A measurement in steps of one frame or one comparison with the truth: every strategy at every pose, in turns. The caller
+/// may do other work between the steps. Needs the same current context, or one of its share group, in every call but resultSoFar.
 class Meter {
 public:
     Meter(const MeasureRequest& request, Contestants contestants, const GlInfo& gl, std::shared_ptr<const SceneBuffers> buffers);

@@ -73,4 +73,9 @@ StructureSnapshot objectNodes(const FrameLog& log, const Scene& scene) {
     return nodes.take();
 }
 
+void sayObjectsAreDrawn(FrameContext& frame) {
+    for (uint32_t i = 0; i < frame.scene().instances().size(); ++i)
+        if (frame.scene().meshOf(i).triangleCount() > 0) frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+}
+
 }  // namespace cullscope

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/frame/frame_context.h"
 #include "core/visibility/structure_snapshot.h"
 
 namespace cullscope {
@@ -7,5 +8,8 @@ namespace cullscope {
 /// One node for each object that a recorded frame decided about, by itself or within a group, in the order of the decisions, with
 /// its result: the boxes of strategies that decide about whole objects. The log is of a frame of the scene.
 [[nodiscard]] StructureSnapshot objectNodes(const FrameLog& log, const Scene& scene);
+
+/// Says of every object with triangles that it is drawn: of strategies that leave no object out.
+void sayObjectsAreDrawn(FrameContext& frame);
 
 }  // namespace cullscope

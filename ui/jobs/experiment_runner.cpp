@@ -220,7 +220,7 @@ void ExperimentRunner::deliver(const Outcome& outcome) {
     m_running = false;
     m_poll.stop();
     if (outcome.result) emit finished(*outcome.result);
-    // Whoever heard of the result may have started another.
+    // A receiver of the result may have started another experiment.
     if (!outcome.failure.empty() && !m_running) emit failed(outcome.failure);
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/spatial/bsp_tree.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/object_nodes.h"
 #include "core/visibility/overlay.h"
 #include "core/visibility/why.h"
 
@@ -134,11 +135,6 @@ private:
     uint64_t m_begin = 0, m_end = 0;  ///< the scene triangle numbers of that instance
     uint32_t m_runBegin = 0;
 };
-
-void sayObjectsAreDrawn(FrameContext& frame) {
-    for (uint32_t i = 0; i < frame.scene().instances().size(); ++i)
-        if (frame.scene().meshOf(i).triangleCount() > 0) frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
-}
 
 /// A convex polygon, cut to the front or the back of a plane.
 std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& normal, double offset) {

@@ -2,6 +2,7 @@
 
 #include "core/spatial/painters_order.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/object_nodes.h"
 
 namespace cullscope::ordering {
 namespace {
@@ -178,10 +179,7 @@ protected:
                 frame.say(atLine(PainterLine::Sort, sorted));
             }
             own = PaintersFrame(frame, *structure.triangles, parameters).order();
-            if (frame.recording())
-                for (uint32_t i = 0; i < frame.scene().instances().size(); ++i)
-                    if (frame.scene().meshOf(i).triangleCount() > 0)
-                        frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+            if (frame.recording()) sayObjectsAreDrawn(frame);
         }
         if (!own->triangles.empty()) frame.draw(std::move(own));
     }
