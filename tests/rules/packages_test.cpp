@@ -190,7 +190,7 @@ protected:
 };
 
 TEST_F(Packages, listHasTheSectionsThatTheScriptsName) {
-    for (const char* section : {"build", "libraries", "desktop", "modules", "run", "tests", "long", "deb"})
+    for (const char* section : {"build", "libraries", "desktop", "modules", "run", "tests", "clang", "deb"})
         EXPECT_TRUE(list.contains(section)) << section;
 }
 
@@ -213,7 +213,7 @@ TEST_F(Packages, everyHeaderThatTheBuildReadComesWithTheList) {
 TEST_F(Packages, everyListedLibraryIsUsed) {
     const PackageDatabase database(kDpkg);
     const std::vector<Use> uses = all(directUses());
-    // [build], [long] and [deb] list programs and CMake modules, among them development packages that are no libraries.
+    // [build], [clang] and [deb] list programs and CMake modules, among them development packages that are no libraries.
     for (const char* section : {"libraries", "desktop", "tests"}) {
         EXPECT_THAT(unusedPackages(list.at(section), database, uses), IsEmpty()) << "in section " << section;
     }

@@ -4,6 +4,7 @@
 
 #include "core/geometry/random.h"
 #include "core/measure/meter.h"
+#include "tests/support/long_mode.h"
 
 namespace cullscope::statistics_test {
 namespace {
@@ -131,10 +132,10 @@ TEST(RatioOfTotals, onlyPairsCount) {
 /// an experiment are a sample of all, and so are the repetitions of a view.
 double coverage(size_t views, size_t repetitions, double variety) {
     constexpr double kRatio = 2.0;
-    constexpr int kExperiments = 400;
+    const uint64_t experiments = test::howMany(400, 400);
     Random random(17);
     int held = 0;
-    for (int experiment = 0; experiment < kExperiments; ++experiment) {
+    for (uint64_t experiment = 0; experiment < experiments; ++experiment) {
         std::vector<ViewTimes> times(views);
         for (ViewTimes& view : times) {
             const double subject = std::exp(random.between(0.0, std::log(10.0)));
@@ -147,7 +148,7 @@ double coverage(size_t views, size_t repetitions, double variety) {
         const RatioEstimate estimate = ratioOfTotals(times);
         if (estimate.ci95[0] <= kRatio && kRatio <= estimate.ci95[1]) ++held;
     }
-    return double(held) / kExperiments;
+    return double(held) / double(experiments);
 }
 
 TEST(RatioOfTotals, intervalHoldsTheKnownRatioInNineOfTenExperiments) {

@@ -2,6 +2,7 @@
 
 #include "core/mesh/parametric.h"
 #include "tests/support/gl_environment.h"
+#include "tests/support/long_mode.h"
 #include "tests/support/random_views.h"
 #include "tests/support/spherical_scenes.h"
 
@@ -12,7 +13,7 @@ namespace {
 ScenePointer field() {
     std::vector<Mat4> places;
     for (int i = 0; i < 25; ++i) places.push_back(translation({2.5 * (i % 5) - 5, 0.1 * i, 2.5 * (i / 5) - 5}));
-    return copiesOf(starMesh(7, 3'000), places);
+    return copiesOf(starMesh(7, fewSamples() ? 1'000 : 3'000), places);
 }
 
 View inTheField() { return {{{0.5, 2, 7}, {0, 0.5, 0}, {0, 1, 0}, Angle::fromDegrees(40), 0.5, 100}, {160, 120}}; }
@@ -79,7 +80,7 @@ void expectConsistent(const FrameLog& log) {
     ASSERT_EQ(log.entries(), isCommand.size());
     size_t commands = 0;
     // Parts are counted and copied, which takes too long for every one of thousands: some of them, and those around commands.
-    const size_t step = std::max(log.entries() / 50, size_t{1});
+    const size_t step = std::max<size_t>(log.entries() / howMany(50, 50), 1);
     const auto isAtCommand = [&](size_t k) { return (k < isCommand.size() && isCommand[k]) || (k > 0 && isCommand[k - 1]); };
     for (size_t k = 0; k <= log.entries(); ++k) {
         if (k % step == 0 || k == log.entries() || isAtCommand(k)) {
@@ -190,7 +191,7 @@ Picture replayed(const FrameLog& log, const SceneBuffers& buffers, const View& v
 TEST(Frames, replayIsTheFramesPicture) {
     const DrawStyle style{Vec3f(0.9f), 1.0f, Vec3f(0.2f, 0.5f, 0.7f)};
     size_t covered = 0;
-    for (uint64_t seed = 0; seed <= 8; ++seed) {
+    for (uint64_t seed = 0; seed <= howMany(8, 8); ++seed) {
         const ScenePointer scene = seed == 0 ? field() : randomScene(seed);
         const SceneBuffers buffers(scene, Upload::Vbo);
         Random random(seed);
@@ -210,11 +211,11 @@ TEST(Frames, replayIsTheFramesPicture) {
             }
         }
     }
-    EXPECT_GT(covered, 100'000u);
+    EXPECT_GT(covered, fewSamples() ? 20'000u : 100'000u);
 }
 
 TEST(Frames, recordingChangesNothing) {
-    for (uint64_t seed = 1; seed <= 20; ++seed) {
+    for (uint64_t seed = 1; seed <= howMany(20, 20); ++seed) {
         const ScenePointer scene = randomScene(seed);
         std::vector<CullerPointer> all;
         for (const RegisteredStrategy& registered : strategies()) {

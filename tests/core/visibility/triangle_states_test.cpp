@@ -7,6 +7,7 @@
 #include "core/mesh/parametric.h"
 #include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
+#include "tests/support/long_mode.h"
 #include "tests/support/random_views.h"
 #include "tests/support/test_scenes.h"
 
@@ -81,7 +82,7 @@ Decision culledFor(uint32_t instance, Cause cause) {
 Viewport small(const Viewport& size) { return {std::min(size.width, 96), std::min(size.height, 64)}; }
 
 TEST(TriangleStates, statesOfARandomViewAreAPartition) {
-    for (uint64_t seed = 1; seed <= 12; ++seed) {
+    for (uint64_t seed = 1; seed <= howMany(12, 12); ++seed) {
         const ScenePointer scene = randomScene(seed);
         const SceneBuffers buffers(scene, Upload::Vbo);
         std::vector<CullerPointer> built;
