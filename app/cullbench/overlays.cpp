@@ -19,6 +19,14 @@ std::string pictureList() {
     return text;
 }
 
+/// "--overlay ID" of each picture that has colourings.
+std::string coloured() {
+    std::string text;
+    for (const Show* show : declaredPictures())
+        if (!show->colourings.empty()) text += (text.empty() ? "" : " or ") + commandLineOption(show->id);
+    return text;
+}
+
 /// The ids of all overlays, separated by commas.
 std::string overlayList() {
     std::string text = std::string(kVerdictsOverlay) + ", " + kBoxesOverlay + ", " + kFrustumOverlay;
@@ -57,7 +65,7 @@ std::string colouringOf(const Show& picture, const std::string& id) {
         if (colouring.id == id) return id;
         known += (known.empty() ? "" : ", ") + colouring.id;
     }
-    throwUsage(CULLSCOPE_TR("There is no colouring of the index map \"%1\". Known: %2."), {id, known});
+    throwUsage(CULLSCOPE_TR("There is no colouring \"%1\" of %2. Known: %3."), {id, picture.id, known});
 }
 
 /// Adds one overlay; returns false for an unknown name.
@@ -134,7 +142,7 @@ OverlayChoice overlaysOf(const OverlayOptions& options) {
     if (const Show* picture = pictureOf(choice.picture))
         choice.colouring = colouringOf(*picture, options.mapColouring);
     else if (!options.mapColouring.empty() && pictureOf(options.below) == nullptr)
-        throwUsage(CULLSCOPE_TR("--map-colouring says what --overlay index-map shows: give both."));
+        throwUsage(CULLSCOPE_TR("--map-colouring says what %1 shows: give both."), {coloured()});
     return choice;
 }
 
@@ -149,7 +157,8 @@ std::optional<BelowChoice> belowOf(const OverlayOptions& options, const OverlayC
     if (options.below == kSphericalModelOverlay)
         below.overlays.look.sphericalModel = true;
     else if (options.below != "behind")
-        throwUsage(CULLSCOPE_TR("--below %1: index-map, spherical-model or behind can stand below a picture."), {options.below});
+        throwUsage(CULLSCOPE_TR("--below %1: %2spherical-model or behind can stand below a picture."),
+                   {options.below, pictureList()});
     else if (above.replacesScene())
         throwUsage(CULLSCOPE_TR("--below behind: a map has no other side. Leave it out, or show the scene."));
     else

@@ -85,9 +85,9 @@ void run(const SweepOptions& options, Context& context) {
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : requestsOf(setting)) requireAvailable(strategy, gl.info());
     setting.path = options.run.pathFor(*opened.scene);
-    std::vector<ResultTable> tables{emptyTable(experiment)};
-    const MeasureRequest request = measureRequest(setting, opened.scene, options.run.repeat);
-    addRuns(tables.front(), experiment, setting, measure(request, terminalProgress(context)));
+    const ExperimentStage stage{[&](size_t, const Progress&) { return opened.scene; }};
+    const std::vector<ResultTable> tables{
+        runExperiment(experiment, {{}, options.run.repeat}, terminalProgress(context), {}, stage)};
     clearProgress();
     fmt::print(tableOutput(options.files), "{}", tableText(tables.front()));
     writeTables(options.files, tables);

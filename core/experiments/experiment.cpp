@@ -10,27 +10,6 @@
 namespace cullscope {
 namespace {
 
-/// Keeps the newest scene: consecutive settings often use the same one.
-class SceneKeeper {
-public:
-    explicit SceneKeeper(const SceneSourceOptions& options) : m_options(options) {}
-
-    /// Null for no specification.
-    const ScenePointer& open(const std::string& specification, const Progress& progress) {
-        if (specification.empty())
-            m_scene = nullptr;
-        else if (!m_scene || specification != m_specification)
-            m_scene = openScene(specification, m_options, progress).scene;
-        m_specification = specification;
-        return m_scene;
-    }
-
-private:
-    const SceneSourceOptions& m_options;
-    std::string m_specification;
-    ScenePointer m_scene;
-};
-
 void noteScene(ResultTable& table, const Scene& scene) {
     if (table.scene == scene.name() && table.triangles == scene.triangleCount()) return;
     table.scene = scene.name();
@@ -69,13 +48,40 @@ void addRows(ResultTable& table, const Experiment& experiment, const Rows& rows)
     table.checks = checked(experiment.checks, table);
 }
 
-void runSetting(ResultTable& table, const Experiment& experiment, const Setting& setting, SceneKeeper& scenes, int repetitions,
+/// Measures a setting that is not timed and adds its rows. `scene`: null where the setting names none.
+void addMeasured(ResultTable& table, const Experiment& experiment, const Setting& setting, const ScenePointer& scene,
+                 const Progress& progress) {
+    if (scene) noteScene(table, *scene);
+    // The desktop measures on a thread of its own, which has no context.
+    std::optional<HeadlessContext> own;
+    if (experiment.draws && !hasCurrentContext()) own.emplace();
+    if (experiment.draws) table.gl = requireOpenGl45();
+    Rows rows = experiment.measured(setting, scene, progress);
+    for (Row& row : rows) row.insert(setting.labels.begin(), setting.labels.end());
+    addRows(table, experiment, rows);
+}
+
+/// The stage of a program without windows. It keeps the newest scene: consecutive settings often use the same one.
+ExperimentStage ownStage(const Experiment& experiment, const SceneSourceOptions& source) {
+    ExperimentStage stage;
+    stage.scene = [&, specification = std::string(), kept = ScenePointer()](size_t number, const Progress& progress) mutable {
+        const std::string& wanted = experiment.settings[number].scene;
+        if (wanted != specification) kept = wanted.empty() ? nullptr : openScene(wanted, source, progress).scene;
+        specification = wanted;
+        return kept;
+    };
+    stage.measure = [](const MeasureRequest& request, const Progress& progress) { return measure(request, progress); };
+    return stage;
+}
+
+void runSetting(ResultTable& table, const Experiment& experiment, size_t number, const ExperimentStage& stage, int repetitions,
                 const Progress& progress) {
     constexpr double kOpened = 0.05;
-    const ScenePointer& scene = scenes.open(setting.scene, progress.part(0.0, kOpened));
+    const Setting& setting = experiment.settings[number];
+    const ScenePointer scene = stage.scene(number, progress.part(0.0, kOpened));
     const Progress rest = progress.part(kOpened, 1.0);
     if (setting.timed())
-        addRuns(table, experiment, setting, measure(measureRequest(setting, scene, repetitions), rest));
+        addRuns(table, experiment, setting, stage.measure(measureRequest(setting, scene, repetitions), rest));
     else
         addMeasured(table, experiment, setting, scene, rest);
 }
@@ -143,11 +149,15 @@ std::vector<StrategyRequest> requestsOf(const Setting& setting) {
 }
 
 MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, int repetitions) {
+    return measureRequest(setting, scene, cameraPath(setting.path, *scene), repetitions);
+}
+
+MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, const CameraPath& path, int repetitions) {
     MeasureRequest request;
     request.scene = scene;
     request.strategies = requestsOf(setting);
     request.leaveOutUnavailable = true;
-    request.path = cameraPath(setting.path, *scene);
+    request.path = path;
     request.size = setting.size;
     request.windows = setting.windows;
     request.upload = setting.upload;
@@ -165,26 +175,16 @@ void addRuns(ResultTable& table, const Experiment& experiment, const Setting& se
     noteBrokenPromises(table, result);
 }
 
-void addMeasured(ResultTable& table, const Experiment& experiment, const Setting& setting, const ScenePointer& scene,
-                 const Progress& progress) {
-    if (scene) noteScene(table, *scene);
-    // The desktop measures on a thread of its own, which has no context.
-    std::optional<HeadlessContext> own;
-    if (experiment.draws && !hasCurrentContext()) own.emplace();
-    if (experiment.draws) table.gl = requireOpenGl45();
-    Rows rows = experiment.measured(setting, scene, progress);
-    for (Row& row : rows) row.insert(setting.labels.begin(), setting.labels.end());
-    addRows(table, experiment, rows);
-}
-
 ResultTable runExperiment(const Experiment& experiment, const ExperimentOptions& options, const Progress& progress,
-                          const TableObserver& afterSetting) {
+                          const TableObserver& afterSetting, const ExperimentStage& stage) {
     ResultTable table = emptyTable(experiment);
-    SceneKeeper scenes(options.sceneSource);
+    ExperimentStage used = ownStage(experiment, options.sceneSource);
+    if (stage.scene) used.scene = stage.scene;
+    if (stage.measure) used.measure = stage.measure;
     const double settings = double(experiment.settings.size());
     for (size_t i = 0; i < experiment.settings.size() && !table.interrupted; ++i) {
         try {
-            runSetting(table, experiment, experiment.settings[i], scenes, options.repetitions,
+            runSetting(table, experiment, i, used, options.repetitions,
                        progress.part(double(i) / settings, double(i + 1) / settings));
         } catch (const Error& error) {
             if (error.kind() != ErrorKind::Interrupted) throw;

@@ -97,13 +97,13 @@ template <typename Numbers>
 [[nodiscard]] std::vector<StrategyRequest> requestsOf(const Setting& setting);
 /// The request for `measure` that a timed setting needs. `repetitions` of each frame; 0: until the median is steady.
 [[nodiscard]] MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, int repetitions);
+/// The same over a path that the caller has, in place of the setting's.
+[[nodiscard]] MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, const CameraPath& path,
+                                            int repetitions);
 
 /// Adds what a timed setting gave to its experiment's table: rows, plots, checks, scene, OpenGL, broken promises, whether it was
 /// stopped.
 void addRuns(ResultTable& table, const Experiment& experiment, const Setting& setting, const MeasureResult& result);
-/// Measures a setting that is not timed and adds its rows. `scene`: null where the setting names none.
-void addMeasured(ResultTable& table, const Experiment& experiment, const Setting& setting, const ScenePointer& scene,
-                 const Progress& progress);
 
 struct ExperimentOptions {
     SceneSourceOptions sceneSource{};
@@ -113,9 +113,19 @@ struct ExperimentOptions {
 /// Called with the table after every setting.
 using TableObserver = std::function<void(const ResultTable& soFar)>;
 
-/// Opens the experiment's scenes and measures all settings on the calling thread; needs a current OpenGL context where the
-/// experiment says so. A stop request ends it at the next frame, and what was measured until then is returned; errors are thrown.
+/// Where an experiment runs: what opens a setting's scene, and what measures its strategies. What is not given happens on the
+/// calling thread: `openScene`, which keeps the newest scene, and `measure`.
+struct ExperimentStage {
+    /// Called once for each setting, before it is measured, with its number; null for a setting that needs no scene.
+    std::function<ScenePointer(size_t setting, const Progress& progress)> scene{};
+    std::function<MeasureResult(const MeasureRequest& request, const Progress& progress)> measure{};
+};
+
+/// The one driver of experiments: measures all settings, one after the other, on the calling thread. Without a stage a current
+/// OpenGL context is needed where the experiment says so. A stop request ends it at the next frame, and what was measured until
+/// then is returned; errors are thrown.
 [[nodiscard]] ResultTable runExperiment(const Experiment& experiment, const ExperimentOptions& options,
-                                        const Progress& progress = {}, const TableObserver& afterSetting = {});
+                                        const Progress& progress = {}, const TableObserver& afterSetting = {},
+                                        const ExperimentStage& stage = {});
 
 }  // namespace cullscope

@@ -11,42 +11,59 @@ namespace {
 constexpr double kBuilding = 0.1;  // share of the progress
 
 void requireSomething(const MeasureRequest& request) {
-    if (request.strategies.empty()) throwUsage(CULLSCOPE_TR("No strategy is named: give one with -s."));
+    if (request.strategies.empty() && !request.baselinesToo) throwUsage(CULLSCOPE_TR("No strategy is named: give one with -s."));
     if (request.path.poses.empty()) throwUsage(CULLSCOPE_TR("The camera path has no poses."));
     if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
 }
 
 }  // namespace
 
+std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
+                                        StructureStore& structures, std::optional<BaselineRole> role, const Progress& progress) {
+    std::vector<Contestant> built;
+    for (const StrategyRequest& baseline : missingBaselines(strategies)) {
+        const RegisteredStrategy& strategy = strategyOf(baseline);
+        if (role && strategy.info.baseline != *role) continue;
+        built.push_back({baseline, buildStrategy(strategy, baseline.parameters, scene, structures, progress), false});
+    }
+    return built;
+}
+
 Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
                              const Progress& progress) {
     requireSomething(request);
     Contestants built;
-    const auto add = [&](const StrategyRequest& strategy, bool askedFor, const Progress& building) {
-        requireAvailable(strategyOf(strategy).info, gl);
-        built.strategies.push_back(
-            {strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene, structures, building), askedFor});
-    };
-    const double step = 1.0 / double(request.strategies.size());
+    const double step = 1.0 / double(std::max<size_t>(1, request.strategies.size()));
     for (const StrategyRequest& strategy : request.strategies) {
         const std::optional<Message> why = unavailable(strategyOf(strategy).info, gl);
         if (why && request.leaveOutUnavailable) {
             built.leftOut.push_back(*why);
             continue;
         }
+        requireAvailable(strategyOf(strategy).info, gl);
         const double from = step * double(built.strategies.size());
-        add(strategy, true, progress.part(from, from + step));
+        built.strategies.push_back({strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene, structures,
+                                                            progress.part(from, from + step))});
     }
-    for (const StrategyRequest& baseline : missingBaselines(request.strategies)) add(baseline, false, {nullptr, progress.stop});
+    for (Contestant& baseline :
+         baselinesBeside(request.strategies, request.scene, structures, std::nullopt, {nullptr, progress.stop})) {
+        baseline.askedFor = request.baselinesToo;
+        built.strategies.push_back(std::move(baseline));
+    }
     return built;
 }
 
-/// The steps of a measurement: at each pose first all frames, then the comparison of each strategy's last one with the truth.
+/// The steps of a measurement: at each pose first all frames, then the comparison of each strategy's first timed one with the
+/// truth.
 class Meter::Experiment {
 public:
     Experiment(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,
                std::shared_ptr<const SceneBuffers> buffers)
         : m_request(request), m_contestants(std::move(contestants)), m_gl(gl), m_buffers(std::move(buffers)) {
+        // The result's request names all strategies that it has runs of.
+        if (request.baselinesToo)
+            for (StrategyRequest& baseline : missingBaselines(request.strategies))
+                m_request.strategies.push_back(std::move(baseline));
         for (int window = 0; window < request.windows; ++window) m_targets.push_back(std::make_unique<Framebuffer>(request.size));
         for (const Contestant& contestant : m_contestants.strategies) {
             m_memories.emplace_back();
@@ -94,8 +111,7 @@ private:
     struct Pose {
         View view;
         TimedRounds rounds;
-        std::array<std::optional<Reference>, 2> references{};  ///< by facing rule
-        std::vector<FrameMeasurement> frames{};                ///< of the strategies recorded so far
+        std::vector<FrameMeasurement> frames{};  ///< of the strategies recorded so far
     };
 
     void beginPose() {
@@ -106,34 +122,19 @@ private:
         m_pose.emplace(Pose{view, TimedRounds(std::move(entrants), m_request.timing)});
     }
 
-    /// The next strategy's figures, and what its last frame lost: the log of that frame is replayed.
+    /// The next strategy's figures, and what its first timed frame lost.
     void recordNext() {
         const size_t number = m_pose->frames.size();
         const TimedFrames& timed = m_pose->rounds.entrants()[number];
         RunMeasurement& run = m_runs[number];
-        FrameMeasurement frame;
+        FrameMeasurement frame = measurementOf(timed);
         frame.pose = poses();
-        frame.frameMilliseconds = quantile(timed.frameMilliseconds, 0.5);
-        frame.cullMilliseconds = quantile(timed.cullMilliseconds, 0.5);
-        frame.frameTimes = timed.frameMilliseconds;
-        frame.repetitions = static_cast<int>(timed.frameMilliseconds.size());
         if (timed.strategy->promiseAt(timed.view) == Promise::Approximate) run.promise = Promise::Approximate;
-        frame.stages = timed.log.stages;
-        frame.consideredTriangles = timed.log.consideredTriangles();
-        frame.culledTriangles = timed.log.counters.culledTriangles;
-        frame.parts = timed.log.counters.parts;
-        frame.figures = timed.log.counters.figures;
-        if (m_request.accuracy && m_contestants.strategies[number].askedFor) compareWithTruth(frame, timed, run);
+        if (m_request.accuracy && m_contestants.strategies[number].askedFor) {
+            const auto truth = m_references.of(m_renderer, *m_buffers, timed.view, run.referenceFacing);
+            addLosses(frame, m_renderer, timed, *truth, *m_targets.front());
+        }
         m_pose->frames.push_back(std::move(frame));
-    }
-
-    void compareWithTruth(FrameMeasurement& frame, const TimedFrames& timed, const RunMeasurement& run) {
-        std::optional<Reference>& truth = m_pose->references[run.referenceFacing == Facing::Front ? 1 : 0];
-        if (!truth) truth = itemBufferReference(m_renderer, *m_buffers, timed.view, run.referenceFacing);
-        const JudgedFrame judged = judge(m_renderer, *m_buffers, timed.log, *truth, *m_targets.front());
-        frame.accuracy = judged.accuracy;
-        frame.ownRaster = judged.ownRaster;
-        frame.missedBeyondSnapping = judged.missedBeyondSnapping.value_or(0);
     }
 
     void endPose() {
@@ -142,6 +143,7 @@ private:
             m_memories[i] = m_pose->rounds.entrants()[i].takeMemories();
         }
         m_pose.reset();
+        m_references.clear();
     }
 
     MeasureRequest m_request;
@@ -152,6 +154,7 @@ private:
     std::vector<std::unique_ptr<Framebuffer>> m_targets;    ///< by window
     std::vector<RunMeasurement> m_runs;                     ///< by strategy, the baselines that were not asked for among them
     std::vector<std::vector<ViewStatePointer>> m_memories;  ///< by strategy and window; at the rounds while a pose is in progress
+    References m_references;                                ///< of the pose in progress
     std::optional<Pose> m_pose;
 };
 

@@ -8,9 +8,7 @@
 #include "core/base/progress.h"
 #include "core/gpu/context.h"
 #include "core/gpu/scene_buffers.h"
-#include "core/measure/accuracy.h"
-#include "core/measure/statistics.h"
-#include "core/measure/timed_rounds.h"
+#include "core/measure/frame_measurement.h"
 #include "core/scene/camera_path.h"
 #include "core/visibility/strategy_request.h"
 
@@ -26,23 +24,7 @@ struct MeasureRequest {
     TimingProtocol timing;
     bool accuracy = true;
     bool leaveOutUnavailable = false;  ///< strategies that this OpenGL cannot run are left out; false: they fail with an error
-};
-
-/// The measurement of one strategy at one pose.
-struct FrameMeasurement {
-    size_t pose = 0;
-    double frameMilliseconds = 0.0;  ///< median; cull + draw of all windows
-    double cullMilliseconds = 0.0;   ///< median
-    std::vector<Stage> stages;       ///< of one cull
-    std::vector<double> frameTimes;  ///< milliseconds, by repetition; in files only as their median
-    int repetitions = 0;
-    uint64_t consideredTriangles = 0;                     ///< of one window
-    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (FrameCounters)
-    std::vector<CullPart> parts;                          ///< of one window (FrameCounters)
-    std::vector<NamedFigure> figures;                     ///< of one window (FrameCounters)
-    std::optional<Accuracy> accuracy;
-    bool ownRaster = false;             ///< the frame shows other surfaces than the scene's, or in an order of its own
-    uint64_t missedBeyondSnapping = 0;  ///< with `ownRaster`, or where the reference has another facing rule than the strategy
+    bool baselinesToo = false;         ///< baselines that are not among the strategies have runs, behind the others
 };
 
 /// What a strategy lost over the poses of a path.
@@ -62,7 +44,7 @@ struct Summary {
     double cullShare = 0.0;                         ///< of the frame time
     double culledFraction = 0.0;                    ///< of the scene's triangles, mean over poses
     std::optional<double> missedPixelRate;          ///< missed / covered, over all poses
-    RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOfTotals over the poses: what "×" says everywhere
+    RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOver the poses: what "×" says everywhere
     RatioEstimate speedupVsAll, speedupVsBackface;  ///< meanOfRatios over the poses, which papers quote
 };
 
@@ -96,6 +78,12 @@ struct Contestant {
     BuiltStrategyPointer strategy;
     bool askedFor = true;  ///< false: a baseline measured only for the ratios
 };
+
+/// The baselines that are not among `strategies`, built; of one role, or of all. The only place that adds baselines to a
+/// measurement.
+[[nodiscard]] std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
+                                                      StructureStore& structures, std::optional<BaselineRole> role = {},
+                                                      const Progress& progress = {});
 struct Contestants {
     std::vector<Contestant> strategies;
     std::vector<Message> leftOut;  ///< why requested strategies are not among them

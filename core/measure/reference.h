@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <vector>
 
 #include "core/frame/draw_list.h"
@@ -27,5 +29,26 @@ struct Reference {
 /// The item buffer reference (docs/measuring.md, "Ground truth").
 /// Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
 [[nodiscard]] Reference itemBufferReference(Renderer& renderer, const SceneBuffers& buffers, const View& view, Facing facing);
+
+/// Truths that are kept as long as they are asked for: each is drawn once for all who share scene, camera, size and facing rule.
+class References {
+public:
+    [[nodiscard]] std::shared_ptr<const Reference> of(Renderer& renderer, const SceneBuffers& buffers, const View& view,
+                                                      Facing facing);
+    /// Drops those for whose scene and view `used` is false.
+    void keep(const std::function<bool(const ScenePointer& scene, const Camera& camera, const Viewport& size)>& used);
+    void clear() { m_known.clear(); }
+    /// How many were drawn so far. For tests: truth is never computed twice.
+    [[nodiscard]] size_t drawn() const { return m_drawn; }
+
+private:
+    struct Known {
+        ScenePointer scene;
+        Camera camera;
+        std::shared_ptr<const Reference> truth;
+    };
+    std::vector<Known> m_known;
+    size_t m_drawn = 0;
+};
 
 }  // namespace cullscope

@@ -18,17 +18,10 @@ void compareTo(BaselineRole role, const RunMeasurement& run, const std::vector<R
     for (size_t i = 0; i < run.frames.size(); ++i)
         ratios.push_back(found->frames[i].frameMilliseconds / run.frames[i].frameMilliseconds);
     mean = meanOfRatios(ratios);
-    ofTotals = ratioOfTotals(viewTimes(*found, run));
+    ofTotals = ratioOver(found->frames, run.frames);
 }
 
 }  // namespace
-
-std::vector<ViewTimes> viewTimes(const RunMeasurement& baseline, const RunMeasurement& subject) {
-    std::vector<ViewTimes> views;
-    for (size_t i = 0; i < std::min(baseline.frames.size(), subject.frames.size()); ++i)
-        views.push_back({baseline.frames[i].frameTimes, subject.frames[i].frameTimes});
-    return views;
-}
 
 Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, const Scene& scene) {
     const std::vector<FrameMeasurement>& frames = run.frames;

@@ -4,9 +4,6 @@
 
 namespace cullscope {
 
-/// The frame times of two runs over the same poses.
-[[nodiscard]] std::vector<ViewTimes> viewTimes(const RunMeasurement& baseline, const RunMeasurement& subject);
-
 /// The summary of a run; `runs` are all runs over its poses, the baselines among them. A run without frames has none.
 [[nodiscard]] Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, const Scene& scene);
 

@@ -34,12 +34,15 @@ void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf) {
     for (size_t i = 0; i < entrant.memories.size(); ++i)
         pictures.push_back({&targetOf(entrant.view.viewport(), i), (cloned.empty() ? entrant.memories : cloned)[i].get()});
     FrameResult frame = renderFrame(renderer, *entrant.buffers, *entrant.strategy, entrant.view, pictures);
+    if (m_protocol.madeUpTime) frame.frameMilliseconds = m_protocol.madeUpTime(*entrant.strategy);
     m_seconds += frame.frameMilliseconds / 1000.0;
+    if (m_round == 0) {
+        entrant.log = std::move(frame.log);
+        entrant.left = std::move(cloned);
+    }
     if (m_round >= 0) {
         entrant.frameMilliseconds.push_back(frame.frameMilliseconds);
         entrant.cullMilliseconds.push_back(frame.cullMilliseconds);
-        entrant.log = std::move(frame.log);
-        entrant.left = std::move(cloned);
     }
     if (++m_place < m_entrants.size()) return;
     m_place = 0;

@@ -18,6 +18,8 @@ struct TimingProtocol {
     double steadyWithin = 0.02;            ///< relative change of every strategy's median over the last two rounds
     double longFrameMilliseconds = 250.0;  ///< a strategy with longer frames counts as steady after leastRepetitions
     double budgetSeconds = std::numeric_limits<double>::infinity();  ///< of drawing, after which no round beyond the least begins
+    /// For tests: the milliseconds that are taken down for a strategy's next frame; empty: those that it took.
+    std::function<double(const BuiltStrategy& strategy)> madeUpTime{};
 };
 
 /// One strategy at one view: what is drawn, and the times that it took.
@@ -28,8 +30,8 @@ struct TimedFrames {
     std::vector<ViewStatePointer> memories;  ///< of as many pictures as a frame has; what a strategy that remembers begins with
 
     std::vector<double> frameMilliseconds{}, cullMilliseconds{};  ///< of the counted frames, cull + draw and cull of all pictures
-    FrameLog log{};                                               ///< of the last counted frame's first picture
-    std::vector<ViewStatePointer> left{};  ///< the memories after the last counted frame, of a strategy that remembers
+    FrameLog log{};                        ///< of the first counted frame's first picture: of that frame the errors are counted
+    std::vector<ViewStatePointer> left{};  ///< the memories after that frame, of a strategy that remembers
 
     /// The memories with which the next view begins.
     [[nodiscard]] std::vector<ViewStatePointer> takeMemories() { return std::move(left.empty() ? memories : left); }
@@ -48,6 +50,8 @@ public:
 
     /// Times the next frame; it ends when the GPU has finished. Needs a current context. Nothing happens once complete.
     void step(Renderer& renderer, const TargetOf& targetOf);
+    /// Whether a frame of each is counted: then their errors can be counted, too.
+    [[nodiscard]] bool counted() const { return m_round > 0; }
     /// Whether no more frames are needed.
     [[nodiscard]] bool complete() const { return m_complete; }
     /// In the order in which they were given; of each as many frames are counted.

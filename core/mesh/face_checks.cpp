@@ -161,20 +161,49 @@ std::array<uint32_t, 3> fromSmallest(const uint32_t* corner) {
     return {corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3]};
 }
 
-void dropDuplicateTriangles(RawMesh& raw, LoadReport& report, const Progress& progress) {
-    std::vector<FaceKey> keys(raw.triangles.size() / 3);
-    const auto corners = [&](size_t face) { return fromSmallest(raw.triangles.data() + 3 * face); };
-    inSteps(keys.size(), progress, [&](size_t begin, size_t end) {
-        for (size_t face = begin; face < end; ++face) keys[face] = {hashOf(corners(face)), face};
+/// Marks the triangles that are equal to an earlier one. They are bucketed by their smallest vertex: equal ones share a bucket,
+/// and most buckets hold two or three.
+std::vector<bool> repeatedTriangles(std::span<const uint32_t> triangles, size_t vertices, const Progress& progress) {
+    const size_t count = triangles.size() / 3;
+    // While the buckets are filled, starts[v + 1] is the next free place of bucket v; afterwards it is its end.
+    std::vector<uint32_t> starts(vertices + 2), faces(count);
+    const auto smallest = [&](size_t face) {
+        return std::min({triangles[3 * face], triangles[3 * face + 1], triangles[3 * face + 2]});
+    };
+    inSteps(count, progress, [&](size_t begin, size_t end) {
+        for (size_t face = begin; face < end; ++face) ++starts[smallest(face) + size_t{2}];
     });
-    const std::vector<bool> repeated = repeatedFaces(keys, progress, corners);
+    for (size_t vertex = 2; vertex < starts.size(); ++vertex) starts[vertex] += starts[vertex - 1];
+    inSteps(count, progress, [&](size_t begin, size_t end) {
+        for (size_t face = begin; face < end; ++face) faces[starts[smallest(face) + size_t{1}]++] = uint32_t(face);
+    });
+    std::vector<bool> repeated(count);
+    std::vector<std::array<uint32_t, 3>> bucket;  // the other two vertices, in the triangle's order, and the triangle's number
+    inSteps(vertices, progress, [&](size_t begin, size_t end) {
+        for (size_t vertex = begin; vertex < end; ++vertex) {
+            if (starts[vertex + 1] - starts[vertex] < 2) continue;
+            bucket.clear();
+            for (uint32_t place = starts[vertex]; place < starts[vertex + 1]; ++place) {
+                const std::array<uint32_t, 3> corners = fromSmallest(triangles.data() + size_t{3} * faces[place]);
+                bucket.push_back({corners[1], corners[2], faces[place]});
+            }
+            sortInSteps(std::span(bucket), progress);
+            for (size_t i = 1; i < bucket.size(); ++i)
+                if (bucket[i][0] == bucket[i - 1][0] && bucket[i][1] == bucket[i - 1][1]) repeated[bucket[i][2]] = true;
+        }
+    });
+    return repeated;
+}
+
+void dropDuplicateTriangles(RawMesh& raw, LoadReport& report, const Progress& progress) {
+    const std::vector<bool> repeated = repeatedTriangles(raw.triangles, raw.vertexCount(), progress);
     size_t kept = 0;
-    inSteps(keys.size(), progress, [&](size_t begin, size_t end) {
+    inSteps(repeated.size(), progress, [&](size_t begin, size_t end) {
         for (size_t face = begin; face < end; ++face) {
             if (repeated[face])
                 ++report.duplicateFaces;
-            else
-                std::copy_n(raw.triangles.data() + 3 * face, 3, raw.triangles.data() + 3 * kept++);
+            else if (kept++ != face)
+                std::copy_n(raw.triangles.data() + 3 * face, 3, raw.triangles.data() + 3 * (kept - 1));
         }
     });
     raw.triangles.resize(3 * kept);

@@ -33,11 +33,11 @@ struct Show {
         Bars           ///< named counts (bars.h), in a tab of that panel
     };
     Kind kind = Kind::Overlay;
-    std::string id;           ///< on the command line, in session files and in metadata
-    std::string help;         ///< English, for the command line's help; none of a Listing or Bars
-    std::string title;        ///< of an Overlay in a view's menu, of a Curve its tab, of Bars: English, marked for translation
-    std::string action;       ///< the same with a marked key, in the window's menu
-    std::string explanation;  ///< one sentence about it, marked for translation
+    std::string id;      ///< on the command line, in session files and in metadata
+    std::string help;    ///< English, for the command line's help; none of a Listing or Bars
+    std::string title;   ///< of an Overlay in a menu, of a Curve and Bars the tab, of a map in a sentence; marked for translation
+    std::string action;  ///< the same with a marked key, in the window's menu
+    std::string explanation;                ///< one sentence about it, marked for translation
     std::vector<TriangleState> legend;      ///< the states whose colours it uses
     AbsentShow absent = nullptr;            ///< never null for what cullbench draws: Overlay, DirectionMap
     std::vector<ShowColouring> colourings;  ///< of a DirectionMap: the first one is the default

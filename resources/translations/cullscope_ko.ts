@@ -3623,6 +3623,10 @@
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 먼저 그려진 것이 가립니다.</translation>
     </message>
+    <message>
+        <source>index map</source>
+        <translation>색인 맵</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4382,16 +4386,16 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapPanel</name>
     <message>
-        <source>This strategy has no index map.</source>
-        <translation>이 전략에는 색인 맵이 없습니다.</translation>
-    </message>
-    <message>
         <source>Strategies that look up what is visible by direction show their map here.</source>
         <translation>방향으로 보이는 것을 찾는 전략은 여기에 맵을 보여 줍니다.</translation>
     </message>
     <message>
         <source>&amp;Colours of the map:</source>
         <translation>맵의 색(&amp;C):</translation>
+    </message>
+    <message>
+        <source>This strategy has no %1.</source>
+        <translation>이 전략에는 %1이(가) 없습니다.</translation>
     </message>
 </context>
 <context>

@@ -3623,6 +3623,10 @@
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>它属于一个有 %1 个物体的组，先测试了组的盒子：此前绘制的内容将其遮住。</translation>
     </message>
+    <message>
+        <source>index map</source>
+        <translation>索引图</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4382,16 +4386,16 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MapPanel</name>
     <message>
-        <source>This strategy has no index map.</source>
-        <translation>该策略没有索引图。</translation>
-    </message>
-    <message>
         <source>Strategies that look up what is visible by direction show their map here.</source>
         <translation>按方向查找可见内容的策略会在此显示其索引图。</translation>
     </message>
     <message>
         <source>&amp;Colours of the map:</source>
         <translation>图的颜色(&amp;C)：</translation>
+    </message>
+    <message>
+        <source>This strategy has no %1.</source>
+        <translation>该策略没有%1。</translation>
     </message>
 </context>
 <context>

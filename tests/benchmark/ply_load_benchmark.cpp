@@ -29,13 +29,14 @@ const std::string kCullscope = "loadMeshFile", kOpenMesh = "OpenMesh's bare read
 struct Run {
     double seconds = 0.0;
     double arrayBytes = 0.0;
-    double peakBytes = 0.0;
+    double peakBytes = 0.0;  ///< beyond what the process held before
 };
 
-double peakResidentBytes() {
+/// A field of the process's status, such as its resident memory, in bytes.
+double statusBytes(const std::string& field) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);)
-        if (line.starts_with("VmHWM:")) return 1024.0 * std::stod(line.substr(6));
+        if (line.starts_with(field + ":")) return 1024.0 * std::stod(line.substr(field.size() + 1));
     return 0.0;
 }
 
@@ -48,10 +49,11 @@ Run measured(Load&& load) {
     if (child == 0) {
         Run run;
         try {
+            const double before = statusBytes("VmRSS");
             const auto start = std::chrono::steady_clock::now();
             run.arrayBytes = load();
             run.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            run.peakBytes = peakResidentBytes();
+            run.peakBytes = statusBytes("VmHWM") - before;
         } catch (const std::exception& failure) {
             std::fprintf(stderr, "%s\n", failure.what());
             _exit(1);

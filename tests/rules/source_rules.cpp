@@ -1,6 +1,7 @@
 #include "tests/rules/source_rules.h"
 
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <regex>
 #include <set>
@@ -237,6 +238,27 @@ std::vector<Offence> strategyIdOffences(const fs::path& root, const std::vector<
             for (std::sregex_iterator match(code.begin(), code.end(), kLiteral), end; match != end; ++match)
                 if (!(*match)[1].matched && std::find(ids.begin(), ids.end(), (*match)[2]) != ids.end())
                     offences.push_back({relative, line.number, "names the strategy " + (*match)[2].str()});
+        }
+    }
+    return offences;
+}
+
+std::vector<Offence> showWordOffences(const fs::path& root, const std::vector<std::string>& words) {
+    static const std::regex kLiteral(R"re("(([^"\\]|\\.)*)")re");
+    const auto lower = [](std::string text) {
+        std::ranges::transform(text, text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+        return text;
+    };
+    std::vector<Offence> offences;
+    for (const fs::path& file : sourcesOf(root)) {
+        const fs::path relative = fs::relative(file, root);
+        if (const fs::path top = *relative.begin(); (top != "app" && top != "ui") || knowsFamilies(relative)) continue;
+        for (const Line& line : linesOf(file)) {
+            if (line.text.starts_with("#include")) continue;
+            for (std::sregex_iterator match(line.text.begin(), line.text.end(), kLiteral), end; match != end; ++match)
+                for (const std::string& word : words)
+                    if (lower((*match)[1].str()).find(lower(word)) != std::string::npos)
+                        offences.push_back({relative, line.number, "names what a strategy shows: " + word});
         }
     }
     return offences;

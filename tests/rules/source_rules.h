@@ -48,6 +48,10 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// the registry. Texts of widgets, in tr(), are no ids.
 [[nodiscard]] std::vector<Offence> strategyIdOffences(const std::filesystem::path& root, const std::vector<std::string>& ids);
 
+/// String literals of app and ui that contain one of these words, whatever the case of their letters: what a strategy's shows are
+/// called is said where it declares them, and nowhere else.
+[[nodiscard]] std::vector<Offence> showWordOffences(const std::filesystem::path& root, const std::vector<std::string>& words);
+
 /// Includes of Qt in core or in cullbench, of OpenGL outside core/gpu, and of OpenMesh outside core/mesh.
 [[nodiscard]] std::vector<Offence> libraryOffences(const std::filesystem::path& root);
 

@@ -13,6 +13,8 @@ namespace fs = std::filesystem;
 using testing::Contains;
 using testing::ElementsAre;
 using testing::IsEmpty;
+using testing::IsSupersetOf;
+using testing::UnorderedElementsAre;
 
 /// A small tree without violations, in a temporary folder.
 class PlantedTree : public testing::Test {
@@ -133,6 +135,15 @@ TEST_F(PlantedTree, idOfAStrategyIsReported) {
     EXPECT_THAT(strategyIdOffences(root(), ids), ElementsAre(Offence{"core/measure/meter.cpp", 1, "names the strategy all"},
                                                              Offence{"ui/panel.cpp", 2, "names the strategy frustum"},
                                                              Offence{"app/bench.cpp", 1, "names the strategy frustum"}));
+}
+
+TEST_F(PlantedTree, wordOfAStrategysShowIsReported) {
+    write("ui/panel.cpp", "label->setText(tr(\"Has no index map.\"));\n#include \"ui/index map.h\"\n");
+    write("app/bench.cpp", "say(\"give --overlay index-map\");\n");
+    write("core/visibility/spherical/map.cpp", "show.id = \"index-map\";\n");
+    EXPECT_THAT(showWordOffences(root(), {"index-map", "Index map"}),
+                UnorderedElementsAre(Offence{"app/bench.cpp", 1, "names what a strategy shows: index-map"},
+                                     Offence{"ui/panel.cpp", 1, "names what a strategy shows: Index map"}));
 }
 
 TEST_F(PlantedTree, sourceOutsideItsFamilysNamespaceIsReported) {
@@ -263,6 +274,16 @@ TEST(SourceRules, strategiesAreListedByTheRegistryAlone) {
     std::vector<std::string> ids;
     for (const RegisteredStrategy& strategy : strategies()) ids.push_back(strategy.info.id);
     EXPECT_THAT(strategyIdOffences(project(), ids), IsEmpty());
+}
+TEST(SourceRules, whatStrategiesShowIsNamedWhereItIsDeclared) {
+    std::vector<std::string> words;
+    for (const Show* show : declaredShows()) {
+        if (!show->title.empty()) words.push_back(show->title);
+        // An id of one word, as "boxes" and "distance", is a word of other things, too.
+        if (show->id.find('-') != std::string::npos) words.push_back(show->id);
+    }
+    EXPECT_THAT(words, IsSupersetOf({"index-map", "index map", "Contour bands"}));
+    EXPECT_THAT(showWordOffences(project(), words), IsEmpty());
 }
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }

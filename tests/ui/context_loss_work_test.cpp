@@ -91,13 +91,9 @@ TEST(ContextLossInAnExperiment, endsItWithWhatWasMeasured) {
     QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& result) { results.push_back(result); });
     QObject::connect(&runner, &ExperimentRunner::failed, [&](const Message& message) { failures.push_back(message.english()); });
     QObject::connect(&runner, &ExperimentRunner::partial, [&] { driver.reset = ++partials == 2 ? 1 : 0; });
-    const MeasureRequest small = test::smallExperiment({"frustum"});
-    ExperimentRunner::Request request;
-    request.scene = small.scene;
-    request.strategies = small.strategies;
-    request.path = cameraPath("walk:5000", *small.scene);
-    request.size = small.size;
-    request.repetitions = 3;
+    MeasureRequest request = test::smallExperiment({"frustum"});
+    request.path = cameraPath("walk:5000", *request.scene);
+    request.baselinesToo = true;
     runner.start(request);
     ASSERT_TRUE(waitUntil([&] { return !failures.empty(); }));
     EXPECT_FALSE(runner.running());
@@ -109,7 +105,7 @@ TEST(ContextLossInAnExperiment, endsItWithWhatWasMeasured) {
     EXPECT_GT(poses, 0u);
     EXPECT_LT(poses, 5000u);
     for (const FrameMeasurement& frame : results[0].runs[0].frames) EXPECT_EQ(frame.accuracy->missedPixels, 0u);
-    request.path = cameraPath("walk:3", *small.scene);
+    request.path = cameraPath("walk:3", *request.scene);
     runner.start(request);
     ASSERT_TRUE(waitUntil([&] { return results.size() == 2; }));
     EXPECT_FALSE(results[1].interrupted);

@@ -17,19 +17,15 @@ constexpr int kTenthOfASecond = 100;
 
 bool waitUntil(const std::function<bool()>& condition) { return QTest::qWaitFor(condition, kPatience); }
 
-ExperimentRunner::Request request(const std::string& path, const std::vector<std::string>& strategies) {
-    const MeasureRequest small = test::smallExperiment(strategies);
-    ExperimentRunner::Request request;
-    request.scene = small.scene;
-    request.strategies = small.strategies;
-    request.path = cameraPath(path, *small.scene);
-    request.size = small.size;
-    request.repetitions = 3;
+MeasureRequest request(const std::string& path, const std::vector<std::string>& strategies) {
+    MeasureRequest request = test::smallExperiment(strategies);
+    request.path = cameraPath(path, *request.scene);
+    request.baselinesToo = true;
     return request;
 }
 
 /// An experiment with enough poses to stop it in the middle.
-ExperimentRunner::Request longRequest() { return request("walk:5000", {"frustum"}); }
+MeasureRequest longRequest() { return request("walk:5000", {"frustum"}); }
 
 /// A runner with the signals that it emitted.
 class Runner : public ::testing::Test {
@@ -140,7 +136,7 @@ TEST_F(Runner, cancelledExperimentIsSilentOnceAnotherWasStarted) {
 TEST_F(Runner, whatCannotBeMeasuredIsOneSentence) {
     runner.start(request("walk:2", {}));
     ASSERT_TRUE(waitUntil([this] { return !results.empty(); })) << "the baselines alone can be measured";
-    ExperimentRunner::Request empty = request("walk:2", {"all"});
+    MeasureRequest empty = request("walk:2", {"all"});
     empty.path.poses.clear();
     runner.start(empty);
     ASSERT_TRUE(waitUntil([this] { return !failures.empty(); }));
@@ -163,9 +159,10 @@ TEST_F(Runner, progressGrowsAndStaysBetweenNothingAndAll) {
 
 /// The buffers that views draw are those of the experiment, and pictures need not wait for its end.
 TEST_F(Runner, sharesTheUploadAndTheThread) {
-    ExperimentRunner::Request asked = longRequest();
-    gpu.run([&] { asked.uploaded = gpu.upload(asked.scene); });
-    runner.start(asked);
+    const MeasureRequest asked = longRequest();
+    SceneBuffersPointer uploaded;
+    gpu.run([&] { uploaded = gpu.upload(asked.scene); });
+    runner.start(asked, uploaded);
     ASSERT_TRUE(waitUntil([this] { return !partials.empty(); }));
     bool drawn = false;
     gpu.post([&] { drawn = true; }, Urgency::Picture);
@@ -173,7 +170,7 @@ TEST_F(Runner, sharesTheUploadAndTheThread) {
     EXPECT_TRUE(runner.running()) << "the picture waited for the experiment";
     runner.cancel();
     ASSERT_TRUE(waitUntil([this] { return !results.empty(); }));
-    EXPECT_TRUE(waitUntil([&] { return asked.uploaded.use_count() == 1; })) << "the experiment keeps the buffers";
+    EXPECT_TRUE(waitUntil([&] { return uploaded.use_count() == 1; })) << "the experiment keeps the buffers";
 }
 
 TEST(ExperimentRunner, mayBeDestroyedInTheMiddle) {

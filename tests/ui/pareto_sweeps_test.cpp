@@ -133,14 +133,12 @@ TEST(ExperimentBar, sweepShowsItsPlot) {
 }
 
 /// An experiment that sweeps parameters on a scene of nine small objects.
-ExperimentRunner::Request sweepRequest(const std::string& path) {
-    const MeasureRequest small = test::smallExperiment({});
-    ExperimentRunner::Request request;
-    request.scene = small.scene;
+MeasureRequest sweepRequest(const std::string& path) {
+    MeasureRequest request = test::smallExperiment({});
     request.strategies = requestsOf(sweepExperiment(builtInSweeps()).settings.front());
-    request.path = cameraPath(path, *small.scene);
-    request.size = small.size;
-    request.repetitions = 1;
+    request.path = cameraPath(path, *request.scene);
+    request.timing.fixedRepetitions = 1;
+    request.baselinesToo = true;
     return request;
 }
 
@@ -149,7 +147,7 @@ TEST(Sweep, everyValueIsARunBesideTheBaselines) {
     ExperimentRunner runner(&gpu, std::make_shared<StructureStore>());
     std::optional<MeasureResult> result;
     QObject::connect(&runner, &ExperimentRunner::finished, [&](const MeasureResult& finished) { result = finished; });
-    const ExperimentRunner::Request request = sweepRequest("walk:2");
+    const MeasureRequest request = sweepRequest("walk:2");
     runner.start(request);
     ASSERT_TRUE(QTest::qWaitFor([&] { return result.has_value(); }, kPatience));
     ASSERT_EQ(result->runs.size(), request.strategies.size() + 2);

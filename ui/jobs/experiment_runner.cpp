@@ -2,11 +2,8 @@
 
 #include <QCoreApplication>
 #include <QElapsedTimer>
-#include <algorithm>
-#include <iterator>
 
 #include "core/base/error.h"
-#include "core/visibility/registry.h"
 
 namespace cullscope::ui {
 
@@ -16,22 +13,6 @@ constexpr int kInterval = 100;     // ms
 constexpr qint64 kStep = 20;       // ms after which waiting pictures are drawn
 constexpr qint64 kRest = 10;       // between two results in the middle, times what one takes
 constexpr double kBuilding = 0.1;  // share of the progress
-
-MeasureRequest measureRequest(const ExperimentRunner::Request& request) {
-    MeasureRequest measured;
-    measured.scene = request.scene;
-    measured.strategies = request.strategies;
-    // The time bars and the table show every strategy beside the baselines.
-    std::ranges::move(missingBaselines(request.strategies), std::back_inserter(measured.strategies));
-    measured.path = request.path;
-    measured.size = request.size;
-    measured.windows = request.windows;
-    measured.upload = request.upload;
-    measured.timing.fixedRepetitions = request.repetitions;
-    measured.accuracy = request.accuracy;
-    measured.leaveOutUnavailable = request.leaveOutUnavailable;
-    return measured;
-}
 
 Message experimentLoss() {
     return {QT_TRANSLATE_NOOP("core",
@@ -145,7 +126,7 @@ ExperimentRunner::~ExperimentRunner() {
     if (m_gpu) m_gpu->run([this] { m_bench->end(); });
 }
 
-void ExperimentRunner::start(const Request& request) {
+void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPointer& uploaded) {
     if (!m_gpu) return;
     m_stop.request_stop();
     m_jobs.cancel();
@@ -153,8 +134,7 @@ void ExperimentRunner::start(const Request& request) {
     m_stop = std::stop_source();
     m_board = std::make_shared<Board>();
     m_running = true;
-    const auto ready =
-        std::make_shared<Ready>(Ready{measureRequest(request), {}, m_gpu->info(), request.uploaded, m_stop.get_token(), m_board});
+    const auto ready = std::make_shared<Ready>(Ready{request, {}, m_gpu->info(), uploaded, m_stop.get_token(), m_board});
     m_building.start([this, ready, structures = m_structures](const std::stop_token&) -> Background::Delivery {
         Progress progress;
         progress.stop = ready->stop;

@@ -25,25 +25,13 @@ class ExperimentRunner : public QObject {
     Q_OBJECT
 
 public:
-    struct Request {
-        ScenePointer scene;
-        std::vector<StrategyRequest> strategies;  ///< the baselines are added if missing (missingBaselines)
-        CameraPath path;
-        Viewport size;
-        int windows = 1;
-        Upload upload = Upload::Vbo;
-        SceneBuffersPointer uploaded{};  ///< with the scene's meshes, uploaded in that way; null: the experiment uploads them
-        int repetitions = 0;             ///< of each frame; 0: until the median is steady
-        bool accuracy = true;
-        bool leaveOutUnavailable = false;  ///< MeasureRequest::leaveOutUnavailable
-    };
-
     /// `gpu` outlives this object; null: nothing can be measured, and nothing is started.
     ExperimentRunner(GpuThread* gpu, std::shared_ptr<StructureStore> structures, QObject* parent = nullptr);
     /// Waits for the frame that is being drawn.
     ~ExperimentRunner() override;
 
-    void start(const Request& request);
+    /// `uploaded`: with the scene's meshes, uploaded as the request says; null, or otherwise: the experiment uploads them.
+    void start(const MeasureRequest& request, const SceneBuffersPointer& uploaded = {});
     /// Requests the experiment to stop and emits `cancelled` at once. The frames measured so far arrive as `finished` when the
     /// current frame is done, unless another experiment was started in between.
     void cancel();

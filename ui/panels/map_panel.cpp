@@ -4,10 +4,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/visibility/registry.h"
 #include "ui/look/wheel_guard.h"
 #include "ui/session/object_pick.h"
 #include "ui/session/shown_reading.h"
 #include "ui/text/terms.h"
+#include "ui/text/translated.h"
 
 namespace cullscope::ui {
 
@@ -97,7 +99,9 @@ void MapPanel::offerColourings(const CellMap& map) {
 
 void MapPanel::showSentence() {
     const QString words = absenceWords(absence(m_session, m_reader));
-    m_sentence->setText(words.isEmpty() ? tr("This strategy has no index map.") : words);
+    QStringList maps;
+    for (const Show* show : declaredShows(Show::Kind::DirectionMap)) maps << translated(show->title);
+    m_sentence->setText(words.isEmpty() ? tr("This strategy has no %1.").arg(maps.join(QStringLiteral(", "))) : words);
     m_sentence->setToolTip(tr("Strategies that look up what is visible by direction show their map here."));
 }
 

@@ -5,8 +5,7 @@
 #include <map>
 
 #include "core/base/error.h"
-#include "core/measure/accuracy.h"
-#include "core/visibility/registry.h"
+#include "core/measure/meter.h"
 
 namespace cullscope::ui {
 
@@ -15,6 +14,10 @@ namespace {
 bool sameWork(const MetricsSubject& a, const MetricsSubject& b) {
     return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id() == b.strategy->id() &&
            a.strategy->parameters() == b.strategy->parameters();
+}
+
+FrameRequest requestOf(int view, const MetricsSubject& what) {
+    return {what.buffers, what.strategy, what.culling, what.size, view};
 }
 
 std::vector<LostObject> lostObjects(const Scene& scene, const Reference& truth, const std::vector<uint8_t>& missed) {
@@ -35,12 +38,11 @@ ViewMetrics failure(const Message& message, const MetricsSubject& subject) {
     return figures;
 }
 
-void fillTimes(ViewMetrics& figures, const TimedFrames& subject, const TimedFrames& baseline) {
-    figures.frameMilliseconds = quantile(subject.frameMilliseconds, 0.5);
-    figures.cullMilliseconds = quantile(subject.cullMilliseconds, 0.5);
+void fillTimes(ViewMetrics& figures, const FrameMeasurement& subject, const FrameMeasurement& baseline) {
+    figures.frameMilliseconds = subject.frameMilliseconds;
+    figures.cullMilliseconds = subject.cullMilliseconds;
     figures.timed = true;
-    const ViewTimes times{baseline.frameMilliseconds, subject.frameMilliseconds};
-    figures.speedup = ratioOfTotals({&times, 1});
+    figures.speedup = ratioOver({&baseline, 1}, {&subject, 1});
 }
 
 }  // namespace
@@ -52,16 +54,13 @@ struct ViewMeter::Bench {
     std::shared_ptr<StructureStore> structures;
     BuiltStrategyPointer baseline;
 
-    struct KnownReference {
-        ScenePointer scene;
-        Camera camera;
-        std::shared_ptr<const Reference> truth;
-    };
-    std::vector<KnownReference> references;
-    size_t referencesComputed = 0;
+    References references;
 
-    Framebuffer& target(const Viewport& size) {
+    Renderer& ownRenderer() {
         if (!renderer) renderer = std::make_unique<Renderer>();
+        return *renderer;
+    }
+    Framebuffer& target(const Viewport& size) {
         if (!framebuffer || !(framebuffer->size() == size)) framebuffer = std::make_unique<Framebuffer>(size);
         return *framebuffer;
     }
@@ -75,58 +74,43 @@ struct ViewMeter::Bench {
 
     /// Drops the references that the newest request does not use.
     void forgetOthers(const std::vector<Subject>& subjects) {
-        std::erase_if(references, [&](const KnownReference& known) {
-            return std::none_of(subjects.begin(), subjects.end(), [&](const Subject& subject) {
-                return subject.what.buffers->scenePointer() == known.scene && subject.what.culling == known.camera &&
-                       subject.what.size == known.truth->size;
+        references.keep([&](const ScenePointer& scene, const Camera& camera, const Viewport& size) {
+            return std::ranges::any_of(subjects, [&](const Subject& subject) {
+                return subject.what.buffers->scenePointer() == scene && subject.what.culling == camera &&
+                       subject.what.size == size;
             });
         });
     }
 
-    std::shared_ptr<const Reference> reference(const SceneBuffers& buffers, const View& view, Facing facing) {
-        for (const KnownReference& known : references)
-            if (known.scene == buffers.scenePointer() && known.camera == view.camera() && known.truth->size == view.viewport() &&
-                known.truth->facing == facing)
-                return known.truth;
-        ++referencesComputed;
-        auto truth = std::make_shared<const Reference>(itemBufferReference(*renderer, buffers, view, facing));
-        references.push_back({buffers.scenePointer(), view.camera(), truth});
-        return truth;
-    }
-
-    /// All metrics of a view's frame but its speed.
-    ViewMetrics accuracy(int number, const MetricsSubject& what) {
-        const View view(what.culling, what.size);
+    /// All metrics of a view's timed frame but its speed. Only the colours by verdict are of the frame that the view shows: they
+    /// need its decisions, which timed frames do not record.
+    ViewMetrics accuracy(int number, const MetricsSubject& what, const TimedFrames& timed) {
         const Scene& scene = what.buffers->scene();
-        Framebuffer& into = target(what.size);
-        const ViewFramePointer frame =
-            frames->of({what.buffers, what.strategy, what.culling, what.size, number}, true, *renderer);
-        const FrameLog& log = frame->log;
+        const auto truth = references.of(ownRenderer(), *timed.buffers, timed.view, what.strategy->referenceFacing());
+        FrameMeasurement measured = measurementOf(timed);
+        const JudgedFrame judged = addLosses(measured, ownRenderer(), timed, *truth, target(what.size));
         ViewMetrics figures;
-        figures.promise = what.strategy->promiseAt(view);
+        figures.promise = what.strategy->promiseAt(timed.view);
         figures.state = ViewMetrics::State::Ready;
         figures.subject = what;
-        figures.cullMilliseconds = log.cullMilliseconds;
-        figures.consideredTriangles = log.consideredTriangles();
+        figures.cullMilliseconds = measured.cullMilliseconds;
+        figures.consideredTriangles = measured.consideredTriangles;
         figures.sceneTriangles = scene.triangleCount();
-        figures.size = view.viewport();
-        const auto truth = reference(*what.buffers, view, what.strategy->referenceFacing());
-        const JudgedFrame judged = judge(*renderer, *what.buffers, log, *truth, into);
+        figures.size = what.size;
         figures.truthFacing = truth->facing;
         figures.accuracy = judged.accuracy;
         figures.missedBeyondSnapping = judged.missedBeyondSnapping;
-        figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, log, truth->visible()));
         const std::vector<uint8_t> missed = missedMask(*truth, judged.shown);
         figures.lostObjects = lostObjects(scene, *truth, missed);
         figures.holes = holes(missed, truth->size);
+        const ViewFramePointer shown = frames->of(requestOf(number, what), true, ownRenderer());
+        figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, shown->log, truth->visible()));
         return figures;
     }
 
-    BuiltStrategyPointer baselineFor(const ScenePointer& scene) {
-        if (!baseline || baseline->scenePointer() != scene) {
-            const StrategyInfo& info = baselineOf(BaselineRole::FrontFaces);
-            baseline = buildStrategy(info.id, ParameterSet(info.parameters), scene, *structures);
-        }
+    const BuiltStrategyPointer& baselineFor(const ScenePointer& scene) {
+        if (!baseline || baseline->scenePointer() != scene)
+            baseline = baselinesBeside({}, scene, *structures, BaselineRole::FrontFaces).front().strategy;
         return baseline;
     }
 };
@@ -159,8 +143,10 @@ struct ViewMeter::Job {
             MetricsSubject baseline = what;
             baseline.strategy = bench.baselineFor(what.buffers->scenePointer());
             const size_t baselinePlace = placeOf(baseline, baseline.strategy->begin());
-            ViewStatePointer memory =
-                bench.frames->memoryBefore({what.buffers, what.strategy, what.culling, what.size, subject.view});
+            // What a view remembers is known when its frame is decided.
+            const FrameRequest frame = requestOf(subject.view, what);
+            if (what.strategy->info().remembers) (void)bench.frames->of(frame, true, bench.ownRenderer());
+            ViewStatePointer memory = bench.frames->memoryBefore(frame);
             places.push_back({placeOf(what, std::move(memory)), baselinePlace});
         }
         rounds.emplace(std::move(timed), protocol);
@@ -192,7 +178,7 @@ ViewMeter::~ViewMeter() {
 
 size_t ViewMeter::referencesComputed() {
     size_t count = 0;
-    m_gpu.run([&] { count = m_bench->referencesComputed; });
+    m_gpu.run([&] { count = m_bench->references.drawn(); });
     return count;
 }
 
@@ -218,19 +204,26 @@ void ViewMeter::measure(std::vector<Subject> subjects) {
 }
 
 void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
-    if (job.figures.empty()) m_bench->forgetOthers(job.subjects);
-    if (job.figures.size() < job.subjects.size()) {
-        const Subject& subject = job.subjects[job.figures.size()];
-        job.figures.push_back(m_bench->accuracy(subject.view, subject.what));
-        deliver(step, subject.view, job.figures.back());
-        if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench, m_rounds);
+    if (!job.rounds) {
+        m_bench->forgetOthers(job.subjects);
+        job.prepareTiming(*m_bench, m_rounds);
+    }
+    const std::vector<TimedFrames>& timed = job.rounds->entrants();
+    // The errors are those of the first frames that are timed, so they are known before the speeds are steady.
+    if (job.rounds->counted() && job.figures.size() < job.subjects.size()) {
+        const size_t next = job.figures.size();
+        job.figures.push_back(
+            m_bench->accuracy(job.subjects[next].view, job.subjects[next].what, timed[job.places[next].subject]));
+        deliver(step, job.subjects[next].view, job.figures.back());
         return step.again();
     }
-    job.rounds->step(*m_bench->renderer, [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); });
-    if (!job.rounds->complete()) return step.again();
-    const std::vector<TimedFrames>& timed = job.rounds->entrants();
+    if (!job.rounds->complete()) {
+        job.rounds->step(m_bench->ownRenderer(),
+                         [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); });
+        return step.again();
+    }
     for (size_t i = 0; i < job.subjects.size(); ++i) {
-        fillTimes(job.figures[i], timed[job.places[i].subject], timed[job.places[i].baseline]);
+        fillTimes(job.figures[i], measurementOf(timed[job.places[i].subject]), measurementOf(timed[job.places[i].baseline]));
         deliver(step, job.subjects[i].view, job.figures[i]);
     }
 }

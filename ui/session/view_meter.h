@@ -11,10 +11,11 @@
 
 namespace cullscope::ui {
 
-/// Measures the views' strategies on the GPU thread: first the error of each against the truth (computed once per camera, size
-/// and facing rule), then its speed against `backface`, in turns (TimedRounds). Works in small steps, so that pictures are drawn
-/// in between. A newer request, or the loss of the thread's context, ends an older one after its present step; no further result
-/// of it is delivered.
+/// Says when core's meter measures the views' strategies on the GPU thread, and delivers the figures: each is timed in turns
+/// beside `backface` (TimedRounds), and the first of its timed frames is judged against the truth (drawn once per camera, size
+/// and facing rule). Its errors are delivered before its speed. Works in small steps, so that pictures are drawn in between. A
+/// newer request, or the loss of the thread's context, ends an older one after its present step; no further result of it is
+/// delivered.
 class ViewMeter : public QObject {
     Q_OBJECT
 

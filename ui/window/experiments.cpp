@@ -73,22 +73,22 @@ void Experiments::showScene(StatisticsPanel& panel) const {
 
 void Experiments::start(const ExperimentSettings& settings) {
     if (!m_session.opened() || !m_session.gpu()) return;
-    ExperimentRunner::Request request;
+    Setting setting;
+    if (!settings.sweeps.empty()) setting = sweepExperiment(settings.sweeps).settings.front();
+    setting.size = settings.size;
     // Hidden objects are measured too: the result names the scene's file, so it must be of the whole scene.
-    request.scene = m_session.opened()->scene;
-    request.uploaded = m_session.buffers(request.upload);
-    request.path = settings.path;
-    request.size = settings.size;
-    request.repetitions = settings.repetitions;
-    request.strategies =
-        settings.sweeps.empty() ? shownStrategies() : requestsOf(sweepExperiment(settings.sweeps).settings.front());
+    MeasureRequest request = measureRequest(setting, m_session.opened()->scene, settings.path, settings.repetitions);
+    if (settings.sweeps.empty()) request.strategies = shownStrategies();
+    // The time bars and the table show every strategy beside the baselines.
+    request.baselinesToo = true;
+    request.leaveOutUnavailable = false;
     m_path = settings.path;
     // Stop measuring for the views: it would add to the times of the experiment.
     m_session.setMeasuring(false);
     m_running = true;
     m_result.reset();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(true);
-    m_runner->start(request);
+    m_runner->start(request, m_session.buffers(request.upload));
 }
 
 std::vector<StrategyRequest> Experiments::shownStrategies() const {

@@ -81,6 +81,7 @@ Show indexMapShow(bool cells) {
     show.kind = Show::Kind::DirectionMap;
     show.id = kIndexMap;
     show.help = "of spherical strategies, of the first object in the frustum";
+    show.title = CULLSCOPE_TR("index map");
     show.absent = noMap;
     for (const MapQuantity quantity : {MapQuantity::Entries, MapQuantity::Radius, MapQuantity::State})
         show.colourings.push_back({mapQuantityId(quantity)});

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/measure/statistics.h"
-#include "core/measure/timed_rounds.h"
+#include "core/measure/frame_measurement.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
 
@@ -137,6 +136,28 @@ TEST_F(Rounds, whatRemembersDrawsEveryRepetitionWithTheMemoryThatItCameWith) {
     const std::vector<ViewStatePointer> others = rounds.entrants()[1].takeMemories();
     ASSERT_EQ(others.size(), 1u);
     EXPECT_EQ(framesOf(others[0]), 4);
+}
+
+TEST_F(Rounds, theFirstCountedFrameIsTheOneThatIsJudged) {
+    add(counting(experiment.scene, true));
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = 3;
+    protocol.madeUpTime = [turn = 0.0](const BuiltStrategy&) mutable { return turn++; };
+    TimedRounds rounds(std::move(entrants), protocol);
+    Framebuffer target(Viewport{8, 8});
+    const auto step = [&] {
+        rounds.step(GlEnvironment::renderer(), [&](const Viewport&, size_t) -> Framebuffer& { return target; });
+    };
+    step();
+    EXPECT_FALSE(rounds.counted()) << "the warm-up";
+    step();
+    EXPECT_TRUE(rounds.counted());
+    const double culled = rounds.entrants()[0].log.cullMilliseconds;
+    while (!rounds.complete()) step();
+    EXPECT_EQ(rounds.entrants()[0].frameMilliseconds, (std::vector<double>{1, 2, 3}));
+    EXPECT_EQ(rounds.entrants()[0].log.cullMilliseconds, culled);
+    EXPECT_EQ(rounds.entrants()[0].cullMilliseconds.front(), culled);
+    EXPECT_EQ(measurementOf(rounds.entrants()[0]).frameMilliseconds, 2.0);
 }
 
 TEST_F(Rounds, aFrameHasSeveralPictures) {

@@ -64,6 +64,39 @@ TEST(Measure, baselinesRunAlongUnasked) {
         EXPECT_GT(ratio.ratio, 0.0);
 }
 
+TEST(Measure, baselinesThatAreWantedHaveRunsBehindTheOthers) {
+    MeasureRequest experiment = smallExperiment({"backface", "frustum"});
+    experiment.baselinesToo = true;
+    const MeasureResult result = measure(experiment);
+    ASSERT_EQ(result.runs.size(), 3u);
+    ASSERT_EQ(result.request.strategies.size(), 3u) << "a command that repeats the result names them";
+    for (size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(result.runs[i].strategy.id, (std::array{"backface", "frustum", "all"})[i]);
+        EXPECT_EQ(result.request.strategies[i].id, result.runs[i].strategy.id);
+        EXPECT_TRUE(result.runs[i].summary.missedPixelRate.has_value());
+    }
+    experiment.strategies.clear();
+    EXPECT_EQ(measure(experiment).runs.size(), 2u) << "they alone";
+}
+
+TEST(Baselines, areBuiltOfOneRoleOrOfAll) {
+    StructureStore structures;
+    const MeasureRequest experiment = smallExperiment({"all", "frustum"});
+    const auto built = [&](std::optional<BaselineRole> role) {
+        std::vector<std::string> ids;
+        for (const Contestant& baseline : baselinesBeside(experiment.strategies, experiment.scene, structures, role)) {
+            EXPECT_FALSE(baseline.askedFor);
+            EXPECT_EQ(baseline.strategy->scenePointer(), experiment.scene);
+            ids.push_back(baseline.request.id);
+        }
+        return ids;
+    };
+    using Ids = std::vector<std::string>;
+    EXPECT_EQ(built({}), Ids{"backface"});
+    EXPECT_EQ(built(BaselineRole::FrontFaces), Ids{"backface"});
+    EXPECT_EQ(built(BaselineRole::Triangles), Ids{}) << "which is asked for";
+}
+
 TEST(Baselines, areAddedWhereTheyAreMissing) {
     const auto missing = [](const std::vector<std::string>& ids) {
         std::vector<std::string> added;
@@ -93,7 +126,7 @@ TEST(Summary, hasTheOneEstimateOverAllViewsAndTheMeanBesideIt) {
     const Summary summary = summaryOf(runs[1], runs, *smallExperiment({}).scene);
     EXPECT_DOUBLE_EQ(summary.ratioToAll.ratio, (41 + 4) / (10 + 0.1));
     EXPECT_DOUBLE_EQ(summary.ratioToBackface.ratio, (21 + 2) / (10 + 0.1));
-    EXPECT_EQ(summary.ratioToBackface, ratioOfTotals(viewTimes(runs[2], runs[1])));
+    EXPECT_EQ(summary.ratioToBackface, ratioOver(runs[2].frames, runs[1].frames));
     EXPECT_DOUBLE_EQ(summary.speedupVsAll.ratio, (41 / 10.0 + 4 / 0.1) / 2);
     EXPECT_DOUBLE_EQ(summary.speedupVsBackface.ratio, (21 / 10.0 + 2 / 0.1) / 2);
     EXPECT_EQ(summaryOf(runs[1], {runs[1]}, *smallExperiment({}).scene).ratioToAll, RatioEstimate()) << "nothing to compare with";

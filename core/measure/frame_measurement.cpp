@@ -1,0 +1,37 @@
+#include "core/measure/frame_measurement.h"
+
+#include <algorithm>
+
+namespace cullscope {
+
+FrameMeasurement measurementOf(const TimedFrames& timed) {
+    FrameMeasurement figures;
+    figures.frameMilliseconds = quantile(timed.frameMilliseconds, 0.5);
+    figures.cullMilliseconds = quantile(timed.cullMilliseconds, 0.5);
+    figures.frameTimes = timed.frameMilliseconds;
+    figures.repetitions = static_cast<int>(timed.frameMilliseconds.size());
+    figures.stages = timed.log.stages;
+    figures.consideredTriangles = timed.log.consideredTriangles();
+    figures.culledTriangles = timed.log.counters.culledTriangles;
+    figures.parts = timed.log.counters.parts;
+    figures.figures = timed.log.counters.figures;
+    return figures;
+}
+
+JudgedFrame addLosses(FrameMeasurement& figures, Renderer& renderer, const TimedFrames& timed, const Reference& truth,
+                      Framebuffer& target) {
+    JudgedFrame judged = judge(renderer, *timed.buffers, timed.log, truth, target);
+    figures.accuracy = judged.accuracy;
+    figures.ownRaster = judged.ownRaster;
+    figures.missedBeyondSnapping = judged.missedBeyondSnapping.value_or(0);
+    return judged;
+}
+
+RatioEstimate ratioOver(std::span<const FrameMeasurement> baseline, std::span<const FrameMeasurement> subject) {
+    std::vector<ViewTimes> views;
+    for (size_t i = 0; i < std::min(baseline.size(), subject.size()); ++i)
+        views.push_back({baseline[i].frameTimes, subject[i].frameTimes});
+    return ratioOfTotals(views);
+}
+
+}  // namespace cullscope

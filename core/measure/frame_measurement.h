@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/measure/accuracy.h"
+#include "core/measure/statistics.h"
+#include "core/measure/timed_rounds.h"
+
+namespace cullscope {
+
+/// The measurement of one strategy at one view: at a pose of a path, or in a view of the desktop.
+struct FrameMeasurement {
+    size_t pose = 0;
+    double frameMilliseconds = 0.0;  ///< median; cull + draw of all windows
+    double cullMilliseconds = 0.0;   ///< median
+    std::vector<Stage> stages;       ///< of one cull
+    std::vector<double> frameTimes;  ///< milliseconds, by repetition; in files only as their median
+    int repetitions = 0;
+    uint64_t consideredTriangles = 0;                     ///< of one window
+    std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (FrameCounters)
+    std::vector<CullPart> parts;                          ///< of one window (FrameCounters)
+    std::vector<NamedFigure> figures;                     ///< of one window (FrameCounters)
+    std::optional<Accuracy> accuracy;
+    bool ownRaster = false;             ///< the frame shows other surfaces than the scene's, or in an order of its own
+    uint64_t missedBeyondSnapping = 0;  ///< with `ownRaster`, or where the reference has another facing rule than the strategy
+};
+
+/// The figures of the frames that were timed at a view so far, at least one of them counted; without what they lost.
+[[nodiscard]] FrameMeasurement measurementOf(const TimedFrames& timed);
+
+/// Judges a frame whose time was taken: replays its log into `target`, which has the view's size, and adds what it lost to
+/// `figures`. `truth` is of the view, under the strategy's facing rule for references.
+JudgedFrame addLosses(FrameMeasurement& figures, Renderer& renderer, const TimedFrames& timed, const Reference& truth,
+                      Framebuffer& target);
+
+/// "×" in a view's header, a table, a report, a paper's row and a file: ratioOfTotals of the frame times at the same views.
+[[nodiscard]] RatioEstimate ratioOver(std::span<const FrameMeasurement> baseline, std::span<const FrameMeasurement> subject);
+
+}  // namespace cullscope

@@ -1,0 +1,155 @@
+// The figures in a view's header: of which frames they are, and that they are those of a table and of cullbench.
+#include "ui/session/view_meter.h"
+
+#include <gtest/gtest.h>
+
+#include <QTest>
+#include <atomic>
+#include <nlohmann/json.hpp>
+
+#include "core/experiments/result_file.h"
+#include "tests/support/small_experiment.h"
+#include "ui/statistics/result_table_model.h"
+
+namespace cullscope::ui::view_meter_test {
+namespace {
+
+constexpr int kPatience = 60'000;  // ms
+
+struct Frames : ViewState {
+    uint64_t drawn = 0;
+    [[nodiscard]] std::unique_ptr<ViewState> clone() const override { return std::make_unique<Frames>(*this); }
+};
+
+/// Draws one triangle less in every frame, so that no two frames are alike, and counts its decisions.
+class Dwindling final : public StrategyWith<Structure, Frames> {
+public:
+    explicit Dwindling(std::shared_ptr<std::atomic<int>> decisions) : m_decisions(std::move(decisions)) {}
+    [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<Frames>(); }
+
+protected:
+    void fill(Structure& /*structure*/, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {}
+    void decide(FrameContext& frame, const Structure& /*structure*/, Frames& state,
+                const ParameterSet& /*parameters*/) const override {
+        ++*m_decisions;
+        ++state.drawn;
+        DrawList list = everything(frame.scene(), Facing::TwoSided);
+        list.ranges.front().indexCount -= uint32_t(3 * state.drawn);
+        frame.draw(std::move(list));
+    }
+    [[nodiscard]] Promise promiseOf(const Structure& /*structure*/, const ParameterSet& /*parameters*/,
+                                    Facing /*facing*/) const override {
+        return Promise::Approximate;
+    }
+
+private:
+    std::shared_ptr<std::atomic<int>> m_decisions;
+};
+
+BuiltStrategyPointer dwindling(const ScenePointer& scene, std::shared_ptr<std::atomic<int>> decisions) {
+    RegisteredStrategy strategy;
+    strategy.info.id = "dwindling";
+    strategy.strategy = std::make_shared<Dwindling>(std::move(decisions));
+    const ParameterSet parameters(strategy.info.parameters);
+    return std::make_shared<const BuiltStrategy>(strategy, parameters, strategy.strategy->build(scene, parameters, {}));
+}
+
+/// Every strategy's n-th frame takes a made-up time: half as long again for `backface`, and never twice the same.
+TimingProtocol madeUpTimes() {
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = 7;
+    protocol.madeUpTime = [counts = std::make_shared<std::map<std::string, int>>()](const BuiltStrategy& strategy) {
+        const int frame = (*counts)[strategy.id()]++;
+        return (strategy.id() == "backface" ? 6.0 : 4.0) + 0.25 * (frame * 5 % 7) + 0.01 * frame;
+    };
+    return protocol;
+}
+
+/// A meter of views, and the figures that it delivered.
+class ViewMeterTest : public testing::Test {
+protected:
+    ViewMeterTest() {
+        gpu.run([&] { buffers = gpu.upload(experiment.scene); });
+    }
+
+    [[nodiscard]] MetricsSubject subject(const BuiltStrategyPointer& strategy, size_t pose) const {
+        return {buffers, strategy, experiment.path.camera(pose), experiment.size};
+    }
+    /// All that a meter says of a view, in its order.
+    [[nodiscard]] std::vector<ViewMetrics> measured(const MetricsSubject& what, const TimingProtocol& protocol) {
+        ViewMeter meter(gpu, std::make_shared<ViewFrames>(), structures, protocol);
+        std::vector<ViewMetrics> said;
+        QObject::connect(&meter, &ViewMeter::measured, [&](int, const ViewMetrics& figures) { said.push_back(figures); });
+        meter.measure({{0, what}});
+        EXPECT_TRUE(QTest::qWaitFor([&] { return !said.empty() && said.back().timed; }, kPatience));
+        return said;
+    }
+
+    /// The result of `cullbench measure`, in the GPU thread's context.
+    [[nodiscard]] MeasureResult measuredOnPath() {
+        MeasureResult result;
+        gpu.run([&] { result = measure(experiment); });
+        return result;
+    }
+
+    MeasureRequest experiment = test::smallExperiment({"frustum"});
+    std::shared_ptr<StructureStore> structures = std::make_shared<StructureStore>();
+    GpuThread gpu;
+    SceneBuffersPointer buffers;
+};
+
+TEST_F(ViewMeterTest, judgesAFrameThatItTimedAndDecidesNoOther) {
+    const auto decisions = std::make_shared<std::atomic<int>>(0);
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = 3;
+    const std::vector<ViewMetrics> said = measured(subject(dwindling(experiment.scene, decisions), 0), protocol);
+    ASSERT_EQ(said.size(), 2u) << "the errors, and then the speed";
+    EXPECT_FALSE(said[0].timed);
+    EXPECT_FALSE(said[0].speedup.has_value());
+    const uint64_t triangles = experiment.scene->triangleCount();
+    for (const ViewMetrics& figures : said) {
+        EXPECT_EQ(figures.accuracy.submittedTriangles, triangles - 2) << "of the first frame after the warm-up";
+        EXPECT_EQ(figures.consideredTriangles, triangles - 2);
+        EXPECT_EQ(figures.accuracy.visibleTriangles, said[0].accuracy.visibleTriangles);
+    }
+    // A warm-up and three turns, and the frame that the view shows, which is coloured by verdict.
+    EXPECT_EQ(*decisions, 1 + 3 + 1);
+    EXPECT_EQ(said[1].states->counts[size_t(TriangleState::Visible)] + said[1].states->counts[size_t(TriangleState::InVain)],
+              triangles - 1);
+}
+
+TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
+    const CameraPath path = experiment.path;
+    const BuiltStrategyPointer strategy =
+        buildStrategy("frustum", ParameterSet(findStrategy("frustum").info.parameters), experiment.scene, *structures);
+    std::vector<double> ratios;
+    for (size_t pose = 0; pose < path.poses.size(); ++pose) {
+        const ViewMetrics header = measured(subject(strategy, pose), madeUpTimes()).back();
+        // cullbench measures by `measure` and writes `resultJson`.
+        experiment.path.poses = {path.poses[pose]};
+        experiment.timing = madeUpTimes();
+        const MeasureResult table = measuredOnPath();
+        experiment.path = path;
+        ASSERT_TRUE(header.speedup.has_value());
+        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToBackface) << "at pose " << pose;
+        EXPECT_EQ(resultRows(table).front().speedup, header.speedup);
+        EXPECT_EQ(header.frameMilliseconds, table.runs[0].summary.frameMillisecondsMedian);
+        const auto json = nlohmann::json::parse(resultJson(table));
+        EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_backface"], header.speedup->ratio);
+        EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_backface_ci95"], header.speedup->ci95);
+        EXPECT_EQ(header.accuracy.missedPixels, table.runs[0].frames[0].accuracy->missedPixels);
+        EXPECT_EQ(header.consideredTriangles, table.runs[0].frames[0].consideredTriangles);
+        // The better a strategy's × is, the more frames it draws in a second beside the same baseline.
+        EXPECT_GT(header.speedup->ratio, 1.0);
+        EXPECT_LT(header.speedup->ci95[0], header.speedup->ci95[1]);
+        ratios.push_back(header.speedup->ratio);
+    }
+    // Over all views the table has one ratio of total times, which lies among those of the views.
+    experiment.timing = madeUpTimes();
+    const double all = measuredOnPath().runs[0].summary.ratioToBackface.ratio;
+    EXPECT_GE(all, *std::ranges::min_element(ratios) - 0.1);
+    EXPECT_LE(all, *std::ranges::max_element(ratios) + 0.1);
+}
+
+}  // namespace
+}  // namespace cullscope::ui::view_meter_test
