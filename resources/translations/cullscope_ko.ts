@@ -3623,6 +3623,26 @@
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 먼저 그려진 것이 가립니다.</translation>
     </message>
+    <message>
+        <source>Band up to α = %3°: the surface&apos;s slope is at least %1, and the horizon before it %2.</source>
+        <translation>α = %3°까지의 띠: 표면의 기울기는 적어도 %1이고, 그 앞의 지평선은 %2입니다.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is higher everywhere, at least %2: hidden.</source>
+        <translation>셀의 삼각형이 기울기 %1까지 이릅니다. 그 앞의 지평선이 모든 곳에서 적어도 %2로 더 높습니다. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is not everywhere higher (%2): drawn.</source>
+        <translation>셀의 삼각형이 기울기 %1까지 이릅니다. 그 앞의 지평선이 모든 곳에서 더 높지는 않습니다(%2). 그려집니다.</translation>
+    </message>
+    <message>
+        <source>The cell lies too near to the centre or to the axis, or reaches too far around: drawn without a test.</source>
+        <translation>셀이 중심이나 축에 너무 가깝거나 너무 넓게 걸쳐 있습니다. 검사 없이 그립니다.</translation>
+    </message>
+    <message>
+        <source>not yet decided</source>
+        <translation>아직 결정되지 않음</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -3623,6 +3623,26 @@
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>它属于一个有 %1 个物体的组，先测试了组的盒子：此前绘制的内容将其遮住。</translation>
     </message>
+    <message>
+        <source>Band up to α = %3°: the surface&apos;s slope is at least %1, and the horizon before it %2.</source>
+        <translation>至 α = %3° 的带：表面斜率至少为 %1，之前的地平线为 %2。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is higher everywhere, at least %2: hidden.</source>
+        <translation>单元的三角形达到斜率 %1；之前的地平线处处更高，至少为 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is not everywhere higher (%2): drawn.</source>
+        <translation>单元的三角形达到斜率 %1；之前的地平线并非处处更高（%2）：绘制。</translation>
+    </message>
+    <message>
+        <source>The cell lies too near to the centre or to the axis, or reaches too far around: drawn without a test.</source>
+        <translation>单元离中心或轴太近，或延伸范围过大：不检验直接绘制。</translation>
+    </message>
+    <message>
+        <source>not yet decided</source>
+        <translation>尚未决定</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

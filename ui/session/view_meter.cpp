@@ -99,8 +99,7 @@ struct ViewMeter::Bench {
         const View view(what.culling, what.size);
         const Scene& scene = what.buffers->scene();
         Framebuffer& into = target(what.size);
-        const ViewFramePointer frame =
-            frames->of({what.buffers, what.strategy, what.culling, what.size, number}, true, *renderer);
+        const ViewFramePointer frame = frames->of({what.buffers, what.strategy, what.culling, what.size, number}, *renderer);
         const FrameLog& log = frame->log;
         ViewMetrics figures;
         figures.promise = what.strategy->promiseAt(view);
