@@ -27,7 +27,8 @@ TEST_F(UndecidedLegend, isShownWhileStepping) {
     settle();
     EXPECT_FALSE(shown());
     window.actions().stepThrough->trigger();
-    ASSERT_TRUE(waitUntil([&] { return session.step() && session.pictures()->isCurrent(0) && session.picture(0)->request.upTo; }));
+    ASSERT_TRUE(
+        waitUntil([&] { return session.step() && session.pictures()->isCurrent(0) && session.picture(0)->request.upTo; }));
     EXPECT_TRUE(shown());
     window.actions().stepThrough->trigger();
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.picture(0)->request.upTo; }));
