@@ -117,9 +117,11 @@ std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t ins
 
 /// The tests of the group that decided, with their numbers.
 void addGroupTests(const FrameLog& log, uint32_t group, std::vector<WhyStep>& steps) {
-    for (const Decision& decision : log.decisions)
-        if (decision.subject == Subject::ofNode(group) && decision.outcome == Decision::Outcome::Open)
-            steps.push_back(step(decision));
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject != Subject::ofNode(group) || decision.outcome != Decision::Outcome::Open) continue;
+        steps.push_back(step(decision));
+        steps.back().ofGroup = true;
+    }
 }
 
 /// What was said of the cell by which a triangle of an object was decided, with its numbers; `own`: its number in the mesh.

@@ -15,6 +15,7 @@ struct WhyStep {
     std::optional<double> distance;     ///< signed, positive inside, scene units
     std::optional<double> bound;        ///< the test classifies as outside only below −bound
     Containment containment = Containment::Straddles;
+    bool ofGroup = false;  ///< a test of a group of several objects, and not of the object alone
 };
 
 /// The chain for one scene triangle number: the decisions of a recorded frame of `strategy` about the groups that the triangle's

@@ -57,7 +57,7 @@ TEST_F(ViewFramesTest, aFrameIsDecidedOnceForPictureVerdictsPanelsFiguresAndPick
 }
 
 TEST_F(ViewFramesTest, aFrameOfManyObjectsIsDecidedOnceThoughItsDecisionsAreReadLater) {
-    openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=8,n=160"));
+    openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=20,n=160"));
     ASSERT_GE(session.opened()->scene->instances().size(), 25'000u);
     session.slot(1).choose("frustum-octree");
     session.setActiveView(1);

@@ -110,14 +110,14 @@ TEST(WhyOfGroups, testsOfTheGroupThatDecidedAreToldWithTheirNumbers) {
         const auto groups = decidingGroups(strategy.octree(), frame.log, scene->instances().size());
         for (uint32_t i = 0; i < groups.size(); i += 3) {
             if (strategy.octree().nodes()[groups[i].node].count < 2) continue;
-            std::vector<std::tuple<FrustumPlane, double, double>> tested, told;
+            std::vector<std::tuple<bool, FrustumPlane, double, double>> tested, told;
             for (const Decision& decision : frame.log.decisions) {
                 const bool ofGroup = decision.subject == Subject::ofNode(groups[i].node);
                 if ((ofGroup || decision.subject == Subject::ofObject(i)) && isPlaneTest(decision))
-                    tested.emplace_back(*decision.plane, decision.distance(), decision.margin());
+                    tested.emplace_back(ofGroup, *decision.plane, decision.distance(), decision.margin());
             }
             for (const WhyStep& step : why(*strategy.built(), frame.log, scene->firstTriangle(i)))
-                if (step.plane) told.emplace_back(*step.plane, step.distance.value(), step.bound.value());
+                if (step.plane) told.emplace_back(step.ofGroup, *step.plane, step.distance.value(), step.bound.value());
             EXPECT_EQ(told, tested) << "instance " << i;
             EXPECT_FALSE(told.empty());
             ++seen[size_t(groups[i].containment)];
