@@ -1,5 +1,7 @@
 #include "core/frame/frame_context.h"
 
+#include <algorithm>
+
 #include "core/base/error.h"
 
 namespace cullscope {
@@ -81,6 +83,18 @@ void FrameContext::say(Decision decision, std::span<const uint32_t> objects) {
     decision.objectCount = uint32_t(objects.size());
     m_log.objects.insert(m_log.objects.end(), objects.begin(), objects.end());
     say(decision);
+}
+
+void FrameContext::attach(std::shared_ptr<const DecisionDetail> detail, const Subject& subject, size_t since) {
+    size_t number = m_log.decisions.size();
+    while (number > since && m_log.decisions[number - 1].subject != subject) --number;
+    if (number == since) number = m_log.decisions.size();
+    const auto place = std::ranges::upper_bound(m_log.details, number - 1, {}, &LoggedDetail::decision);
+    m_log.details.insert(place, {number - 1, std::move(detail)});
+}
+
+void FrameContext::attach(std::shared_ptr<const DecisionDetail> detail) {
+    m_log.details.push_back({m_log.decisions.size() - 1, std::move(detail)});
 }
 
 FrameLog FrameContext::take() {

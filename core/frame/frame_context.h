@@ -65,8 +65,11 @@ public:
     [[nodiscard]] size_t said() const { return m_log.decisions.size(); }
     /// The order in which decisions about cells count the places of their triangles. Only while recording.
     void countPlacesIn(TriangleOrderPointer order) { m_log.order = std::move(order); }
-    /// The strategy's own notes. Only while recording.
-    void note(std::shared_ptr<const FrameNotes> notes) { m_log.notes = std::move(notes); }
+    /// What a decision found besides its operands: the newest one about `subject`, if there is one since `said()` was `since`,
+    /// else the newest of all. Only while recording, after a decision.
+    void attach(std::shared_ptr<const DecisionDetail> detail, const Subject& subject, size_t since);
+    /// The same of the newest decision.
+    void attach(std::shared_ptr<const DecisionDetail> detail);
 
     [[nodiscard]] FrameCounters& counters() { return m_log.counters; }
     void addStage(const char* name, double milliseconds) { m_log.stages.push_back({name, milliseconds}); }

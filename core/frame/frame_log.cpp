@@ -48,18 +48,21 @@ size_t FrameLog::commandsWithin(size_t entries) const {
 FrameLog FrameLog::upTo(size_t entries) const {
     const size_t all = std::min(entries, this->entries());
     const auto drawn = std::ptrdiff_t(commandsWithin(all)), decided = std::ptrdiff_t(all) - drawn;
-    return {camera,
-            size,
-            facing,
-            {commands.begin(), commands.begin() + drawn},
-            recorded,
-            {decisions.begin(), decisions.begin() + decided},
-            order,
-            objects,
-            notes && size_t(decided) < decisions.size() ? notes->within(size_t(decided)) : notes,
-            counters,
-            stages,
-            cullMilliseconds};
+    FrameLog part;
+    part.camera = camera;
+    part.size = size;
+    part.facing = facing;
+    part.commands.assign(commands.begin(), commands.begin() + drawn);
+    part.recorded = recorded;
+    part.decisions.assign(decisions.begin(), decisions.begin() + decided);
+    part.order = order;
+    part.objects = objects;
+    part.details.assign(details.begin(), std::ranges::lower_bound(details, size_t(decided), {}, &LoggedDetail::decision));
+    part.whole = whole && all == this->entries();
+    part.counters = counters;
+    part.stages = stages;
+    part.cullMilliseconds = cullMilliseconds;
+    return part;
 }
 
 namespace {

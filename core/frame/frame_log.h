@@ -42,12 +42,15 @@ struct FrameCounters {
     std::vector<NamedFigure> figures;  ///< what a family counts besides
 };
 
-/// What a strategy keeps of a recorded frame for its own shows, besides the decisions.
-struct FrameNotes {
-    virtual ~FrameNotes() = default;
-    /// The notes about what was decided within the first `decisions` decisions of the frame, for a replay of a part. Null: there
-    /// are none of a part.
-    [[nodiscard]] virtual std::shared_ptr<const FrameNotes> within(size_t /*decisions*/) const { return nullptr; }
+/// What a decision found that is no number, such as where a ray ended: plain data of the family that said it, for its own shows.
+/// Only the family's files know the derived type.
+struct DecisionDetail {
+    virtual ~DecisionDetail() = default;
+};
+/// The detail of one decision of a log.
+struct LoggedDetail {
+    size_t decision = 0;  ///< its number
+    std::shared_ptr<const DecisionDetail> detail;
 };
 
 /// Everything of one frame, in the order in which it happened: the commands as they were executed, the decisions where they were
@@ -58,11 +61,12 @@ struct FrameLog {
     Viewport size;  ///< the culling view's
     Facing facing = Facing::TwoSided;
     std::vector<Command> commands;
-    bool recorded = false;                    ///< whether decisions were asked for
-    std::vector<Decision> decisions;          ///< empty unless `recorded`
-    TriangleOrderPointer order;               ///< that decisions about cells count places in; null: every mesh's own
-    std::vector<uint32_t> objects;            ///< instances that decisions about nodes refer to
-    std::shared_ptr<const FrameNotes> notes;  ///< null unless `recorded`
+    bool recorded = false;              ///< whether decisions were asked for
+    std::vector<Decision> decisions;    ///< empty unless `recorded`
+    TriangleOrderPointer order;         ///< that decisions about cells count places in; null: every mesh's own
+    std::vector<uint32_t> objects;      ///< instances that decisions about nodes refer to
+    std::vector<LoggedDetail> details;  ///< of decisions that have one, by ascending number
+    bool whole = true;                  ///< false: the first entries of a frame that has more; the rest is not decided yet
     FrameCounters counters;
     std::vector<Stage> stages;
     double cullMilliseconds = 0.0;  ///< the whole frame without executing and logging draw commands

@@ -21,7 +21,7 @@ constexpr std::array<std::array<size_t, 4>, kFrustumPlaneCount> kFaces{
 std::vector<OverlayLines> boxOverlayByPlane(const OverlayContext& context, const StructureSnapshot& snapshot) {
     OverlayLines kept{{}, {kKeptWidth, true}}, rejected{{}, {kRejectedWidth, true}};
     for (const SnapshotNode& node : snapshot.nodes) {
-        if (node.isGroup() && !wasTested(node, snapshot)) continue;
+        if (node.isGroup() && !node.tested) continue;
         const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
         if (node.culled && node.rejectedBy)
             addBox(rejected, node.box, context.planes[size_t(*node.rejectedBy)]);

@@ -42,7 +42,7 @@ struct Summary {
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
     double cullShare = 0.0;                         ///< of the frame time
-    double culledFraction = 0.0;                    ///< of the scene's triangles, mean over poses
+    double culledFraction = 0.0;                    ///< of the scene's triangles those of which nothing is drawn, mean over poses
     std::optional<double> missedPixelRate;          ///< missed / covered, over all poses
     RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOver the poses: what "×" says everywhere
     RatioEstimate speedupVsAll, speedupVsBackface;  ///< meanOfRatios over the poses, which papers quote

@@ -23,30 +23,35 @@ struct MaskedTest {
 
 /// `inner` and `outer` return the signed distances of the points farthest inside and farthest outside a plane. `first` is tested
 /// before the others, if the mask contains it, and is set to the plane that rejects the bounds. A distance of NaN rejects
-/// nothing. `tell(plane, inner, outer)` hears of every test (of the plane that rejects, `outer` is the inner distance).
+/// nothing. `tell(plane, inner, outer)` hears of every test when it is made (of the plane that rejects, `outer` is the inner
+/// distance).
 template <typename Inner, typename Outer, typename Tell>
 MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint8_t& first, const Inner& inner,
                       const Outer& outer, const Tell& tell) {
     MaskedTest test{mask};
-    const auto isOutside = [&](uint32_t p) {
+    const auto rejects = [&](uint32_t p) {
         test.distance = inner(frustum.planes[p]);
         ++test.tested;
-        return test.distance < -margin;
-    };
-    const auto outside = [&](uint32_t p) {
-        first = uint8_t(p);
-        tell(static_cast<FrustumPlane>(p), test.distance, test.distance);
-        return MaskedTest{mask, true, true, static_cast<FrustumPlane>(p), test.distance, test.tested};
-    };
-    const uint32_t asked = first;
-    if (asked < kPlanes && (mask >> asked & 1) != 0 && isOutside(asked)) return outside(asked);
-    for (uint32_t p = 0; p < kPlanes; ++p) {
-        if ((mask >> p & 1) == 0) continue;
-        if (p != asked && isOutside(p)) return outside(p);
+        if (test.distance < -margin) {
+            first = uint8_t(p);
+            test.outside = test.byPlane = true;
+            test.plane = static_cast<FrustumPlane>(p);
+            tell(test.plane, test.distance, test.distance);
+            return true;
+        }
         const double farthest = outer(frustum.planes[p]);
         if (farthest > margin) test.planes &= ~(1u << p);
         tell(static_cast<FrustumPlane>(p), test.distance, farthest);
+        return false;
+    };
+    uint32_t left = mask;
+    if (first < kPlanes && (mask >> first & 1) != 0) {
+        const uint32_t asked = first;
+        if (rejects(asked)) return test;
+        left &= ~(1u << asked);
     }
+    for (uint32_t p = 0; p < kPlanes; ++p)
+        if ((left >> p & 1) != 0 && rejects(p)) return test;
     return test;
 }
 
@@ -59,7 +64,7 @@ public:
           m_frustum(frame.view().frustum()),
           m_eye(frame.view().eye()),
           m_recording(frame.recording()),
-          m_memory(m_recording ? nullptr : options.memory),
+          m_memory(options.memory),
           m_refine(options.refine),
           m_lines(options.lines) {}
 

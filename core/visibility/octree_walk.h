@@ -52,8 +52,7 @@ struct OctreeWalkLines {
 struct OctreeWalkOptions {
     /// Tests groups and objects that are outside no plane by separating axes too (geometry/separation.h).
     bool refine = false;
-    /// Null: the planes are tested in their own order. A recorded frame neither reads nor writes it, so that its decisions are
-    /// always the same.
+    /// Null: the planes are tested in their own order.
     LastFailedPlanes* memory = nullptr;
     OctreeWalkLines lines{};
 };

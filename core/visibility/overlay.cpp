@@ -49,10 +49,6 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour) {
             if ((from & axis) == 0) overlay.lines.push_back({corner(from), corner(from | axis), colour});
 }
 
-bool wasTested(const SnapshotNode& group, const StructureSnapshot& snapshot) {
-    return group.parent < 0 || snapshot.nodes[size_t(group.parent)].containment == Containment::Straddles;
-}
-
 void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node) {
     const TriangleState state = node.culled ? stateOfCause(node.cause) : TriangleState::Visible;
     addBox(overlay, node.box, context.palette[size_t(state)].colour);
@@ -61,7 +57,7 @@ void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const Sn
 OverlayLines groupOverlay(const OverlayContext& context, const StructureSnapshot& snapshot) {
     OverlayLines overlay{{}, {kBoxLineWidth, true}};
     for (const SnapshotNode& node : snapshot.nodes)
-        if (node.isGroup() && wasTested(node, snapshot)) addByVerdict(overlay, context, node);
+        if (node.isGroup() && node.tested) addByVerdict(overlay, context, node);
     return overlay;
 }
 

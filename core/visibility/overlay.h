@@ -42,9 +42,6 @@ void addBox(OverlayLines& overlay, const Box3& box, const Vec3f& colour);
 /// Adds a box in the colour of its verdict.
 void addByVerdict(OverlayLines& overlay, const OverlayContext& context, const SnapshotNode& node);
 
-/// Whether a group was tested itself: a group inside one that was decided as a whole was not.
-[[nodiscard]] bool wasTested(const SnapshotNode& group, const StructureSnapshot& snapshot);
-
 /// The boxes of the groups of objects that were tested, coloured by verdict.
 [[nodiscard]] OverlayLines groupOverlay(const OverlayContext& context, const StructureSnapshot& snapshot);
 

@@ -14,6 +14,7 @@
 #include "core/visibility/software/software_raster.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
+#include "core/visibility/spherical/spherical_horizon.h"
 
 namespace cullscope {
 

@@ -212,7 +212,9 @@ public:
         return promiseOf(own(structure), parameters, facing);
     }
     [[nodiscard]] StructureSnapshot snapshot(const Structure& structure, const FrameLog& log) const final {
-        return snapshotOf(own(structure), log);
+        StructureSnapshot result = snapshotOf(own(structure), log);
+        markTested(result, log);
+        return result;
     }
 
 protected:

@@ -23,6 +23,7 @@ struct SnapshotNode {
     bool culled = false;
     Cause cause = Cause::OutsideFrustum;  ///< with `culled`
     Containment containment = Containment::Straddles;
+    bool tested = false;                     ///< the frame said a test of it by itself (markTested)
     std::optional<FrustumPlane> rejectedBy;  ///< the plane that culled it; none: no single plane did
 
     [[nodiscard]] bool isGroup() const { return instance == kGroup; }
@@ -44,5 +45,8 @@ struct StructureSnapshot {
     const char* groupSentence = nullptr;
     std::shared_ptr<const StructureDetails> details;  ///< null: there is nothing more
 };
+
+/// Sets SnapshotNode::tested by the tests that a recorded frame said.
+void markTested(StructureSnapshot& snapshot, const FrameLog& log);
 
 }  // namespace cullscope

@@ -14,7 +14,7 @@ constexpr std::chrono::milliseconds kWaiting{50};
 
 StructurePointer StructureStore::get(const RegisteredStrategy& strategy, const ParameterSet& parameters,
                                      const ScenePointer& scene, const Progress& progress) {
-    const std::shared_ptr<Place> place = placeOf({scene.get(), strategy.info.id, parameters.buildText()});
+    const std::shared_ptr<Place> place = placeOf({scene.get(), strategy.strategy, parameters.buildText()});
     std::unique_lock lock(place->building, std::defer_lock);
     while (!lock.try_lock_for(kWaiting)) progress.check();
     if (StructurePointer known = place->structure.lock()) return known;

@@ -7,8 +7,8 @@
 
 namespace cullscope {
 
-/// The structures in use, each built once for a scene, a strategy and its build parameters. A structure is freed when the last of
-/// its users leaves it. Thread-safe; different structures are built at the same time.
+/// The structures in use, each built once for a scene, a strategy and those of its parameters that are read when building. A
+/// structure is freed when the last of its users leaves it. Thread-safe; different structures are built at the same time.
 class StructureStore {
 public:
     /// The structure, built here if no user has it; where another thread is building it, waits for that one. Throws what
@@ -21,8 +21,8 @@ public:
 private:
     struct Key {
         const Scene* scene = nullptr;
-        std::string id;
-        std::string parameters;
+        std::shared_ptr<const Strategy> strategy;  ///< itself and not its id: another one may have the same
+        std::string parameters;                    ///< those that are read when building
 
         auto operator<=>(const Key&) const = default;
     };

@@ -24,9 +24,11 @@ const char* triangleStateName(TriangleState state) {
         case TriangleState::TooSmall:
             return CULLSCOPE_TR("too small");
         case TriangleState::WronglyCulled:
+            return CULLSCOPE_TR("wrongly culled");
+        case TriangleState::Undecided:
             break;
     }
-    return CULLSCOPE_TR("wrongly culled");
+    return CULLSCOPE_TR("not yet decided");
 }
 
 TriangleState stateOfCause(Cause cause) {
@@ -45,30 +47,67 @@ TriangleState stateOfCause(Cause cause) {
 
 namespace {
 
-/// The states of all triangles as if none were submitted: by the causes that the decisions name.
-std::vector<TriangleState> causes(const Scene& scene, const FrameLog& log) {
-    std::vector<TriangleState> states(scene.triangleCount(), TriangleState::Hidden);
-    const auto mark = [&](uint32_t instance, Cause cause) {
-        std::fill_n(states.begin() + static_cast<std::ptrdiff_t>(scene.firstTriangle(instance)),
-                    scene.meshOf(instance).triangleCount(), stateOfCause(cause));
-    };
-    const auto culls = [](const Decision& decision) {
-        return decision.outcome == Decision::Outcome::Culled || decision.outcome == Decision::Outcome::PartlyDrawn;
-    };
-    for (const Decision& decision : log.decisions) {
-        if (!culls(decision)) continue;
-        if (decision.subject.kind == Subject::Kind::Object) mark(decision.subject.number, decision.cause);
-        for (const uint32_t instance : log.objectsOf(decision)) mark(instance, decision.cause);
+/// The states of all triangles as if none were submitted: by the causes that the decisions name. In the first entries of a frame
+/// a triangle that was decided to be drawn counts as drawn, before the command that draws it, and one about which nothing was
+/// decided is Undecided.
+class NamedStates {
+public:
+    NamedStates(const Scene& scene, const FrameLog& log)
+        : m_scene(scene),
+          m_log(log),
+          m_states(scene.triangleCount(), log.whole ? TriangleState::Hidden : TriangleState::Undecided) {}
+
+    [[nodiscard]] std::vector<TriangleState> take() {
+        for (const Decision& decision : m_log.decisions) {
+            const std::optional<TriangleState> state = stateAfter(decision);
+            if (!state) continue;
+            if (decision.subject.kind == Subject::Kind::Object) markObject(decision.subject.number, *state);
+            for (const uint32_t instance : m_log.objectsOf(decision)) markObject(instance, *state);
+        }
+        // What a cell's decision says of its triangles is nearer to them than what became of the object.
+        for (const Decision& decision : m_log.decisions)
+            if (const std::optional<TriangleState> state = stateAfter(decision); state && isCell(decision))
+                markCell(decision, *state);
+        return std::move(m_states);
     }
-    // What a cell's decision says of its triangles is nearer to them than what became of the object.
-    for (const Decision& decision : log.decisions) {
-        if (decision.subject.kind != Subject::Kind::Cell || !culls(decision)) continue;
-        const uint32_t instance = decision.subject.object, mesh = scene.instances()[instance].mesh;
+
+private:
+    static bool isCell(const Decision& decision) { return decision.subject.kind == Subject::Kind::Cell; }
+
+    /// None: the decision leaves it open.
+    [[nodiscard]] std::optional<TriangleState> stateAfter(const Decision& decision) const {
+        switch (decision.outcome) {
+            case Decision::Outcome::Culled:
+                return stateOfCause(decision.cause);
+            case Decision::Outcome::PartlyDrawn:
+                // Which part it is, the next command tells.
+                if (!m_log.whole && decision.commands >= m_log.commands.size()) return std::nullopt;
+                return stateOfCause(decision.cause);
+            case Decision::Outcome::Drawn:
+            case Decision::Outcome::DrawnAfterAll:
+                if (!m_log.whole) return TriangleState::Visible;
+                return std::nullopt;
+            case Decision::Outcome::Open:
+                break;
+        }
+        return std::nullopt;
+    }
+
+    void markObject(uint32_t instance, TriangleState state) {
+        std::fill_n(m_states.begin() + std::ptrdiff_t(m_scene.firstTriangle(instance)), m_scene.meshOf(instance).triangleCount(),
+                    state);
+    }
+
+    void markCell(const Decision& decision, TriangleState state) {
+        const uint32_t instance = decision.subject.object, mesh = m_scene.instances()[instance].mesh;
         for (uint32_t place = decision.places.first; place < decision.places.first + decision.places.count; ++place)
-            states[scene.firstTriangle(instance) + triangleAt(log.order.get(), mesh, place)] = stateOfCause(decision.cause);
+            m_states[m_scene.firstTriangle(instance) + triangleAt(m_log.order.get(), mesh, place)] = state;
     }
-    return states;
-}
+
+    const Scene& m_scene;
+    const FrameLog& m_log;
+    std::vector<TriangleState> m_states;
+};
 
 /// The state of a submitted triangle.
 struct Submitted {
@@ -95,7 +134,7 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
     const DrawList list = drawnTriangles(scene, log);
     TriangleStates result;
     result.againstTruth = truth.has_value();
-    result.states = causes(scene, log);
+    result.states = NamedStates(scene, log).take();
     if (truth.has_value())
         for (const uint32_t triangle : truth->triangles) result.states[triangle] = TriangleState::WronglyCulled;
     const Submitted submitted{truth, log.facing};
@@ -111,6 +150,13 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
                 state = submitted.state(state, instance, triangle);
             }
         });
+    }
+    if (truth.has_value() && !log.whole) {
+        // What is not decided yet is not lost.
+        const std::vector<TriangleState> named = NamedStates(scene, log).take();
+        for (const uint32_t triangle : truth->triangles)
+            if (result.states[triangle] == TriangleState::WronglyCulled && named[triangle] == TriangleState::Undecided)
+                result.states[triangle] = TriangleState::Undecided;
     }
     for (const TriangleState state : result.states) ++result.counts[static_cast<size_t>(state)];
     return result;

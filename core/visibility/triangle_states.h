@@ -35,7 +35,9 @@ struct TriangleStates {
 /// set of visible triangles. In V and drawn: Visible. In V and not drawn (not submitted; or submitted and culled by OpenGL as
 /// back-facing while the truth has both sides): WronglyCulled. Submitted and not in V: BackFacing where OpenGL draws front faces
 /// only and the triangle is back-facing for the eye, else InVain. Not submitted: by the cause of the last decision about its
-/// cell, object or group; Hidden where there is none, as in a frame whose choices the GPU makes.
+/// cell, object or group; Hidden where there is none, as in a frame whose choices the GPU makes. Of the first entries of a frame
+/// (FrameLog::upTo): Visible also where it was decided to be drawn and no command has drawn it yet, and Undecided where nothing
+/// was decided.
 [[nodiscard]] TriangleStates triangleStates(const Scene& scene, const FrameLog& log,
                                             const std::optional<VisibleTriangles>& truth);
 

@@ -115,6 +115,32 @@ std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t ins
     return WhyStep{std::move(sentence), {}, {}, {}, group->containment};
 }
 
+/// The tests of the group that decided, with their numbers.
+void addGroupTests(const FrameLog& log, uint32_t group, std::vector<WhyStep>& steps) {
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject != Subject::ofNode(group) || decision.outcome != Decision::Outcome::Open) continue;
+        steps.push_back(step(decision));
+        steps.back().ofGroup = true;
+    }
+}
+
+/// What was said of the cell by which a triangle of an object was decided, with its numbers; `own`: its number in the mesh.
+void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, uint64_t own, std::vector<WhyStep>& steps) {
+    const uint32_t mesh = scene.instances()[instance].mesh;
+    uint64_t place = 0;
+    while (place < scene.meshOf(instance).triangleCount() && triangleAt(log.order.get(), mesh, place) != own) ++place;
+    const auto holds = [&](const Decision& decision) {
+        return decision.subject.kind == Subject::Kind::Cell && decision.subject.object == instance &&
+               decision.places.first <= place && place - decision.places.first < decision.places.count;
+    };
+    const auto last = std::find_if(log.decisions.rbegin(), log.decisions.rend(), [&](const Decision& decision) {
+        return decision.outcome != Decision::Outcome::Open && holds(decision);
+    });
+    if (last == log.decisions.rend()) return;
+    for (const Decision& decision : log.decisions)
+        if (decision.subject == last->subject && decision.sentence != nullptr) steps.push_back(step(decision));
+}
+
 bool submits(const DrawList& list, const Scene& scene, uint32_t instance, uint64_t triangle) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     return std::any_of(list.ranges.begin(), list.ranges.end(), [&](const DrawRange& range) {
@@ -143,7 +169,10 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
     std::vector<WhyStep> steps;
     const StructureSnapshot snapshot = strategy.snapshot(log);
     if (auto box = boxStep(scene, snapshot, instance)) steps.push_back(std::move(*box));
-    if (auto group = groupStep(snapshot, instance)) steps.push_back(std::move(*group));
+    if (auto group = groupStep(snapshot, instance)) {
+        steps.push_back(std::move(*group));
+        addGroupTests(log, decidingGroup(snapshot, instance)->number, steps);
+    }
     const std::array<uint64_t, kCauseCount> inPart = culledInPart(log, instance);
     const bool several = std::ranges::count_if(inPart, [](uint64_t count) { return count > 0; }) > 1;
     // A group of this object alone: its tests are the object's, unless the object was tested by itself.
@@ -164,6 +193,7 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
         else
             steps.push_back(step(decision));
     }
+    addCellTests(scene, log, instance, own, steps);
     strategy.addWhySteps(log, instance, uint32_t(own), steps);
     const bool given = submits(drawnTriangles(scene, log), scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;

@@ -15,11 +15,12 @@ struct WhyStep {
     std::optional<double> distance;     ///< signed, positive inside, scene units
     std::optional<double> bound;        ///< the test classifies as outside only below −bound
     Containment containment = Containment::Straddles;
+    bool ofGroup = false;  ///< a test of a group of several objects, and not of the object alone
 };
 
 /// The chain for one scene triangle number: the decisions of a recorded frame of `strategy` about the groups that the triangle's
-/// object lies in and about the object, then whether the triangle was drawn, then how OpenGL treats it under the frame's facing
-/// rule. Only what was tested.
+/// object lies in, about the object and about the triangle's cell, with their numbers; then whether the triangle was drawn, and
+/// how OpenGL treats it under the frame's facing rule. Only what was tested.
 [[nodiscard]] std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uint64_t triangle);
 
 }  // namespace cullscope

@@ -60,6 +60,7 @@ inline spherical::MapSnapshot cutMap(double left, double right) {
         region.boxes = {{15, 24, column(left), column(right) - 1}};
     for (size_t i = 0; i < 4; ++i) {
         spherical::CornerRay& ray = map.decision.rays[i];
+        ray.followed = true;
         ray.point = directionOf(region.outline[i].x / kDegree, region.outline[i].y / kDegree);
         ray.ray = {map.decision.eye, ray.point - map.decision.eye};
         ray.span = throughSphere(ray.ray, map.maps->sphere().radius);

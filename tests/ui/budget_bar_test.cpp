@@ -26,8 +26,8 @@ int sum(const std::array<int, kTriangleStateCount>& widths) { return std::accumu
 TEST(BudgetBar, segmentsAreProportionalAndFillTheWidth) {
     BudgetBar bar;
     bar.resize(300, 12);
-    bar.setFigures(figuresOf({100, 50, 100, 0, 50, 0, 0}));
-    EXPECT_EQ(bar.widths(), (std::array<int, kTriangleStateCount>{100, 50, 100, 0, 50, 0, 0}));
+    bar.setFigures(figuresOf({100, 50, 100, 0, 50, 0, 0, 0}));
+    EXPECT_EQ(bar.widths(), (std::array<int, kTriangleStateCount>{100, 50, 100, 0, 50, 0, 0, 0}));
     for (const int width : {1, 2, 7, 299, 1001}) {
         bar.resize(width, 12);
         bar.setFigures(figuresOf({1, 1, 1, 1, 1, 1, 1}));

@@ -72,8 +72,8 @@ TEST(Wipe, marksWhereAnOwnPictureShowsAnotherTriangleThanTheTruth) {
                                 : nullptr;
             request.otherView = 1;
             ViewFrames frames;
-            const ViewFramePointer other = request.other ? frames.of(request.otherFrame(), false, renderer) : nullptr;
-            PictureDrawing drawing(request, frames.of(request.frame(), false, renderer), other);
+            const ViewFramePointer other = request.other ? frames.of(request.otherFrame(), renderer) : nullptr;
+            PictureDrawing drawing(request, frames.of(request.frame(), renderer), other);
             Framebuffer target(request.size);
             drawing.draw(renderer, target);
             const auto picture = drawing.finish(0);

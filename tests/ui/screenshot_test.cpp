@@ -75,7 +75,7 @@ TEST_F(ScreenshotTest, fourThousandPixelsHaveTypeAndLinesThreeTimesAsLarge) {
     EXPECT_GT(height, 10);
     EXPECT_NEAR(inkHeight(large, largePlan.captionPlace), 3 * height, 4);
     // Each swatch has the colour of its state, and text is beside it.
-    ASSERT_EQ(largePlan.legend.size(), 1 + kTriangleStateCount);
+    ASSERT_EQ(largePlan.legend.size(), kTriangleStateCount);
     EXPECT_FALSE(largePlan.legend.front().state) << "the heading";
     const auto palette = verdictPalette(largePlan.style.background);
     for (const LegendEntry& entry : std::span(largePlan.legend).subspan(1)) {
@@ -157,7 +157,7 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
         const TiledPicture::Result result = tiled.take();
 
         const View culling(request.culling, request.cullingSize);
-        const ViewFramePointer frame = session.frames()->beside(request.frame(), true, renderer);
+        const ViewFramePointer frame = session.frames()->beside(request.frame(), renderer);
         const Reference truth = itemBufferReference(renderer, *request.buffers, culling, request.strategy->referenceFacing());
         request.states =
             std::make_shared<const TriangleStates>(triangleStates(request.buffers->scene(), frame->log, truth.visible()));

@@ -56,6 +56,29 @@ TEST_F(ViewFramesTest, aFrameIsDecidedOnceForPictureVerdictsPanelsFiguresAndPick
     EXPECT_EQ(decided(1), before + 1) << "colours, boxes, pick and why";
 }
 
+TEST_F(ViewFramesTest, aFrameOfManyObjectsIsDecidedOnceThoughItsDecisionsAreReadLater) {
+    openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=20,n=160"));
+    ASSERT_GE(session.opened()->scene->instances().size(), 25'000u);
+    session.slot(1).choose("frustum-octree");
+    session.setActiveView(1);
+    settle();
+    const size_t before = decided(1);
+    session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(5.0), {}));
+    settle();
+    EXPECT_EQ(decided(1), before + 1) << "the picture";
+    why.show();
+    ViewSetup setup = session.setup(1);
+    setup.look.colouring = Colouring::Verdicts;
+    setup.look.boxes = true;
+    session.setSetup(1, setup);
+    settle();
+    session.pickAt(1, 80, 60);
+    ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
+    settle();
+    EXPECT_FALSE(reader.reading()->why.empty());
+    EXPECT_EQ(decided(1), before + 1) << "colours, boxes, pick and why";
+}
+
 TEST_F(ViewFramesTest, anObserverReplaysTheFrameOfItsView) {
     session.slot(1).choose("frustum");
     settle();

@@ -5,39 +5,24 @@
 
 namespace cullscope::ui {
 
-namespace {
-
-// Decisions about up to so many objects are recorded in every frame, so that whatever reads them finds them; of a larger scene
-// only where something reads them, because they take time and memory.
-constexpr size_t kMostObjectsAlwaysRecorded = 20'000;
-
-bool alwaysRecorded(const FrameRequest& request) {
-    return request.strategy->scene().instances().size() <= kMostObjectsAlwaysRecorded;
-}
-
-}  // namespace
-
-ViewFramePointer ViewFrames::of(const FrameRequest& request, bool recorded, Renderer& renderer) {
+ViewFramePointer ViewFrames::of(const FrameRequest& request, Renderer& renderer) {
     Memory& memory = m_views[request.view];
-    const bool same = memory.frame && memory.frame->request.sameFrame(request);
-    if (same && (memory.frame->log.recorded || !recorded)) return memory.frame;
-    if (!same) {
-        const bool goesOn = memory.frame && memory.frame->request.strategy == request.strategy;
-        memory.before = goesOn ? std::move(memory.after) : request.strategy->begin();
-    }
+    if (memory.frame && memory.frame->request.sameFrame(request)) return memory.frame;
+    const bool goesOn = memory.frame && memory.frame->request.strategy == request.strategy;
+    memory.before = goesOn ? std::move(memory.after) : request.strategy->begin();
     memory.after = memory.before->clone();
     memory.frame = nullptr;
-    memory.frame = decide(request, recorded, *memory.after, renderer);
+    memory.frame = decide(request, *memory.after, renderer);
     return memory.frame;
 }
 
-ViewFramePointer ViewFrames::beside(const FrameRequest& request, bool recorded, Renderer& renderer) {
+ViewFramePointer ViewFrames::beside(const FrameRequest& request, Renderer& renderer) {
     const auto found = m_views.find(request.view);
     const ViewFramePointer shown = found == m_views.end() ? nullptr : found->second.frame;
-    if (shown && shown->request.sameFrame(request) && (shown->log.recorded || !recorded)) return shown;
+    if (shown && shown->request.sameFrame(request)) return shown;
     const bool sameStrategy = shown && shown->request.strategy == request.strategy;
     const ViewStatePointer state = sameStrategy ? found->second.before->clone() : request.strategy->begin();
-    return decide(request, recorded, *state, renderer);
+    return decide(request, *state, renderer);
 }
 
 ViewStatePointer ViewFrames::memoryBefore(const FrameRequest& request) const {
@@ -59,11 +44,11 @@ size_t ViewFrames::decided(int view) const {
     return found == m_decided.end() ? 0 : found->second;
 }
 
-ViewFramePointer ViewFrames::decide(const FrameRequest& request, bool recorded, ViewState& state, Renderer& renderer) {
+ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& state, Renderer& renderer) {
     auto frame = std::make_shared<ViewFrame>();
     frame->request = request;
     const View culling(request.culling, request.size);
-    GpuFrame context(renderer, *request.buffers, culling, recorded || alwaysRecorded(request));
+    GpuFrame context(renderer, *request.buffers, culling, true);
     request.strategy->draw(context, state);
     frame->log = context.take();
     const std::lock_guard lock(m_mutex);

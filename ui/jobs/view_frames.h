@@ -48,11 +48,11 @@ struct LogPlace {
 /// The frames of the views, each decided once, with each view's memory. Used on the GPU thread; `decided` on any.
 class ViewFrames {
 public:
-    /// The view's frame, decided here if its newest one is another. `recorded`: its decisions are read; a frame that was decided
-    /// without them is decided again from the memory that it began with. Throws what core throws.
-    [[nodiscard]] ViewFramePointer of(const FrameRequest& request, bool recorded, Renderer& renderer);
+    /// The view's frame, decided here if its newest one is another. Its decisions are always recorded, so that whatever reads
+    /// them later finds them in the frame that is shown. Throws what core throws.
+    [[nodiscard]] ViewFramePointer of(const FrameRequest& request, Renderer& renderer);
     /// The same for a picture that the view does not show, as of another size: with the view's memory, which does not change.
-    [[nodiscard]] ViewFramePointer beside(const FrameRequest& request, bool recorded, Renderer& renderer);
+    [[nodiscard]] ViewFramePointer beside(const FrameRequest& request, Renderer& renderer);
     /// The memory with which the view's frame began, if its newest frame is this one; else that of a view without a past.
     [[nodiscard]] ViewStatePointer memoryBefore(const FrameRequest& request) const;
 
@@ -69,7 +69,7 @@ private:
         ViewStatePointer before, after;  ///< the view's memory before and after `frame`
     };
 
-    [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, bool recorded, ViewState& state, Renderer& renderer);
+    [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, ViewState& state, Renderer& renderer);
 
     std::map<int, Memory> m_views;
     mutable std::mutex m_mutex;

@@ -154,8 +154,8 @@ std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
 }
 
 ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
-    const ViewFramePointer frame = m_frames->of(request.frame(), request.needsDecisions(), renderer());
-    const ViewFramePointer other = request.other ? m_frames->beside(request.otherFrame(), false, renderer()) : nullptr;
+    const ViewFramePointer frame = m_frames->of(request.frame(), renderer());
+    const ViewFramePointer other = request.other ? m_frames->beside(request.otherFrame(), renderer()) : nullptr;
     PictureDrawing drawing(request, frame, other);
     drawing.draw(renderer(), target(request.size));
     return drawing.finish(kMarkReach);
@@ -163,7 +163,7 @@ ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
 
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
     const Scene& scene = request.buffers->scene();
-    const ViewFramePointer frame = shownFrame(request, m_frames->of(request.frame(), request.needsDecisions(), renderer()));
+    const ViewFramePointer frame = shownFrame(request, m_frames->of(request.frame(), renderer()));
     if (request.look.sphericalModel) {
         const std::optional<DirectionPick> found =
             pickSphericalModel(scene, drawnTriangles(scene, frame->log), request.size, request.style, x, y);

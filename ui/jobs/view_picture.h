@@ -38,8 +38,6 @@ struct ViewRequest {
     /// The frame that the picture replays, and the one beside which it is shown (with `other`).
     [[nodiscard]] FrameRequest frame() const { return {buffers, strategy, culling, cullingSize, culledBy}; }
     [[nodiscard]] FrameRequest otherFrame() const { return {buffers, other, culling, cullingSize, otherView}; }
-    /// Whether the picture shows decisions, or stops among them.
-    [[nodiscard]] bool needsDecisions() const { return cullscope::needsDecisions(look) || upTo; }
     bool operator==(const ViewRequest&) const = default;
 };
 

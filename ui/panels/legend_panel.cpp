@@ -131,8 +131,10 @@ void LegendPanel::wire() {
         if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
     // strategyBuilt too: a refused strategy has no picture, so pictureChanged is not emitted.
-    for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt})
+    for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt}) {
         connect(&m_session, signal, this, &LegendPanel::showPlanes);
+        connect(&m_session, signal, this, &LegendPanel::showUndecided);
+    }
     connect(&m_session, &Session::pickChanged, this, [this] {
         if (m_session.pick()) advance(Progress::Choose);
     });
@@ -191,6 +193,7 @@ void LegendPanel::refresh() {
     m_next->setText(nextAction());
     m_planes->retranslate();
     showPlanes();
+    showUndecided();
     showCounts();
 }
 
@@ -203,6 +206,16 @@ void LegendPanel::showPlanes() {
     const bool boxless = known && shown->planes == PlaneCounts{};
     m_planes->setVisible(m_session.opened() && look.byPlane() && !look.sphericalModel && !boxless);
     m_planes->setCounts(known ? std::optional(shown->planes) : std::nullopt);
+}
+
+/// A view that shows the first entries of a frame has triangles that are not decided yet; any other has none.
+void LegendPanel::showUndecided() {
+    constexpr auto kUndecided = size_t(TriangleState::Undecided);
+    const ViewPicturePointer shown = m_session.picture(m_session.activeView());
+    const bool part = shown && shown->request.upTo;
+    for (QWidget* widget :
+         {m_swatches[kUndecided], static_cast<QWidget*>(m_words[kUndecided]), static_cast<QWidget*>(m_counts[kUndecided])})
+        widget->setVisible(part);
 }
 
 void LegendPanel::showCounts() {

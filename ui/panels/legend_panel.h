@@ -37,6 +37,7 @@ private:
     void refresh();
     void showCounts();
     void showPlanes();
+    void showUndecided();
     void advance(Progress to);
     [[nodiscard]] QString turnAction() const;
 

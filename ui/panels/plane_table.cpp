@@ -77,7 +77,7 @@ PlaneTable::PlaneTable(QWidget* parent) : QTableWidget(0, ColumnCount, parent) {
 std::vector<PlaneTable::Row> PlaneTable::rowsOf(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own) {
     std::vector<Row> rows;
     for (const WhyStep& step : steps)
-        if (step.plane && step.distance)
+        if (step.plane && step.distance && !step.ofGroup)
             rows.push_back(
                 {{*step.plane, *step.distance, step.bound.value_or(0.0), step.containment}, translated(step.sentence)});
     for (const PlaneDistance& one : own) {

@@ -143,6 +143,8 @@ std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts
     const auto palette = verdictPalette(style.background);
     for (size_t i = 0; i < kTriangleStateCount; ++i) {
         const auto state = TriangleState(i);
+        // Screenshots show whole frames.
+        if (state == TriangleState::Undecided) continue;
         const bool drawn = state == TriangleState::Visible || state == TriangleState::InVain;
         const bool ofBoxes = state == TriangleState::Visible || state == TriangleState::OutsideFrustum;
         if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || ofOverlays.contains(state))

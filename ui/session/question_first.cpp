@@ -32,7 +32,7 @@ void QuestionFirst::reveal() {
         std::vector<PredictionRow> rows;
         Message failure;
         try {
-            rows = answerTo(prediction, request.buffers->scene(), frames->of(request.frame(), false, gpu.renderer())->log);
+            rows = answerTo(prediction, request.buffers->scene(), frames->of(request.frame(), gpu.renderer())->log);
         } catch (const Error& error) {
             failure = error.message();
         }

@@ -141,7 +141,7 @@ void SnapshotReader::start() {
         ViewFramePointer frame;
         Message failure;
         try {
-            frame = frames->of(request.frame, true, gpu.renderer());
+            frame = frames->of(request.frame, gpu.renderer());
         } catch (const Error& error) {
             failure = error.message();
         }

@@ -69,7 +69,7 @@ void Stepper::read(const FrameRequest& request) {
         ViewFramePointer frame;
         Message failure;
         try {
-            frame = frames->of(request, true, gpu.renderer());
+            frame = frames->of(request, gpu.renderer());
         } catch (const Error& error) {
             failure = error.message();
         }

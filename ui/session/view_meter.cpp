@@ -103,7 +103,7 @@ struct ViewMeter::Bench {
         const std::vector<uint8_t> missed = missedMask(*truth, judged.shown);
         figures.lostObjects = lostObjects(scene, *truth, missed);
         figures.holes = holes(missed, truth->size);
-        const ViewFramePointer shown = frames->of(requestOf(number, what), true, ownRenderer());
+        const ViewFramePointer shown = frames->of(requestOf(number, what), ownRenderer());
         figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, shown->log, truth->visible()));
         return figures;
     }

@@ -22,6 +22,7 @@ struct GrownBoxes {
     std::vector<Answer> answers;      ///< by instance
     std::vector<uint32_t> instances;  ///< whose boxes OpenGL tests
     std::vector<EyeBox> boxes;        ///< of those, grown
+    std::vector<double> growths;      ///< of those, while the frame is recorded: by how much
 };
 
 /// The length by which a box grows: a pixel's width at its farthest distance from the eye, plus the margin of a plane test.
@@ -60,10 +61,10 @@ protected:
         DrawList list{frame.facing(), {}};
         {
             const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
+            if (frame.recording()) sayAnswers(frame, questions, visible);
             for (uint32_t i = 0; i < visible.size(); ++i) {
                 const auto indices = static_cast<uint32_t>(scene.meshOf(i).indices().size());
                 if (indices == 0) continue;
-                if (frame.recording()) record(frame, questions.answers[i], i, visible[i] != 0);
                 if (visible[i] != 0)
                     list.ranges.push_back({i, 0, indices});
                 else
@@ -90,32 +91,48 @@ protected:
     [[nodiscard]] virtual bool clampsDepth() const = 0;
 
 private:
-    [[nodiscard]] Answer answerTo(const EyeBounds& bounds, const EyeBox& grown, const View& view) const {
-        const Frustum& frustum = view.frustum();
+    /// The answer about one object; while the frame is recorded, says the tests that it comes from.
+    [[nodiscard]] Answer answerTo(FrameContext& frame, uint32_t instance, const EyeBounds& bounds, const EyeBox& grown,
+                                  double growth) const {
+        const Frustum& frustum = frame.view().frustum();
+        const Subject subject = Subject::ofObject(instance);
         // Infinities, NaN and numbers beyond the range of float cannot be passed to OpenGL.
         const double farthest = glm::length(grown.centre) + glm::length(grown.halfExtent);
-        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.margin)) return Answer::Visible;
+        if (!(farthest < 1e30) || meetsNearRectangle(frustum, grown, bounds.margin)) {
+            if (frame.recording()) frame.say(atLine(lineOf(BoxLine::NearRectangle), boxQuestion(subject, false, true, growth)));
+            return Answer::Visible;
+        }
         if (!clampsDepth()) return Answer::Asked;
-        const auto isOutside = [&](FrustumPlane plane) {
-            return farthestInside(frustum.planes[size_t(plane)], bounds) < -bounds.margin;
+        const auto isOutside = [&](FrustumPlane which) {
+            const Plane& plane = frustum.planes[size_t(which)];
+            const double inner = farthestInside(plane, bounds);
+            if (frame.recording())
+                frame.say(atLine(lineOf(BoxLine::NearAndFar),
+                                 planeTest(subject, which, inner, farthestOutside(plane, bounds), bounds.margin)));
+            return inner < -bounds.margin;
         };
         if (isOutside(FrustumPlane::Near)) return Answer::BeforeNear;
         return isOutside(FrustumPlane::Far) ? Answer::BeyondFar : Answer::Asked;
     }
 
-    [[nodiscard]] GrownBoxes grownBoxes(const FrameContext& frame) const {
+    [[nodiscard]] GrownBoxes grownBoxes(FrameContext& frame) const {
         const Scene& scene = frame.scene();
         GrownBoxes questions;
         questions.answers.assign(scene.instances().size(), Answer::Visible);
         for (uint32_t i = 0; i < scene.instances().size(); ++i) {
             if (scene.meshOf(i).triangleCount() == 0) continue;
             const EyeBounds bounds = boundsFromEye(scene, i, frame.view().eye());
+            const double growth = growthOf(bounds, frame.view());
             EyeBox grown = bounds.box;
-            grown.halfExtent += Vec3(growthOf(bounds, frame.view()));
-            questions.answers[i] = answerTo(bounds, grown, frame.view());
-            if (questions.answers[i] != Answer::Asked) continue;
-            questions.instances.push_back(i);
-            questions.boxes.push_back(grown);
+            grown.halfExtent += Vec3(growth);
+            const Answer answer = questions.answers[i] = answerTo(frame, i, bounds, grown, growth);
+            if (answer == Answer::Asked) {
+                questions.instances.push_back(i);
+                questions.boxes.push_back(grown);
+                if (frame.recording()) questions.growths.push_back(growth);
+            } else if (frame.recording()) {
+                sayEnd(frame, i, answer == Answer::Visible);
+            }
         }
         return questions;
     }
@@ -124,21 +141,19 @@ private:
         return uint8_t(uint8_t(line) - (clampsDepth() || line < BoxLine::NearAndFar ? 0 : 1));
     }
 
-    void record(FrameContext& frame, Answer answer, uint32_t instance, bool visible) const {
-        const Subject subject = Subject::ofObject(instance);
-        const EyeBounds bounds = boundsFromEye(frame.scene(), instance, frame.view().eye());
-        if (answer == Answer::BeforeNear || answer == Answer::BeyondFar) {
-            const FrustumPlane which = answer == Answer::BeforeNear ? FrustumPlane::Near : FrustumPlane::Far;
-            const Plane& plane = frame.view().frustum().planes[size_t(which)];
-            frame.say(atLine(lineOf(BoxLine::NearAndFar), planeTest(subject, which, farthestInside(plane, bounds),
-                                                                    farthestOutside(plane, bounds), bounds.margin)));
-        } else {
-            const bool asked = answer == Answer::Asked;
-            frame.say(atLine(lineOf(asked ? BoxLine::Hit : BoxLine::NearRectangle),
-                             boxQuestion(subject, asked, visible, growthOf(bounds, frame.view()))));
+    /// What OpenGL answered about each box.
+    void sayAnswers(FrameContext& frame, const GrownBoxes& questions, const std::vector<uint8_t>& visible) const {
+        for (size_t i = 0; i < questions.instances.size(); ++i) {
+            const uint32_t instance = questions.instances[i];
+            const bool hit = visible[instance] != 0;
+            frame.say(atLine(lineOf(BoxLine::Hit), boxQuestion(Subject::ofObject(instance), true, hit, questions.growths[i])));
+            sayEnd(frame, instance, hit);
         }
+    }
+
+    void sayEnd(FrameContext& frame, uint32_t instance, bool visible) const {
         frame.say(atLine(lineOf(visible ? BoxLine::Draw : BoxLine::LeaveOut),
-                         ending(subject, visible ? Decision::Outcome::Drawn : Decision::Outcome::Culled)));
+                         ending(Subject::ofObject(instance), visible ? Decision::Outcome::Drawn : Decision::Outcome::Culled)));
     }
 
     static Decision boxQuestion(const Subject& subject, bool asked, bool visible, double growth) {

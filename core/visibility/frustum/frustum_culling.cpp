@@ -66,13 +66,10 @@ class ObjectTests {
 public:
     ObjectTests(FrameContext& frame, const ObjectBatches& batches, BoxTest test)
         : m_frame(frame), m_batches(batches), m_test(test), m_frustum(frame.view().frustum(), frame.view().eye()) {
-        // While a frame is recorded every object is tested by itself, with the numbers of the batches.
-        if (frame.recording()) {
-            m_outside.assign(batches.boxes->wordCount(), 0);
-            addOutside();
-        } else {
-            findOutsideObjects();
-        }
+        findOutsideObjects();
+        // The answers are the batches'; of the numbers that led to them a batch keeps none, so that they are said here, as
+        // BatchFrustum::distances gives them: bit-identical to the batch's.
+        if (frame.recording()) sayTests();
     }
 
     [[nodiscard]] bool isOutside(uint32_t instance) const { return (m_outside[instance / 64] >> (instance % 64) & 1) != 0; }
@@ -103,19 +100,27 @@ private:
     }
 
     /// Whether an object is outside a plane.
-    [[nodiscard]] bool testOne(uint32_t instance) {
-        const Subject subject = Subject::ofObject(instance);
-        for (uint32_t p = 0; p < kFrustumPlaneCount; ++p) {
-            const auto plane = static_cast<FrustumPlane>(p);
-            const PlaneTest test = testOf(instance, plane);
-            if (m_frame.recording())
-                m_frame.say(atLine(FrustumLine::Distance, planeTest(subject, plane, test.inner, test.outer, test.bound)));
-            if (!test.outside()) continue;
-            if (m_frame.recording()) m_frame.say(atLine(FrustumLine::Outside, ending(subject, Decision::Outcome::Culled)));
-            return true;
-        }
-        if (m_frame.recording()) m_frame.say(atLine(FrustumLine::Draw, ending(subject, Decision::Outcome::Drawn)));
+    [[nodiscard]] bool testOne(uint32_t instance) const {
+        for (uint32_t p = 0; p < kFrustumPlaneCount; ++p)
+            if (testOf(instance, static_cast<FrustumPlane>(p)).outside()) return true;
         return false;
+    }
+
+    /// Says the tests of every object, of one that is outside up to the first plane that it lies outside of, and the answer.
+    void sayTests() const {
+        for (uint32_t i = 0; i < m_batches.boxes->size(); ++i) {
+            if (scene().meshOf(i).triangleCount() == 0) continue;
+            const Subject subject = Subject::ofObject(i);
+            bool rejected = false;
+            for (uint32_t p = 0; p < kFrustumPlaneCount && !rejected; ++p) {
+                const auto plane = static_cast<FrustumPlane>(p);
+                const PlaneTest test = testOf(i, plane);
+                m_frame.say(atLine(FrustumLine::Distance, planeTest(subject, plane, test.inner, test.outer, test.bound)));
+                rejected = test.outside();
+            }
+            m_frame.say(isOutside(i) ? atLine(FrustumLine::Outside, ending(subject, Decision::Outcome::Culled))
+                                     : atLine(FrustumLine::Draw, ending(subject, Decision::Outcome::Drawn)));
+        }
     }
 
     /// The test of one object against one plane, as the batches apply it.

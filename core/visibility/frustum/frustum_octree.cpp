@@ -101,6 +101,7 @@ private:
         counted.culledTriangles[size_t(Cause::OutsideFrustum)] = counters.trianglesCulled;
         counted.nodesVisited = counters.nodesVisited + counters.objectsTested;
         counted.bytesTouched = counters.nodesVisited * sizeof(InstanceOctree::Node) + counters.objectsTested * sizeof(Box3);
+        counted.figures.push_back({"plane_tests", double(counters.planesTested)});
         return list;
     }
 };

@@ -26,22 +26,6 @@ Containment containmentOf(SphereRelation relation) {
     return relation == SphereRelation::Within ? Containment::Inside : Containment::Straddles;
 }
 
-const SphericalNotes& notesOf(const FrameLog& log) {
-    static const SphericalNotes kNone;
-    const auto* notes = dynamic_cast<const SphericalNotes*>(log.notes.get());
-    return notes == nullptr ? kNone : *notes;
-}
-
-std::shared_ptr<const FrameNotes> SphericalNotes::within(size_t saidDecisions) const {
-    auto part = std::make_shared<SphericalNotes>();
-    part->kernels = kernels;
-    for (const SphericalDecision& decision : decisions)
-        if (decision.said <= saidDecisions) part->decisions.push_back(decision);
-    return part;
-}
-
-const std::vector<SphericalDecision>& decisionsOf(const FrameLog& log) { return notesOf(log).decisions; }
-
 std::vector<std::optional<FrustumPlane>> rejectingPlanes(const FrameLog& log, size_t instances) {
     std::vector<std::optional<FrustumPlane>> planes(instances);
     std::map<uint32_t, std::optional<FrustumPlane>> ofGroups;

@@ -28,6 +28,7 @@ enum class SphereRelation {
 
 /// One of the view's four corner rays. Points and directions in the mesh's coordinates, relative to the centre of its map.
 struct CornerRay {
+    bool followed = false;  ///< false: the object was not decided by rays, or this one was not said yet
     Ray ray;
     std::optional<Span> span;             ///< through the bounding sphere; none: the ray misses it
     std::optional<TriangleHit> hit;       ///< confirmed by intersection; none: `point` is the point of the sphere nearest to the
@@ -91,9 +92,21 @@ struct CellWalk {
     std::vector<PlaceRun> drawn;                 ///< ascending, disjoint
     std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
     uint64_t nodesVisited = 0;
-    std::vector<JudgedCell> judged;  ///< only in a recorded frame: ascending, disjoint
-    std::vector<Decision> said;      ///< only in a recorded frame: tests of cells and their results, as they fell
+    std::vector<JudgedCell> judged;  ///< only while a frame is recorded, and as read from it: ascending, disjoint
+    std::vector<Decision> said;      ///< only while a frame is recorded: tests of cells and their results, as they fell
     std::vector<Vec3> outline;       ///< only in a recorded frame, with `horizon`: the kernel's outline as seen from the eye
+};
+
+/// The test of one cell by its slope (slope_horizon.h), with the numbers that decided.
+struct SlopeTest {
+    enum class Result : uint8_t {
+        Untested,  ///< drawn: it has no bounds narrower than a hemisphere, or lies too near to the centre or the axis
+        Visible,
+        Hidden
+    };
+    Result result = Result::Untested;
+    double slope = 0.0;    ///< largest slope of its triangles
+    double horizon = 0.0;  ///< with Hidden the least one before them, else one that is not higher
 };
 
 /// The decision of a spherical strategy about one object, and its reasons.
@@ -104,24 +117,12 @@ struct SphericalDecision {
     std::array<CornerRay, 4> rays;        ///< with Cut, of `spherical`
     std::optional<VisibleRegion> region;  ///< with Cut, of `spherical`
     std::optional<ContourBands> bands;    ///< where cells were tested by bands
+    std::vector<SlopeTest> slopes;        ///< only while a frame is recorded, of `spherical-horizon`: by BandCells::cells
     std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are submitted
     std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;
-    size_t said = 0;  ///< with so many decisions the frame had said everything about the object
 };
 
-/// What a recorded frame of a spherical strategy keeps for its shows: a decision for each object with triangles.
-struct SphericalNotes : FrameNotes {
-    std::vector<SphericalDecision> decisions;
-    bool kernels = false;  ///< whether kernels were asked for the horizon
-
-    /// Those about the objects of which everything had been said.
-    [[nodiscard]] std::shared_ptr<const FrameNotes> within(size_t saidDecisions) const override;
-};
-/// The notes of a recorded frame; empty for any other.
-[[nodiscard]] const SphericalNotes& notesOf(const FrameLog& log);
-/// The decisions of a recorded frame; empty for any other.
-[[nodiscard]] const std::vector<SphericalDecision>& decisionsOf(const FrameLog& log);
 /// The last plane that a recorded frame names as having rejected an instance or its group, by instance.
 [[nodiscard]] std::vector<std::optional<FrustumPlane>> rejectingPlanes(const FrameLog& log, size_t instances);
 

@@ -12,6 +12,7 @@
 #include "core/visibility/spherical/cell_walk.h"
 #include "core/visibility/spherical/listings.h"
 #include "core/visibility/spherical/map_shows.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/spherical/triangles_by_test.h"
 
@@ -32,10 +33,8 @@ constexpr OctreeWalkLines kWalkLines{.groupPlanes = uint8_t(WalkLine::Groups),
                                      .objectOutside = uint8_t(WalkLine::GroupOutside)};
 
 /// The cause for which most of the culled triangles were culled.
-Cause mainCause(const SphericalDecision& decision) {
-    if (!decision.walk) return Cause::OutsideFrustum;
-    const std::array<uint64_t, kCauseCount>& culled = decision.walk->culled;
-    return static_cast<Cause>(std::max_element(culled.begin(), culled.end()) - culled.begin());
+Cause mainCause(const CellWalk& walk) {
+    return static_cast<Cause>(std::max_element(walk.culled.begin(), walk.culled.end()) - walk.culled.begin());
 }
 
 /// The decision about an object that no group test culled.
@@ -58,6 +57,7 @@ public:
 
     void run() {
         std::vector<KeptObject> kept = keep();
+        if (m_frame.recording() && m_horizon && m_frame.said() > 0) m_frame.attach(std::make_shared<KernelsDetail>());
         sortNearestFirst(kept, scene(), m_frame.view().eye());
         std::vector<WalkedObject> decided(kept.size());
         if (m_frame.recording()) m_record = kept.size() <= kMostWithTests ? WalkRecord::Tests : WalkRecord::Results;
@@ -156,45 +156,41 @@ private:
         counters().bytesTouched += walk.nodesVisited * sizeof(CellTree::Node);
     }
 
-    void record(std::vector<WalkedObject>& decided) {
+    void record(const std::vector<WalkedObject>& decided) {
         m_frame.countPlacesIn(m_structure.order);
-        std::vector<SphericalDecision> decisions(scene().instances().size());
-        for (uint32_t instance = 0; instance < decisions.size(); ++instance) decisions[instance].instance = instance;
-        for (WalkedObject& object : decided) {
-            SphericalDecision& decision = decisions[object.instance];
-            decision.relation = object.relation;
-            if (object.relation != SphereRelation::Outside) decision.walk = std::move(object.walk);
-            if (object.whole) {
-                const auto triangles = uint32_t(scene().meshOf(object.instance).triangleCount());
-                decision.walk->drawn.push_back({0, triangles});
-                decision.walk->judged.push_back({0, std::nullopt});
-            } else {
-                decision.eye = object.seen.eye;
-                recordTests(object.seen, Subject::ofObject(object.instance), uint8_t(WalkLine::Sphere), m_frame);
-            }
-            if (decision.walk)
-                for (const PlaceRun& run : decision.walk->drawn) decision.drawnTriangles += run.count;
-            recordEnd(decision, object.whole);
-            decision.said = m_frame.said();
-        }
-        auto notes = std::make_shared<SphericalNotes>();
-        notes->kernels = m_horizon;
-        for (SphericalDecision& decision : decisions)
-            if (scene().meshOf(decision.instance).triangleCount() > 0) notes->decisions.push_back(std::move(decision));
-        m_frame.note(std::move(notes));
+        for (const WalkedObject& object : decided) object.whole ? recordWhole(object) : recordWalk(object);
     }
 
-    void recordEnd(SphericalDecision& decision, bool whole) {
-        const Subject subject = Subject::ofObject(decision.instance);
-        if (decision.walk && !whole)
-            for (const Decision& said : decision.walk->said) m_frame.say(said);
-        const bool drawn = decision.drawnTriangles == scene().meshOf(decision.instance).triangleCount();
-        const Decision end =
-            drawn ? ending(subject, Decision::Outcome::Drawn)
-                  : ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
-                           mainCause(decision));
+    void recordWhole(const WalkedObject& object) {
+        const Subject subject = Subject::ofObject(object.instance);
+        m_frame.say(atLine(WalkLine::Objects, ending(subject, Decision::Outcome::Drawn)));
+        m_frame.attach(std::make_shared<SphereDetail>(object.relation, Vec3(0.0)));
+        auto walk = std::make_shared<WalkDetail>();
+        walk->whole = scene().meshOf(object.instance).triangleCount();
+        m_frame.attach(std::move(walk));
+    }
+
+    void recordWalk(const WalkedObject& object) {
+        const Subject subject = Subject::ofObject(object.instance);
+        recordTests(object.seen, subject, uint8_t(WalkLine::Sphere), m_frame);
+        m_frame.attach(std::make_shared<SphereDetail>(object.relation, object.seen.eye));
+        if (object.relation == SphereRelation::Outside)
+            return m_frame.say(atLine(WalkLine::Sphere, ending(subject, Decision::Outcome::Culled)));
+        auto walk = std::make_shared<WalkDetail>();
+        walk->cones = object.walk.cones;
+        walk->horizon = object.walk.horizon;
+        walk->nodesVisited = object.walk.nodesVisited;
+        walk->outline = object.walk.outline;
+        m_frame.attach(std::move(walk));
+        for (const Decision& said : object.walk.said) m_frame.say(said);
+        uint64_t drawn = 0;
+        for (const PlaceRun& run : object.walk.drawn) drawn += run.count;
+        const auto outcome = drawn == scene().meshOf(object.instance).triangleCount() ? Decision::Outcome::Drawn
+                             : drawn > 0                                              ? Decision::Outcome::PartlyDrawn
+                                                                                      : Decision::Outcome::Culled;
         // What became of an object's cells was decided cell by cell: their sum falls at no line.
-        m_frame.say(atLine(whole ? uint8_t(WalkLine::Objects) : !decision.walk ? uint8_t(WalkLine::Sphere) : uint8_t{0}, end));
+        m_frame.say(
+            ending(subject, outcome, outcome == Decision::Outcome::Drawn ? Cause::OutsideFrustum : mainCause(object.walk)));
     }
 
     FrameContext& m_frame;
@@ -248,7 +244,7 @@ protected:
     [[nodiscard]] MapSnapshot mapOfDecision(const CellScene& structure, const FrameLog& log,
                                             const SphericalDecision& decision) const override {
         const MeshCells& mesh = structure.meshOf(decision.instance);
-        return {mesh.maps, decision, mesh.tree, notesOf(log).kernels ? mesh.kernel : nullptr};
+        return {mesh.maps, decision, mesh.tree, asksKernels(log) ? mesh.kernel : nullptr};
     }
 
 private:
@@ -258,7 +254,7 @@ private:
         node.box = scene.instanceBox(decision.instance);
         node.triangles = scene.meshOf(decision.instance).triangleCount();
         node.culled = decision.drawnTriangles == 0;
-        node.cause = mainCause(decision);
+        node.cause = decision.walk ? mainCause(*decision.walk) : Cause::OutsideFrustum;
         node.containment = containmentOf(decision.relation);
         return node;
     }

@@ -9,6 +9,7 @@
 #include "core/visibility/spherical/index_map.h"
 #include "core/visibility/spherical/map_overlays.h"
 #include "core/visibility/spherical/map_values.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/why.h"
 
 namespace cullscope::spherical {
@@ -167,9 +168,10 @@ std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colour
     return needsKernel ? kernelMissing(shown, commandLineOption(id, colouring), scene) : std::nullopt;
 }
 
-const SphericalDecision* shownDecision(const FrameLog& log, const std::optional<uint32_t>& object) {
-    const std::vector<SphericalDecision>& decisions = decisionsOf(log);
-    return decisions.empty() ? nullptr : &decisions[placeOfDecision(decisions, object)];
+std::optional<SphericalDecision> shownDecision(const FrameLog& log, const std::optional<uint32_t>& object) {
+    std::vector<SphericalDecision> decisions = decisionsOf(log);
+    if (decisions.empty()) return std::nullopt;
+    return std::move(decisions[placeOfDecision(decisions, object)]);
 }
 
 CellMapPointer indexMapOf(MapSnapshot map, const Scene& scene) {
@@ -177,11 +179,8 @@ CellMapPointer indexMapOf(MapSnapshot map, const Scene& scene) {
     return indexMap(std::move(map), name, scene.instances().size());
 }
 
-std::optional<Curve> curveOf(const FrameLog& log, const Scene& scene, const std::optional<uint32_t>& object,
-                             const std::optional<uint32_t>& part) {
-    const SphericalDecision* shown = shownDecision(log, object);
-    if (shown == nullptr) return std::nullopt;
-    return bandCurve(*shown, scene.instances()[shown->instance].name, part);
+Curve curveOf(const SphericalDecision& decision, const Scene& scene, const std::optional<uint32_t>& part) {
+    return bandCurve(decision, scene.instances()[decision.instance].name, part);
 }
 
 std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene) {

@@ -19,10 +19,9 @@ namespace cullscope::spherical {
                                                   const StructureSnapshot& snapshot, const Scene& scene);
 /// The decision that is shown: that about `object`, else the one that placeOfDecision (map_details.h) chooses. Null: the frame
 /// has none.
-[[nodiscard]] const SphericalDecision* shownDecision(const FrameLog& log, const std::optional<uint32_t>& object);
+[[nodiscard]] std::optional<SphericalDecision> shownDecision(const FrameLog& log, const std::optional<uint32_t>& object);
 [[nodiscard]] CellMapPointer indexMapOf(MapSnapshot map, const Scene& scene);
-[[nodiscard]] std::optional<Curve> curveOf(const FrameLog& log, const Scene& scene, const std::optional<uint32_t>& object,
-                                           const std::optional<uint32_t>& part);
+[[nodiscard]] Curve curveOf(const SphericalDecision& decision, const Scene& scene, const std::optional<uint32_t>& part);
 [[nodiscard]] std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene);
 /// Appends the steps of the decision about a triangle (why.h).
 void addMapStepsOf(const StructureSnapshot& snapshot, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps);
@@ -43,14 +42,16 @@ public:
     }
     [[nodiscard]] CellMapPointer directionMap(std::string_view /*id*/, const Structure& structure, const FrameLog& log,
                                               const std::optional<uint32_t>& object) const final {
-        const SphericalDecision* shown = shownDecision(log, object);
-        if (shown == nullptr) return nullptr;
+        const std::optional<SphericalDecision> shown = shownDecision(log, object);
+        if (!shown) return nullptr;
         return indexMapOf(mapOfDecision(this->own(structure), log, *shown), structure.scene());
     }
     [[nodiscard]] std::optional<Curve> curve(std::string_view /*id*/, const Structure& structure, const FrameLog& log,
                                              const std::optional<uint32_t>& object,
                                              const std::optional<uint32_t>& part) const final {
-        return curveOf(log, structure.scene(), object, part);
+        const std::optional<SphericalDecision> shown = shownDecision(log, object);
+        if (!shown) return std::nullopt;
+        return curveOf(mapOfDecision(this->own(structure), log, *shown).decision, structure.scene(), part);
     }
     [[nodiscard]] std::string frameLine(const Structure& structure, const FrameLog& log) const final {
         return mapLine(this->snapshot(structure, log), structure.scene());

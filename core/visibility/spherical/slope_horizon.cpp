@@ -135,24 +135,28 @@ public:
             }
     }
 
-    [[nodiscard]] bool hidden(const CellDirections& directions, const BandCells::Cell& cell,
-                              const HorizonCells::Cap& owned) const {
-        if (owned.cosine <= 0.0f) return false;
+    [[nodiscard]] SlopeTest test(const CellDirections& directions, const BandCells::Cell& cell,
+                                 const HorizonCells::Cap& owned) const {
+        if (owned.cosine <= 0.0f) return {};
         const SphericalMaps::Extent& extent = m_maps.extent(cell.number);
         // The displacement is converted to an angle at the centre; a cell near the centre may be displaced to any direction.
-        if (extent.nearest <= 16.0 * m_reach) return false;
+        if (extent.nearest <= 16.0 * m_reach) return {};
         const CapOnBands cap(m_bands, directions.middle({cell.row, cell.column}), owned, 1.1 * m_reach / extent.nearest);
-        if (cap.holdsAxis() && cap.alpha().x > 0.0) return false;
+        if (cap.holdsAxis() && cap.alpha().x > 0.0) return {};
         const double most =
             widened(cap.holdsAxis() ? aroundFarPoint(cap, extent.farthest) : largestSlope(cap, extent.farthest, m_eyeDistance));
         const uint32_t band = cap.bandRange().first;
         // Most cells are below or above the horizon in all sectors of their band.
-        if (m_highest[band] <= most) return false;
-        if (m_lowest[band] > most) return true;
+        if (m_highest[band] <= most) return {SlopeTest::Result::Visible, most, m_highest[band]};
+        if (m_lowest[band] > most) return {SlopeTest::Result::Hidden, most, m_lowest[band]};
         const SectorRange sectors = cap.sectorRange();
-        for (uint32_t i = 0; i < sectors.count; ++i)
-            if (!(m_bands.at(band, (sectors.first + i) % m_bands.sectors).horizon > most)) return false;
-        return true;
+        double least = kInfinity;
+        for (uint32_t i = 0; i < sectors.count; ++i) {
+            const double horizon = m_bands.at(band, (sectors.first + i) % m_bands.sectors).horizon;
+            if (!(horizon > most)) return {SlopeTest::Result::Visible, most, horizon};
+            least = std::min(least, horizon);
+        }
+        return {SlopeTest::Result::Hidden, most, least};
     }
 
 private:
@@ -236,14 +240,18 @@ HorizonCells::HorizonCells(const SphericalMaps& maps, const BandCells& cells)
 }
 
 std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells, const HorizonCells& horizonCells,
-                                  const ObjectSpaceView& view, ContourBands& bands) {
+                                  const ObjectSpaceView& view, ContourBands& bands, std::vector<SlopeTest>* tests) {
     bands.slopes = true;
     fillHorizon(bands, leastSlopes(horizonCells, bands, glm::length(view.eye)));
-    const HorizonTest test(maps, view, bands);
+    const HorizonTest horizon(maps, view, bands);
     std::vector<char> drawn(cells.cells.size());
+    if (tests != nullptr) tests->resize(drawn.size());
     tbb::parallel_for(tbb::blocked_range<size_t>(0, drawn.size(), 2048), [&](const auto& block) {
-        for (size_t i = block.begin(); i < block.end(); ++i)
-            drawn[i] = test.hidden(cells.directions, cells.cells[i], horizonCells.caps[i]) ? 0 : 1;
+        for (size_t i = block.begin(); i < block.end(); ++i) {
+            const SlopeTest test = horizon.test(cells.directions, cells.cells[i], horizonCells.caps[i]);
+            drawn[i] = test.result == SlopeTest::Result::Hidden ? 0 : 1;
+            if (tests != nullptr) (*tests)[i] = test;
+        }
     });
     RunCollector runs;
     for (size_t i = 0; i < drawn.size(); ++i) runs.add(cells.cells[i].number, drawn[i] != 0);

@@ -37,7 +37,8 @@ public:
         if (map.tree && map.decision.walk) addCells(map, place);
         if (map.decision.relation != SphereRelation::Cut) return;
         if (map.decision.region) addRegion(map, place);
-        for (const CornerRay& ray : map.decision.rays) addRay(ray, map.decision.eye, place);
+        for (const CornerRay& ray : map.decision.rays)
+            if (ray.followed) addRay(ray, map.decision.eye, place);
     }
 
     [[nodiscard]] std::vector<OverlayLines> overlays() && {

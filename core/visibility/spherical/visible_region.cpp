@@ -109,6 +109,7 @@ std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, 
 
 CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, bool keepWalkedCells) {
     CornerRay corner;
+    corner.followed = true;
     corner.ray = ray;
     const double radius = maps.sphere().radius;
     corner.span = throughSphere(ray, radius);

@@ -101,6 +101,8 @@ TEST(GroupOverlay, exactlyTheTestedGroupsHaveABox) {
         made.box = {Vec3(-size), Vec3(size)};
         made.containment = containment;
         made.culled = containment == Containment::Outside;
+        // Those of these sizes were decided with their groups.
+        made.tested = size != 7 && size != 5;
         return made;
     };
     using enum Containment;
@@ -136,6 +138,7 @@ TEST(BoxesByPlane, boxHasTheColourOfItsPlane) {
         made.culled = size > 1;
         made.containment = made.culled ? Containment::Outside : Containment::Straddles;
         made.rejectedBy = plane;
+        made.tested = size != 4;
         return made;
     };
     // Kept; rejected by a plane; rejected, but by no single plane; and a group with one object that was decided with it.

@@ -95,10 +95,10 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
     }
 }
 
-/// Seven squares of 20 × 20 pixels in a row, one for each state; the centre of state i lies at (20 + 40 i, 20).
+/// Squares of 20 × 20 pixels in a row, one for each state; the centre of state i lies at (20 + 40 i, 20).
 ScenePointer rowOfSquares(const Vec3& moved = Vec3(0.0)) {
     std::vector<Mat4> places;
-    for (int i = 0; i < int(kTriangleStateCount); ++i) places.push_back(translation(moved + Vec3(-12 + 4 * i, 0, -10)));
+    for (int i = 0; i < int(kTriangleStateCount); ++i) places.push_back(translation(moved + Vec3(4 * i - 2 * (int(kTriangleStateCount) - 1), 0, -10)));
     return copiesOf(squareMesh(1, 0), places);
 }
 View overTheRow(const Vec3& moved = Vec3(0.0)) {
@@ -106,7 +106,7 @@ View overTheRow(const Vec3& moved = Vec3(0.0)) {
     camera.eye += moved;
     camera.target += moved;
     camera.fovy = Angle::fromRadians(2 * std::atan(0.2));  // 40 pixels are 4 units at distance 10
-    return {camera, {280, 40}};
+    return {camera, {40 * int(kTriangleStateCount), 40}};
 }
 TriangleStates oneOfEach() {
     TriangleStates states;
@@ -179,7 +179,7 @@ TEST(ViewPicture, wronglyCulledTriangleWithoutAPixelIsSeen) {
     EXPECT_TRUE(look.near(view, {0, 0, -10}, palette[size_t(TriangleState::WronglyCulled)].colour));
     states.states.assign(2, TriangleState::Visible);
     const Shown plain = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
-    EXPECT_EQ(plain.count(kLight.background), size_t(280 * 40)) << "it covers a pixel: the test shows nothing";
+    EXPECT_EQ(plain.count(kLight.background), 40 * kTriangleStateCount * 40) << "it covers a pixel: the test shows nothing";
 }
 
 TEST(ViewPicture, haloOfAHiddenTriangleDoesNotShowThrough) {

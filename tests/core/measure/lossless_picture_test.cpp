@@ -6,7 +6,7 @@
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/scene/camera_path.h"
-#include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"

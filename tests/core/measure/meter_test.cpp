@@ -184,6 +184,23 @@ TEST(Measure, stopKeepsWhatWasMeasured) {
     }
 }
 
+TEST(Summary, partsOfATriangleAreCulledOnceAndNeverMoreThanAll) {
+    const ScenePointer scene = smallExperiment({}).scene;
+    const uint64_t triangles = scene->triangleCount();
+    RunMeasurement run;
+    run.frames.resize(2);
+    for (FrameMeasurement& frame : run.frames) frame.frameMilliseconds = 1.0;
+    // Cut into more parts than the scene has triangles, of half of which nothing is drawn.
+    run.frames[0].consideredTriangles = run.frames[1].consideredTriangles = 3 * triangles;
+    run.frames[0].accuracy.emplace().submittedTriangles = triangles / 2;
+    run.frames[1].accuracy.emplace().submittedTriangles = triangles / 2;
+    EXPECT_NEAR(summaryOf(run, {run}, *scene).culledFraction, 0.5, 1.0 / double(triangles));
+    // Not judged: how many of them were drawn is not known.
+    run.frames[0].accuracy.reset();
+    run.frames[1].accuracy.reset();
+    EXPECT_EQ(summaryOf(run, {run}, *scene).culledFraction, 0.0);
+}
+
 TEST(Measure, resultSoFarHasEveryPoseAndASummary) {
     size_t calls = 0;
     const MeasureResult result = measure(smallExperiment({"frustum", "all"}), {}, [&](const auto& resultSoFar) {

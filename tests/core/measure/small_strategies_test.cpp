@@ -2,6 +2,8 @@
 // and measured as any other, without a line about them outside their file.
 #include "tests/core/measure/small_strategies.h"
 
+#include <set>
+
 #include "core/image/view_picture.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/meter.h"
@@ -9,6 +11,7 @@
 #include "core/measure/render_frame.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/why.h"
+#include "tests/core/measure/own_counts.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/test_scenes.h"
 
@@ -90,9 +93,10 @@ uint64_t wrongPixels(const Bench& bench, const FrameLog& log, const Reference& t
     return accuracy.missedPixels + accuracy.extraPixels;
 }
 
-/// Judges and counts frames of 200 random views; `frame(view)` makes the frame that is judged.
+/// Judges and counts frames of 200 random views; `frame(view)` makes the frame that is judged. `counts`: the strategy counts what
+/// it leaves out.
 template <typename Frame>
-void expectNothingWrong(Bench& bench, const Frame& frame) {
+void expectNothingWrong(Bench& bench, bool counts, const Frame& frame) {
     Random random(5);
     uint64_t wrong = 0, covered = 0;
     for (uint64_t i = 0; i < howMany(200, 200); ++i) {
@@ -102,17 +106,12 @@ void expectNothingWrong(Bench& bench, const Frame& frame) {
         const Reference truth = bench.truth(view);
         wrong += wrongPixels(bench, log, truth);
         covered += truth.coveredPixels;
-        // Counts: what was drawn and what was left out are all triangles, each once.
-        const TriangleStates states = triangleStates(*bench.scene, log, truth.visible());
-        EXPECT_EQ(std::accumulate(states.counts.begin(), states.counts.end(), uint64_t{0}), bench.scene->triangleCount());
-        const DrawList drawn = drawnTriangles(*bench.scene, log);
-        EXPECT_EQ(drawn.triangleCount(), log.consideredTriangles());
-        const uint64_t left = bench.scene->triangleCount() - drawn.triangleCount();
+        EXPECT_EQ(triangleStates(*bench.scene, log, truth.visible()).counts, ownCounts(*bench.scene, log, truth));
+        const std::vector<bool> drawn = drawnByCommands(*bench.scene, log);
+        const auto given = uint64_t(std::ranges::count(drawn, true));
+        EXPECT_EQ(log.consideredTriangles(), given);
         const auto& culled = log.counters.culledTriangles;
-        const uint64_t counted = std::accumulate(culled.begin(), culled.end(), uint64_t{0});
-        if (counted > 0) {
-            EXPECT_EQ(counted, left);
-        }
+        EXPECT_EQ(std::accumulate(culled.begin(), culled.end(), uint64_t{0}), counts ? drawn.size() - given : 0u);
     }
     EXPECT_EQ(wrong, 0u);
     EXPECT_GT(covered, 0u);
@@ -134,12 +133,17 @@ size_t tilesThatDiffer(const Bench& bench, const View& view, const FrameLog& log
     return different;
 }
 
-/// Picture, replay, tiles, parts, colours by verdict and the explanation of a few triangles.
-void expectReplays(Bench& bench) {
+void noPast(const View& /*view*/) {}
+
+/// Picture, replay, tiles, parts, colours by verdict and the explanation of a few triangles. `prepare(view)` gives the view the
+/// past that a frame without losses needs.
+template <typename Prepare>
+void expectReplays(Bench& bench, const Prepare& prepare) {
     Random random(9);
     for (int i = 0; i < 5; ++i) {
         SCOPED_TRACE("view " + std::to_string(i));
         const View view = somewhere(random);
+        prepare(view);
         const auto [own, log] = bench.drawn(view);
         const Picture again = bench.replayed(view, log, {0, 0, kSize});
         EXPECT_TRUE(own.depth == again.depth && own.colour == again.colour) << "the replay is another picture";
@@ -150,6 +154,7 @@ void expectReplays(Bench& bench) {
         // From elsewhere, and coloured by verdict.
         const View aside = somewhere(random);
         Framebuffer target(kSize);
+        prepare(view);
         const FrameLog recorded = bench.decide(view);
         const Reference truth = bench.truth(view);
         const TriangleStates states = triangleStates(*bench.scene, recorded, truth.visible());
@@ -210,42 +215,51 @@ void expectMeasured(const RegisteredStrategy& strategy) {
 
 TEST(SmallStrategies, ownTrianglesInAnOrderOfTheirOwnShowWhatIsVisible) {
     Bench bench(backToFront());
-    expectNothingWrong(bench, [&](const View& view) { return bench.decide(view); });
-    expectReplays(bench);
+    expectNothingWrong(bench, false, [&](const View& view) { return bench.decide(view); });
+    expectReplays(bench, noPast);
     expectMeasured(backToFront());
 }
 
 TEST(SmallStrategies, pictureMadeOnTheProcessorIsShownAndJudged) {
     Bench bench(tracedPicture());
-    expectNothingWrong(bench, [&](const View& view) { return bench.decide(view); });
-    expectReplays(bench);
+    expectNothingWrong(bench, false, [&](const View& view) { return bench.decide(view); });
+    expectReplays(bench, noPast);
     expectMeasured(tracedPicture());
 }
 
 TEST(SmallStrategies, halfIsDrawnAndTheRestGoesOnWithTheAnswers) {
     Bench bench(halfThenAsk());
     uint64_t left = 0;
-    expectNothingWrong(bench, [&](const View& view) {
+    expectNothingWrong(bench, true, [&](const View& view) {
         FrameLog log = bench.decide(view);
         left += log.counters.culledTriangles[size_t(Cause::Hidden)];
         return log;
     });
     EXPECT_GT(left, 0u) << "nothing was ever hidden";
-    expectReplays(bench);
+    expectReplays(bench, noPast);
     expectMeasured(halfThenAsk());
 }
 
 TEST(SmallStrategies, memoryOfAViewThatStandsLosesNothing) {
     Bench bench(lastFrame());
     uint64_t left = 0;
-    expectNothingWrong(bench, [&](const View& view) {
+    const auto prepare = [&](const View& view) {
         bench.state = bench.built->begin();
-        (void)bench.decide(view);
+        return bench.decide(view);
+    };
+    expectNothingWrong(bench, true, [&](const View& view) {
+        const FrameLog before = prepare(view);
+        EXPECT_EQ(before.consideredTriangles(), bench.scene->triangleCount()) << "without a past everything is drawn";
         FrameLog log = bench.decide(view);
+        // What it draws are the objects that OpenGL hit in the frame before.
+        std::set<uint32_t> objects;
+        for (const DrawRange& range : std::get<DrawList>(log.commands.front()).ranges) objects.insert(range.instance);
+        EXPECT_EQ(objects, objectsHit(*bench.scene, before));
         left += log.counters.culledTriangles[size_t(Cause::Hidden)];
         return log;
     });
     EXPECT_GT(left, 0u) << "nothing was ever hidden";
+    expectReplays(bench, prepare);
     expectMeasured(lastFrame());
 }
 
@@ -273,13 +287,13 @@ TEST(SmallStrategies, memoryOfAViewThatJumpsShowsItsLossAndMeasureCountsIt) {
 TEST(SmallStrategies, whatAComputeShaderChoseIsReadBackAndJudged) {
     Bench bench(chosenByGpu());
     uint64_t left = 0;
-    expectNothingWrong(bench, [&](const View& view) {
+    expectNothingWrong(bench, false, [&](const View& view) {
         FrameLog log = bench.decide(view);
         left += bench.scene->triangleCount() - log.consideredTriangles();
         return log;
     });
     EXPECT_GT(left, 0u) << "nothing was ever outside";
-    expectReplays(bench);
+    expectReplays(bench, noPast);
     expectMeasured(chosenByGpu());
 }
 

@@ -9,7 +9,7 @@
 #include "core/scene/camera_path.h"
 #include "core/scene/frustum_share.h"
 #include "core/scene/scene_source.h"
-#include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "tests/support/culler.h"
 #include "tests/support/exact_visibility.h"
 #include "tests/support/gl_environment.h"
@@ -213,8 +213,8 @@ TEST(SphericalPicture, pathsShowThePapersCases) {
             EXPECT_NEAR(inFrustum / double(scene->triangleCount()) / considered[size_t(number - 1)], 1.0, 0.1) << where;
             EXPECT_LE(double(frame.consideredTriangles), 1.5 * inFrustum) << where;
             EXPECT_GT(frame.consideredTriangles, 0u) << where;
-            for (const spherical::CornerRay& ray : spherical::decisionsOf(frame.log).at(0).rays)
-                EXPECT_TRUE(ray.hit.has_value()) << where;
+            const spherical::SphericalDecision decision = spherical::decisionsOf(frame.log).at(0);
+            for (const spherical::CornerRay& ray : decision.rays) EXPECT_TRUE(ray.hit.has_value()) << where;
             const Accuracy accuracy = accuracyOf(*strategy, buffers, view);
             EXPECT_GE(accuracy.coveredPixels, 320u * 240u * 6 / 10) << where;
         }

@@ -1,6 +1,7 @@
 // The log of a frame: its entries are one sequence, its replay is the frame's picture, and recording changes nothing.
 
 #include "core/mesh/parametric.h"
+#include "tests/support/decisions.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/random_views.h"
@@ -59,6 +60,17 @@ void expectSameFrame(const FrameLog& a, const FrameLog& b) {
     EXPECT_EQ(a.facing, b.facing);
     EXPECT_EQ(a.counters.culledTriangles, b.counters.culledTriangles);
     EXPECT_EQ(a.counters.nodesVisited, b.counters.nodesVisited);
+    EXPECT_EQ(a.counters.bytesTouched, b.counters.bytesTouched);
+    ASSERT_EQ(a.counters.parts.size(), b.counters.parts.size());
+    for (size_t i = 0; i < a.counters.parts.size(); ++i) {
+        EXPECT_EQ(a.counters.parts[i].objects, b.counters.parts[i].objects);
+        EXPECT_EQ(a.counters.parts[i].culledTriangles, b.counters.parts[i].culledTriangles);
+    }
+    ASSERT_EQ(a.counters.figures.size(), b.counters.figures.size());
+    for (size_t i = 0; i < a.counters.figures.size(); ++i) {
+        EXPECT_EQ(a.counters.figures[i].name, b.counters.figures[i].name);
+        EXPECT_EQ(a.counters.figures[i].value, b.counters.figures[i].value) << a.counters.figures[i].name;
+    }
     ASSERT_EQ(a.commands.size(), b.commands.size());
     for (size_t i = 0; i < a.commands.size(); ++i) expectSame(a.commands[i], b.commands[i]);
 }
@@ -206,38 +218,62 @@ TEST(Frames, replayIsTheFramesPicture) {
                 const auto [log, drawn] = drawnFrame(*strategy->built(), buffers, view, style);
                 EXPECT_EQ(replayed(log.upTo(log.entries()), buffers, view, style), drawn) << "view " << i;
                 covered += size_t(std::ranges::count_if(drawn.depth, [](float depth) { return depth > 0.0f; }));
-                // A frame that is not drawn decides the same.
-                expectSameFrame(log, strategy->cull(view, Recording::On, &GlEnvironment::renderer()).log);
+                // A frame that is not drawn decides the same, without a past as well.
+                GpuFrame undrawn(GlEnvironment::renderer(), buffers, view, true);
+                const ViewStatePointer state = strategy->built()->begin();
+                strategy->built()->draw(undrawn, *state);
+                expectSameFrame(log, undrawn.take());
             }
         }
     }
     EXPECT_GT(covered, fewSamples() ? 20'000u : 100'000u);
 }
 
+/// A strategy's frames of a view that is recorded from the first one on, and of a view that never is: each has its memory.
+struct TwoViews {
+    CullerPointer strategy;
+    ViewStatePointer ofRecorded, ofMeasured;
+
+    explicit TwoViews(const RegisteredStrategy& registered, const Scene& scene) : strategy(coarse(registered)) {
+        strategy->build(scene);
+        ofRecorded = strategy->built()->begin();
+        ofMeasured = strategy->built()->begin();
+    }
+    [[nodiscard]] FrameLog frame(const View& view, const SceneBuffers& buffers, bool recording) const {
+        GpuFrame frame(GlEnvironment::renderer(), buffers, view, recording);
+        strategy->built()->draw(frame, recording ? *ofRecorded : *ofMeasured);
+        return frame.take();
+    }
+};
+
 TEST(Frames, recordingChangesNothing) {
+    int counted = 0;
     for (uint64_t seed = 1; seed <= howMany(20, 20); ++seed) {
         const ScenePointer scene = randomScene(seed);
-        std::vector<CullerPointer> all;
-        for (const RegisteredStrategy& registered : strategies()) {
-            if (!isAvailable(registered)) continue;
-            all.push_back(coarse(registered));
-            all.back()->build(*scene);
-        }
+        const SceneBuffers buffers(scene, Upload::Vbo);
+        std::vector<TwoViews> all;
+        for (const RegisteredStrategy& registered : strategies())
+            if (isAvailable(registered)) all.emplace_back(registered, *scene);
         Random random(seed);
         for (int i = 0; i < 10; ++i) {
             const RandomView sample = randomView(*scene, random);
             const View view(sample.camera, small(sample.viewport));
-            for (const CullerPointer& strategy : all) {
-                SCOPED_TRACE(strategy->built()->id() + " seed " + std::to_string(seed) + " view " + std::to_string(i));
-                const FrameLog recorded = strategy->cull(view, Recording::On, &GlEnvironment::renderer()).log;
-                const FrameLog plain = strategy->cull(view, Recording::Off, &GlEnvironment::renderer()).log;
+            for (const TwoViews& views : all) {
+                SCOPED_TRACE(views.strategy->built()->id() + " seed " + std::to_string(seed) + " view " + std::to_string(i));
+                const FrameLog recorded = views.frame(view, buffers, true), plain = views.frame(view, buffers, false);
                 expectSameFrame(recorded, plain);
                 EXPECT_TRUE(recorded.recorded && !plain.recorded);
                 EXPECT_FALSE(recorded.decisions.empty());
-                EXPECT_TRUE(plain.decisions.empty() && plain.objects.empty() && plain.notes == nullptr);
+                EXPECT_TRUE(plain.decisions.empty() && plain.objects.empty() && plain.details.empty());
+                for (const NamedFigure& figure : plain.counters.figures) {
+                    if (figure.name != "plane_tests") continue;
+                    EXPECT_EQ(std::ranges::count_if(recorded.decisions, isPlaneTest), int64_t(figure.value));
+                    ++counted;
+                }
             }
         }
     }
+    EXPECT_GT(counted, 0) << "no strategy counts its plane tests";
 }
 
 }  // namespace

@@ -142,6 +142,27 @@ TEST(GroupNodes, resultsAndPlacesFitThoseOfTheParents) {
     }
 }
 
+TEST(GroupNodes, testedAreThoseThatTheStreamSaysATestOf) {
+    const ScenePointer scene = boxField(12, 1.5);
+    GroupedCuller strategy;
+    strategy.build(*scene);
+    const View view({{3, 4, 3}, {5, 0, 2}, {0, 1, 0}, Angle::fromDegrees(50), 0.1, 100}, {64, 64});
+    const FrameLog log = strategy.cull(view, Recording::On).log;
+    // Also of the first entries: nothing that comes later counts.
+    for (const size_t k : {size_t{0}, log.entries() / 4, log.entries() / 2, log.entries()}) {
+        const FrameLog part = log.upTo(k);
+        const std::vector<VisitedGroup> visited = visitedGroups(part);
+        size_t groups = 0;
+        for (const SnapshotNode& node : strategy.snapshot(part).nodes) {
+            if (!node.isGroup()) continue;
+            groups += node.tested ? 1 : 0;
+            const auto is = [&](const VisitedGroup& group) { return group.node == node.number; };
+            EXPECT_EQ(node.tested, std::ranges::any_of(visited, is)) << "group " << node.number << " of " << k;
+        }
+        EXPECT_EQ(groups, visited.size());
+    }
+}
+
 TEST(GroupNodes, countsAddUp) {
     const ScenePointer scene = boxField(12, 1.5);
     GroupedCuller strategy;

@@ -157,6 +157,17 @@ TEST_F(WaitingStore, twoThreadsThatAskAtOnceGetTheSame) {
     EXPECT_EQ(m_store.built(), 1u);
 }
 
+TEST_F(WaitingStore, anotherStrategyOfTheSameIdBuildsItsOwn) {
+    const auto other = std::make_shared<Waiting>();
+    m_strategy->mayGoOn.release();
+    other->mayGoOn.release();
+    const StructurePointer one = m_store.get(m_registered, ParameterSet(), m_scene);
+    const StructurePointer two = m_store.get({{"waiting", "", "", "", {}}, other}, ParameterSet(), m_scene);
+    EXPECT_NE(one, two);
+    EXPECT_EQ(other->builds, 1);
+    EXPECT_EQ(m_store.built(), 2u);
+}
+
 TEST_F(WaitingStore, stopWhileAnotherThreadBuildsInterruptsTheOneThatWaits) {
     std::future<StructurePointer> builder = ask();
     ASSERT_TRUE(begins());

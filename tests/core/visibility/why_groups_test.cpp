@@ -1,5 +1,7 @@
 // The explanation of the groups that objects were tested with.
 
+#include <tuple>
+
 #include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "core/visibility/why.h"
@@ -96,6 +98,32 @@ TEST(WhyOfGroups, groupOfOneIsExplainedAsItsObject) {
     }
     EXPECT_GT(seen[size_t(Containment::Outside)], 5);
     EXPECT_GT(seen[size_t(Containment::Straddles)], 10);
+}
+
+TEST(WhyOfGroups, testsOfTheGroupThatDecidedAreToldWithTheirNumbers) {
+    const ScenePointer scene = field();
+    GroupedCuller strategy;
+    strategy.build(*scene);
+    std::array<int, 3> seen{};  ///< by containment
+    for (const View& view : views()) {
+        const Culled frame = strategy.cull(view, Recording::On);
+        const auto groups = decidingGroups(strategy.octree(), frame.log, scene->instances().size());
+        for (uint32_t i = 0; i < groups.size(); i += 3) {
+            if (strategy.octree().nodes()[groups[i].node].count < 2) continue;
+            std::vector<std::tuple<bool, FrustumPlane, double, double>> tested, told;
+            for (const Decision& decision : frame.log.decisions) {
+                const bool ofGroup = decision.subject == Subject::ofNode(groups[i].node);
+                if ((ofGroup || decision.subject == Subject::ofObject(i)) && isPlaneTest(decision))
+                    tested.emplace_back(ofGroup, *decision.plane, decision.distance(), decision.margin());
+            }
+            for (const WhyStep& step : why(*strategy.built(), frame.log, scene->firstTriangle(i)))
+                if (step.plane) told.emplace_back(step.ofGroup, *step.plane, step.distance.value(), step.bound.value());
+            EXPECT_EQ(told, tested) << "instance " << i;
+            EXPECT_FALSE(told.empty());
+            ++seen[size_t(groups[i].containment)];
+        }
+    }
+    for (const int count : seen) EXPECT_GT(count, 10);
 }
 
 }  // namespace

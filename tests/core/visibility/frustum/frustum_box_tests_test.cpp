@@ -1,4 +1,5 @@
 #include "core/base/error.h"
+#include "core/geometry/random.h"
 #include "core/mesh/parametric.h"
 #include "tests/support/culler.h"
 #include "tests/support/decisions.h"
@@ -96,27 +97,69 @@ TEST(FrustumSelect, case25NoObjectIsLostWhereTheHitBufferOverflows) {
     }
 }
 
-TEST(FrustumBoxTests, everyObjectIsDecidedAndNoPlaneIsNamed) {
+TEST(FrustumBoxTests, everyObjectIsDecidedWhereItsAnswerFalls) {
     const ScenePointer scene = copiesOf(sphereMesh(80), {translation({0, 0, -5}), translation({9, 0, -5}), scaling(Vec3(50.0))});
     for (const char* id : kIds) {
+        SCOPED_TRACE(id);
+        const bool clamps = std::string_view(id) == "frustum-query";
         const CullerPointer strategy = makeCuller(id);
         strategy->build(*scene);
         const Culled frame = strategy->cull(standardView(), Recording::On, &GlEnvironment::renderer());
+        const auto& hits = std::get<AskedBoxes>(frame.log.commands.front()).hits;
         using enum Decision::Outcome;
-        constexpr std::array kOutcomes{Open, Drawn, Open, Culled, Open, Drawn};
         constexpr std::array kTests{"OpenGL was asked", "OpenGL was asked", "The box reaches the near rectangle"};
-        ASSERT_EQ(frame.log.decisions.size(), kOutcomes.size()) << id;
-        for (uint32_t i = 0; i < kOutcomes.size(); ++i) {
-            const Decision& decision = frame.log.decisions[i];
-            EXPECT_EQ(decision.outcome, kOutcomes[i]) << id << " " << i;
-            EXPECT_EQ(decision.subject, Subject::ofObject(i / 2)) << id << " " << i;
-            EXPECT_FALSE(decision.plane) << id << " " << i;
-            EXPECT_TRUE(decision.outcome != Open || says(decision, kTests[i / 2])) << id << " " << i;
+        std::array<std::vector<Decision>, 3> about;
+        for (const Decision& decision : frame.log.decisions) about.at(decision.subject.number).push_back(decision);
+        for (uint32_t i = 0; i < about.size(); ++i) {
+            // Of a box that OpenGL is asked about with its depth clamped, the near and the far plane were tested before.
+            const size_t planes = clamps && i < 2 ? 2 : 0;
+            ASSERT_EQ(about[i].size(), planes + 2) << i;
+            for (size_t plane = 0; plane < planes; ++plane) {
+                EXPECT_EQ(about[i][plane].plane, plane == 0 ? FrustumPlane::Near : FrustumPlane::Far);
+                EXPECT_EQ(about[i][plane].commands, 0u) << "tested before the question";
+            }
+            const Decision &answer = about[i][planes], &end = about[i][planes + 1];
+            EXPECT_EQ(answer.outcome, Open);
+            EXPECT_FALSE(answer.plane);
+            EXPECT_TRUE(says(answer, kTests[i])) << i;
+            EXPECT_EQ(answer.commands, i < 2 ? 1u : 0u) << "OpenGL's answer falls after the question";
+            EXPECT_EQ(end.outcome, i == 1 ? Culled : Drawn);
+            if (i < 2) {
+                EXPECT_EQ(answer.containment == Containment::Outside, std::ranges::find(hits, i) == hits.end());
+            }
         }
         const StructureSnapshot snapshot = strategy->snapshot(frame.log);
         ASSERT_EQ(snapshot.nodes.size(), 3u);
-        EXPECT_TRUE(snapshot.nodes[1].culled);
-        EXPECT_FALSE(snapshot.nodes[1].rejectedBy);
+        for (const SnapshotNode& node : snapshot.nodes) {
+            EXPECT_EQ(node.culled, node.instance == 1);
+            EXPECT_FALSE(node.rejectedBy);
+            EXPECT_TRUE(node.tested);
+        }
+    }
+}
+
+TEST(FrustumBoxTests, recordedAnswersAreThoseOfOpenGl) {
+    Random random(8);
+    std::vector<Mat4> places;
+    for (int i = 0; i < 200; ++i)
+        places.push_back(translation({random.between(-9, 9), random.between(-9, 9), random.between(-14, 3)}));
+    const ScenePointer scene = copiesOf(sphereMesh(80), places);
+    for (const char* id : kIds) {
+        SCOPED_TRACE(id);
+        const CullerPointer strategy = makeCuller(id);
+        strategy->build(*scene);
+        const FrameLog log = strategy->cull(standardView(), Recording::On, &GlEnvironment::renderer()).log;
+        const auto& asked = std::get<AskedBoxes>(log.commands.front());
+        size_t hit = 0, missed = 0, planes = 0;
+        for (const Decision& decision : log.decisions) {
+            planes += isPlaneTest(decision) ? 1 : 0;
+            if (!says(decision, "OpenGL was asked")) continue;
+            ++(decision.containment == Containment::Outside ? missed : hit);
+        }
+        EXPECT_EQ(hit, asked.hits.size());
+        EXPECT_EQ(hit + missed, asked.boxes.size());
+        EXPECT_GT(missed, 20u);
+        EXPECT_EQ(planes > 0, std::string_view(id) == "frustum-query");
     }
 }
 

@@ -5,6 +5,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/triangle_states.h"
 #include "tests/support/spherical_scenes.h"
 

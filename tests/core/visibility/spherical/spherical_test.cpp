@@ -4,6 +4,7 @@
 
 #include "core/visibility/spherical/map_details.h"
 #include "core/visibility/spherical/object_space_view.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/slope_horizon.h"
 #include "core/visibility/spherical/visible_region.h"
 #include "core/visibility/why.h"

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/visibility/spherical/listings.h"
+#include "core/visibility/spherical/map_shows.h"
+#include "core/visibility/spherical/mapped_scene.h"
+#include "core/visibility/spherical/object_space_view.h"
+
+namespace cullscope::spherical {
+
+/// The decision about one object. It does not depend on other objects, so that objects are decided in parallel.
+struct MappedObject {
+    ObjectSpaceView seen;
+    SphericalDecision decision;
+};
+
+/// The common part of the strategies that decide by cells of maps: maps, relation to the frustum, draw list, records.
+class MappedCulling : public StrategyWithMaps<MappedScene> {
+    using StrategyWithMaps::StrategyWithMaps;
+
+protected:
+    /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
+    virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
+                             SphericalDecision& decision, bool recording) const = 0;
+    /// The cause of triangles that `decideAbout` culls.
+    [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
+    /// The line of the listing at which an object was decided that is not outside.
+    [[nodiscard]] virtual BandsLine lineOf(const SphericalDecision& decision) const = 0;
+    /// Says the tests that `decideAbout` made of an object's rays, bands or cells.
+    virtual void sayTests(const MappedMesh& mesh, const SphericalDecision& decision, FrameContext& frame) const = 0;
+    /// What the strategy builds for a mesh besides its maps.
+    virtual void buildFor(MappedScene& /*structure*/, MappedMesh& /*mesh*/) const {}
+
+    void fill(MappedScene& structure, const ParameterSet& parameters, const Progress& progress) const override;
+    void decide(FrameContext& frame, const MappedScene& structure, ViewState& state,
+                const ParameterSet& parameters) const override;
+    [[nodiscard]] StructureSnapshot snapshotOf(const MappedScene& structure, const FrameLog& log) const override;
+    [[nodiscard]] MapSnapshot mapOfDecision(const MappedScene& structure, const FrameLog& log,
+                                            const SphericalDecision& decision) const override;
+
+private:
+    [[nodiscard]] std::vector<MappedObject> decideAll(FrameContext& frame, const MappedScene& structure,
+                                                      const ParameterSet& parameters) const;
+    void submit(const MappedMesh& mesh, const SphericalDecision& decision, DrawList& list, FrameCounters& counters) const;
+    /// `tests`: those of rays, bands and cells, too.
+    void record(const MappedMesh& mesh, const MappedObject& object, bool tests, FrameContext& frame) const;
+};
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,63 @@
+#include "core/visibility/spherical/recorded_slopes.h"
+
+#include <numbers>
+
+#include "core/base/message.h"
+#include "core/visibility/spherical/listings.h"
+
+namespace cullscope::spherical {
+namespace {
+
+void sayBands(const ContourBands& bands, uint32_t instance, FrameContext& frame) {
+    for (uint32_t band = 0; band < bands.bands; ++band)
+        for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+            const BandSector& entry = bands.at(band, sector);
+            if (entry.size <= 0.0) continue;
+            Decision slope;
+            slope.subject = {Subject::Kind::Band, band * bands.sectors + sector, instance};
+            slope.operands = {entry.size, entry.horizon, (band + 1) * bands.width * 180.0 / std::numbers::pi};
+            slope.operandCount = 3;
+            slope.sentence =
+                CULLSCOPE_TR("Band up to α = %3°: the surface's slope is at least %1, and the horizon before it %2.");
+            frame.say(atLine(BandsLine::Slopes, slope));
+        }
+}
+
+const char* sentenceOf(SlopeTest::Result result) {
+    switch (result) {
+        case SlopeTest::Result::Hidden:
+            return CULLSCOPE_TR(
+                "The cell's triangles reach the slope %1; the horizon before them is higher everywhere, at least %2: hidden.");
+        case SlopeTest::Result::Visible:
+            return CULLSCOPE_TR(
+                "The cell's triangles reach the slope %1; the horizon before them is not everywhere higher (%2): drawn.");
+        case SlopeTest::Result::Untested:
+            break;
+    }
+    return CULLSCOPE_TR("The cell lies too near to the centre or to the axis, or reaches too far around: drawn without a test.");
+}
+
+}  // namespace
+
+void recordSlopes(const SphericalMaps& maps, const BandCells& cells, const SphericalDecision& decision, FrameContext& frame) {
+    if (!decision.bands) return;
+    sayBands(*decision.bands, decision.instance, frame);
+    for (size_t i = 0; i < cells.cells.size(); ++i) {
+        const uint32_t number = cells.cells[i].number;
+        const SlopeTest& test = decision.slopes[i];
+        const bool hidden = test.result == SlopeTest::Result::Hidden;
+        const auto [first, count] = maps.run(number, number + 1);
+        Decision cell = ending(Subject::ofCell(number, decision.instance),
+                               hidden ? Decision::Outcome::Culled : Decision::Outcome::Drawn, Cause::Hidden);
+        cell.places = {uint32_t(first), uint32_t(count)};
+        cell.nesting = 1;
+        cell.sentence = sentenceOf(test.result);
+        if (test.result != SlopeTest::Result::Untested) {
+            cell.operands = {test.slope, test.horizon};
+            cell.operandCount = 2;
+        }
+        frame.say(atLine(BandsLine::Slopes, cell));
+    }
+}
+
+}  // namespace cullscope::spherical

@@ -1,0 +1,80 @@
+#include "core/visibility/spherical/spherical_horizon.h"
+
+#include <algorithm>
+
+#include "core/base/message.h"
+#include "core/visibility/facing.h"
+#include "core/visibility/spherical/mapped_culling.h"
+#include "core/visibility/spherical/recorded_slopes.h"
+#include "core/visibility/spherical/slope_horizon.h"
+
+namespace cullscope::spherical {
+namespace {
+
+class SphericalHorizon final : public MappedCulling {
+    using MappedCulling::MappedCulling;
+
+    static constexpr size_t kFewTriangles = 500;
+
+protected:
+    [[nodiscard]] Promise promiseOf(const MappedScene& structure, const ParameterSet& /*parameters*/,
+                                    Facing facing) const override {
+        const bool starShaped = facing == Facing::Front ? structure.starShapedInFront : structure.starShaped;
+        return starShaped ? Promise::Conservative : Promise::Approximate;
+    }
+
+    void fill(MappedScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        structure.starShaped = structure.starShapedInFront = true;
+        MappedCulling::fill(structure, parameters, progress);
+    }
+    void buildFor(MappedScene& structure, MappedMesh& mesh) const override {
+        mesh.horizonCells = std::make_unique<HorizonCells>(*mesh.maps, *mesh.bandCells);
+        // Above the limit the star-shape test is not run, because the user did not request it; the weaker promise is made
+        // instead.
+        const bool tested = structure.starShaped && mesh.maps->mesh().triangleCount() <= kOptionalAnalysisLimit;
+        structure.starShaped = tested && isStarShaped(*mesh.maps, Facing::TwoSided);
+        structure.starShapedInFront =
+            structure.starShaped && structure.starShapedInFront && isStarShaped(*mesh.maps, Facing::Front);
+    }
+    [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
+    [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfHorizon(decision); }
+    void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
+                     SphericalDecision& decision, bool recording) const override {
+        // A surface that the near plane cuts hides nothing, and an object of few triangles is drawn faster than it is tested.
+        if (!view.beyondNear || mesh.maps->mesh().triangleCount() < kFewTriangles) {
+            decision.drawn = {{0, mesh.maps->grid().cellCount()}};
+            return;
+        }
+        decision.bands = bandsFor(view.eye, parameters);
+        decision.drawn = drawnBySlope(*mesh.maps, *mesh.bandCells, *mesh.horizonCells, view, *decision.bands,
+                                      recording ? &decision.slopes : nullptr);
+    }
+    void sayTests(const MappedMesh& mesh, const SphericalDecision& decision, FrameContext& frame) const override {
+        recordSlopes(*mesh.maps, *mesh.bandCells, decision, frame);
+    }
+    /// The sectors that are drawn in part at least are those that the cells touch that were decided to be drawn.
+    [[nodiscard]] MapSnapshot mapOfDecision(const MappedScene& structure, const FrameLog& log,
+                                            const SphericalDecision& decision) const override {
+        MapSnapshot map = MappedCulling::mapOfDecision(structure, log, decision);
+        if (map.decision.bands)
+            markDrawnSectors(*structure.meshOf(decision.instance).maps, *structure.meshOf(decision.instance).bandCells,
+                             map.decision.drawn, *map.decision.bands);
+        return map;
+    }
+};
+
+}  // namespace
+
+RegisteredStrategy sphericalHorizon() {
+    StrategyInfo info{"spherical-horizon",
+                      CULLSCOPE_TR("Spherical coordinates, exact horizon"),
+                      CULLSCOPE_TR("Leaves out cells whose slope lies below the horizon of the surface in front of them: loses "
+                                   "nothing of star-shaped objects."),
+                      "Han & Hong 2008, S replaced by the slope",
+                      {facingParameter(), rowsParameter()}};
+    std::ranges::move(bandParameters(3.0, 72), std::back_inserter(info.parameters));
+    info.shows = withListing(showsOfBands(), horizonListing());
+    return {info, std::make_shared<SphericalHorizon>(info.id)};
+}
+
+}  // namespace cullscope::spherical
