@@ -28,6 +28,8 @@ struct SnapshotNode {
     [[nodiscard]] bool isGroup() const { return instance == kGroup; }
 };
 
+class SubjectPlaces;
+
 /// What only one family has in its snapshot. Only the family's own files know the derived type.
 struct StructureDetails {
     virtual ~StructureDetails() = default;
@@ -43,6 +45,7 @@ struct StructureSnapshot {
     /// over the edge of the frustum".
     const char* groupSentence = nullptr;
     std::shared_ptr<const StructureDetails> details;  ///< null: there is nothing more
+    std::shared_ptr<const SubjectPlaces> places;      ///< where subjects lie that only the strategy can place; null: none
 };
 
 }  // namespace cullscope

@@ -2492,14 +2492,6 @@
         <translation>눈을 둘러싸거나 납작하면: 모두 그림</translation>
     </message>
     <message>
-        <source>cut: draw between corner rays</source>
-        <translation>잘리면: 네 모서리 광선 사이의 셀을 그림</translation>
-    </message>
-    <message>
-        <source>inside: draw near half, growing S</source>
-        <translation>안이면: 가까운 절반과 S가 커지는 곳을 그림</translation>
-    </message>
-    <message>
         <source>cut by near, flat, small: draw all</source>
         <translation>가까운 평면에 잘림, 납작함, 작음: 모두 그림</translation>
     </message>
@@ -3592,36 +3584,112 @@
         <translation>네 모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 셀의 삼각형: %3.</translation>
     </message>
     <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
-        <translation>α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 적어도 일부가 그려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
-        <translation>α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 가려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
-        <translation>앞쪽 절반에 있는 α = %3°까지의 띠: S %1, 그 앞의 최댓값 %2. 그려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
-        <translation>α = %3°까지의 띠: S %1 &gt; 그 앞의 최댓값 %2. 그려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
-        <translation>α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
-        <translation>α = %3°까지의 띠: S %1이지만 같은 부채꼴의 더 가까운 띠가 가려졌습니다(그 앞의 최댓값 %2). 그 뒤로는 그리지 않습니다.</translation>
-    </message>
-    <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
         <translation>검사로 제외된 셀이지만 양쪽 구간과 함께 그려집니다. 이렇게 적은 삼각형은 구간을 따로 둘 만하지 않습니다.</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>물체 %1개의 그룹에 속하며, 그룹의 상자를 먼저 검사합니다: 먼저 그려진 것이 가립니다.</translation>
+    </message>
+    <message>
+        <source>About several cells</source>
+        <translation>여러 셀에 관한 것</translation>
+    </message>
+    <message>
+        <source>Cells of %1</source>
+        <translation>%1의 셀들</translation>
+    </message>
+    <message>
+        <source>Several cells</source>
+        <translation>여러 셀</translation>
+    </message>
+    <message>
+        <source>draw its triangles, both sides</source>
+        <translation>삼각형을 양면 모두 그림</translation>
+    </message>
+    <message>
+        <source>draw it: OpenGL drops back faces</source>
+        <translation>그림: 뒷면은 OpenGL이 버림</translation>
+    </message>
+    <message>
+        <source>cut: follow four corner rays</source>
+        <translation>잘리면: 네 모서리 광선을 따라감</translation>
+    </message>
+    <message>
+        <source>cell by cell: is a triangle hit?</source>
+        <translation>셀마다: 삼각형에 맞는가?</translation>
+    </message>
+    <message>
+        <source>the region between their points</source>
+        <translation>네 점 사이의 영역</translation>
+    </message>
+    <message>
+        <source>draw boxes of cells around it</source>
+        <translation>이를 감싸는 셀 상자를 그림</translation>
+    </message>
+    <message>
+        <source>inside: S of band &gt; S before it?</source>
+        <translation>안이면: 띠의 S &gt; 그 앞의 S?</translation>
+    </message>
+    <message>
+        <source>yes, or the near half: draw it</source>
+        <translation>그렇거나 가까운 절반이면: 그림</translation>
+    </message>
+    <message>
+        <source>Ray %1 passes a cell in which no triangle lies.</source>
+        <translation>광선 %1은(는) 삼각형이 없는 셀을 지납니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≥ %2 in this cell, whose triangles end at R = %3: none of them is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R ≥ %2이고 셀의 삼각형은 R = %3에서 끝납니다. 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≤ %2 in this cell, whose triangles begin at R = %3: none of them is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R ≤ %2이고 셀의 삼각형은 R = %3에서 시작합니다. 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles one is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 하나에 맞습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles none is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 enters the bounding sphere at R = %2.</source>
+        <translation>모서리 광선 %1은(는) R = %2에서 경계 구에 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
+        <translation>부채꼴 %4, 앞쪽 절반에 있는 α = %3°까지의 띠: S %1, 그 앞의 최댓값 %2. 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 &gt; 그 앞의 최댓값 %2. 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1이지만 같은 부채꼴의 더 가까운 띠가 가려졌습니다(그 앞의 최댓값 %2). 그 뒤로는 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 적어도 일부가 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
+        <translation>영역을 감싸는 상자: 맵의 행 %1~%2, 열 %3~%4.</translation>
+    </message>
+    <message>
+        <source>Cells %1 to %2 are one range of the memory access map: %3 triangles from place %4 on are drawn.</source>
+        <translation>셀 %1~%2은(는) 메모리 접근 맵의 한 구간입니다. 자리 %4부터 삼각형 %3개를 그립니다.</translation>
     </message>
 </context>
 <context>

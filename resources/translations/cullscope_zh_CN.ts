@@ -2492,14 +2492,6 @@
         <translation>围住视点或扁平：全部绘制</translation>
     </message>
     <message>
-        <source>cut: draw between corner rays</source>
-        <translation>相交：绘制四条角光线之间的单元</translation>
-    </message>
-    <message>
-        <source>inside: draw near half, growing S</source>
-        <translation>在内：绘制近的一半以及 S 增大之处</translation>
-    </message>
-    <message>
         <source>cut by near, flat, small: draw all</source>
         <translation>与近平面相交、扁平或较小：全部绘制</translation>
     </message>
@@ -3592,36 +3584,112 @@
         <translation>四个角点之间的区域属于情形 %1；外围框：%2；其单元中的三角形：%3。</translation>
     </message>
     <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
-        <translation>至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：至少部分绘制。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
-        <translation>至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：被遮挡。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
-        <translation>近半球中至 α = %3° 的带：S %1，之前的最大值 %2：绘制。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
-        <translation>至 α = %3° 的带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
-        <translation>至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
-        <translation>至 α = %3° 的带：S %1，但该扇区中更近的带已被遮挡（之前的最大值 %2）：其后不再绘制。</translation>
-    </message>
-    <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
         <translation>测试剔除了该单元，但它随两侧的区间一起绘制：这么少的三角形不值得单独成为区间。</translation>
     </message>
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>它属于一个有 %1 个物体的组，先测试了组的盒子：此前绘制的内容将其遮住。</translation>
+    </message>
+    <message>
+        <source>About several cells</source>
+        <translation>关于多个单元</translation>
+    </message>
+    <message>
+        <source>Cells of %1</source>
+        <translation>%1 的单元</translation>
+    </message>
+    <message>
+        <source>Several cells</source>
+        <translation>多个单元</translation>
+    </message>
+    <message>
+        <source>draw its triangles, both sides</source>
+        <translation>绘制其三角形的两面</translation>
+    </message>
+    <message>
+        <source>draw it: OpenGL drops back faces</source>
+        <translation>绘制它：OpenGL 丢弃背面</translation>
+    </message>
+    <message>
+        <source>cut: follow four corner rays</source>
+        <translation>相交：跟踪四条角光线</translation>
+    </message>
+    <message>
+        <source>cell by cell: is a triangle hit?</source>
+        <translation>逐个单元：是否击中三角形？</translation>
+    </message>
+    <message>
+        <source>the region between their points</source>
+        <translation>它们的点之间的区域</translation>
+    </message>
+    <message>
+        <source>draw boxes of cells around it</source>
+        <translation>绘制包围它的单元盒</translation>
+    </message>
+    <message>
+        <source>inside: S of band &gt; S before it?</source>
+        <translation>在内：带的 S &gt; 之前的 S？</translation>
+    </message>
+    <message>
+        <source>yes, or the near half: draw it</source>
+        <translation>是，或在近的一半：绘制</translation>
+    </message>
+    <message>
+        <source>Ray %1 passes a cell in which no triangle lies.</source>
+        <translation>光线 %1 经过一个没有三角形的单元。</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≥ %2 in this cell, whose triangles end at R = %3: none of them is hit.</source>
+        <translation>在此单元中光线 %1 处于 R ≥ %2，而单元的三角形止于 R = %3：一个也没有击中。</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≤ %2 in this cell, whose triangles begin at R = %3: none of them is hit.</source>
+        <translation>在此单元中光线 %1 处于 R ≤ %2，而单元的三角形始于 R = %3：一个也没有击中。</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles one is hit.</source>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形中击中一个。</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles none is hit.</source>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形一个也没有击中。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 enters the bounding sphere at R = %2.</source>
+        <translation>角光线 %1 在 R = %2 处进入包围球。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
+        <translation>扇区 %4，近半球中至 α = %3° 的带：S %1，之前的最大值 %2：绘制。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1，但该扇区中更近的带已被遮挡（之前的最大值 %2）：其后不再绘制。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
+        <translation>扇区 %4，至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：至少部分绘制。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
+        <translation>扇区 %4，至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
+        <translation>包围该区域的盒：图的第 %1 至 %2 行，第 %3 至 %4 列。</translation>
+    </message>
+    <message>
+        <source>Cells %1 to %2 are one range of the memory access map: %3 triangles from place %4 on are drawn.</source>
+        <translation>单元 %1 至 %2 是内存访问图的一个区间：从位置 %4 起绘制 %3 个三角形。</translation>
     </message>
 </context>
 <context>

@@ -109,6 +109,7 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
     if (contents().part) overlay.paintPart(*shown.map, *contents().part);
     if (contents().picked)
         overlay.paintPicked(shown.grid(), shown.source().cellsOf(*contents().picked), shown.source().ownerOf(*contents().picked));
+    if (!contents().inHand.empty()) overlay.paintInHand(contents().inHand);
     if (cursor) overlay.paintCursor(shown.grid(), *cursor);
     paintAxes(painter, layout.area, colours);
     QRectF below = inner(place);

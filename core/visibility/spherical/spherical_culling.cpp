@@ -228,8 +228,11 @@ private:
         auto& [seen, decision] = object;
         const Subject subject = Subject::ofObject(decision.instance);
         recordTests(seen, subject, uint8_t(BandsLine::Sphere), frame);
-        if (tests) recordRays(decision, frame);
-        if (tests) recordBands(decision, uint8_t(lineOf(decision)), frame);
+        if (tests) {
+            recordRays(*mesh.maps, decision, frame);
+            recordBands(decision, frame);
+            recordRanges(*mesh.maps, decision, uint8_t(lineOf(decision)), frame);
+        }
         const bool outside = decision.relation == SphereRelation::Outside;
         Decision end = ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
                               outside ? Cause::OutsideFrustum : causeOf(decision.relation));
