@@ -101,6 +101,8 @@ TEST(Program, wrongUsageEndsWithTwo) {
     EXPECT_EQ(runProgram({QStringLiteral("--nonsense")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("nonsense")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("all,all,all,all,all,all,all,all,all")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("bsp:plane=nonsense")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("bsp:nonsense=1")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--size"), QStringLiteral("wide")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--language"), QStringLiteral("xx")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--help")}).status, 0);
