@@ -3616,7 +3616,7 @@
         <translation>잘리면: 네 모서리 광선을 따라감</translation>
     </message>
     <message>
-        <source>cell by cell: is a triangle hit?</source>
+        <source>cell by cell: a triangle hit?</source>
         <translation>셀마다: 삼각형에 맞는가?</translation>
     </message>
     <message>
@@ -5926,6 +5926,11 @@ snapping</source>
     <message>
         <source>step %1 of %2 · whole frame: %3</source>
         <translation>단계 %1 / %2 · 프레임 전체: %3</translation>
+    </message>
+    <message>
+        <source>step %1 · %2</source>
+        <comment>of a narrow view, figures</comment>
+        <translation>단계 %1 · %2</translation>
     </message>
 </context>
 <context>

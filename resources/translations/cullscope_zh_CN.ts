@@ -3616,7 +3616,7 @@
         <translation>相交：跟踪四条角光线</translation>
     </message>
     <message>
-        <source>cell by cell: is a triangle hit?</source>
+        <source>cell by cell: a triangle hit?</source>
         <translation>逐个单元：是否击中三角形？</translation>
     </message>
     <message>
@@ -5926,6 +5926,11 @@ snapping</source>
     <message>
         <source>step %1 of %2 · whole frame: %3</source>
         <translation>第 %1 / %2 步 · 整帧：%3</translation>
+    </message>
+    <message>
+        <source>step %1 · %2</source>
+        <comment>of a narrow view, figures</comment>
+        <translation>第 %1 步 · %2</translation>
     </message>
 </context>
 <context>

@@ -6,6 +6,7 @@
 #include "core/measure/render_frame.h"
 #include "tests/ui/stepped_window.h"
 #include "ui/dialogs/answer_dialog.h"
+#include "ui/models/metrics_words.h"
 #include "ui/models/prediction_model.h"
 
 namespace cullscope::ui::stepping_test {
@@ -120,6 +121,19 @@ TEST_F(Stepping, panelsShowTheStateAtTheStep) {
     EXPECT_FALSE(session.step()->shape.boxes.empty());
     EXPECT_FALSE(window.stepBar().sentence().isEmpty());
     EXPECT_TRUE(window.views().pane(0).header().secondLine().contains(QString::number(count)));
+}
+
+TEST_F(Stepping, headerOfANarrowViewKeepsTheStepAndAllFigures) {
+    begin();
+    showStep(5);
+    ViewHeader& header = window.views().pane(0).header();
+    const QFontMetrics metrics(header.font());
+    const QString whole = header.secondLine(), figures = metricsLine(session.figures(0));
+    EXPECT_EQ(header.secondLine(metrics, metrics.horizontalAdvance(whole)), whole);
+    const QString narrow = header.secondLine(metrics, metrics.horizontalAdvance(whole) - 1);
+    EXPECT_LT(metrics.horizontalAdvance(narrow), metrics.horizontalAdvance(whole) * 9 / 10);
+    EXPECT_TRUE(narrow.contains(QLatin1Char('5'))) << narrow.toStdString();
+    EXPECT_TRUE(narrow.endsWith(figures)) << narrow.toStdString();
 }
 
 TEST_F(Stepping, observerShowsTheStepOfTheViewThatItWatches) {

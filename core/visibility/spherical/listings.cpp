@@ -17,7 +17,7 @@ Show bandsListing() {
                         {CULLSCOPE_TR("outside: leave it out"), 1},
                         {CULLSCOPE_TR("around the eye, flat: draw all"), 1},
                         {CULLSCOPE_TR("cut: follow four corner rays"), 1},
-                        {CULLSCOPE_TR("cell by cell: is a triangle hit?"), 2},
+                        {CULLSCOPE_TR("cell by cell: a triangle hit?"), 2},
                         {CULLSCOPE_TR("the region between their points"), 2},
                         {CULLSCOPE_TR("draw boxes of cells around it"), 2},
                         {CULLSCOPE_TR("inside: S of band > S before it?"), 1},

@@ -155,8 +155,10 @@ private:
                 return true;
             }
             case Subject::Kind::Cell:
-                if (!map.tree) return addWalked(map, said, maker);
-                maker.addTreeCell(*map.tree, number);
+                if (map.tree)
+                    maker.addTreeCell(*map.tree, number);
+                else
+                    addMapCell(map, said, maker);
                 return true;
             case Subject::Kind::Cells:
                 return addCells(map, number, maker);
@@ -169,16 +171,17 @@ private:
         }
     }
 
-    [[nodiscard]] static bool addWalked(const MapSnapshot& map, const Decision& said, PlaceMaker& maker) {
+    /// A cell of the map, and the ray that walks through it, where the decision is about that.
+    static void addMapCell(const MapSnapshot& map, const Decision& said, PlaceMaker& maker) {
         const SphericalGrid& grid = map.maps->grid();
-        const auto ray = size_t(said.operands[0]) - 1;
-        if (ray >= map.decision.rays.size()) return false;
-        const CornerRay& followed = map.decision.rays[ray];
         const SphericalGrid::Cell cell = grid.cell(said.subject.number);
-        const auto walked = std::ranges::find(followed.walkedCells, cell, &WalkedCell::cell);
-        if (walked != followed.walkedCells.end()) maker.addRay(followed, walked->span.to, false);
+        const std::array<CornerRay, 4>& rays = map.decision.rays;
+        if (said.operandCount > 0 && said.operands[0] >= 1.0 && said.operands[0] <= double(rays.size())) {
+            const CornerRay& ray = rays[size_t(said.operands[0]) - 1];
+            const auto walked = std::ranges::find(ray.walkedCells, cell, &WalkedCell::cell);
+            if (walked != ray.walkedCells.end()) maker.addRay(ray, walked->span.to, false);
+        }
         maker.addBox(grid, {cell.row, cell.row, cell.column, cell.column});
-        return true;
     }
 
     [[nodiscard]] static bool addCells(const MapSnapshot& map, uint32_t number, PlaceMaker& maker) {
