@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/scene/camera.h"
-#include "core/visibility/registry.h"
+#include "core/visibility/strategy_request.h"
 #include "ui/startup/display.h"
 #include "ui/startup/first_views.h"
 #include "ui/startup/start_size.h"
@@ -21,7 +21,7 @@ constexpr QSize kUsualSize{1366, 768};
 
 struct CommandLine {
     std::string scene;
-    std::vector<std::string> strategies;
+    std::vector<StrategyRequest> strategies;
     std::vector<std::filesystem::path> modelFolders;
     std::string language;
     std::optional<Viewport> size;  ///< none: the largest that fits on the screen
@@ -37,23 +37,26 @@ Viewport sizeFromText(const std::string& text) {
     return size;
 }
 
-std::vector<std::string> strategyIds(const std::string& text) {
-    std::vector<std::string> ids;
-    for (const QString& id : QString::fromStdString(text).split(QLatin1Char(',')))
-        ids.push_back(findStrategy(id.toStdString()).info.id);
-    if (ids.size() > ui::Session::kMostViews)
-        throwUsage("-s %1: there are at most %2 views; name as many strategies or fewer.",
-                   {text, std::to_string(ui::Session::kMostViews)});
-    return ids;
+/// One strategy for each view, written as for cullbench.
+std::vector<StrategyRequest> strategiesOfViews(const std::vector<std::string>& texts) {
+    std::vector<StrategyRequest> requests = strategiesFromText(texts);
+    if (requests.size() > ui::Session::kMostViews)
+        throwUsage("-s: there are at most %1 views, and %2 strategies are named; name as many as views or fewer.",
+                   {std::to_string(ui::Session::kMostViews), std::to_string(requests.size())});
+    return requests;
 }
 
 CommandLine parse(int argc, char** argv) {
     CommandLine line;
-    std::string size, strategies;
+    std::string size;
+    std::vector<std::string> strategies;
     CLI::App parser("Cullscope: shows what each culling strategy draws, how fast, and what it loses.", "cullscope");
     parser.add_option("SCENE", line.scene, "A mesh file, or a generator such as field:n=20 (cullbench list scenes)");
-    parser.add_option("-s,--strategy", strategies,
-                      "The strategies of the views, A,B,…: as many as 8 (cullbench list strategies)");
+    parser
+        .add_option("-s,--strategy", strategies,
+                    "The strategies of the views, A,B:key=value,…: as many as 8 (cullbench list strategies)")
+        ->delimiter(',')
+        ->allow_extra_args(false);
     parser
         .add_option("--models", line.modelFolders, "A folder in which models such as the bunny are looked for; may be repeated")
         ->allow_extra_args(false);
@@ -69,7 +72,7 @@ CommandLine parse(int argc, char** argv) {
         std::exit(status == 0 ? 0 : int(ErrorKind::Usage));
     }
     if (!size.empty()) line.size = sizeFromText(size);
-    if (!strategies.empty()) line.strategies = strategyIds(strategies);
+    if (!strategies.empty()) line.strategies = strategiesOfViews(strategies);
     return line;
 }
 

@@ -25,7 +25,7 @@ struct RenderOptions {
     std::string background, surface;
     double fovy = 45.0, nearDistance = 0.0, farDistance = 0.0;
     int64_t pose = 0;
-    std::optional<uint64_t> step;
+    std::optional<int64_t> step;
     bool steps = false;
     OverlayOptions overlays;
 };
@@ -151,10 +151,10 @@ void printSteps(std::FILE* words, const Scene& scene, const FrameLog& log) {
 /// The frame's log up to the chosen step.
 FrameLog upToStep(const RenderOptions& options, FrameLog log) {
     if (!options.step) return log;
-    if (*options.step > log.entries())
-        throwUsage(CULLSCOPE_TR("--step %1: the frame has %2 steps."),
+    if (*options.step < 0 || uint64_t(*options.step) > log.entries())
+        throwUsage(CULLSCOPE_TR("--step %1: this frame has the steps 0 to %2."),
                    {std::to_string(*options.step), std::to_string(log.entries())});
-    return replayUpTo(log, *options.step);
+    return replayUpTo(log, size_t(*options.step));
 }
 
 void run(const RenderOptions& options, const Context& context) {

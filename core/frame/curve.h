@@ -78,4 +78,7 @@ struct Curve {
     [[nodiscard]] const CurveInterval* intervalAt(double value) const;
 };
 
+/// What a curve shows of the values up to one of x.
+[[nodiscard]] Curve curveUpTo(Curve curve, double x);
+
 }  // namespace cullscope

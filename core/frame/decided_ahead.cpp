@@ -20,7 +20,8 @@ public:
         if (!whole && decision.outcome != Outcome::PartlyDrawn) return;
         for (const uint32_t instance : m_log.objectsOf(decision)) m_objects.insert(instance);
         if (decision.subject.kind == Subject::Kind::Object) m_objects.insert(decision.subject.number);
-        if (decision.subject.kind == Subject::Kind::Cell && whole) m_cells[decision.subject.object].push_back(decision.places);
+        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
+        if (cells && whole) m_cells[decision.subject.object].push_back(decision.places);
     }
 
     void sort() {

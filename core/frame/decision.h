@@ -21,7 +21,8 @@ struct Subject {
         Band,      ///< `number`: of a part of the curve (frame/curve.h) that the strategy has for `object`
         Fragment,  ///< `number`: of a part of a triangle
         Tile,      ///< `number`: of a rectangle of the picture
-        Span       ///< `number`: of a piece of a row of pixels
+        Span,      ///< `number`: of a piece of a row of pixels
+        Cells  ///< `number`: of a group of cells, such as a range of them, of the structure that the strategy has for `object`
     };
     static constexpr uint32_t kNoObject = 0xFFFFFFFF;
 
@@ -51,7 +52,7 @@ struct Decision {
         Culled,        ///< nothing of it is drawn
         DrawnAfterAll  ///< drawn, although an earlier decision, whose cause this one repeats, had culled it
     };
-    static constexpr size_t kOperands = 3;
+    static constexpr size_t kOperands = 4;
 
     Subject subject;
     Outcome outcome = Outcome::Open;
@@ -66,9 +67,9 @@ struct Decision {
     std::array<double, kOperands> operands{};
     uint8_t operandCount = 0;
     uint8_t nesting = 0;  ///< how many subjects, whose decisions came before, this one lies in
-    /// Of a Cell: its triangles, in the order FrameLog::order. Of a Fragment: its triangles among the strategy's own that
-    /// are drawn next. Of a Tile or Span: from its lower left to its upper right pixel, which are numbered row by row from the
-    /// bottom. None: not said.
+    /// Of a Cell or Cells: its triangles, in the order FrameLog::order. Of a Fragment: its triangles among the strategy's own
+    /// that are drawn next. Of a Tile or Span: from its lower left to its upper right pixel, which are numbered row by row from
+    /// the bottom. None: not said.
     PlaceRun places;
     uint32_t firstObject = 0;  ///< of a Node that is decided as a whole: its objects, in FrameLog::objects
     uint32_t objectCount = 0;

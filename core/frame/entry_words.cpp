@@ -81,6 +81,9 @@ Words subjectWords(const Scene& scene, const Subject& subject) {
         case Subject::Kind::Fragment:
             if (ofObject) return {CULLSCOPE_TR("Part %1 of a triangle of %2"), {number, named(subject.object)}};
             return {CULLSCOPE_TR("Part %1 of a triangle"), {number}};
+        case Subject::Kind::Cells:
+            if (ofObject) return {CULLSCOPE_TR("Cells of %1"), {named(subject.object)}};
+            return {CULLSCOPE_TR("Several cells"), {}};
         case Subject::Kind::Tile:
             return {CULLSCOPE_TR("Tile %1 of the picture"), {number}};
         case Subject::Kind::Span:

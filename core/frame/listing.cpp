@@ -47,8 +47,9 @@ private:
         if (decision.subject.kind == Subject::Kind::Object) return decision.subject.number == m_instance;
         if (decision.subject.kind == Subject::Kind::Node)
             return std::ranges::find(m_log.objectsOf(decision), m_instance) != m_log.objectsOf(decision).end();
-        return decision.subject.kind == Subject::Kind::Cell && decision.subject.object == m_instance &&
-               m_place >= decision.places.first && m_place - decision.places.first < decision.places.count;
+        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
+        return cells && decision.subject.object == m_instance && m_place >= decision.places.first &&
+               m_place - decision.places.first < decision.places.count;
     }
 
     const FrameLog& m_log;

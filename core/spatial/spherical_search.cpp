@@ -149,16 +149,20 @@ std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& 
         // The search goes on until the hit lies within the cells walked: a triangle of an earlier cell may be hit only in a later
         // one.
         if (nearest && nearest->t <= step.span.from) break;
-        if (walked) walked->push_back(step);
         const uint32_t cell = maps.grid().number(step.cell);
         const SphericalMaps::Extent& extent = maps.extent(cell);
         const double closest = std::clamp(foot, step.span.from, step.span.to);
         const double least = glm::length(ray.at(closest));
         const double most = std::max(glm::length(ray.at(step.span.from)), glm::length(ray.at(step.span.to)));
+        if (walked) walked->push_back({step.cell, step.span, least, most});
         if (extent.empty() || least > extent.farthest || most < extent.nearest) continue;
+        const double before = nearest ? nearest->t : std::numeric_limits<double>::infinity();
         for (const uint32_t triangle : maps.triangles(cell))
             if (const std::optional<double> t = hit(ray, maps.corners(triangle)); t && (!nearest || *t < nearest->t))
                 nearest = TriangleHit{triangle, *t};
+        if (!walked) continue;
+        walked->back().tested = uint32_t(maps.triangles(cell).size());
+        walked->back().hit = nearest && nearest->t < before;
     }
     return nearest;
 }

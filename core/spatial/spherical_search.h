@@ -22,10 +22,13 @@ struct Span {
 };
 [[nodiscard]] std::optional<Span> throughSphere(const Ray& ray, double radius);
 
-/// The part of a ray inside one cell.
+/// The part of a ray inside one cell, and what a search for a triangle did there.
 struct WalkedCell {
     SphericalGrid::Cell cell;
     Span span;
+    double nearest = 0.0, farthest = 0.0;  ///< of searchTriangle: the ray's least and largest R in the cell
+    uint32_t tested = 0;                   ///< triangles that were intersected with the ray
+    bool hit = false;                      ///< one of them is hit, before those of the cells before
 };
 
 /// The cells that a part of a ray passes through, in order. (Along a line the azimuth is monotonic and the zenith angle has at

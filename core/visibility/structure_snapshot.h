@@ -29,6 +29,8 @@ struct SnapshotNode {
     [[nodiscard]] bool isGroup() const { return instance == kGroup; }
 };
 
+class SubjectPlaces;
+
 /// What only one family has in its snapshot. Only the family's own files know the derived type.
 struct StructureDetails {
     virtual ~StructureDetails() = default;
@@ -44,6 +46,7 @@ struct StructureSnapshot {
     /// over the edge of the frustum".
     const char* groupSentence = nullptr;
     std::shared_ptr<const StructureDetails> details;  ///< null: there is nothing more
+    std::shared_ptr<const SubjectPlaces> places;      ///< where subjects lie that only the strategy can place; null: none
 };
 
 /// Sets SnapshotNode::tested by the tests that a recorded frame said.

@@ -1,6 +1,7 @@
 #include "core/visibility/subject_shape.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/scene/eye_triangle.h"
 
@@ -54,6 +55,23 @@ public:
         if (decision.places.count == 0 || width == 0) return;
         const uint32_t first = decision.places.first, last = first + decision.places.count - 1;
         m_shape.pixels = {{Vec2(first % width, first / width), Vec2(last % width + 1, last / width + 1)}};
+        addSight((*m_shape.pixels)[0], (*m_shape.pixels)[1]);
+    }
+
+    /// What the strategy itself tells of the subject, in place of its object's box.
+    void addPlace(const StructureSnapshot& snapshot, const Decision& decision) {
+        const uint32_t instance = decision.subject.object;
+        if (!snapshot.places || instance >= m_scene.instances().size()) return;
+        std::optional<SubjectPlace> place = snapshot.places->of(m_scene, decision);
+        if (!place) return;
+        m_shape.object = instance;
+        if (m_shape.triangles.empty() && !place->lines.empty()) m_shape.boxes.clear();
+        m_shape.lines = std::move(place->lines);
+        m_shape.mapLines = std::move(place->mapLines);
+        m_shape.onCurve = place->onCurve;
+        if (!place->triangle) return;
+        m_shape.triangle = m_scene.firstTriangle(instance) + *place->triangle;
+        m_shape.triangles.push_back(InstanceFromEye(m_scene, instance, Vec3(0.0)).corners(*place->triangle));
     }
 
     void operator()(const DrawList& list) {
@@ -94,6 +112,25 @@ private:
             if (!m_shape.triangle) m_shape.triangle = m_scene.firstTriangle(instance) + own;
             add(corners.corners(own));
         }
+    }
+
+    /// The pyramid from the eye through a rectangle of the picture, to the end of the scene.
+    void addSight(const Vec2& low, const Vec2& high) {
+        const View view(m_log.camera, m_log.size);
+        double far = m_log.camera.nearDistance;
+        for (uint32_t instance = 0; instance < m_scene.instances().size(); ++instance) {
+            const Sphere& sphere = m_scene.instanceSphere(instance);
+            const double end = glm::dot(sphere.centre - view.eye(), view.frustum().forward) + sphere.radius;
+            if (std::isfinite(end)) far = std::max(far, end);
+        }
+        far = std::min(far, m_log.camera.farDistance);
+        std::vector<Vec3> end;
+        for (const Vec2& corner : {low, Vec2(high.x, low.y), high, Vec2(low.x, high.y)}) {
+            end.push_back(view.eye() + far * view.direction(corner.x, corner.y));
+            m_shape.sight.push_back({view.eye(), end.back()});
+        }
+        end.push_back(end.front());
+        m_shape.sight.push_back(std::move(end));
     }
 
     void addOwn(const OwnTriangles& own, uint64_t first, uint64_t count) {
@@ -152,6 +189,7 @@ SubjectShape subjectShape(const Scene& scene, const FrameLog& log, const Structu
             maker.addObject(decision.subject.object);
             break;
         case Subject::Kind::Cell:
+        case Subject::Kind::Cells:
             maker.addCell(decision);
             break;
         case Subject::Kind::Fragment:
@@ -162,6 +200,7 @@ SubjectShape subjectShape(const Scene& scene, const FrameLog& log, const Structu
             maker.addPixels(decision);
             break;
     }
+    maker.addPlace(snapshot, decision);
     return maker.take();
 }
 

@@ -26,6 +26,25 @@ TEST_F(CullbenchContract, sceneMayStandAfterTheStrategies) {
     EXPECT_EQ(result.exitStatus, 0) << result.err;
 }
 
+TEST_F(CullbenchContract, stepsOfAFrameAreDrawnAndPrintedAndOthersRefused) {
+    const std::vector<std::string> quiz{"render", "quiz", "-s", "bsp:plane=given", "--size", "64x48", "-o", file("quiz.png")};
+    const auto with = [&](const std::vector<std::string>& more) {
+        std::vector<std::string> all = quiz;
+        all.insert(all.end(), more.begin(), more.end());
+        return cullbench(all);
+    };
+    const ProcessResult printed = with({"--steps"});
+    ASSERT_EQ(printed.exitStatus, 0) << printed.err;
+    EXPECT_THAT(printed.out, HasSubstr("line 1"));
+    EXPECT_EQ(with({"--step", "0"}).exitStatus, 0);
+    for (const char* step : {"-1", "999999"}) {
+        const ProcessResult refused = with({"--step", step});
+        EXPECT_EQ(refused.exitStatus, 2) << step;
+        EXPECT_THAT(refused.err, HasSubstr(std::string("--step ") + step + ": this frame has the steps 0 to "));
+    }
+    EXPECT_EQ(with({"--step", "first"}).exitStatus, 2);
+}
+
 TEST_F(CullbenchContract, measureGivesEveryField) {
     const ProcessResult result = cullbench({"measure", "sphere:triangles=2000", "-s", "all,backface,frustum", "--path",
                                             "fibonacci:3", "--size", "64x48", "--repeat", "2", "--json", "-"});

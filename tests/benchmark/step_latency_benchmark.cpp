@@ -3,13 +3,20 @@
 // kind takes longer than the limit.
 //
 //   step_latency_benchmark [scene] [strategy] [limit in ms] [steps of a kind]        needs a display
+//   step_latency_benchmark all FOLDER [mesh] [steps of a kind]
+//
+// `all` steps the quiz and 500 polygons by the lecture's six methods, at most 50 ms a step, and a large mesh (a sphere of 144,046
+// triangles, unless a file is named) by `spherical`, seen whole and cut by the frustum, at most 100 ms. The table is written to
+// FOLDER.
 #include <QApplication>
 #include <QDir>
 #include <QTest>
 #include <chrono>
 #include <cstdio>
+#include <set>
 #include <stdexcept>
 
+#include "core/geometry/random.h"
 #include "core/measure/statistics.h"
 #include "tests/benchmark/run_experiment.h"
 #include "ui/startup/display.h"
@@ -21,26 +28,76 @@ using namespace cullscope;
 using namespace cullscope::ui;
 using Clock = std::chrono::steady_clock;
 
-constexpr int kPatience = 120'000;  // ms
+constexpr int kPatience = 120'000;                         // ms
+constexpr double kSmallLimit = 50.0, kLargeLimit = 100.0;  // ms
+constexpr int kUsualTimes = 40;                            // steps of a kind
+constexpr size_t kPolygons = 500;
+constexpr const char* kSixMethods[] = {"backface", "depth-buffer", "scan-line", "octree-query", "painter", "bsp"};
+
+/// What is stepped: a scene that is opened by its specification, or polygons made here.
+struct SteppedScene {
+    std::string name, strategy;
+    double limit = kSmallLimit;   ///< ms
+    std::string specification{};  ///< empty: polygons
+    double fovy = 0.0;            ///< degrees; 0: as the scene is opened
+};
+
+/// Triangles anywhere in a cube that meet each other, with edges of a third of it at most.
+std::shared_ptr<const OpenedScene> polygons() {
+    TriangleMesh::Data data;
+    data.name = "polygons";
+    Random random(17);
+    const auto within = [&](double reach) {
+        return Vec3f(float(random.between(-reach, reach)), float(random.between(-reach, reach)),
+                     float(random.between(-reach, reach)));
+    };
+    for (size_t i = 0; i < kPolygons; ++i) {
+        const Vec3f middle = within(1.0);
+        for (uint32_t corner = 0; corner < 3; ++corner) {
+            data.positions.push_back(middle + within(0.3));
+            data.indices.push_back(uint32_t(3 * i) + corner);
+        }
+    }
+    auto opened = std::make_shared<OpenedScene>();
+    opened->scene =
+        std::make_shared<const Scene>("polygons", std::vector<MeshPointer>{std::make_shared<TriangleMesh>(std::move(data))},
+                                      std::vector<Instance>{{0, Mat4(1.0), "polygons"}});
+    return opened;
+}
 
 /// The window with one stepped view of 640 × 480 pixels.
 class SteppedWindow {
 public:
-    SteppedWindow(const QString& scene, const std::string& strategy) : window(session, language, appearance) {
+    SteppedWindow() : window(session, language, appearance) {
         window.resize(1366, 768);
         window.show();
         session.setViewCount(1);
         ViewSetup setup = session.setup(session.activeView());
         setup.size = Viewport{640, 480};
         session.setSetup(session.activeView(), setup);
-        session.slot(session.activeView()).choose(strategy);
-        session.open(scene);
-        wait([&] {
-            return session.opened() && session.buffers() && !session.slot(session.activeView()).building() &&
-                   session.metricsSettled() && !session.pictures()->busy();
-        });
+    }
+
+    /// Shows what is stepped, and steps it.
+    void step(const SteppedScene& scene) {
+        window.stepper().stop();
+        session.slot(session.activeView()).choose(scene.strategy);
+        if (scene.specification.empty())
+            session.show(polygons());
+        else
+            session.open(QString::fromStdString(scene.specification));
+        wait([&] { return !session.loader().loading() && settled(); });
+        if (scene.fovy > 0.0) {
+            Camera camera = session.camera();
+            camera.fovy = Angle::fromDegrees(scene.fovy);
+            session.setCamera(camera);
+            wait([&] { return settled(); });
+        }
         window.actions().stepThrough->trigger();
         wait([&] { return window.stepper().place() != nullptr && current(); });
+    }
+    [[nodiscard]] bool settled() {
+        return session.opened() && session.buffers() && !session.slot(session.activeView()).building() &&
+               session.metricsSettled() && !session.pictures()->busy();
     }
 
     void wait(const std::function<bool()>& condition) const {
@@ -105,23 +162,46 @@ Row rowOf(SteppedWindow& stepped, int kind, int times) {
             {"shown_ms_p99", quantile(taken, 0.99)}, {"shown_ms_longest", quantile(taken, 1.0)}};
 }
 
-Experiment stepLatency(SteppedWindow& stepped, const QString& scene, const std::string& strategy, double limit, int times) {
+Experiment stepLatency(SteppedWindow& stepped, const std::vector<SteppedScene>& scenes, int times) {
     Experiment experiment;
     experiment.id = "step-latency";
     experiment.title = "From a step's key until its picture is painted";
-    experiment.notes = {{"%1 by %2: %3 triangles, one view of 640 x 480",
-                         {scene.toStdString(), strategy, std::to_string(stepped.session.scene()->triangleCount())}}};
-    experiment.axes = {{"kind", "kind of step", Axis::Kind::Label, {0.0, 1.0, 2.0}}};
+    experiment.notes = {{"one view of 640 x 480", {}}};
+    std::vector<CellValue> numbers;
+    for (size_t i = 0; i < scenes.size(); ++i) numbers.emplace_back(double(i));
+    experiment.axes = {{"case", "case", Axis::Kind::Label, numbers},
+                       {"kind", "kind of step", Axis::Kind::Label, {0.0, 1.0, 2.0}}};
     experiment.settings = settingsOf(experiment.axes);
-    experiment.columns = columnsOf(experiment.axes);
-    experiment.columns.push_back({"step", "step", ResultColumn::Origin::Axis});
-    for (const char* key : {"steps", "times", "shown_ms", "shown_ms_p99", "shown_ms_longest"})
+    for (const char* key : {"scene", "strategy", "step"}) experiment.columns.push_back({key, key, ResultColumn::Origin::Axis});
+    for (const char* key : {"triangles", "steps", "times", "shown_ms", "shown_ms_p99", "shown_ms_longest", "limit_ms"})
         experiment.columns.push_back({key, key});
-    experiment.checks = {everyRowCheck("slowest step, ms", {}, "shown_ms_longest", {.most = limit})};
-    experiment.measured = [&stepped, times](const Setting& setting, const ScenePointer& /*scene*/, const Progress& /*progress*/) {
-        return Rows{rowOf(stepped, int(setting.number("kind")), times)};
+    std::set<double> limits;
+    for (const SteppedScene& scene : scenes) limits.insert(scene.limit);
+    for (const double limit : limits)
+        experiment.checks.push_back(
+            everyRowCheck("slowest step, ms", {{"limit_ms", {limit}}}, "shown_ms_longest", {.most = limit}));
+    experiment.measured = [&stepped, scenes, times](const Setting& setting, const ScenePointer& /*scene*/,
+                                                    const Progress& /*progress*/) {
+        const SteppedScene& scene = scenes[size_t(setting.number("case"))];
+        const int kind = int(setting.number("kind"));
+        if (kind == 0) stepped.step(scene);
+        Row row = rowOf(stepped, kind, times);
+        row["scene"] = scene.name;
+        row["strategy"] = scene.strategy;
+        row["triangles"] = double(stepped.session.scene()->triangleCount());
+        row["limit_ms"] = scene.limit;
+        return Rows{row};
     };
     return experiment;
+}
+
+std::vector<SteppedScene> allScenes(const std::string& mesh) {
+    std::vector<SteppedScene> scenes;
+    for (const char* strategy : kSixMethods) scenes.push_back({"quiz", strategy, kSmallLimit, "quiz"});
+    for (const char* strategy : kSixMethods) scenes.push_back({"500 polygons", strategy});
+    scenes.push_back({"mesh, whole", "spherical", kLargeLimit, mesh});
+    scenes.push_back({"mesh, cut", "spherical", kLargeLimit, mesh, 14.0});
+    return scenes;
 }
 
 }  // namespace
@@ -131,12 +211,18 @@ int main(int argc, char** argv) try {
     int qtArgc = 1;
     const std::unique_ptr<QApplication> application = makeApplication(qtArgc, argv);
     QSettings::setPath(QSettings::NativeFormat, QSettings::UserScope, QDir::tempPath());
-    const QString scene = argc > 1 ? QString::fromLocal8Bit(argv[1]) : QStringLiteral("sphere:triangles=144046");
-    const std::string strategy = argc > 2 ? argv[2] : "spherical";
-    const double limit = argc > 3 ? std::stod(argv[3]) : 100.0;
-    const int times = argc > 4 ? std::stoi(argv[4]) : 40;
-    SteppedWindow stepped(scene, strategy);
-    return benchmark::runAndReport({stepLatency(stepped, scene, strategy, limit, times)});
+    const std::vector<std::string> arguments(argv + 1, argv + argc);
+    const auto argument = [&](size_t i, const char* usual) { return i < arguments.size() ? arguments[i] : std::string(usual); };
+    const std::string large = "sphere:triangles=144046";
+    SteppedWindow stepped;
+    if (argument(0, "") == "all") {
+        if (arguments.size() < 2) throw std::runtime_error("all: name the folder for the table");
+        const int times = std::stoi(argument(3, std::to_string(kUsualTimes).c_str()));
+        return benchmark::runAndReport({stepLatency(stepped, allScenes(argument(2, large.c_str())), times), arguments[1]});
+    }
+    const std::string scene = argument(0, large.c_str());
+    const SteppedScene one{scene, argument(1, "spherical"), std::stod(argument(2, "100")), scene};
+    return benchmark::runAndReport({stepLatency(stepped, {one}, std::stoi(argument(3, "40")))});
 } catch (const std::exception& failure) {
     std::fprintf(stderr, "%s\n", failure.what());
     return 2;

@@ -3,6 +3,7 @@
 
 #include "tests/ui/made_up_map.h"
 #include "ui/plots/map_overlay.h"
+#include "ui/plots/map_painter.h"
 
 namespace cullscope::ui::map_marks_test {
 namespace {
@@ -25,6 +26,24 @@ TEST(MapMarks, numbersOfCornersStandBesideTheMarkers) {
             for (size_t j = 0; j < i; ++j) EXPECT_FALSE(numbers[i].intersects(numbers[j])) << from.x;
         }
     }
+}
+
+TEST(MapMarks, captionOfGlyphsOfAnotherFontStandsOnTheSameLine) {
+    const ScenePointer scene = openScene("sphere:triangles=80").scene;
+    const ShownMap shown = MadeUpMap(scene, SphericalGrid(16, 8)).shown();
+    const QString latin = QStringLiteral("gypsy ");
+    const auto caption = [&](const QString& words) {
+        auto map = std::make_shared<CellMap>(*shown.map);
+        map->objectWords = {"%1", {Term::name(words.toStdString())}};
+        MapPainter painter;
+        painter.setContents({ShownMap{shown.scene, map}, nullptr, {}, {}});
+        QImage image(400, 300, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter on(&image);
+        painter.paint(on, image.rect(), QPalette());
+        return image.copy(0, 0, QFontMetrics(on.font()).horizontalAdvance(latin), int(QFontMetricsF(on.font()).height()) + 6);
+    };
+    EXPECT_EQ(caption(latin), caption(latin + QStringLiteral("가中")));
 }
 
 TEST(MapMarks, edgesOfSectorsKeepTheirAngleOverThePolesToo) {

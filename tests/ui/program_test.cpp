@@ -8,6 +8,7 @@
 #include <array>
 
 #include "tests/ui/test_scene.h"
+#include "ui/startup/first_views.h"
 
 namespace cullscope::ui::program_test {
 namespace {
@@ -101,9 +102,22 @@ TEST(Program, wrongUsageEndsWithTwo) {
     EXPECT_EQ(runProgram({QStringLiteral("--nonsense")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("nonsense")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("all,all,all,all,all,all,all,all,all")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("bsp:plane=nonsense")}).status, 2);
+    EXPECT_EQ(runProgram({QStringLiteral("-s"), QStringLiteral("bsp:nonsense=1")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--size"), QStringLiteral("wide")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--language"), QStringLiteral("xx")}).status, 2);
     EXPECT_EQ(runProgram({QStringLiteral("--help")}).status, 0);
+}
+
+TEST(Program, strategiesOfTheViewsHaveTheirParameters) {
+    Session session{sessionOptions(false)};
+    showFirstViews(session, strategiesFromText({"bsp:plane=given", "painter", "spherical:rows=45", "band=10"}));
+    EXPECT_EQ(session.viewCount(), 4);
+    EXPECT_EQ(session.slot(0).id(), "bsp");
+    EXPECT_EQ(session.slot(0).parameters().choice("plane"), "given");
+    EXPECT_EQ(session.slot(1).id(), "painter");
+    EXPECT_EQ(session.slot(2).parameters().integer("rows"), 45);
+    EXPECT_EQ(session.slot(2).parameters().real("band"), 10.0);
 }
 
 TEST(Program, savesAPictureOfItsWindow) {

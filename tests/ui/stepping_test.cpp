@@ -3,17 +3,17 @@
 #include <QTableView>
 
 #include "core/gpu/gpu_frame.h"
-#include "core/image/view_picture.h"
 #include "core/measure/render_frame.h"
-#include "tests/ui/shown_window.h"
+#include "tests/ui/stepped_window.h"
 #include "ui/dialogs/answer_dialog.h"
+#include "ui/models/metrics_words.h"
 #include "ui/models/prediction_model.h"
 
 namespace cullscope::ui::stepping_test {
 namespace {
 
-/// A window whose active view draws a field of spheres, of which some lie outside its frustum.
-struct Stepping : Window {
+/// A field of spheres, of which some lie outside the active view's frustum.
+struct Stepping : SteppedWindow {
     void SetUp() override {
         Window::SetUp();
         openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=80,n=4"));
@@ -24,47 +24,6 @@ struct Stepping : Window {
         session.setCamera(camera);
         settleAll();
     }
-
-    void settleAll() {
-        ASSERT_TRUE(waitUntil([&] {
-            return session.buffers() && !session.slot(0).building() && !session.slot(1).building() && session.metricsSettled() &&
-                   !session.pictures()->busy();
-        }));
-        QApplication::processEvents();
-    }
-
-    /// Starts stepping and waits until the view shows the first step of the frame that it has beside the bar.
-    void begin() {
-        window.actions().stepThrough->trigger();
-        ASSERT_TRUE(waitUntil([&] {
-            return stepper().place() && session.step() && session.pictures()->isCurrent(0) &&
-                   session.picture(0)->request.frame().sameFrame(session.step()->frame->request);
-        }));
-        settleAll();
-    }
-
-    void showStep(size_t step) {
-        stepper().jump(step);
-        ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
-    }
-
-    /// What `cullbench render` draws of the first entries of a log.
-    [[nodiscard]] QImage replay(size_t entries) {
-        const ViewRequest request = *session.viewRequest(0);
-        const FrameLog log = session.step()->frame->log.upTo(entries);
-        std::vector<uint8_t> pixels;
-        session.gpu()->run([&] {
-            Renderer renderer;
-            Framebuffer target(request.size);
-            drawViewPicture(renderer, *request.buffers, *request.strategy, log, View(request.viewing, request.size), nullptr,
-                            request.look, request.style, target);
-            pixels = target.readColour();
-        });
-        QImage image(pixels.data(), request.size.width, request.size.height, QImage::Format_RGBA8888);
-        return image.mirrored().copy();
-    }
-
-    Stepper& stepper() { return window.stepper(); }
 };
 
 TEST_F(Stepping, pictureAtAStepIsTheReplayUpToIt) {
@@ -73,9 +32,9 @@ TEST_F(Stepping, pictureAtAStepIsTheReplayUpToIt) {
     ASSERT_GT(count, 10u);
     for (const size_t step : {size_t{0}, count / 3, count - 1, count}) {
         showStep(step);
-        EXPECT_EQ(pixelsAlone(session.picture(0)->colour), pixelsAlone(replay(stepper().place()->entries()))) << step;
+        EXPECT_EQ(shown(), replay(stepper().place()->entries())) << step;
     }
-    EXPECT_NE(pixelsAlone(replay(0)), pixelsAlone(replay(count)));
+    EXPECT_NE(replay(0), replay(count));
 }
 
 TEST_F(Stepping, lastStepIsTheFrameAndLeavingShowsItAgain) {
@@ -90,7 +49,7 @@ TEST_F(Stepping, lastStepIsTheFrameAndLeavingShowsItAgain) {
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
     // Without the bar the view is higher again: its frame is compared where the size is the same.
     if (session.picture(0)->colour.size() == last.size()) {
-        EXPECT_EQ(pixelsAlone(session.picture(0)->colour), pixelsAlone(last));
+        EXPECT_EQ(shown(), pixelsAlone(last));
     }
     EXPECT_FALSE(session.picture(0)->request.upTo);
 }
@@ -103,17 +62,17 @@ TEST_F(Stepping, backAndJumpShowWhatForwardShowed) {
     for (int i = 0; i < 4; ++i) {
         window.actions().stepOn->trigger();
         ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
-        forward.push_back(pixelsAlone(session.picture(0)->colour));
+        forward.push_back(shown());
     }
     EXPECT_EQ(stepper().place()->step(), count);
     for (int i = 2; i >= 0; --i) {
         window.actions().stepBack->trigger();
         ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
-        EXPECT_EQ(pixelsAlone(session.picture(0)->colour), forward[size_t(i)]) << i;
+        EXPECT_EQ(shown(), forward[size_t(i)]) << i;
     }
     for (const size_t i : {3u, 0u, 2u}) {
         showStep(count - 3 + i);
-        EXPECT_EQ(pixelsAlone(session.picture(0)->colour), forward[i]) << i;
+        EXPECT_EQ(shown(), forward[i]) << i;
     }
 }
 
@@ -164,6 +123,19 @@ TEST_F(Stepping, panelsShowTheStateAtTheStep) {
     EXPECT_TRUE(window.views().pane(0).header().secondLine().contains(QString::number(count)));
 }
 
+TEST_F(Stepping, headerOfANarrowViewKeepsTheStepAndAllFigures) {
+    begin();
+    showStep(5);
+    ViewHeader& header = window.views().pane(0).header();
+    const QFontMetrics metrics(header.font());
+    const QString whole = header.secondLine(), figures = metricsLine(session.figures(0));
+    EXPECT_EQ(header.secondLine(metrics, metrics.horizontalAdvance(whole)), whole);
+    const QString narrow = header.secondLine(metrics, metrics.horizontalAdvance(whole) - 1);
+    EXPECT_LT(metrics.horizontalAdvance(narrow), metrics.horizontalAdvance(whole) * 9 / 10);
+    EXPECT_TRUE(narrow.contains(QLatin1Char('5'))) << narrow.toStdString();
+    EXPECT_TRUE(narrow.endsWith(figures)) << narrow.toStdString();
+}
+
 TEST_F(Stepping, observerShowsTheStepOfTheViewThatItWatches) {
     session.observe(1, 0);
     settleAll();
@@ -184,7 +156,7 @@ TEST_F(Stepping, movedCameraIsSteppedAtTheSameShare) {
     ASSERT_TRUE(waitUntil([&] { return session.step()->frame != before && session.pictures()->isCurrent(0); }));
     const double share = double(stepper().place()->entries()) / double(stepper().place()->log().entries());
     EXPECT_NEAR(share, 0.5, 0.05);
-    EXPECT_EQ(pixelsAlone(session.picture(0)->colour), pixelsAlone(replay(stepper().place()->entries())));
+    EXPECT_EQ(shown(), replay(stepper().place()->entries()));
 }
 
 TEST_F(Stepping, playingStopsAtABreakpointAndAtTheEnd) {

@@ -51,8 +51,13 @@ void CurvePanel::refresh() {
     showAbsence();
     const SnapshotReadingPointer reading = shownReading(m_session, m_reader);
     if (!reading || !reading->frame) return show(nullptr);
-    show([this, reading, picked = pickedInstance(m_session)](const std::optional<uint32_t>& part) {
-        return reading->strategy->curve(m_show.id, reading->frame->log, picked, part);
+    // A step that has its place on the curve shows the whole frame's up to there: the rest of it is decided later.
+    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    const ViewFramePointer frame = step && step->shape.onCurve ? step->frame : reading->frame;
+    show([this, frame, picked = pickedInstance(m_session)](const std::optional<uint32_t>& part) {
+        std::optional<Curve> curve = frame->request.strategy->curve(m_show.id, frame->log, picked, part);
+        const std::optional<SubjectPlace::OnCurve> place = inHand();
+        return curve && place ? curveUpTo(std::move(*curve), place->to) : curve;
     });
 }
 
@@ -66,8 +71,15 @@ void CurvePanel::choose(int part) {
     showCurve();
 }
 
+std::optional<SubjectPlace::OnCurve> CurvePanel::inHand() const {
+    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    return step ? step->shape.onCurve : std::nullopt;
+}
+
 void CurvePanel::showCurve() {
-    std::optional<Curve> curve = m_curves ? m_curves(m_chosen) : std::nullopt;
+    const std::optional<SubjectPlace::OnCurve> place = inHand();
+    std::optional<Curve> curve = m_curves ? m_curves(place ? place->part : m_chosen) : std::nullopt;
+    m_plot->setInHand(place && curve && !curve->empty() ? std::optional(Vec2(place->from, place->to)) : std::nullopt);
     // The user's choice is kept while an object without parts is shown, and dropped where there is no such part any more.
     const std::optional<CurveParts> parts = curve && !curve->empty() ? curve->parts : std::nullopt;
     if (parts && m_chosen && *m_chosen > parts->count) m_chosen.reset();

@@ -26,7 +26,7 @@ public:
     /// The field for the part. Before the user chooses one, it is the one that the strategy shows by itself.
     [[nodiscard]] QSpinBox& part() { return *m_part; }
     [[nodiscard]] PictureMenu& pictures() { return *m_pictures; }
-    /// The shown part, from 1; none: all together, or there are none.
+    /// The shown part, from 1; none: all together, or there are none. While a view is stepped, it is the part in hand.
     [[nodiscard]] std::optional<uint32_t> shownPart() const;
     void show(Curves curves);
     using QWidget::show;
@@ -43,6 +43,8 @@ private:
     void choose(int part);
     void showCurve();
     void showAbsence();
+    /// The interval in hand of a stepped view, where it lies on this curve; none else.
+    [[nodiscard]] std::optional<SubjectPlace::OnCurve> inHand() const;
     void retranslate();
 
     Session& m_session;

@@ -74,7 +74,7 @@ void MapPanel::refresh() {
 }
 
 void MapPanel::showMap(const ShownMap& shown) {
-    m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown), partOf(shown)});
+    m_map->setContents({shown, shown.empty() ? nullptr : truth(), pickedTriangle(shown), partOf(shown), inHand(shown)});
     if (!shown.empty()) offerColourings(*shown.map);
     m_choices->setVisible(!shown.empty());
     m_map->setVisible(!shown.empty());
@@ -120,6 +120,12 @@ std::optional<uint32_t> MapPanel::pickedTriangle(const ShownMap& shown) const {
     const std::optional<Pick>& pick = m_session.pick();
     if (shown.empty() || !pick || m_session.objectOf(shown.map->object) != pick->object) return std::nullopt;
     return uint32_t(pick->triangle - m_session.opened()->scene->firstTriangle(pick->object));
+}
+
+std::vector<std::vector<Vec2>> MapPanel::inHand(const ShownMap& shown) const {
+    const ShownStep* step = m_session.stepOf(m_session.activeView());
+    const bool has = !shown.empty() && step && step->shape.object == shown.map->object;
+    return has ? step->shape.mapLines : std::vector<std::vector<Vec2>>();
 }
 
 std::optional<uint32_t> MapPanel::partOf(const ShownMap& shown) const {

@@ -43,7 +43,8 @@ private:
     [[nodiscard]] std::shared_ptr<const TriangleStates> truth() const;
     /// The picked triangle, numbered within the shown map's mesh; none: no triangle of that object is picked.
     [[nodiscard]] std::optional<uint32_t> pickedTriangle(const ShownMap& shown) const;
-
+    /// The lines around the subject in hand of a stepped view; none where it does not lie on the shown map.
+    [[nodiscard]] std::vector<std::vector<Vec2>> inHand(const ShownMap& shown) const;
     [[nodiscard]] std::optional<uint32_t> partOf(const ShownMap& shown) const;
 
     Session& m_session;

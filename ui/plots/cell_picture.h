@@ -13,6 +13,7 @@ struct MapContents {
     std::shared_ptr<const TriangleStates> truth;  ///< states of the shown scene's triangles; null: not known
     std::optional<uint32_t> picked;               ///< the picked triangle, numbered within the mesh
     std::optional<uint32_t> part;                 ///< the part whose edges are marked, from 1
+    std::vector<std::vector<Vec2>> inHand{};      ///< around the subject in hand of a stepped view, as MapCurve::points
 
     bool operator==(const MapContents&) const = default;
 };

@@ -4,6 +4,7 @@
 #include <QToolTip>
 #include <cmath>
 
+#include "ui/look/in_hand.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/text/terms.h"
 
@@ -29,6 +30,12 @@ CurvePlot::CurvePlot(QWidget* parent) : PlotWidget(parent) {
 
 void CurvePlot::setCurve(std::optional<Curve> curve) {
     m_curve = std::move(curve);
+    contentsChanged();
+}
+
+void CurvePlot::setInHand(const std::optional<Vec2>& values) {
+    if (values == m_inHand) return;
+    m_inHand = values;
     contentsChanged();
 }
 
@@ -77,6 +84,14 @@ void CurvePlot::addUprights(LinePlot& plot, const QPalette& palette) const {
     }
 }
 
+void CurvePlot::addInHand(LinePlot& plot) const {
+    if (!m_inHand) return;
+    const double most = rangeAlongY(plot).last;
+    const std::vector<PlotPoint> column{{m_inHand->x, 0.0}, {m_inHand->x, most}, {m_inHand->y, most}, {m_inHand->y, 0.0}};
+    plot.lines.push_back(plainLine({}, column, {kInHandEdge.rgba(), kInHandEdgeWidth}));
+    plot.lines.push_back(plainLine({}, column, {kInHandColour.rgba(), kInHandWidth}));
+}
+
 std::vector<LinePlot> CurvePlot::plots(const QPalette& palette) const {
     const PlotColours colours(palette);
     LinePlot plot;
@@ -95,6 +110,7 @@ std::vector<LinePlot> CurvePlot::plots(const QPalette& palette) const {
         plot.lines.push_back(plainLine(translated(line.name).toStdString(), std::move(points), {colours.text.rgba(), 1.6}));
     }
     addUprights(plot, palette);
+    addInHand(plot);
     return {std::move(plot)};
 }
 

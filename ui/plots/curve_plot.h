@@ -22,6 +22,10 @@ public:
     /// The sentence where there is no curve.
     void setAbsence(const QString& sentence);
 
+    /// Marks the values between two values of x; none: marks nothing.
+    void setInHand(const std::optional<Vec2>& values);
+    [[nodiscard]] const std::optional<Vec2>& inHand() const { return m_inHand; }
+
     /// The tooltip for a position in the widget; empty: there is none.
     [[nodiscard]] QString wordsAt(const QPointF& place) const;
     /// The position of two values in the widget.
@@ -38,8 +42,10 @@ protected:
 
 private:
     void addUprights(LinePlot& plot, const QPalette& palette) const;
+    void addInHand(LinePlot& plot) const;
 
     std::optional<Curve> m_curve;
+    std::optional<Vec2> m_inHand;
     QString m_name, m_absence;
 };
 

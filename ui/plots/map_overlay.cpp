@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "core/geometry/angle.h"
+#include "ui/look/in_hand.h"
 #include "ui/plots/map_edges.h"
 
 namespace cullscope::ui {
@@ -177,6 +178,29 @@ void MapOverlay::paintPart(const CellMap& map, uint32_t part) const {
     m_painter.setRenderHint(QPainter::Antialiasing);
     for (const std::vector<Vec2>& line : map.source->partEdges(part))
         strokeOver(m_painter, wrapped(line, false), linePen(MapSymbol::Part, m_colours), m_colours.ground);
+    m_painter.restore();
+}
+
+void MapOverlay::paintInHand(const std::vector<std::vector<Vec2>>& lines) const {
+    m_painter.save();
+    m_painter.setClipRect(m_layout.area.adjusted(-2, -2, 2, 2), Qt::IntersectClip);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    m_painter.setBrush(Qt::NoBrush);
+    QPainterPath path;
+    for (const std::vector<Vec2>& line : lines) {
+        if (line.empty()) continue;
+        QPainterPath one = wrapped(line, false);
+        // A cell that is smaller than its outline's width stays visible.
+        if (const QRectF bounds = one.boundingRect(); std::max(bounds.width(), bounds.height()) < 2 * kLeastCellSize) {
+            one = QPainterPath();
+            one.addRect(atLeast(bounds, 2 * kLeastCellSize));
+        }
+        path.addPath(one);
+    }
+    m_painter.setPen(QPen(kInHandEdge, kInHandEdgeWidth));
+    m_painter.drawPath(path);
+    m_painter.setPen(QPen(kInHandColour, kInHandWidth));
+    m_painter.drawPath(path);
     m_painter.restore();
 }
 

@@ -22,6 +22,8 @@ public:
                      const SphericalGrid::Cell& centroid) const;
     /// Paints the edges of a part.
     void paintPart(const CellMap& map, uint32_t part) const;
+    /// Paints lines around the subject in hand of a stepped view.
+    void paintInHand(const std::vector<std::vector<Vec2>>& lines) const;
     void paintCursor(const SphericalGrid& grid, const SphericalGrid::Cell& cell) const;
 
 private:

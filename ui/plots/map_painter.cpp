@@ -109,6 +109,7 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
     if (contents().part) overlay.paintPart(*shown.map, *contents().part);
     if (contents().picked)
         overlay.paintPicked(shown.grid(), shown.source().cellsOf(*contents().picked), shown.source().ownerOf(*contents().picked));
+    if (!contents().inHand.empty()) overlay.paintInHand(contents().inHand);
     if (cursor) overlay.paintCursor(shown.grid(), *cursor);
     paintAxes(painter, layout.area, colours);
     QRectF below = inner(place);
@@ -126,17 +127,16 @@ void MapPainter::paint(QPainter& painter, const QRectF& place, const QPalette& p
 void MapPainter::paintCaption(QPainter& painter, const QRectF& place, const MapColours& colours) const {
     const QFontMetricsF metrics(painter.font());
     QRectF line(place.left(), place.top(), place.width(), metrics.height());
+    // By its base line: glyphs of another font, as of Korean and Chinese, would move the line down in a rectangle, which cuts it.
+    const auto write = [&](const QString& words) { painter.drawText(line.topLeft() + QPointF(0.0, metrics.ascent()), words); };
     painter.setPen(colours.text);
-    painter.drawText(line, Qt::AlignLeft,
-                     metrics.elidedText(translated(contents().shown.map->objectWords), Qt::ElideMiddle, line.width()));
+    write(metrics.elidedText(translated(contents().shown.map->objectWords), Qt::ElideMiddle, line.width()));
     line.translate(0, lineHeight(metrics));
     QFont bold = painter.font();
     const QFont plain = bold;
     bold.setBold(true);
     painter.setFont(bold);
-    painter.drawText(
-        line, Qt::AlignLeft,
-        QFontMetricsF(bold).elidedText(translated(contents().shown.map->decisionWords), Qt::ElideRight, line.width()));
+    write(QFontMetricsF(bold).elidedText(translated(contents().shown.map->decisionWords), Qt::ElideRight, line.width()));
     painter.setFont(plain);
 }
 

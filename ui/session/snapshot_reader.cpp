@@ -23,8 +23,23 @@ CellMapPointer mapOf(const BuiltStrategy& strategy, const FrameLog& log, const s
     return nullptr;
 }
 
-/// Fills `reading` from its view's recorded frame; `known` is another reading of that frame, if there is one.
-void read(SnapshotReading& reading, const FrameLog& log, const SnapshotReadingPointer& known) {
+/// The object of the last decision of a log; none: that was about several, or there is none.
+std::optional<uint32_t> objectInHand(const FrameLog& log) {
+    if (log.decisions.empty() || log.decisions.back().subject.object == Subject::kNoObject) return std::nullopt;
+    return log.decisions.back().subject.object;
+}
+
+/// The map at a step: of the object in hand. While that is still being decided, what the whole frame decided is shown.
+CellMapPointer mapAtStep(const BuiltStrategy& strategy, const FrameLog& whole, const FrameLog& log,
+                         const std::optional<uint32_t>& picked, const SnapshotReadingPointer& known) {
+    const std::optional<uint32_t> inHand = objectInHand(log);
+    CellMapPointer map = mapOf(strategy, log, inHand ? inHand : picked, known);
+    return !inHand || (map && map->object == *inHand) ? map : mapOf(strategy, whole, inHand, nullptr);
+}
+
+/// Fills `reading` from its view's recorded frame, `whole`, or at a step from the first part of it, `log`; `known` is another
+/// reading of that frame, if there is one.
+void read(SnapshotReading& reading, const FrameLog& whole, const FrameLog& log, const SnapshotReadingPointer& known) {
     const View view(reading.culling, reading.size);
     const BuiltStrategy& strategy = *reading.strategy;
     const Scene& scene = strategy.scene();
@@ -33,7 +48,7 @@ void read(SnapshotReading& reading, const FrameLog& log, const SnapshotReadingPo
     reading.bars = strategy.bars(log);
     std::optional<uint32_t> picked;
     if (reading.triangle) picked = uint32_t(scene.instanceOf(*reading.triangle));
-    reading.map = mapOf(strategy, log, picked, known);
+    reading.map = reading.upTo ? mapAtStep(strategy, whole, log, picked, known) : mapOf(strategy, log, picked, known);
     if (!picked) return;
     reading.why = why(strategy, log, *reading.triangle);
     reading.pickedListing = strategy.listing(log, *reading.triangle);
@@ -53,7 +68,7 @@ SnapshotReadingPointer SnapshotReader::readingOf(const Request& request, const V
     reading->failure = failure;
     reading->snapshot = std::make_shared<const StructureSnapshot>();
     reading->frame = frameUpTo(frame, request.upTo);
-    if (frame) read(*reading, reading->frame->log, known);
+    if (frame) read(*reading, frame->log, reading->frame->log, known);
     return reading;
 }
 

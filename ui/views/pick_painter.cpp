@@ -1,6 +1,7 @@
 #include "ui/views/pick_painter.h"
 
 #include "core/scene/eye_triangle.h"
+#include "ui/look/in_hand.h"
 
 namespace cullscope::ui {
 
@@ -12,7 +13,6 @@ constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind 
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
 constexpr double kNamedSize = 1.6;  // of a mark in a question, in lines of text
-const QColor kInHand(255, 176, 0);  // seen on light and dark backgrounds, with its dark edge
 
 /// Draws a line that is visible on any background: light with a dark edge.
 template <typename Draw>
@@ -107,14 +107,21 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
         for (Vec3& corner : corners) corner -= viewing.eye();
         lines << triangleLines(projection, corners);
     }
+    const auto addLines = [&](const std::vector<std::vector<Vec3>>& through) {
+        for (const std::vector<Vec3>& points : through)
+            for (size_t i = 1; i < points.size(); ++i)
+                if (const auto line = projection.line(points[i - 1] - viewing.eye(), points[i] - viewing.eye())) lines << *line;
+    };
+    addLines(shape.lines);
+    if (!ownPicture) addLines(shape.sight);
     const auto draw = [&](const QColor& colour, double width) {
-        painter.setPen(QPen(colour, width));
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
         painter.drawLines(lines);
         if (!shape.pixels || !ownPicture) return;
         painter.drawRect(QRectF(layout.positionOf((*shape.pixels)[0]), layout.positionOf((*shape.pixels)[1])).normalized());
     };
-    draw(kEdge, 4.0);
-    draw(kInHand, 2.0);
+    draw(kInHandEdge, kInHandEdgeWidth);
+    draw(kInHandColour, kInHandWidth);
     painter.restore();
 }
 
@@ -138,7 +145,7 @@ void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& pr
         if (!place) continue;
         const QRectF disc(place->x1() - height / 2.0, place->y1() - height / 2.0, height, height);
         painter.setPen(QPen(kEdge, 2.0));
-        painter.setBrush(kInHand);
+        painter.setBrush(kInHandColour);
         painter.drawEllipse(disc);
         const bool ordered = prediction.question == Prediction::Question::Order;
         painter.drawText(disc, Qt::AlignCenter, ordered ? QString::number(i + 1) : QStringLiteral("✗"));

@@ -11,8 +11,8 @@ namespace cullscope::ui {
 /// object if the scene has several. Drawn on top of the picture, so that hidden and culled objects are marked too.
 void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const View& viewing, const PictureLayout& layout);
 
-/// Marks the subject in hand of a stepped view: its boxes, its triangles, and, where the picture is the culling view's
-/// (`ownPicture`), its rectangle of the picture.
+/// Marks the subject in hand of a stepped view: its boxes, triangles and lines; its rectangle of the picture where the picture is
+/// the culling view's (`ownPicture`), elsewhere what the culling eye sees through it.
 void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
                   bool ownPicture);
 

@@ -95,6 +95,13 @@ QString ViewHeader::secondLine() const {
     return tr("step %1 of %2 · whole frame: %3").arg(countText(step->step), countText(step->count), figures);
 }
 
+QString ViewHeader::secondLine(const QFontMetrics& metrics, int width) const {
+    const QString whole = secondLine();
+    const ShownStep* step = m_session.stepOf(m_view);
+    if (!step || m_session.question() || metrics.horizontalAdvance(whole) <= width) return whole;
+    return tr("step %1 · %2", "of a narrow view, figures").arg(countText(step->step), metricsLine(m_session.figures(m_view)));
+}
+
 void ViewHeader::refresh() {
     const ViewMetrics& figures = m_session.figures(m_view);
     m_measure->setText(tr("Measure"));
@@ -198,7 +205,8 @@ void ViewHeader::paintEvent(QPaintEvent*) {
     const bool ready = figures.state == ViewMetrics::State::Ready;
     painter.setFont(face(ready && figures.lostPixels() > 0));
     painter.setPen(ready ? colours.color(QPalette::WindowText) : subdued(colours));
-    write(painter, QRect(kMargin, kLineHeight, width() - 2 * kMargin, kLineHeight), secondLine());
+    const QRect second(kMargin, kLineHeight, width() - 2 * kMargin, kLineHeight);
+    write(painter, second, secondLine(painter.fontMetrics(), second.width()));
 }
 
 void ViewHeader::resizeEvent(QResizeEvent*) { placeButton(); }

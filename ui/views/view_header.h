@@ -19,6 +19,8 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {320, 2 * kLineHeight}; }
     [[nodiscard]] QString firstLine() const;
     [[nodiscard]] QString secondLine() const;
+    /// The same for a width in pixels: shorter where it does not fit while the view is stepped.
+    [[nodiscard]] QString secondLine(const QFontMetrics& metrics, int width) const;
     /// The first line as shown at this width: if there is no room for the strategy's name, only its id.
     [[nodiscard]] QString shownFirstLine() const;
     /// Whether text was elided in the last paint event.

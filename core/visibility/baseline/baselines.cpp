@@ -5,6 +5,8 @@
 namespace cullscope::baseline {
 namespace {
 
+enum class BaselineLine : uint8_t { Objects = 1, Draw };
+
 struct SceneFacts : Structure {
     using Structure::Structure;
     bool closed = false;  ///< no back face of any mesh can be seen from outside
@@ -24,7 +26,8 @@ protected:
             for (uint32_t i = 0; i < frame.scene().instances().size(); ++i) {
                 const size_t indices = frame.scene().meshOf(i).indices().size();
                 if (indices > 0) list.ranges.push_back({i, 0, static_cast<uint32_t>(indices)});
-                if (frame.recording()) frame.say(ending(Subject::ofObject(i), Decision::Outcome::Drawn));
+                if (frame.recording())
+                    frame.say(atLine(BaselineLine::Draw, ending(Subject::ofObject(i), Decision::Outcome::Drawn)));
             }
         }
         frame.draw(std::move(list));
@@ -71,30 +74,40 @@ protected:
     }
 };
 
+Show listingOfAll() {
+    return listingShow({{CULLSCOPE_TR("for each object"), 0}, {CULLSCOPE_TR("draw its triangles, both sides"), 1}});
+}
+
+Show listingOfFrontFaces() {
+    return listingShow({{CULLSCOPE_TR("for each object"), 0}, {CULLSCOPE_TR("draw it: OpenGL drops back faces"), 1}});
+}
+
 }  // namespace
 
 RegisteredStrategy all() {
-    return {{"all",
-             CULLSCOPE_TR("All triangles"),
-             CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
-             "",
-             {},
-             GlRequirement::None,
-             false,
-             BaselineRole::Triangles},
-            std::make_shared<All>()};
+    StrategyInfo info{"all",
+                      CULLSCOPE_TR("All triangles"),
+                      CULLSCOPE_TR("Draws every triangle, both sides: what the papers compare with."),
+                      "",
+                      {},
+                      GlRequirement::None,
+                      false,
+                      BaselineRole::Triangles};
+    info.shows = {listingOfAll()};
+    return {std::move(info), std::make_shared<All>()};
 }
 
 RegisteredStrategy backface() {
-    return {{"backface",
-             CULLSCOPE_TR("Back-face culling"),
-             CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
-             "",
-             {},
-             GlRequirement::None,
-             false,
-             BaselineRole::FrontFaces},
-            std::make_shared<Backface>()};
+    StrategyInfo info{"backface",
+                      CULLSCOPE_TR("Back-face culling"),
+                      CULLSCOPE_TR("Draws every triangle and lets OpenGL drop those that face away: the strong baseline."),
+                      "",
+                      {},
+                      GlRequirement::None,
+                      false,
+                      BaselineRole::FrontFaces};
+    info.shows = {listingOfFrontFaces()};
+    return {std::move(info), std::make_shared<Backface>()};
 }
 
 }  // namespace cullscope::baseline

@@ -54,7 +54,8 @@ std::vector<ObjectCounts> countsOfObjects(const SceneOnRaster& raster, size_t ob
     return counts;
 }
 
-Decision said(const Subject& subject, Decision::Outcome outcome, const char* sentence, const std::array<double, 3>& operands) {
+Decision said(const Subject& subject, Decision::Outcome outcome, const char* sentence,
+              const std::array<double, Decision::kOperands>& operands) {
     Decision decision;
     decision.subject = subject;
     decision.outcome = outcome;
@@ -233,7 +234,7 @@ private:
     static Decision decisionOf(const RowSpan& span, uint32_t number) {
         const Subject subject{Subject::Kind::Span, number, Subject::kNoObject};
         const auto open = Decision::Outcome::Open;
-        const std::array<double, 3> operands{double(span.begin), span.depth, span.otherDepth};
+        const std::array<double, Decision::kOperands> operands{double(span.begin), span.depth, span.otherDepth};
         switch (span.start) {
             case RowSpan::Start::Alone:
                 return atLine(Line::Alone,

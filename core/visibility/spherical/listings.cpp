@@ -6,7 +6,7 @@ namespace cullscope::spherical {
 
 BandsLine lineOfBands(const SphericalDecision& decision) {
     if (decision.relation == SphereRelation::AroundEye) return BandsLine::Whole;
-    return decision.relation == SphereRelation::Cut ? BandsLine::Rays : BandsLine::Bands;
+    return decision.relation == SphereRelation::Cut ? BandsLine::Boxes : BandsLine::Draw;
 }
 
 BandsLine lineOfHorizon(const SphericalDecision& decision) { return decision.bands ? BandsLine::Slopes : BandsLine::Whole; }
@@ -16,8 +16,12 @@ Show bandsListing() {
                         {CULLSCOPE_TR("its sphere against six planes"), 1},
                         {CULLSCOPE_TR("outside: leave it out"), 1},
                         {CULLSCOPE_TR("around the eye, flat: draw all"), 1},
-                        {CULLSCOPE_TR("cut: draw between corner rays"), 1},
-                        {CULLSCOPE_TR("inside: draw near half, growing S"), 1}});
+                        {CULLSCOPE_TR("cut: follow four corner rays"), 1},
+                        {CULLSCOPE_TR("cell by cell: a triangle hit?"), 2},
+                        {CULLSCOPE_TR("the region between their points"), 2},
+                        {CULLSCOPE_TR("draw boxes of cells around it"), 2},
+                        {CULLSCOPE_TR("inside: S of band > S before it?"), 1},
+                        {CULLSCOPE_TR("yes, or the near half: draw it"), 2}});
 }
 
 Show horizonListing() {

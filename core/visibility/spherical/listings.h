@@ -7,8 +7,8 @@ namespace cullscope::spherical {
 
 /// The lines of the listings of the strategies that decide by cells of maps. `spherical` has all of them; `spherical-horizon` has
 /// Whole and Slopes from Whole on.
-enum class BandsLine : uint8_t { Objects = 1, Sphere, Outside, Whole, Rays, Bands, Slopes = Rays };
-/// The line at which `spherical` decided about an object that is not outside, and at which `spherical-horizon` did.
+enum class BandsLine : uint8_t { Objects = 1, Sphere, Outside, Whole, Rays, Cells, Region, Boxes, Bands, Draw, Slopes = Rays };
+/// The line at which `spherical` drew of an object that is not outside, and at which `spherical-horizon` did.
 [[nodiscard]] BandsLine lineOfBands(const SphericalDecision& decision);
 [[nodiscard]] BandsLine lineOfHorizon(const SphericalDecision& decision);
 [[nodiscard]] Show bandsListing();

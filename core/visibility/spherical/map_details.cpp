@@ -3,12 +3,14 @@
 #include <algorithm>
 
 #include "core/base/message.h"
+#include "core/visibility/spherical/subject_places.h"
 
 namespace cullscope::spherical {
 
 void setMaps(StructureSnapshot& snapshot, std::vector<MapSnapshot> maps) {
     auto details = std::make_shared<MapDetails>();
     details->maps = std::move(maps);
+    snapshot.places = placesOnMaps(details);
     snapshot.details = std::move(details);
     snapshot.objectSentence = CULLSCOPE_TR("The object \"%1\" is tested as one bounding sphere with %2 triangles.");
 }

@@ -9,16 +9,16 @@ namespace cullscope::spherical {
 namespace {
 
 void sayBands(const ContourBands& bands, uint32_t instance, FrameContext& frame) {
-    for (uint32_t band = 0; band < bands.bands; ++band)
-        for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
+    for (uint32_t sector = 0; sector < bands.sectors; ++sector)
+        for (uint32_t band = 0; band < bands.bands; ++band) {
             const BandSector& entry = bands.at(band, sector);
             if (entry.size <= 0.0) continue;
             Decision slope;
             slope.subject = {Subject::Kind::Band, band * bands.sectors + sector, instance};
-            slope.operands = {entry.size, entry.horizon, (band + 1) * bands.width * 180.0 / std::numbers::pi};
-            slope.operandCount = 3;
+            slope.operands = {entry.size, entry.horizon, (band + 1) * bands.width * 180.0 / std::numbers::pi, sector + 1.0};
+            slope.operandCount = 4;
             slope.sentence =
-                CULLSCOPE_TR("Band up to α = %3°: the surface's slope is at least %1, and the horizon before it %2.");
+                CULLSCOPE_TR("Sector %4, band up to α = %3°: the surface's slope is at least %1, and the horizon before it %2.");
             frame.say(atLine(BandsLine::Slopes, slope));
         }
 }

@@ -23,9 +23,10 @@ protected:
         return relation == SphereRelation::Within ? Cause::Hidden : Cause::OutsideFrustum;
     }
     [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfBands(decision); }
-    void sayTests(const MappedMesh& /*mesh*/, const SphericalDecision& decision, FrameContext& frame) const override {
-        recordRays(decision, frame);
-        recordBands(decision, uint8_t(lineOf(decision)), frame);
+    void sayTests(const MappedMesh& mesh, const SphericalDecision& decision, FrameContext& frame) const override {
+        recordRays(*mesh.maps, decision, frame);
+        recordBands(decision, frame);
+        recordRanges(*mesh.maps, decision, uint8_t(lineOf(decision)), frame);
     }
 
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,

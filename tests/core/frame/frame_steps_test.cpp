@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "core/frame/curve.h"
 #include "core/frame/decided_ahead.h"
 #include "core/frame/entry_words.h"
 #include "core/frame/frame_context.h"
@@ -207,6 +208,33 @@ TEST(DecidedAhead, isWhatTheNextDrawListHasOfTheSubjectsNamedAsDrawn) {
     EXPECT_THAT(ahead(5), ElementsAre(DrawRange{2, 6, 6})) << "places 2 to 4 of the cell, of which the range has 2 and 3";
     EXPECT_TRUE(ahead(7).empty());
     EXPECT_TRUE(ahead(100).empty());
+}
+
+TEST(DecidedAhead, rangesOfCellsAreDrawnAsCellsAre) {
+    FrameLog log = madeUpLog();
+    log.decisions[3].subject = {Subject::Kind::Cells, 4, 2};
+    const DrawList ahead = decidedAhead(log, 5);
+    ASSERT_EQ(ahead.ranges.size(), 1u);
+    EXPECT_EQ(ahead.ranges.front(), (DrawRange{2, 6, 6})) << "the part of the range at places 2 to 4 that the list draws";
+}
+
+TEST(CurveUpTo, hasWhatLiesBeforeTheValueAlone) {
+    Curve curve;
+    curve.areas = {{{}, TriangleState::Visible, {{0, 10, 1}, {10, 20, 2}}}, {{}, TriangleState::Hidden, {{20, 30, 1}}}};
+    curve.lines = {{{}, {{0, 0}, {10, 0}, {10, 1}, {20, 1}, {20, 2}, {30, 2}}}};
+    curve.uprights = {{{}, 90.0}, {{}, 20.0, true}};
+    curve.intervals = {{0, 10, {}}, {10, 20, {}}, {20, 30, {}}};
+    curve.summary = {{"axes"}, {"beyond 20 nothing"}};
+    const Curve part = curveUpTo(curve, 10);
+    EXPECT_EQ(part.areas[0].boxes.size(), 1u);
+    EXPECT_TRUE(part.areas[1].boxes.empty());
+    EXPECT_EQ(part.lines[0].points.size(), 3u);
+    EXPECT_TRUE(part.uprights[0].at) << "a line that only guides the eye";
+    EXPECT_FALSE(part.uprights[1].at) << "the limit is not known yet";
+    EXPECT_EQ(part.intervals.size(), 1u);
+    EXPECT_EQ(part.summary.size(), 1u);
+    EXPECT_EQ(curveUpTo(curve, 30).areas[1].boxes.size(), 1u);
+    EXPECT_TRUE(curveUpTo(curve, 30).uprights[1].at);
 }
 
 }  // namespace

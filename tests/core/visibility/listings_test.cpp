@@ -88,7 +88,7 @@ TEST(Listings, stateIsThatOfTheDecisionsSoFar) {
             EXPECT_EQ(*state, (ListingState{counts, current})) << "after " << k;
             EXPECT_EQ(state->total(), named);
         }
-        EXPECT_GT(named, scene->instances().size()) << "decisions fall at lines";
+        EXPECT_GE(named, scene->instances().size()) << "decisions fall at lines";
     }
 }
 

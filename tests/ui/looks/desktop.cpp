@@ -60,7 +60,7 @@ std::vector<QRect> maskedIn(const QWidget& window, const QString& renderer) {
 Session& begun(Desktop& desktop, const Desktop::Start& start) {
     desktop.language.use(start.language);
     desktop.appearance.setMode(start.appearance);
-    showFirstViews(desktop.session, start.strategies);
+    showFirstViews(desktop.session, strategiesFromText(start.strategies));
     return desktop.session;
 }
 

@@ -4,7 +4,9 @@
 
 #include <map>
 #include <numeric>
+#include <set>
 
+#include "core/frame/decided_ahead.h"
 #include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/triangle_states.h"
 #include "tests/support/spherical_scenes.h"
@@ -100,35 +102,93 @@ TEST(RecordedTests, cellsOfManyObjectsHaveResultsAlone) {
     EXPECT_EQ(count(recorded("spherical", *scene, view).log, Subject::Kind::Band, Decision::Outcome::Open), 0u);
 }
 
-TEST(RecordedTests, bandsAreSaidWithTheirSizesFromTheNearPointOn) {
+TEST(RecordedTests, bandsAreSaidSectorBySectorFromTheNearPointOn) {
     const ScenePointer scene = star();
     const Culled frame = recorded("spherical", *scene, from(6.0, 60.0));
-    std::map<uint32_t, double> largest;  // by sector
     const auto sectors = uint32_t(ParameterSet(findStrategy("spherical").info.parameters).integer("sectors"));
-    size_t hidden = 0, before = 0;
+    size_t hidden = 0, said = 0;
+    uint32_t sector = 0, band = 0;
+    double largest = 0.0;  // in this sector
+    std::set<uint32_t> done;
     for (const Decision& decision : frame.log.decisions) {
         if (decision.subject.kind != Subject::Kind::Band) continue;
-        EXPECT_GE(decision.subject.number, before) << "from near to far";
-        before = decision.subject.number;
-        double& most = largest[decision.subject.number % sectors];
-        EXPECT_EQ(decision.operands[1], most) << "the largest before it in its sector";
-        most = std::max(most, decision.operands[0]);
+        if (decision.subject.number % sectors != sector || said == 0) {
+            sector = decision.subject.number % sectors;
+            EXPECT_TRUE(done.insert(sector).second) << "a sector is left once";
+            largest = 0.0;
+            band = 0;
+        }
+        EXPECT_GE(decision.subject.number / sectors, band) << "from near to far";
+        band = decision.subject.number / sectors;
+        EXPECT_EQ(decision.operands[1], largest) << "the largest before it in its sector";
+        EXPECT_EQ(decision.operands[3], sector + 1.0);
+        largest = std::max(largest, decision.operands[0]);
         hidden += decision.containment == Containment::Outside ? 1 : 0;
+        ++said;
     }
-    EXPECT_EQ(largest.size(), sectors);
+    EXPECT_EQ(done.size(), sectors);
     EXPECT_GT(hidden, 0u);
 }
 
-TEST(RecordedTests, fourCornerRaysAndTheirRegionAreSaidOfAnObjectThatTheFrustumCuts) {
+TEST(RecordedTests, raysAreFollowedCellByCellThenComeRegionBoxesAndRanges) {
     const ScenePointer scene = star();
     const Culled frame = recorded("spherical", *scene, from(2.0, 20.0));
-    EXPECT_EQ(count(frame.log, Subject::Kind::Ray, Decision::Outcome::Open), 4u);
-    const auto region = std::ranges::find_if(frame.log.decisions, [](const Decision& decision) {
-        return decision.subject.kind == Subject::Kind::Object && decision.outcome == Decision::Outcome::Open && !decision.plane;
-    });
-    ASSERT_NE(region, frame.log.decisions.end());
-    EXPECT_EQ(region->operands[0], frame.caseNumber);
-    EXPECT_EQ(region->operands[2], double(frame.consideredTriangles));
+    const spherical::SphericalDecision& decision = spherical::decisionsOf(frame.log).front();
+    ASSERT_TRUE(decision.region);
+    std::string order;  // what follows what
+    size_t walked = 0, hits = 0;
+    uint64_t drawn = 0;
+    for (const Decision& said : frame.log.decisions) {
+        const char kind = said.plane                                              ? 'p'
+                          : said.subject.kind == Subject::Kind::Ray               ? 'r'
+                          : said.subject.kind == Subject::Kind::Cell              ? 'c'
+                          : said.subject.kind != Subject::Kind::Cells             ? 'o'
+                          : said.outcome == Decision::Outcome::Drawn              ? 'd'
+                          : said.subject.number == spherical::CellGroups::kRegion ? 'g'
+                                                                                  : 'b';
+        if (order.empty() || order.back() != kind) order += kind;
+        if (kind == 'c') {
+            const auto& ray = decision.rays.at(size_t(said.operands[0]) - 1);
+            const auto same = [&](const WalkedCell& cell) { return cell.hit == (said.containment == Containment::Inside); };
+            EXPECT_TRUE(std::ranges::any_of(ray.walkedCells, same));
+            hits += said.containment == Containment::Inside ? 1 : 0;
+            ++walked;
+        }
+        if (kind == 'd') drawn += said.places.count;
+        if (kind == 'g') {
+            EXPECT_EQ(said.operands[0], frame.caseNumber);
+        }
+        if (kind == 'g') {
+            EXPECT_EQ(said.operands[2], double(frame.consideredTriangles));
+        }
+    }
+    EXPECT_EQ(order, "prcrcrcrcrgbdo") << "planes, rays with their cells, region, boxes, ranges, the object";
+    size_t expected = 0;
+    for (const spherical::CornerRay& ray : decision.rays) expected += ray.walkedCells.size();
+    EXPECT_EQ(walked, expected);
+    EXPECT_GE(hits, size_t(std::ranges::count_if(decision.rays, [](const auto& ray) { return ray.hit.has_value(); })));
+    EXPECT_GT(hits, 0u);
+    EXPECT_EQ(drawn, frame.consideredTriangles);
+}
+
+TEST(RecordedTests, pictureGrowsRangeByRangeToThatOfTheFrame) {
+    const ScenePointer scene = star();
+    for (const double distance : {2.0, 6.0}) {
+        // From beside the poles of the map: around a pole all rows are one range.
+        const Vec3 eye(distance, 0.3, 0.1);
+        const View view({eye, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(10.0 * distance), 0.05, 60}, {160, 120});
+        const Culled frame = recorded("spherical", *scene, view);
+        uint64_t before = 0;
+        size_t growths = 0;
+        for (size_t k = 0; k < frame.log.entries(); ++k) {
+            const uint64_t ahead = decidedAhead(frame.log, k).triangleCount();
+            EXPECT_GE(ahead, before);
+            growths += ahead > before ? 1 : 0;
+            before = ahead;
+        }
+        EXPECT_EQ(before, frame.consideredTriangles);
+        EXPECT_GT(growths, 10u);
+    }
 }
 
 TEST(RecordedTests, partOfALogKnowsNothingOfObjectsThatWereDecidedLater) {
