@@ -3408,10 +3408,6 @@
         <translation>每个节点试几个平面（plane=fewest 和 balance）。</translation>
     </message>
     <message>
-        <source>How many polygons the tree may have, the cut ones among them.</source>
-        <translation>树最多可有多少多边形，包括切割所得。</translation>
-    </message>
-    <message>
         <source>BSP tree</source>
         <translation>BSP 树</translation>
     </message>
@@ -3622,6 +3618,58 @@
     <message>
         <source>It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it.</source>
         <translation>它属于一个有 %1 个物体的组，先测试了组的盒子：此前绘制的内容将其遮住。</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no camera, from which the order is seen. Write a line eye x y z into its .polygons file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leaves of a BSP tree and the order of drawing</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Computed from the scene&apos;s own planes, which divide it level by level; its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walk comes to node %1, on the eye&apos;s side of the plane of node %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The walk comes to node %1, beyond the plane of node %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 polygons</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them, and how many nodes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -4869,6 +4917,10 @@ OpenGL %2
         <source>Right: %1 of %2</source>
         <translation>正确：%1 / %2</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation type="unfinished"></translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionBar</name>
@@ -4895,6 +4947,26 @@ OpenGL %2
     <message>
         <source>Withdraw</source>
         <translation>撤回</translation>
+    </message>
+    <message>
+        <source>The active view&apos;s strategy has no leaves that could be named. Choose another strategy, other parameters, or another question.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>In which leaf does it lie?</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5666,6 +5738,11 @@ snapping</source>
         <source>no single plane</source>
         <comment>has a group outside</comment>
         <translation>非单个平面</translation>
+    </message>
+    <message>
+        <source>%1: %2 objects</source>
+        <comment>a group by its name</comment>
+        <translation type="unfinished">%1：%2 个对象</translation>
     </message>
 </context>
 <context>

@@ -226,7 +226,9 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
         if (job.figures.size() == job.subjects.size()) job.prepareTiming(*m_bench, m_rounds);
         return step.again();
     }
-    job.rounds->step(*m_bench->renderer, [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); });
+    job.rounds->step(
+        *m_bench->renderer, [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); },
+        m_bench->frames->stopToken());
     if (!job.rounds->complete()) return step.again();
     const std::vector<TimedFrames>& timed = job.rounds->entrants();
     for (size_t i = 0; i < job.subjects.size(); ++i) {
