@@ -3621,55 +3621,55 @@
     </message>
     <message>
         <source>&quot;%1&quot; names no camera, from which the order is seen. Write a line eye x y z into its .polygons file.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;에는 순서를 볼 카메라가 없습니다. .polygons 파일에 eye x y z 행을 쓰십시오.</translation>
     </message>
     <message>
         <source>Leaves of a BSP tree and the order of drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>BSP 트리의 잎과 그리는 순서</translation>
     </message>
     <message>
         <source>Computed from the scene&apos;s own planes, which divide it level by level; its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>장면에 있는 평면으로 계산한다. 평면이 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
     </message>
     <message>
         <source>%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1에 다각형이 없습니다. polygon A 0 0 0  1 0 0  0 1 0 과 같은 행을 하나 이상 쓰십시오.</translation>
     </message>
     <message>
         <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>&quot;%1&quot;의 BSP 트리에는 노드가 %2개를 넘게 필요합니다. 평면 %3개가 저마다 앞 평면의 모든 칸을 나눕니다. 평면 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
     </message>
     <message>
         <source>The walk comes to node %1, on the eye&apos;s side of the plane of node %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>순회가 노드 %1에 온다. 노드 %2의 평면에서 눈과 같은 쪽이다.</translation>
     </message>
     <message>
         <source>The walk comes to node %1, beyond the plane of node %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>순회가 노드 %1에 온다. 노드 %2의 평면 너머이다.</translation>
     </message>
     <message>
         <source>%1: %2 polygons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: 다각형 %2개</translation>
     </message>
     <message>
         <source>How many polygons the tree may have, the cut ones among them, and how many nodes.</source>
-        <translation type="unfinished"></translation>
+        <translation>트리가 가질 수 있는 다각형의 수(잘린 것 포함)와 노드의 수.</translation>
     </message>
     <message>
         <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>삼각형 %2와(과) 그 뒤의 모든 삼각형은 삼각형 %1 전체보다 가깝다. 삼각형 %1의 가장 가까운 깊이는 %3이다.</translation>
     </message>
     <message>
         <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>검사 1: 삼각형 %1와(과) %2은(는) x 방향으로 %3픽셀 떨어져 있다.</translation>
     </message>
     <message>
         <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>검사 2: 삼각형 %1와(과) %2은(는) y 방향으로 %3픽셀 떨어져 있다.</translation>
     </message>
     <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>삼각형 %1이(가) 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
     </message>
 </context>
 <context>
@@ -4919,7 +4919,7 @@ OpenGL %2
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>조각</translation>
     </message>
 </context>
 <context>
@@ -4950,23 +4950,23 @@ OpenGL %2
     </message>
     <message>
         <source>The active view&apos;s strategy has no leaves that could be named. Choose another strategy, other parameters, or another question.</source>
-        <translation type="unfinished"></translation>
+        <translation>활성 뷰의 전략에는 지정할 잎이 없습니다. 다른 전략, 다른 매개변수 또는 다른 질문을 고르십시오.</translation>
     </message>
     <message>
         <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>조각을 클릭한 다음 그것이 있는 잎을 고르십시오. 지정: %1</translation>
     </message>
     <message>
         <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1은(는) 어느 잎에 있습니까? 그런 다음 다음 조각을 클릭하십시오. 지정: %2</translation>
     </message>
     <message>
         <source>In which leaf does it lie?</source>
-        <translation type="unfinished"></translation>
+        <translation>어느 잎에 있습니까?</translation>
     </message>
     <message>
         <source>Leaf</source>
-        <translation type="unfinished"></translation>
+        <translation>잎</translation>
     </message>
 </context>
 <context>
@@ -5742,7 +5742,7 @@ snapping</source>
     <message>
         <source>%1: %2 objects</source>
         <comment>a group by its name</comment>
-        <translation type="unfinished">%1: 물체 %2개</translation>
+        <translation>%1: 물체 %2개</translation>
     </message>
 </context>
 <context>

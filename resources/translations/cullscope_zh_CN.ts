@@ -3621,55 +3621,55 @@
     </message>
     <message>
         <source>&quot;%1&quot; names no camera, from which the order is seen. Write a line eye x y z into its .polygons file.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”没有指定观察顺序的相机。请在其 .polygons 文件中写一行 eye x y z。</translation>
     </message>
     <message>
         <source>Leaves of a BSP tree and the order of drawing</source>
-        <translation type="unfinished"></translation>
+        <translation>BSP 树的叶与绘制顺序</translation>
     </message>
     <message>
         <source>Computed from the scene&apos;s own planes, which divide it level by level; its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>由场景自己的平面计算：平面逐层划分场景，物体挂在叶上。C1 是位于所有平面背面的叶，最后一个叶位于所有平面正面。</translation>
     </message>
     <message>
         <source>%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 没有指定任何多边形。请至少写一行，例如 polygon A 0 0 0  1 0 0  0 1 0。</translation>
     </message>
     <message>
         <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
-        <translation type="unfinished"></translation>
+        <translation>“%1”的 BSP 树需要超过 %2 个节点：%3 个平面各自划分前一个平面的所有单元。请减少平面，或提高上限。</translation>
     </message>
     <message>
         <source>The walk comes to node %1, on the eye&apos;s side of the plane of node %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>遍历来到节点 %1，它在节点 %2 的平面上视点所在的一侧。</translation>
     </message>
     <message>
         <source>The walk comes to node %1, beyond the plane of node %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>遍历来到节点 %1，它在节点 %2 的平面的另一侧。</translation>
     </message>
     <message>
         <source>%1: %2 polygons</source>
-        <translation type="unfinished"></translation>
+        <translation>%1：%2 个多边形</translation>
     </message>
     <message>
         <source>How many polygons the tree may have, the cut ones among them, and how many nodes.</source>
-        <translation type="unfinished"></translation>
+        <translation>树最多可有多少个多边形（包括切开的）以及多少个节点。</translation>
     </message>
     <message>
         <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形 %2 及其后的所有三角形都比整个三角形 %1 近，后者的最近深度为 %3。</translation>
     </message>
     <message>
         <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>测试 1：三角形 %1 与 %2 在 x 方向相隔 %3 像素。</translation>
     </message>
     <message>
         <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
-        <translation type="unfinished"></translation>
+        <translation>测试 2：三角形 %1 与 %2 在 y 方向相隔 %3 像素。</translation>
     </message>
     <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>三角形 %1 是剩余中最远的，最远深度为 %2。</translation>
     </message>
 </context>
 <context>
@@ -4919,7 +4919,7 @@ OpenGL %2
     </message>
     <message>
         <source>Part</source>
-        <translation type="unfinished"></translation>
+        <translation>部分</translation>
     </message>
 </context>
 <context>
@@ -4950,23 +4950,23 @@ OpenGL %2
     </message>
     <message>
         <source>The active view&apos;s strategy has no leaves that could be named. Choose another strategy, other parameters, or another question.</source>
-        <translation type="unfinished"></translation>
+        <translation>活动视图的策略没有可指出的叶。请选择其他策略、其他参数或其他问题。</translation>
     </message>
     <message>
         <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
-        <translation type="unfinished"></translation>
+        <translation>点击一个部分，再选择它所在的叶。已指出：%1</translation>
     </message>
     <message>
         <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 在哪个叶中？然后点击下一个部分。已指出：%2</translation>
     </message>
     <message>
         <source>In which leaf does it lie?</source>
-        <translation type="unfinished"></translation>
+        <translation>它在哪个叶中？</translation>
     </message>
     <message>
         <source>Leaf</source>
-        <translation type="unfinished"></translation>
+        <translation>叶</translation>
     </message>
 </context>
 <context>
@@ -5742,7 +5742,7 @@ snapping</source>
     <message>
         <source>%1: %2 objects</source>
         <comment>a group by its name</comment>
-        <translation type="unfinished">%1：%2 个对象</translation>
+        <translation>%1：%2 个物体</translation>
     </message>
 </context>
 <context>

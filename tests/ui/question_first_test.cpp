@@ -19,7 +19,8 @@ struct QuestionAboutParts : Window {
         session.setActiveView(0);
         ParameterSet parameters(findStrategy(strategy).info.parameters);
         parameters.setFromText(key, value);
-        session.slot(0).choose(strategy, parameters);
+        session.slot(0).choose(strategy);
+        session.slot(0).setParameters(parameters);
         ASSERT_TRUE(waitUntil([&] {
             return session.buffers() && !session.slot(0).building() && session.metricsSettled() && !session.pictures()->busy();
         }));
