@@ -131,8 +131,9 @@ void addDepth(Renderer& renderer, Picture& picture, const SceneBuffers& buffers,
 
 /// The frame that every picture of the command replays.
 FrameLog frameOf(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const View& culling,
-                 bool recording) {
+                 bool recording, const std::stop_token& stop) {
     GpuFrame frame(renderer, buffers, culling, recording);
+    frame.stopBy(stop);
     strategy.draw(frame, *strategy.begin());
     return frame.take();
 }
@@ -181,7 +182,8 @@ void run(const RenderOptions& options, const Context& context) {
     const SceneBuffers buffers(opened.scene, Upload::Vbo);
     const bool recording =
         choice.needsDecisions() || (below && below->overlays.needsDecisions()) || options.step || options.steps;
-    const FrameLog log = upToStep(options, frameOf(renderer, buffers, *strategy, view, recording));
+    const FrameLog log =
+        upToStep(options, frameOf(renderer, buffers, *strategy, view, recording, terminalProgress(context).stop));
     Drawn drawn = drawPicture(renderer, buffers, *strategy, log, viewingView, choice, style);
     if (below) {
         const View side(below->behind ? cameraBehind(viewing, *opened.scene) : viewing, size);

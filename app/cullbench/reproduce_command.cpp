@@ -13,9 +13,19 @@ namespace {
 
 struct CommandOptions {
     std::string experiment;
+    std::string scene;  ///< in place of the experiment's own; empty: its own
     TableFiles files;
     int repeat = 0;
 };
+
+/// An experiment with a scene of the user's.
+Experiment ofScene(const std::string& id, const std::string& scene) {
+    if (id != kAllExperiments && findExperiment(id).ofScene) return findExperiment(id).ofScene(scene);
+    std::string known;
+    for (const Experiment& experiment : knownExperiments())
+        if (experiment.ofScene) known += (known.empty() ? "" : ", ") + experiment.id;
+    throwUsage(CULLSCOPE_TR("%1 has scenes of its own and takes no other one. Taking one: %2."), {id, known});
+}
 
 std::vector<const Experiment*> chosen(const std::string& id) {
     std::vector<const Experiment*> experiments;
@@ -50,7 +60,9 @@ void checkPlots(const std::vector<const Experiment*>& experiments) {
 }
 
 void run(const CommandOptions& options, Context& context) {
-    const std::vector<const Experiment*> experiments = chosen(options.experiment);
+    std::optional<Experiment> own;
+    if (!options.scene.empty()) own = ofScene(options.experiment, options.scene);
+    const std::vector<const Experiment*> experiments = own ? std::vector<const Experiment*>{&*own} : chosen(options.experiment);
     if (!options.files.svg.empty()) checkPlots(experiments);
     checkTableFiles(options.files);
     std::vector<ResultTable> tables;
@@ -72,6 +84,7 @@ void addReproduceCommand(CLI::App& app, Context& context) {
     CLI::App* command = app.add_subcommand("reproduce", "A paper's table beside the same measured here");
     auto options = std::make_shared<CommandOptions>();
     command->add_option("EXPERIMENT", options->experiment, "one of `cullbench list experiments`, or all")->required();
+    command->add_option("SCENE", options->scene, "a scene of yours in place of the experiment's own: quiz and example take one");
     command->add_option("--repeat", options->repeat, "repetitions of each frame (default: until the median is steady)")
         ->check(CLI::Range(1, 100000));
     command->add_option("--json", options->files.json, "result file; - is standard output");

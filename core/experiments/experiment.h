@@ -72,6 +72,9 @@ struct Experiment {
     /// Measures a setting that is not timed: builds structures, reads files, counts. `scene`: the setting's; null where it names
     /// none. Its rows get the setting's labels. Throws Error(Interrupted) on a stop request.
     std::function<Rows(const Setting& setting, const ScenePointer& scene, const Progress& progress)> measured{};
+    /// The same of a scene of the user's, by its specification, without what the source states of its own scenes and without the
+    /// checks against that; empty: it has only its own.
+    std::function<Experiment(const std::string& scene)> ofScene{};
 
     /// Whether OpenGL must be current where it runs.
     [[nodiscard]] bool needsOpenGl() const;

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <map>
 
+#include "core/base/error.h"
 #include "core/experiments/result_file.h"
 #include "core/experiments/run_rows.h"
-#include "core/spatial/bsp_tree.h"
+#include "core/spatial/bsp_cells.h"
 
 namespace cullscope {
 namespace {
@@ -14,41 +15,25 @@ using Origin = ResultColumn::Origin;
 
 constexpr const char* kLectureNotes = "Lecture notes \"Visible Surface Determination\"";
 
-/// The leaves below the given planes, those behind a plane before those in front of it.
-std::vector<uint32_t> leavesOf(const BspTree& tree, size_t planes) {
-    std::vector<uint32_t> leaves;
-    std::vector<int32_t> open{tree.nodes().empty() ? BspTree::kNone : 0};
-    while (!open.empty()) {
-        const int32_t number = open.back();
-        open.pop_back();
-        if (number == BspTree::kNone) continue;
-        const BspTree::Node& node = tree.nodes()[size_t(number)];
-        if (node.depth == planes) {
-            leaves.push_back(uint32_t(number));
-            continue;
-        }
-        open.push_back(node.front);
-        open.push_back(node.back);
-    }
-    return leaves;
-}
-
 /// The names of parts: by the leaf or the plane in which they lie, and their object.
 class PartNames {
 public:
-    PartNames(const Scene& scene, const BspTree& tree) : m_scene(scene), m_tree(tree), m_planes(scene.planes().size()) {
-        std::map<size_t, std::vector<uint32_t>> places;  // by object
-        const std::vector<uint32_t> leaves = leavesOf(tree, m_planes);
-        for (auto leaf = leaves.rbegin(); leaf != leaves.rend(); ++leaf)
-            for (const size_t object : objectsBelow(*leaf)) places[object].push_back(*leaf);
+    PartNames(const Scene& scene, const BspTree& tree) : m_scene(scene), m_cells(cellsOf(tree, scene.planes().size())) {
+        std::map<size_t, std::map<uint32_t, uint32_t>> places;  // by object: its cells, by their rank
         for (uint32_t node = 0; node < tree.nodes().size(); ++node)
-            if (tree.nodes()[node].depth < m_planes)
-                for (const size_t object : objectsOf(node)) places[object].push_back(node);
-        for (const auto& [object, at] : places)
-            for (size_t i = 0; i < at.size(); ++i)
-                m_names[{at[i], object}] = scene.instances()[object].name + (at.size() > 1 ? std::to_string(i + 1) : "");
+            for (const BspTree::Part& part : tree.partsOf(tree.nodes()[node])) {
+                const uint32_t cell = m_cells.cellOf(node);
+                places[scene.instanceOf(part.triangle)].emplace(m_cells.rank[cell], cell);
+            }
+        for (const auto& [object, cells] : places) {
+            size_t number = 0;
+            for (const auto& [rank, cell] : cells)
+                m_names[{cell, object}] =
+                    scene.instances()[object].name + (cells.size() > 1 ? std::to_string(++number) : std::string());
+        }
     }
 
+    [[nodiscard]] const BspCells& cells() const { return m_cells; }
     /// What lies in a node's plane, or in the cell of a leaf of the given planes.
     [[nodiscard]] std::vector<std::string> at(uint32_t node) const {
         std::vector<std::string> names;
@@ -56,44 +41,29 @@ public:
             names.push_back(entry->second);
         return names;
     }
-    /// The leaf of the given planes that a node lies in; the node itself above them.
-    [[nodiscard]] uint32_t leafAround(uint32_t node) const {
-        while (m_tree.nodes()[node].depth > m_planes) node = uint32_t(m_tree.nodes()[node].parent);
-        return node;
-    }
     [[nodiscard]] const std::string& name(uint32_t node, uint32_t triangle) const {
-        return m_names.at({leafAround(node), m_scene.instanceOf(triangle)});
+        return m_names.at({m_cells.cellOf(node), m_scene.instanceOf(triangle)});
     }
 
 private:
-    [[nodiscard]] std::vector<size_t> objectsOf(uint32_t node) const {
-        std::vector<size_t> objects;
-        for (const BspTree::Part& part : m_tree.partsOf(m_tree.nodes()[node])) {
-            const size_t object = m_scene.instanceOf(part.triangle);
-            if (std::ranges::find(objects, object) == objects.end()) objects.push_back(object);
-        }
-        return objects;
-    }
-    [[nodiscard]] std::vector<size_t> objectsBelow(uint32_t leaf) const {
-        std::vector<size_t> objects;
-        for (uint32_t node = leaf; node < m_tree.nodes().size(); ++node) {
-            if (m_tree.nodes()[node].depth < m_planes || leafAround(node) != leaf) continue;
-            for (const size_t object : objectsOf(node))
-                if (std::ranges::find(objects, object) == objects.end()) objects.push_back(object);
-        }
-        return objects;
-    }
-
     const Scene& m_scene;
-    const BspTree& m_tree;
-    size_t m_planes;
-    std::map<std::pair<uint32_t, size_t>, std::string> m_names;  ///< by node and object
+    BspCells m_cells;
+    std::map<std::pair<uint32_t, size_t>, std::string> m_names;  ///< by cell and object
 };
 
 std::string joined(const std::vector<std::string>& names, const char* between) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : between) + name;
     return text;
+}
+
+/// The rows of a scene of the user's: what the tree says.
+Rows computedRows(const LectureCells& cells) {
+    Rows rows;
+    for (size_t i = 0; i < cells.leaves.size(); ++i)
+        rows.push_back({{"what", BspCells::leafName(i)}, {"computed", cells.leaves[i]}});
+    rows.push_back({{"what", "order"}, {"computed", joined(cells.order, ", ")}});
+    return rows;
 }
 
 /// The rows of a question: what the key says beside what the tree says.
@@ -103,9 +73,35 @@ Rows questionRows(const LectureCells& cells, const std::vector<std::string>& lea
         rows.push_back({{"what", what}, {"key", key}, {"computed", computed}, {"differs", key == computed ? 0.0 : 1.0}});
     };
     for (size_t i = 0; i < leafKey.size(); ++i)
-        add("C" + std::to_string(i + 1), leafKey[i], i < cells.leaves.size() ? cells.leaves[i] : "");
+        add(BspCells::leafName(i), leafKey[i], i < cells.leaves.size() ? cells.leaves[i] : "");
     add("order", orderKey, joined(cells.order, ", "));
     return rows;
+}
+
+LectureCells cellsSeenFromCamera(const Scene& scene, const Progress& progress) {
+    if (!scene.remarks().camera)
+        throwUsage(CULLSCOPE_TR("\"%1\" names no camera, from which the order is seen. Write a line eye x y z into its .polygons "
+                                "file."),
+                   {scene.name()});
+    return lectureCells(scene, scene.remarks().camera->eye, progress);
+}
+
+/// The question about a scene of the user's, which has no key.
+Experiment ownQuestion(Experiment experiment, const std::string& scene) {
+    experiment.title = CULLSCOPE_TR("Leaves of a BSP tree and the order of drawing");
+    experiment.source.clear();
+    std::erase_if(experiment.columns, [](const ResultColumn& column) { return column.key == "key" || column.key == "differs"; });
+    experiment.notes = {
+        note(CULLSCOPE_TR("Computed from the scene's own planes, which divide it level by level; its objects hang at the leaves. "
+                          "C1 is the leaf behind all planes, the last one before all of them.")),
+        note(CULLSCOPE_TR("The order is that of drawing, back to front, as seen from the scene's camera V."))};
+    experiment.checks.clear();
+    experiment.settings.front().scene = scene;
+    experiment.measured = [](const Setting& /*setting*/, const ScenePointer& opened, const Progress& progress) {
+        return computedRows(cellsSeenFromCamera(*opened, progress));
+    };
+    experiment.ofScene = {};
+    return experiment;
 }
 
 Experiment question(std::string id, std::string title, std::vector<std::string> leafKey, std::string orderKey) {
@@ -129,6 +125,7 @@ Experiment question(std::string id, std::string title, std::vector<std::string> 
                               const Setting& /*setting*/, const ScenePointer& scene, const Progress& progress) {
         return questionRows(lectureCells(*scene, scene->remarks().camera.value_or(Camera{}).eye, progress), leafKey, orderKey);
     };
+    experiment.ofScene = [experiment](const std::string& scene) { return ownQuestion(experiment, scene); };
     return experiment;
 }
 
@@ -140,7 +137,7 @@ LectureCells lectureCells(const Scene& scene, const Vec3& eye, const Progress& p
     const BspTree tree(scene, options, progress);
     const PartNames names(scene, tree);
     LectureCells cells;
-    for (const uint32_t leaf : leavesOf(tree, scene.planes().size())) {
+    for (const uint32_t leaf : names.cells().leaves) {
         const std::vector<std::string> parts = names.at(leaf);
         cells.leaves.push_back(parts.empty() ? "NULL" : joined(parts, "+"));
     }

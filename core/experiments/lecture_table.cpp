@@ -67,7 +67,7 @@ const char* agreement(bool recommended, bool anyRecommended, double times) {
 class Entrant {
 public:
     Entrant(const Method& method, const ScenePointer& scene, StructureStore& structures, const Progress& progress)
-        : m_method(method) {
+        : m_method(method), m_stop(progress.stop) {
         guarded([&] {
             const StrategyRequest request = strategyFromText(method.id);
             requireAvailable(strategyOf(request).info, requireOpenGl45());
@@ -86,7 +86,7 @@ public:
     void draw(Renderer& renderer, const SceneBuffers& buffers, const View& view, Framebuffer& target,
               std::vector<double>* times) {
         guarded([&] {
-            FrameResult frame = renderFrame(renderer, buffers, *m_built, *m_state, view, target);
+            FrameResult frame = renderFrame(renderer, buffers, *m_built, *m_state, view, target, {}, m_stop);
             m_log = std::move(frame.log);
             m_drawingMilliseconds += frame.frameMilliseconds;
             if (times != nullptr) times->push_back(frame.frameMilliseconds);
@@ -123,6 +123,7 @@ private:
     }
 
     const Method& m_method;
+    std::stop_token m_stop;
     BuiltStrategyPointer m_built;
     ViewStatePointer m_state;
     std::string m_failure;

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <optional>
+#include <stop_token>
 
 #include "core/frame/frame_log.h"
 #include "core/scene/camera.h"
@@ -30,6 +31,11 @@ public:
     [[nodiscard]] const Scene& scene() const { return m_scene; }
     /// The culling view.
     [[nodiscard]] const View& view() const { return m_view; }
+
+    /// Ends the frame early where a stop is requested: a strategy that works for long within a frame looks for it, and throws
+    /// Error(Interrupted). Set before the strategy draws.
+    void stopBy(std::stop_token stop) { m_stop = std::move(stop); }
+    [[nodiscard]] const std::stop_token& stop() const { return m_stop; }
 
     /// Draws ranges of the scene's triangles.
     void draw(DrawList list);
@@ -101,6 +107,7 @@ private:
     const Scene& m_scene;
     const View& m_view;
     FrameLog m_log;
+    std::stop_token m_stop;
     double m_drawingMilliseconds = 0.0;
 };
 

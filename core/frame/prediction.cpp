@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace cullscope {
 namespace {
@@ -14,7 +15,7 @@ public:
     void operator()(const DrawList& list) {
         for (const DrawRange& range : list.ranges) {
             if (range.indexCount == 0) continue;
-            if (!m_prediction.ofTriangles) {
+            if (m_prediction.of != Prediction::Items::Triangles) {
                 add(range.instance);
                 continue;
             }
@@ -24,12 +25,12 @@ public:
         }
     }
     void operator()(const OwnTrianglesPointer& own) {
-        for (const uint32_t triangle : own->triangles) add(m_prediction.ofTriangles ? triangle : m_scene.instanceOf(triangle));
+        for (const uint32_t triangle : own->triangles) add(itemOf(triangle));
     }
     void operator()(const FinishedPicturePointer& picture) {
         if (m_prediction.question == Prediction::Question::Order) return;
         for (const uint32_t item : picture->triangle)
-            if (item != 0) add(m_prediction.ofTriangles ? item - 1 : m_scene.instanceOf(item - 1));
+            if (item != 0) add(itemOf(item - 1));
     }
     void operator()(const AskedBoxes&) {}
 
@@ -40,9 +41,15 @@ public:
     }
 
 private:
+    [[nodiscard]] uint64_t itemOf(uint64_t triangle) const {
+        return m_prediction.of == Prediction::Items::Triangles ? triangle : m_scene.instanceOf(triangle);
+    }
+
     void add(uint64_t item) {
         // Of triangles, only the named ones are asked about.
-        if (m_prediction.ofTriangles && std::ranges::find(m_prediction.items, item) == m_prediction.items.end()) return;
+        if (m_prediction.of == Prediction::Items::Triangles &&
+            std::ranges::find(m_prediction.items, item) == m_prediction.items.end())
+            return;
         m_places.try_emplace(item, m_places.size() + 1);
     }
 
@@ -51,17 +58,65 @@ private:
     std::map<uint64_t, size_t> m_places;
 };
 
+/// The same of parts: each part's place in the order, from 1.
+std::vector<size_t> orderOf(const NamedParts& parts) {
+    std::vector<size_t> drawn(parts.parts.size()), order(parts.parts.size());
+    std::iota(drawn.begin(), drawn.end(), size_t{0});
+    std::ranges::sort(drawn, {}, [&](size_t part) { return parts.parts[part].drawn.front().first; });
+    for (size_t i = 0; i < drawn.size(); ++i) order[drawn[i]] = i + 1;
+    return order;
+}
+
+/// A part is a piece of what the frame drew: none of them vanishes.
+std::vector<PredictionRow> answerOfParts(const Prediction& prediction, const NamedParts& parts) {
+    const bool placed = prediction.question == Prediction::Question::Place;
+    const std::vector<size_t> order = orderOf(parts);
+    std::vector<PredictionRow> rows;
+    for (uint64_t part = 0; part < parts.parts.size(); ++part) {
+        const auto found = std::ranges::find(prediction.items, part);
+        const auto named = size_t(found - prediction.items.begin());
+        const bool isNamed = found != prediction.items.end();
+        if (placed && !isNamed) continue;
+        PredictionRow row{part, isNamed ? 1 : 0, 0};
+        if (placed) {
+            row.expected = named < prediction.places.size() ? prediction.places[named] : std::nullopt;
+            row.actual = parts.parts[part].place;
+        } else if (prediction.question == Prediction::Question::Order) {
+            row.expected = isNamed ? std::optional(named + 1) : std::nullopt;
+            row.actual = order[part];
+        }
+        rows.push_back(row);
+    }
+    return rows;
+}
+
 }  // namespace
 
 void Prediction::toggle(uint64_t item) {
-    if (std::erase(items, item) == 0) items.push_back(item);
+    const auto found = std::ranges::find(items, item);
+    places.resize(items.size());
+    if (found != items.end()) {
+        places.erase(places.begin() + (found - items.begin()));
+        items.erase(found);
+    } else {
+        items.push_back(item);
+        places.emplace_back();
+    }
+    if (question != Question::Place) places.clear();
 }
 
-std::vector<PredictionRow> answerTo(const Prediction& prediction, const Scene& scene, const FrameLog& log) {
+void Prediction::place(size_t place) {
+    places.resize(items.size());
+    if (!places.empty()) places.back() = place;
+}
+
+std::vector<PredictionRow> answerTo(const Prediction& prediction, const Scene& scene, const FrameLog& log,
+                                    const NamedParts& parts) {
+    if (prediction.of == Prediction::Items::Parts) return answerOfParts(prediction, parts);
     FirstDrawn drawn(scene, prediction);
     for (const Command& command : log.commands) std::visit(drawn, command);
     std::vector<uint64_t> asked = prediction.items;
-    if (!prediction.ofTriangles) {
+    if (prediction.of == Prediction::Items::Objects) {
         asked.clear();
         for (uint64_t instance = 0; instance < scene.instances().size(); ++instance)
             if (scene.meshOf(instance).triangleCount() > 0) asked.push_back(instance);

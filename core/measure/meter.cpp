@@ -82,12 +82,12 @@ public:
     [[nodiscard]] size_t poses() const { return m_runs.front().frames.size(); }
     [[nodiscard]] bool complete() const { return poses() == m_request.path.poses.size(); }
 
-    void step() {
+    void step(const std::stop_token& stop) {
         if (complete()) return;
         if (!m_pose) beginPose();
         if (!m_pose->rounds.complete())
-            return m_pose->rounds.step(m_renderer,
-                                       [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; });
+            return m_pose->rounds.step(
+                m_renderer, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; }, stop);
         recordNext();
         if (m_pose->frames.size() == m_runs.size()) endPose();
     }
@@ -163,7 +163,7 @@ Meter::Meter(const MeasureRequest& request, Contestants contestants, const GlInf
     : m_experiment(std::make_unique<Experiment>(request, std::move(contestants), gl, std::move(buffers))) {}
 Meter::~Meter() = default;
 
-void Meter::step() { m_experiment->step(); }
+void Meter::step(const std::stop_token& stop) { m_experiment->step(stop); }
 bool Meter::complete() const { return m_experiment->complete(); }
 size_t Meter::poses() const { return m_experiment->poses(); }
 MeasureResult Meter::resultSoFar() const { return m_experiment->resultSoFar(); }
@@ -180,7 +180,11 @@ MeasureResult measure(const MeasureRequest& request, const Progress& progress, c
         measuring.tell(double(pose) / double(request.path.poses.size()), CULLSCOPE_TR("measuring"));
         while (meter.poses() == pose) {
             if (measuring.stopRequested()) return meter.resultSoFar();
-            meter.step();
+            try {
+                meter.step(measuring.stop);
+            } catch (const Error& error) {
+                if (error.kind() != ErrorKind::Interrupted) throw;
+            }
         }
         if (afterPose) afterPose([&] { return meter.resultSoFar(); });
     }

@@ -102,7 +102,8 @@ public:
     Meter(const MeasureRequest& request, Contestants contestants, const GlInfo& gl, std::shared_ptr<const SceneBuffers> buffers);
     ~Meter();
 
-    void step();
+    /// Throws Error(Interrupted) where a strategy ended its frame on the stop request.
+    void step(const std::stop_token& stop = {});
     [[nodiscard]] bool complete() const;
     /// The poses measured completely so far: only those are in results, so that every ratio has both of its times.
     [[nodiscard]] size_t poses() const;

@@ -5,11 +5,12 @@
 namespace cullscope {
 
 FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const View& view,
-                        std::span<const FrameTarget> pictures, const DrawStyle& style) {
+                        std::span<const FrameTarget> pictures, const DrawStyle& style, const std::stop_token& stop) {
     std::vector<std::unique_ptr<GpuFrame>> frames;
     const auto start = std::chrono::steady_clock::now();
     for (const FrameTarget& picture : pictures) {
         frames.push_back(std::make_unique<GpuFrame>(renderer, buffers, view, *picture.target, style));
+        frames.back()->stopBy(stop);
         strategy.draw(*frames.back(), *picture.state);
     }
     waitForGpu();
@@ -24,9 +25,9 @@ FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const B
 }
 
 FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, ViewState& state,
-                        const View& view, Framebuffer& target, const DrawStyle& style) {
+                        const View& view, Framebuffer& target, const DrawStyle& style, const std::stop_token& stop) {
     const FrameTarget picture{&target, &state};
-    return renderFrame(renderer, buffers, strategy, view, {&picture, 1}, style);
+    return renderFrame(renderer, buffers, strategy, view, {&picture, 1}, style, stop);
 }
 
 }  // namespace cullscope

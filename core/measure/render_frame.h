@@ -20,12 +20,13 @@ struct FrameTarget {
     ViewState* state = nullptr;
 };
 
-/// Runs a strategy's frame, culling and drawing for each picture, and waits for the GPU. There is at least one picture.
+/// Runs a strategy's frame, culling and drawing for each picture, and waits for the GPU. There is at least one picture. Throws
+/// Error(Interrupted) where a strategy ended its frame on the stop request.
 FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const View& view,
-                        std::span<const FrameTarget> pictures, const DrawStyle& style = {});
+                        std::span<const FrameTarget> pictures, const DrawStyle& style = {}, const std::stop_token& stop = {});
 
 /// The same with one picture.
 FrameResult renderFrame(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, ViewState& state,
-                        const View& view, Framebuffer& target, const DrawStyle& style = {});
+                        const View& view, Framebuffer& target, const DrawStyle& style = {}, const std::stop_token& stop = {});
 
 }  // namespace cullscope

@@ -24,7 +24,7 @@ TimedRounds::TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol
       m_round(-std::max(0, protocol.warmUp)),
       m_complete(m_entrants.empty()) {}
 
-void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf) {
+void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::stop_token& stop) {
     if (m_complete) return;
     TimedFrames& entrant = m_entrants[m_round % 2 == 0 ? m_place : m_entrants.size() - 1 - m_place];
     std::vector<ViewStatePointer> cloned;
@@ -33,7 +33,7 @@ void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf) {
     std::vector<FrameTarget> pictures;
     for (size_t i = 0; i < entrant.memories.size(); ++i)
         pictures.push_back({&targetOf(entrant.view.viewport(), i), (cloned.empty() ? entrant.memories : cloned)[i].get()});
-    FrameResult frame = renderFrame(renderer, *entrant.buffers, *entrant.strategy, entrant.view, pictures);
+    FrameResult frame = renderFrame(renderer, *entrant.buffers, *entrant.strategy, entrant.view, pictures, {}, stop);
     if (m_protocol.madeUpTime) frame.frameMilliseconds = m_protocol.madeUpTime(*entrant.strategy);
     m_seconds += frame.frameMilliseconds / 1000.0;
     if (m_round == 0) {

@@ -48,8 +48,9 @@ public:
 
     TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol& protocol);
 
-    /// Times the next frame; it ends when the GPU has finished. Needs a current context. Nothing happens once complete.
-    void step(Renderer& renderer, const TargetOf& targetOf);
+    /// Times the next frame; it ends when the GPU has finished. Needs a current context. Nothing happens once complete. Throws
+    /// Error(Interrupted) where the strategy ended its frame on the stop request; the frame does not count then.
+    void step(Renderer& renderer, const TargetOf& targetOf, const std::stop_token& stop = {});
     /// Whether a frame of each is counted: then their errors can be counted, too.
     [[nodiscard]] bool counted() const { return m_round > 0; }
     /// Whether no more frames are needed.

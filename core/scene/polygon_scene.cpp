@@ -41,6 +41,9 @@ public:
     }
 
     [[nodiscard]] PolygonScene finish(const std::string& sceneName) {
+        if (m_polygonNames.empty())
+            throwInput(CULLSCOPE_TR("%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0."),
+                       {m_fileName});
         std::vector<MeshPointer> meshes;
         std::vector<Instance> instances;
         for (LoadedObject& object : m_assembler.finish()) {

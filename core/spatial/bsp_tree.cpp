@@ -2,15 +2,16 @@
 
 #include <algorithm>
 #include <deque>
+#include <numeric>
 
 #include "core/base/error.h"
+#include "core/base/work_check.h"
 #include "core/geometry/predicates.h"
 
 namespace cullscope {
 namespace {
 
 constexpr uint32_t kGivenPlane = 0x80000000;  ///< numbers of planes that no triangle has
-constexpr size_t kBetweenChecks = 1024;       ///< polygons
 
 /// Three points of a plane that is given by its normal and offset.
 CuttingPlane cuttingPlane(const NamedPlane& plane, uint32_t id) {
@@ -35,21 +36,24 @@ CuttingPlane cuttingPlane(const NamedPlane& plane, uint32_t id) {
 class BspTree::Builder {
 public:
     Builder(BspTree& tree, const Scene& scene, const BspOptions& options, const Progress& progress)
-        : m_tree(tree), m_scene(scene), m_options(options), m_progress(progress), m_cut(scene, progress) {
+        : m_tree(tree), m_scene(scene), m_options(options), m_progress(progress), m_work(progress), m_cut(scene, progress) {
+        requireRoom(0);
         if (options.plane != BspPlane::Given) return;
         if (scene.planes().empty())
             throwUsage(CULLSCOPE_TR("plane=given takes the planes that a scene has. \"%1\" has none: name them in a .polygons "
                                     "file, or take another choice of plane."),
                        {scene.name()});
         for (uint32_t i = 0; i < scene.planes().size(); ++i) m_given.push_back(cuttingPlane(scene.planes()[i], kGivenPlane + i));
+        // Empty cells are divided, too, so that the leaves have their places: 2ⁿ leaves and 2ⁿ − 1 nodes above them.
+        if (m_given.size() >= 63 || (uint64_t{2} << m_given.size()) - 1 > options.limit) tooManyNodes();
     }
 
     void build() {
         std::vector<uint32_t> all(m_cut.polygons().size());
-        for (uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+        std::iota(all.begin(), all.end(), 0u);
         if (!all.empty() || !m_given.empty()) append({BspTree::kNone, false, std::move(all)});
         while (!m_open.empty()) {
-            m_progress.check();
+            m_work.step();
             Open open = std::move(m_open.front());
             m_open.pop_front();
             divide(std::move(open));
@@ -68,6 +72,7 @@ private:
 
     /// Adds a node below another one.
     void append(Open child) {
+        if (m_tree.m_nodes.size() >= m_options.limit) tooManyNodes();
         const auto number = int32_t(m_tree.m_nodes.size());
         Node node;
         node.parent = child.node;
@@ -98,9 +103,8 @@ private:
         const CuttingPlane plane = given ? m_given[level] : chosen(open.polygons);
         m_tree.m_nodes[number].plane = plane;
         std::vector<uint32_t> front, back, own;
-        size_t done = 0;
         for (const uint32_t polygon : open.polygons) {
-            if (++done % kBetweenChecks == 0) m_progress.check();
+            m_work.step();
             // The polygon that the plane is of lies in it, whatever its parts' rounded corners say.
             if (m_cut.polygons()[polygon].triangle == plane.id) {
                 own.push_back(polygon);
@@ -117,7 +121,7 @@ private:
                     back.push_back(polygon);
                     break;
                 case CutTriangles::Place::Across: {
-                    requireRoom();
+                    requireRoom(1);
                     const auto [before, behind] = m_cut.cut(polygon, plane);
                     front.push_back(before);
                     back.push_back(behind);
@@ -130,9 +134,9 @@ private:
         if (given || !front.empty()) append({open.node, true, std::move(front)});
     }
 
-    void requireRoom() const {
-        const uint64_t polygons = m_scene.triangleCount() + m_cut.cuts() + 1;
-        if (polygons <= m_options.limit) return;
+    /// For the polygons that there are and some more.
+    void requireRoom(uint64_t more) const {
+        if (m_scene.triangleCount() + m_cut.cuts() + more <= m_options.limit) return;
         throwUsage(CULLSCOPE_TR("The BSP tree of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 "
                                 "polygons are not divided yet. Take fewer triangles, another choice of plane (plane=fewest), or "
                                 "a higher limit."),
@@ -140,11 +144,20 @@ private:
                     std::to_string(m_cut.cuts()), std::to_string(m_waiting)});
     }
 
+    [[noreturn]] void tooManyNodes() const {
+        throwUsage(
+            CULLSCOPE_TR("The BSP tree of \"%1\" needs more than %2 nodes: each of its %3 planes divides every cell of the "
+                         "one before. Name fewer planes, or take a higher limit."),
+            {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_given.size())});
+    }
+
     bool liesInOnePlane(const std::vector<uint32_t>& polygons) {
         if (polygons.size() < 2) return true;
         const CuttingPlane plane = m_cut.planeOf(m_cut.polygons()[polygons.front()].triangle);
-        return std::all_of(polygons.begin() + 1, polygons.end(),
-                           [&](uint32_t polygon) { return m_cut.place(polygon, plane) == CutTriangles::Place::On; });
+        return std::all_of(polygons.begin() + 1, polygons.end(), [&](uint32_t polygon) {
+            m_work.step();
+            return m_cut.place(polygon, plane) == CutTriangles::Place::On;
+        });
     }
 
     /// What a plane would do to a node's polygons, by a sample of them.
@@ -161,6 +174,7 @@ private:
         Judgement result;
         const size_t step = (polygons.size() + BspTree::kJudged - 1) / BspTree::kJudged;
         for (size_t i = 0; i < polygons.size(); i += step) {
+            m_work.step();
             if (m_cut.polygons()[polygons[i]].triangle == plane.id) continue;
             const CutTriangles::Place place = m_cut.place(polygons[i], plane);
             if (place == CutTriangles::Place::Front) ++result.front;
@@ -188,7 +202,7 @@ private:
     }
 
     void finish() {
-        m_cut.finish();
+        m_cut.finish(m_progress);
         m_tree.m_cuts = m_cut.cuts();
         const auto add = [&](uint32_t triangle, double share, const auto& draw) {
             const auto first = uint32_t(m_tree.m_drawn.triangles.size());
@@ -196,24 +210,26 @@ private:
             m_tree.m_parts.push_back({triangle, first, uint32_t(m_tree.m_drawn.triangles.size()) - first, share});
         };
         for (size_t number = 0; number < m_tree.m_nodes.size(); ++number) {
-            if (number % kBetweenChecks == 0) m_progress.check();
+            m_work.step();
             Node& node = m_tree.m_nodes[number];
-            // Mostly they come in ascending order; sorting a million takes long between two checks.
+            // Mostly they come in ascending order.
             const auto triangleOf = [&](uint32_t polygon) { return m_cut.polygons()[polygon].triangle; };
             std::ranges::reverse(m_own[number]);
             if (!std::ranges::is_sorted(m_own[number], std::greater<>(), triangleOf))
-                std::ranges::sort(m_own[number], std::greater<>(), triangleOf);
+                std::ranges::sort(m_own[number], m_work.counting(std::greater<>()), triangleOf);
             node.firstPart = uint32_t(m_tree.m_parts.size());
             node.partCount = node.polygons = uint32_t(m_own[number].size());
-            size_t done = 0;
             for (const uint32_t polygon : m_own[number]) {
-                if (++done % kBetweenChecks == 0) m_progress.check();
+                m_work.step();
                 add(m_cut.polygons()[polygon].triangle, m_cut.share(polygon), [&] { m_cut.draw(polygon, m_tree.m_drawn); });
                 for (const CutTriangles::Corner& corner : m_cut.cornersOf(polygon)) node.box.add(m_cut.position(corner.vertex));
             }
         }
         m_tree.m_firstFlat = m_tree.m_parts.size();
-        for (const uint32_t triangle : m_cut.flat()) add(triangle, 1.0, [&] { m_cut.drawWhole(triangle, m_tree.m_drawn); });
+        for (const uint32_t triangle : m_cut.flat()) {
+            m_work.step();
+            add(triangle, 1.0, [&] { m_cut.drawWhole(triangle, m_tree.m_drawn); });
+        }
         for (size_t number = m_tree.m_nodes.size(); number-- > 1;) {
             const Node& node = m_tree.m_nodes[number];
             Node& parent = m_tree.m_nodes[size_t(node.parent)];
@@ -226,6 +242,7 @@ private:
     const Scene& m_scene;
     const BspOptions& m_options;
     const Progress& m_progress;
+    WorkCheck m_work;
     CutTriangles m_cut;
     std::vector<CuttingPlane> m_given;
     std::deque<Open> m_open;                   ///< nodes to be divided, level by level

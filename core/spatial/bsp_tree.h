@@ -17,7 +17,7 @@ enum class BspPlane {
 struct BspOptions {
     BspPlane plane = BspPlane::Balance;
     int candidates = 8;          ///< of Fewest and Balance, spread evenly over the node's polygons
-    uint64_t limit = 1'000'000;  ///< of polygons
+    uint64_t limit = 1'000'000;  ///< of polygons, whole and cut, and of nodes
 };
 
 /// A binary space partitioning tree of a scene's triangles (Fuchs, Kedem & Naylor 1980), cut where a plane passes through them.
@@ -45,8 +45,9 @@ public:
         double share = 1.0;  ///< of the triangle's area
     };
 
-    /// Builds it without recursion; nodes are numbered level by level. Throws Error(Usage) where more polygons would be made than
-    /// the limit allows, or (Given) where the scene has no planes; Error(Interrupted) on a stop request.
+    /// Builds it without recursion; nodes are numbered level by level. Throws Error(Usage) where more polygons or nodes would be
+    /// made than the limit allows (each given plane divides every cell: n of them make 2ⁿ cells), or (Given)
+    /// where the scene has no planes; Error(Interrupted) on a stop request.
     BspTree(const Scene& scene, const BspOptions& options, const Progress& progress = {});
 
     [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }

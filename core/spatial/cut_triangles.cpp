@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/base/work_check.h"
 #include "core/geometry/predicates.h"
 
 namespace cullscope {
@@ -63,8 +64,9 @@ CutTriangles::CutTriangles(const Scene& scene, const Progress& progress) : m_sce
     addCorners(scene, progress);
     m_original = uint32_t(m_positions.size());
     m_sides.assign(m_positions.size(), kUnknownSide);
+    WorkCheck work(progress);
     for (uint32_t triangle = 0; 3 * size_t(triangle) < m_ofTriangle.size(); ++triangle) {
-        if (triangle % 4096 == 0) progress.check();
+        work.step();
         const uint32_t* corner = &m_ofTriangle[3 * size_t(triangle)];
         const Vec3 &a = m_positions[corner[0]], &b = m_positions[corner[1]], &c = m_positions[corner[2]];
         if (!finitePlace(a) || !finitePlace(b) || !finitePlace(c) || onOneLine(a, b, c)) {
@@ -77,6 +79,7 @@ CutTriangles::CutTriangles(const Scene& scene, const Progress& progress) : m_sce
 }
 
 void CutTriangles::addCorners(const Scene& scene, const Progress& progress) {
+    WorkCheck work(progress);
     std::unordered_map<Vec3, uint32_t, PlaceHash> known;
     m_ofTriangle.reserve(3 * scene.triangleCount());
     std::vector<uint32_t> numbers;
@@ -85,14 +88,19 @@ void CutTriangles::addCorners(const Scene& scene, const Progress& progress) {
         if (mesh.triangleCount() == 0) continue;
         const Mat4& place = scene.instances()[instance].worldFromMesh;
         numbers.assign(mesh.vertexCount(), 0);
+        // At once: a table that grows moves all that it has between two steps.
+        known.reserve(known.size() + mesh.vertexCount());
         for (size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
-            if (vertex % 4096 == 0) progress.check();
+            work.step();
             const Vec3 world(place * Vec4(mesh.position(vertex), 1.0));
             const auto [entry, isNew] = known.try_emplace(world, uint32_t(m_positions.size()));
             if (isNew) m_positions.push_back(world);
             numbers[vertex] = entry->second;
         }
-        for (const uint32_t index : mesh.indices()) m_ofTriangle.push_back(numbers[index]);
+        for (const uint32_t index : mesh.indices()) {
+            work.step();
+            m_ofTriangle.push_back(numbers[index]);
+        }
     }
 }
 

@@ -66,8 +66,8 @@ public:
     /// Cuts a polygon that lies Across: the parts in front and behind are appended, and it must not be used any more.
     std::pair<uint32_t, uint32_t> cut(uint32_t polygon, const CuttingPlane& plane);
 
-    /// To be called when nothing more is cut, before `draw`.
-    void finish();
+    /// To be called when nothing more is cut, before `draw`. Throws Error(Interrupted) on a stop request.
+    void finish(const Progress& progress = {});
     /// Appends a polygon as triangles. An uncut triangle is appended as the scene has it. Corners that other parts of the
     /// scene's surface have on its edges are corners of it, too, so that no gap shows between them.
     void draw(uint32_t polygon, OwnTriangles& out) const;

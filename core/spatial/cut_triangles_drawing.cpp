@@ -2,6 +2,7 @@
 #include <array>
 #include <numeric>
 
+#include "core/base/work_check.h"
 #include "core/spatial/cut_triangles.h"
 
 namespace cullscope {
@@ -17,16 +18,25 @@ Vec3 CutTriangles::sharesOf(uint32_t triangle, uint32_t vertex) const {
     return {1.0 - own.shares.x - own.shares.y, own.shares.x, own.shares.y};
 }
 
-void CutTriangles::finish() {
+void CutTriangles::finish(const Progress& progress) {
+    WorkCheck work(progress);
     m_lineStarts.assign(m_lines.size() + 1, 0);
-    for (const Made& vertex : m_made) ++m_lineStarts[vertex.line + 1];
+    for (const Made& vertex : m_made) {
+        work.step();
+        ++m_lineStarts[vertex.line + 1];
+    }
     std::partial_sum(m_lineStarts.begin(), m_lineStarts.end(), m_lineStarts.begin());
     m_lineVertices.resize(m_made.size());
     std::vector<uint32_t> next(m_lineStarts.begin(), m_lineStarts.end() - 1);
-    for (uint32_t i = 0; i < m_made.size(); ++i) m_lineVertices[next[m_made[i].line]++] = m_original + i;
-    for (size_t line = 0; line < m_lines.size(); ++line)
-        std::sort(m_lineVertices.begin() + m_lineStarts[line], m_lineVertices.begin() + m_lineStarts[line + 1],
-                  [&](uint32_t a, uint32_t b) { return made(a).along < made(b).along; });
+    for (uint32_t i = 0; i < m_made.size(); ++i) {
+        work.step();
+        m_lineVertices[next[m_made[i].line]++] = m_original + i;
+    }
+    const auto nearer = work.counting([&](uint32_t a, uint32_t b) { return made(a).along < made(b).along; });
+    for (size_t line = 0; line < m_lines.size(); ++line) {
+        work.step();
+        std::sort(m_lineVertices.begin() + m_lineStarts[line], m_lineVertices.begin() + m_lineStarts[line + 1], nearer);
+    }
 }
 
 bool CutTriangles::withNeighbours(uint32_t polygon, std::vector<uint32_t>& vertices) const {

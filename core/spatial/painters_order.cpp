@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 #include <queue>
 
 #include "core/base/error.h"
+#include "core/base/work_check.h"
 #include "core/geometry/predicates.h"
-#include "core/spatial/painters_grid.h"
+#include "core/spatial/screen_polygon.h"
 
 namespace cullscope {
 namespace {
@@ -16,10 +18,12 @@ using Place = CutTriangles::Place;
 
 class Painter {
 public:
-    Painter(CutTriangles& triangles, const Scene& scene, const View& view, const PaintersOptions& options)
-        : m_triangles(triangles), m_scene(scene), m_view(view), m_options(options), m_projection(view) {}
+    Painter(CutTriangles& triangles, const Scene& scene, const View& view, const PaintersOptions& options,
+            const Progress& progress)
+        : m_triangles(triangles), m_scene(scene), m_view(view), m_options(options), m_work(progress), m_projection(view) {}
 
     PaintersOrder order() {
+        requireRoom(0);
         const auto count = uint32_t(m_triangles.polygons().size());
         for (uint32_t polygon = 0; polygon < count; ++polygon) addPiece(polygon);
         m_result.polygons.reserve(count);
@@ -28,10 +32,11 @@ public:
         } else {
             m_grid.emplace(m_view.viewport(), m_pieces);
             std::vector<uint32_t> farFirst(m_pieces.size());
-            for (uint32_t i = 0; i < farFirst.size(); ++i) farFirst[i] = i;
-            std::ranges::stable_sort(farFirst, std::greater<>(), [&](uint32_t i) { return m_pieces[i].screen.far; });
+            std::iota(farFirst.begin(), farFirst.end(), 0u);
+            std::ranges::stable_sort(farFirst, m_work.counting(std::greater<>()),
+                                     [&](uint32_t i) { return m_pieces[i].screen.far; });
             for (const uint32_t piece : farFirst) {
-                m_grid->add(piece, true);
+                m_grid->add(piece, true, m_work);
                 m_heap.push({m_pieces[piece].screen.far, m_pieces[piece].polygon, piece});
             }
             drawAll();
@@ -57,6 +62,7 @@ private:
 
     /// Adds a polygon to what is ordered, or draws it at once where it covers no sample.
     void addPiece(uint32_t polygon) {
+        m_work.step();
         const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
         Piece piece;
         piece.polygon = polygon;
@@ -90,20 +96,26 @@ private:
     void sortByCentroid() {
         std::vector<std::pair<double, uint32_t>> order;
         for (uint32_t i = 0; i < m_pieces.size(); ++i) {
+            m_work.step();
             Vec3 middle(0.0);
             const auto corners = m_triangles.cornersOf(m_pieces[i].polygon);
             for (const CutTriangles::Corner& corner : corners) middle += m_triangles.position(corner.vertex) - m_view.eye();
             order.emplace_back(glm::length(middle) / double(corners.size()), i);
         }
-        std::ranges::sort(order, std::greater<>());
+        std::ranges::sort(order, m_work.counting(std::greater<>()));
         for (const auto& [distance, piece] : order) m_result.polygons.push_back(m_pieces[piece].polygon);
     }
 
     void drawAll() {
         while (!m_heap.empty()) {
+            m_work.step();
             const uint32_t farthest = m_heap.top().piece;
             m_heap.pop();
             if (m_pieces[farthest].state != PieceState::Waiting) continue;
+            if (m_options.watch) {
+                const uint32_t triangle = triangleOf(m_pieces[farthest]);
+                m_options.watch({{}, triangle, triangle, m_pieces[farthest].screen.far});
+            }
             mark(farthest);
             while (!m_waiting.empty()) advance();
         }
@@ -144,14 +156,19 @@ private:
         const PieceGrid::Range range = m_grid->rangeOf(m_pieces[search.piece].screen);
         for (; search.y <= range.y1; ++search.y, search.x = range.x0)
             for (; search.x <= range.x1; ++search.x, search.place = 0) {
+                m_work.step();
                 PieceGrid::Cell& cell = m_grid->cell(search.x, search.y);
-                while (cell.begin < cell.pieces.size() && m_pieces[cell.pieces[cell.begin]].state == PieceState::Done)
+                while (cell.begin < cell.pieces.size() && m_pieces[cell.pieces[cell.begin]].state == PieceState::Done) {
+                    m_work.step();
                     ++cell.begin;
+                }
                 for (search.place = std::max(search.place, cell.begin); search.place < cell.pieces.size(); ++search.place) {
+                    m_work.step();
                     const uint32_t q = cell.pieces[search.place];
                     if (q == search.piece || m_pieces[q].state == PieceState::Done) continue;
                     if (m_pieces[q].screen.far <= m_pieces[search.piece].screen.near) {
-                        ++m_result.tests[size_t(NewellTest::Depth)];
+                        found(NewellTest::Depth, m_pieces[search.piece], m_pieces[q], m_pieces[search.piece].screen.near,
+                              m_pieces[q].screen.far);
                         break;  // so are all after it
                     }
                     if (!m_grid->isFor(search.x, search.y, m_pieces[search.piece].screen, m_pieces[q].screen)) continue;
@@ -165,20 +182,12 @@ private:
     /// Whether P may be drawn before Q, by Newell's tests.
     bool mayComeFirst(uint32_t numberP, uint32_t numberQ) {
         const Piece &p = m_pieces[numberP], &q = m_pieces[numberQ];
-        const auto say = [&](NewellTest test, double first = 0.0, double second = 0.0) {
-            m_lastTest = test;
-            ++m_result.tests[size_t(test)];
-            if (m_options.watch)
-                m_options.watch({test, m_triangles.polygons()[p.polygon].triangle, m_triangles.polygons()[q.polygon].triangle,
-                                 first, second});
-        };
-        const auto pass = [&](NewellTest test) {
-            m_lastTest = test;
-            ++m_result.tests[size_t(test)];
-            return true;
-        };
-        if (p.screen.x1 <= q.screen.x0 || q.screen.x1 <= p.screen.x0) return pass(NewellTest::ExtentX);
-        if (p.screen.y1 <= q.screen.y0 || q.screen.y1 <= p.screen.y0) return pass(NewellTest::ExtentY);
+        const auto say = [&](NewellTest test, double first, double second = 0.0) { found(test, p, q, first, second); };
+        // How far the extents are apart, in pixels.
+        const double apartX = std::max(q.screen.x0 - p.screen.x1, p.screen.x0 - q.screen.x1);
+        const double apartY = std::max(q.screen.y0 - p.screen.y1, p.screen.y0 - q.screen.y1);
+        if (apartX >= 0.0) return say(NewellTest::ExtentX, apartX), true;
+        if (apartY >= 0.0) return say(NewellTest::ExtentY, apartY), true;
         const Extent pByQ = extentOf(p, q.plane), qByP = extentOf(q, p.plane);
         if (!pByQ.on(q.eyeSide)) return say(NewellTest::BehindQ, pByQ.least, pByQ.most), true;
         if (!qByP.on(-p.eyeSide)) return say(NewellTest::BeforeP, qByP.least, qByP.most), true;
@@ -193,6 +202,14 @@ private:
         else
             say(q.state == PieceState::Marked ? NewellTest::Cycle : NewellTest::Swap, p.screen.far, q.screen.far);
         return false;
+    }
+
+    [[nodiscard]] uint32_t triangleOf(const Piece& piece) const { return m_triangles.polygons()[piece.polygon].triangle; }
+
+    void found(NewellTest test, const Piece& p, const Piece& q, double first, double second) {
+        m_lastTest = test;
+        ++m_result.tests[size_t(test)];
+        if (m_options.watch) m_options.watch({test, triangleOf(p), triangleOf(q), first, second});
     }
 
     /// How far a piece reaches to both sides of a plane.
@@ -224,6 +241,7 @@ private:
         const size_t count = m_waiting.size() - first;
         for (size_t apart = 1; apart < count; ++apart)
             for (size_t i = count; i-- > 0;) {
+                m_work.step();
                 const uint32_t p = m_waiting[first + i].piece, q = m_waiting[first + (i + apart) % count].piece;
                 if (cutPiece(p, q)) return;
             }
@@ -243,12 +261,7 @@ private:
     bool cutPiece(uint32_t p, uint32_t q) {
         const CuttingPlane plane = m_pieces[q].plane;
         if (m_triangles.place(m_pieces[p].polygon, plane) != Place::Across) return false;
-        if (m_triangles.polygons().size() - m_triangles.cuts() + 1 > m_options.limit)
-            throwUsage(
-                CULLSCOPE_TR("The painter's order of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times. "
-                             "Take fewer triangles, sort=centroid, or a higher limit."),
-                {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_scene.triangleCount()),
-                 std::to_string(m_triangles.cuts())});
+        requireRoom(1);
         const auto [front, back] = m_triangles.cut(m_pieces[p].polygon, plane);
         m_pieces[p].state = PieceState::Done;
         while (!m_waiting.empty()) {
@@ -262,16 +275,26 @@ private:
             const auto number = uint32_t(m_pieces.size());
             addPiece(part);
             if (m_pieces.size() == number) continue;
-            m_grid->add(number, false);
+            m_grid->add(number, false, m_work);
             m_heap.push({m_pieces[number].screen.far, part, number});
         }
         return true;
+    }
+
+    /// For the polygons that there are and some more.
+    void requireRoom(uint64_t more) const {
+        if (m_triangles.polygons().size() - m_triangles.cuts() + more <= m_options.limit) return;
+        throwUsage(CULLSCOPE_TR("The painter's order of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times. "
+                                "Take fewer triangles, sort=centroid, or a higher limit."),
+                   {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_scene.triangleCount()),
+                    std::to_string(m_triangles.cuts())});
     }
 
     CutTriangles& m_triangles;
     const Scene& m_scene;
     const View& m_view;
     const PaintersOptions& m_options;
+    WorkCheck m_work;
     ScreenProjection m_projection;
     std::vector<Vec3> m_corners;
     std::vector<Piece> m_pieces;
@@ -286,8 +309,9 @@ private:
 
 }  // namespace
 
-PaintersOrder paintersOrder(CutTriangles& triangles, const Scene& scene, const View& view, const PaintersOptions& options) {
-    return Painter(triangles, scene, view, options).order();
+PaintersOrder paintersOrder(CutTriangles& triangles, const Scene& scene, const View& view, const PaintersOptions& options,
+                            const Progress& progress) {
+    return Painter(triangles, scene, view, options, progress).order();
 }
 
 }  // namespace cullscope

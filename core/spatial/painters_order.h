@@ -2,7 +2,9 @@
 
 #include <array>
 #include <functional>
+#include <optional>
 
+#include "core/base/progress.h"
 #include "core/frame/draw_list.h"
 #include "core/scene/camera.h"
 #include "core/spatial/cut_triangles.h"
@@ -24,18 +26,18 @@ enum class NewellTest : uint8_t {
 };
 inline constexpr size_t kNewellTests = 9;
 
-/// What a comparison of two polygons found, while it is watched.
+/// One step of the order, while it is watched: what a comparison of two polygons found, or that P was taken.
 struct NewellStep {
-    NewellTest test = NewellTest::Depth;
-    uint32_t p = 0, q = 0;         ///< scene triangle numbers
-    double first = 0, second = 0;  ///< what was compared: depths, pixels or distances from a plane
+    std::optional<NewellTest> test;  ///< none: P is the farthest one left, and is compared now
+    uint32_t p = 0, q = 0;           ///< scene triangle numbers; without a test both P
+    double first = 0, second = 0;    ///< what was compared: depths, pixels or distances from a plane
 };
 
 struct PaintersOptions {
     Facing facing = Facing::TwoSided;
     bool byCentroid = false;     ///< sorted by the distance of the centroids alone
-    uint64_t limit = 1'000'000;  ///< of polygons
-    /// Called for each comparison that goes beyond test 2; may be empty.
+    uint64_t limit = 1'000'000;  ///< of polygons, whole and cut
+    /// Called for each P that is taken and for each comparison; may be empty.
     std::function<void(const NewellStep&)> watch{};
 };
 
@@ -52,8 +54,8 @@ struct PaintersOrder {
 /// picture, whose cells list polygons by that depth; a polygon that has to wait is marked and put on a stack, and where one is
 /// met that is marked already, all between are a cycle. Every polygon that is cut is cut by the plane of another one at most
 /// once, so that this ends. Polygons are compared before the near plane and within the picture. Throws Error(Usage) beyond the
-/// limit.
+/// limit, Error(Interrupted) on a stop request.
 [[nodiscard]] PaintersOrder paintersOrder(CutTriangles& triangles, const Scene& scene, const View& view,
-                                          const PaintersOptions& options);
+                                          const PaintersOptions& options, const Progress& progress = {});
 
 }  // namespace cullscope

@@ -4,7 +4,9 @@
 #include <chrono>
 
 #include "core/frame/curve.h"
+#include "core/frame/named_parts.h"
 #include "core/visibility/overlay.h"
+#include "core/visibility/subject_shape.h"
 
 namespace cullscope {
 
@@ -30,6 +32,12 @@ FrameLog BuiltStrategy::decide(const View& culling, ViewState& state, bool recor
     draw(frame, state);
     return frame.take();
 }
+
+SubjectShape BuiltStrategy::groupShape(const StructureSnapshot& snapshot, uint32_t number) const {
+    return m_strategy->groupShape(*m_structure, snapshot, number);
+}
+
+NamedParts BuiltStrategy::parts(const FrameLog& log) const { return m_strategy->parts(*m_structure, log); }
 
 std::vector<OverlayLines> BuiltStrategy::overlay(std::string_view id, const OverlayContext& context, const FrameLog& log) const {
     if (m_info.show(id) == nullptr) return {};

@@ -35,6 +35,12 @@ public:
 
     [[nodiscard]] StructureSnapshot snapshot(const FrameLog& log) const { return m_strategy->snapshot(*m_structure, log); }
 
+    [[nodiscard]] SubjectShape groupShape(const StructureSnapshot& snapshot, uint32_t number) const;
+    [[nodiscard]] std::optional<uint32_t> groupAt(uint64_t triangle, const Vec3& point) const {
+        return m_strategy->groupAt(*m_structure, triangle, point);
+    }
+    [[nodiscard]] NamedParts parts(const FrameLog& log) const;
+
     [[nodiscard]] std::vector<MeshStates> meshStates() const { return m_strategy->meshStates(*m_structure, m_parameters); }
 
     // Of a recorded frame.

@@ -1,5 +1,6 @@
 #include "core/visibility/object_nodes.h"
 
+#include <algorithm>
 #include <map>
 
 namespace cullscope {
@@ -71,6 +72,16 @@ StructureSnapshot objectNodes(const FrameLog& log, const Scene& scene) {
     ObjectNodes nodes(log, scene);
     for (const Decision& decision : log.decisions) nodes.add(decision);
     return nodes.take();
+}
+
+void sayBegin(FrameContext& frame, uint8_t line, const char* sentence, std::initializer_list<double> operands) {
+    if (!frame.recording()) return;
+    Decision begin;
+    begin.subject = Subject::ofNode(0);
+    begin.sentence = sentence;
+    std::ranges::copy(operands, begin.operands.begin());
+    begin.operandCount = uint8_t(operands.size());
+    frame.say(atLine(line, begin));
 }
 
 void sayObjectsAreDrawn(FrameContext& frame) {

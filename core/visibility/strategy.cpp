@@ -4,8 +4,10 @@
 
 #include "core/base/error.h"
 #include "core/frame/curve.h"
+#include "core/frame/named_parts.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/overlay.h"
+#include "core/visibility/subject_shape.h"
 #include "core/visibility/why.h"
 
 namespace cullscope {
@@ -42,6 +44,18 @@ void requireAvailable(const StrategyInfo& info, const GlInfo& gl) {
 }
 
 Facing Strategy::facing(const Scene& scene, const ParameterSet& parameters) const { return resolveFacing(parameters, scene); }
+
+SubjectShape Strategy::groupShape(const Structure& /*structure*/, const StructureSnapshot& snapshot, uint32_t number) const {
+    SubjectShape shape;
+    const auto found = std::ranges::find_if(
+        snapshot.nodes, [number](const SnapshotNode& node) { return node.isGroup() && node.number == number; });
+    if (found == snapshot.nodes.end()) return shape;
+    shape.node = number;
+    shape.boxes.push_back(found->box);
+    return shape;
+}
+
+NamedParts Strategy::parts(const Structure& structure, const FrameLog& log) const { return namedParts(structure.scene(), log); }
 
 std::vector<OverlayLines> Strategy::overlay(std::string_view /*id*/, const OverlayContext& /*context*/,
                                             const Structure& /*structure*/, const FrameLog& /*log*/) const {

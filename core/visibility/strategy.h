@@ -22,8 +22,10 @@ namespace cullscope {
 
 struct CellMap;
 struct Curve;
+struct NamedParts;
 struct OverlayContext;
 struct OverlayLines;
+struct SubjectShape;
 struct WhyStep;
 
 using CellMapPointer = std::shared_ptr<const CellMap>;
@@ -162,6 +164,19 @@ public:
     }
     /// The boxes that the strategy tests, with the decisions of a recorded frame; empty for a strategy without boxes.
     [[nodiscard]] virtual StructureSnapshot snapshot(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
+
+    /// Where a group of that snapshot lies, by its number: what views mark when it is chosen. Its box, unless a strategy knows
+    /// more.
+    [[nodiscard]] virtual SubjectShape groupShape(const Structure& structure, const StructureSnapshot& snapshot,
+                                                  uint32_t number) const;
+    /// The number of the smallest group of that snapshot that holds a triangle of the scene at a point of it; none: groups hold
+    /// objects.
+    [[nodiscard]] virtual std::optional<uint32_t> groupAt(const Structure& /*structure*/, uint64_t /*triangle*/,
+                                                          const Vec3& /*point*/) const {
+        return std::nullopt;
+    }
+    /// The parts into which a recorded frame cut the scene's objects (frame/named_parts.h), and the places in which they lie.
+    [[nodiscard]] virtual NamedParts parts(const Structure& structure, const FrameLog& log) const;
 
     // What the strategy declares in StrategyInfo::shows, of a recorded frame.
 

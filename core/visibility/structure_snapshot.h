@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/frame/frame_log.h"
@@ -17,6 +18,7 @@ struct SnapshotNode {
     int32_t parent = -1;    ///< index into StructureSnapshot::nodes; -1: a root
     uint32_t instance = 0;  ///< kGroup: a group
     uint32_t number = 0;    ///< of a group: its number in the structure, as decisions have it
+    std::string name{};     ///< of a group: what it is called; empty: nothing but its number
     uint32_t objects = 1;   ///< number of objects in it
     Box3 box;               ///< world coordinates
     uint64_t triangles = 0;
@@ -45,6 +47,9 @@ struct StructureSnapshot {
     /// The sentence about a group that was neither left out nor kept as a whole: %1 is the number of its objects. Null: "reaches
     /// over the edge of the frustum".
     const char* groupSentence = nullptr;
+    /// What a group with a name is called in a list, English and marked for translation: %1 is its name, %2 the number of its
+    /// objects. Null: "%1: %2 objects".
+    const char* groupName = nullptr;
     std::shared_ptr<const StructureDetails> details;  ///< null: there is nothing more
     std::shared_ptr<const SubjectPlaces> places;      ///< where subjects lie that only the strategy can place; null: none
 };

@@ -16,6 +16,7 @@ struct SubjectShape {
     static constexpr size_t kMostTriangles = 1'000;
 
     std::vector<Box3> boxes;                     ///< world coordinates
+    std::vector<std::vector<Vec3>> polygons;     ///< outlines in world coordinates, as of planes that divide space
     std::vector<std::array<Vec3, 3>> triangles;  ///< corners in world coordinates; in place of more there is their box
     std::vector<std::vector<Vec3>> lines;        ///< through points in world coordinates
     std::optional<std::array<Vec2, 2>> pixels;   ///< lower left and upper right corner in the culling view's picture

@@ -1,5 +1,7 @@
 // The command line's contract (docs/command-line.md): exit status, fields, files written completely or not at all.
 
+#include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -176,6 +178,24 @@ TEST_F(CullbenchContract, backfaceInsideAMeshPromisesToBeApproximate) {
     const json run = json::parse(result.out)["runs"][0];
     EXPECT_EQ(run["promise"], "approximate");
     EXPECT_GT(run["summary"]["missed_pixel_rate"], 0.5);
+}
+
+TEST_F(CullbenchContract, interruptEndsAFrameThatSortsForMinutes) {
+    std::ofstream soup(file("soup.obj"));
+    for (int i = 0; i < 2'000; ++i) {
+        for (int corner = 0; corner < 3; ++corner)
+            soup << "v " << std::sin(3 * i + corner) << ' ' << std::cos(7 * i + 2 * corner) << ' '
+                 << std::sin(11 * i + 5 * corner) << '\n';
+        soup << "f -3 -2 -1\n";
+    }
+    soup.close();
+    for (const std::vector<std::string>& command :
+         {std::vector<std::string>{"measure", file("soup.obj"), "-s", "painter:limit=100000000", "--path", "fibonacci:1"},
+          {"render", file("soup.obj"), "-s", "painter", "-p", "limit=100000000", "-o", file("soup.png")}}) {
+        const ProcessResult result = cullbench(command, {}, 3.0);
+        EXPECT_EQ(result.exitStatus, 130) << command[0] << result.err;
+    }
+    EXPECT_FALSE(std::filesystem::exists(file("soup.png")));
 }
 
 TEST_F(CullbenchContract, interruptEndsAGenerator) {

@@ -68,6 +68,18 @@ TEST_F(CullbenchContract, reproduceGivesThePapersAndOurFigures) {
     }
 }
 
+TEST_F(CullbenchContract, quizTakesAFileOfTheLecturersOwn) {
+    std::ofstream(file("own.polygons")) << "polygon A 1 0 0  2 0 0  2 1 0\nplane P 1 0 0 0\neye 5 1 5\n";
+    const ProcessResult result = cullbench({"reproduce", "quiz", file("own.polygons")});
+    ASSERT_EQ(result.exitStatus, 0) << result.err;
+    EXPECT_THAT(result.out, testing::AllOf(HasSubstr("C2"), HasSubstr("NULL"), HasSubstr("order")));
+    EXPECT_THAT(result.out, testing::Not(HasSubstr("answer key")));
+    expectRefusal(cullbench({"reproduce", "table-1", file("own.polygons")}), 2, "Taking one: quiz, example.");
+    expectRefusal(cullbench({"reproduce", "all", file("own.polygons")}), 2, "Taking one: quiz, example.");
+    std::ofstream(file("own.polygons")) << "plane P 1 0 0 0\n";
+    expectRefusal(cullbench({"reproduce", "quiz", file("own.polygons")}), 3, "own.polygons names no polygon");
+}
+
 TEST_F(CullbenchContract, interruptKeepsTheTable) {
     const ProcessResult result = cullbench({"reproduce", "table-3", "--json", file("t.json")}, {}, 4.0);
     EXPECT_EQ(result.exitStatus, 130) << result.err;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "core/geometry/random.h"
 #include "tests/support/test_scenes.h"
 
@@ -21,6 +23,22 @@ inline MeshPointer randomTriangles(uint64_t seed, size_t count, double edge) {
         for (int corner = 0; corner < 3; ++corner) corners.push_back(Vec3f(middle + 0.5 * edge * random.direction()));
     }
     return soupMesh(std::move(corners));
+}
+
+/// About so many triangles in one plane, as a lattice.
+inline ScenePointer coplanarTriangles(uint64_t count) {
+    const auto side = uint32_t(std::sqrt(double(count) / 2.0));
+    std::vector<Vec3f> positions;
+    std::vector<uint32_t> indices;
+    for (uint32_t y = 0; y <= side; ++y)
+        for (uint32_t x = 0; x <= side; ++x)
+            positions.emplace_back(4.0f * float(x) / float(side) - 2.0f, 4.0f * float(y) / float(side) - 2.0f, 0.5f);
+    for (uint32_t y = 0; y < side; ++y)
+        for (uint32_t x = 0; x < side; ++x) {
+            const uint32_t at = y * (side + 1) + x;
+            for (const uint32_t index : {at, at + 1, at + side + 2, at, at + side + 2, at + side + 1}) indices.push_back(index);
+        }
+    return sceneOf({meshOf(std::move(positions), std::move(indices))});
 }
 
 /// Three bars that overlap each other in a cycle, seen from (0, 0, 6): stability case 27.

@@ -98,7 +98,11 @@ struct ExperimentRunner::Bench {
         while (meter && !meter->complete() && !ready->stop.stop_requested() && clock.elapsed() < kStep) {
             tellBoard();
             const size_t before = meter->poses();
-            meter->step();
+            try {
+                meter->step(ready->stop);
+            } catch (const Error& error) {
+                if (error.kind() != ErrorKind::Interrupted) throw;
+            }
             if (meter->poses() == before) continue;
             // A loss cannot be dated to a frame, so the pose just measured is dropped; the result without it is kept.
             if (gpu.lost()) return Outcome{known, experimentLoss()};

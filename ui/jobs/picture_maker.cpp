@@ -17,6 +17,9 @@ ViewPicturePointer guarded(Message& failure, const Draw& draw) {
     try {
         return draw();
     } catch (const std::exception& error) {
+        // A frame that was ended because it is not wanted has no picture, and there is nothing to tell.
+        const auto* known = dynamic_cast<const Error*>(&error);
+        if (known != nullptr && known->kind() == ErrorKind::Interrupted) return nullptr;
         failure = sentenceOf(
             error, QT_TRANSLATE_NOOP("core", "This view cannot be drawn: %1"),
             QT_TRANSLATE_NOOP("core", "There is not enough memory to draw this view. Make the picture or the scene smaller."));
@@ -113,6 +116,7 @@ void PictureMaker::drawNext() {
 }
 
 void PictureMaker::finish(int view, const ViewRequest& request, const ViewPicturePointer& picture, const Message& failure) {
+    if (!picture && failure.empty()) return passOver(view, request);
     ViewState& state = m_views[size_t(view)];
     state.given = request;
     state.picture = picture;

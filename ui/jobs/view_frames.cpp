@@ -49,11 +49,36 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& stat
     frame->request = request;
     const View culling(request.culling, request.size);
     GpuFrame context(renderer, *request.buffers, culling, true);
-    request.strategy->draw(context, state);
+    const std::stop_callback closing(m_stop.get_token(), [this] { interrupt(std::nullopt); });
+    context.stopBy(begin(request.view));
+    try {
+        request.strategy->draw(context, state);
+    } catch (...) {
+        end(request.view, false);
+        throw;
+    }
     frame->log = context.take();
-    const std::lock_guard lock(m_mutex);
-    ++m_decided[request.view];
+    end(request.view, true);
     return frame;
+}
+
+std::stop_token ViewFrames::begin(int view) {
+    const std::lock_guard lock(m_mutex);
+    m_deciding = view;
+    m_stopOfThisFrame = {};
+    if (m_stop.stop_requested()) m_stopOfThisFrame.request_stop();
+    return m_stopOfThisFrame.get_token();
+}
+
+void ViewFrames::end(int view, bool decided) {
+    const std::lock_guard lock(m_mutex);
+    m_deciding.reset();
+    if (decided) ++m_decided[view];
+}
+
+void ViewFrames::interrupt(std::optional<int> view) {
+    const std::lock_guard lock(m_mutex);
+    if (m_deciding && (!view || m_deciding == view)) m_stopOfThisFrame.request_stop();
 }
 
 size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place) {

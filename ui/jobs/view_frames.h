@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stop_token>
 
 #include "core/gpu/gpu_frame.h"
 #include "core/image/view_picture.h"
@@ -45,7 +46,7 @@ struct LogPlace {
 /// The frame with the part of its log up to a place; without a place the frame itself. A null frame stays null.
 [[nodiscard]] ViewFramePointer frameUpTo(const ViewFramePointer& frame, const std::optional<LogPlace>& place);
 
-/// The frames of the views, each decided once, with each view's memory. Used on the GPU thread; `decided` on any.
+/// The frames of the views, each decided once, with each view's memory. Used on the GPU thread, but for what says otherwise.
 class ViewFrames {
 public:
     /// The view's frame, decided here if its newest one is another. Its decisions are always recorded, so that whatever reads
@@ -56,11 +57,18 @@ public:
     /// The memory with which the view's frame began, if its newest frame is this one; else that of a view without a past.
     [[nodiscard]] ViewStatePointer memoryBefore(const FrameRequest& request) const;
 
+    /// Ends the frame that is being decided, and all to come: the window closes. On any thread.
+    void stop() { m_stop.request_stop(); }
+    /// Ends the frame of a view (none: of any) that is being decided, because it is not wanted any more. On any thread.
+    void interrupt(std::optional<int> view);
+    /// What frames that are drawn beside these look at.
+    [[nodiscard]] std::stop_token stopToken() const { return m_stop.get_token(); }
+
     /// Drops the frames, or those of a view whose strategy is another one by now.
     void forget() { m_views.clear(); }
     void forget(int view, const BuiltStrategyPointer& present);
 
-    /// How many frames were decided for a view so far. For tests: a frame is decided once.
+    /// How many frames were decided for a view so far; on any thread. For tests: a frame is decided once.
     [[nodiscard]] size_t decided(int view) const;
 
 private:
@@ -69,11 +77,17 @@ private:
         ViewStatePointer before, after;  ///< the view's memory before and after `frame`
     };
 
+    /// What the frame of a view looks at; `end` follows.
+    [[nodiscard]] std::stop_token begin(int view);
+    void end(int view, bool decided);
     [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, ViewState& state, Renderer& renderer);
 
     std::map<int, Memory> m_views;
+    std::stop_source m_stop;
     mutable std::mutex m_mutex;
-    std::map<int, size_t> m_decided;  ///< guarded by m_mutex
+    std::map<int, size_t> m_decided;     ///< guarded by m_mutex
+    std::optional<int> m_deciding;       ///< the view whose frame is being decided; guarded by m_mutex
+    std::stop_source m_stopOfThisFrame;  ///< guarded by m_mutex
 };
 using ViewFramesPointer = std::shared_ptr<ViewFrames>;
 

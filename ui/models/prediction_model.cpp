@@ -4,18 +4,26 @@
 
 namespace cullscope::ui {
 
-PredictionModel::PredictionModel(ScenePointer scene, Prediction prediction, std::vector<PredictionRow> rows, QObject* parent)
-    : QAbstractTableModel(parent), m_scene(std::move(scene)), m_prediction(std::move(prediction)), m_rows(std::move(rows)) {}
+PredictionModel::PredictionModel(ScenePointer scene, Prediction prediction, std::vector<PredictionRow> rows,
+                                 std::shared_ptr<const NamedParts> parts, QObject* parent)
+    : QAbstractTableModel(parent),
+      m_scene(std::move(scene)),
+      m_prediction(std::move(prediction)),
+      m_rows(std::move(rows)),
+      m_parts(std::move(parts)) {}
 
 int PredictionModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }
 
 QString PredictionModel::itemText(uint64_t item) const {
-    if (m_prediction.ofTriangles) return tr("triangle %1").arg(countText(item));
+    if (m_prediction.of == Prediction::Items::Triangles) return tr("triangle %1").arg(countText(item));
+    if (m_prediction.of == Prediction::Items::Parts) return QString::fromStdString(m_parts->parts[item].name);
     return QString::fromStdString(m_scene->instances()[item].name);
 }
 
 QString PredictionModel::placeText(const std::optional<size_t>& place) const {
     if (m_prediction.question == Prediction::Question::Vanish) return place == 1 ? tr("vanishes") : tr("is drawn");
+    if (m_prediction.question == Prediction::Question::Place)
+        return place ? QString::fromStdString(m_parts->places[*place]) : QStringLiteral("–");
     return place ? countText(*place) : QStringLiteral("–");
 }
 
@@ -38,7 +46,8 @@ QVariant PredictionModel::headerData(int section, Qt::Orientation orientation, i
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
     switch (section) {
         case Item:
-            return m_prediction.ofTriangles ? tr("Triangle") : tr("Object");
+            if (m_prediction.of == Prediction::Items::Parts) return tr("Part");
+            return m_prediction.of == Prediction::Items::Triangles ? tr("Triangle") : tr("Object");
         case Expected:
             return tr("Expected");
         case Actual:

@@ -7,14 +7,16 @@
 
 namespace cullscope::ui {
 
-/// What was expected of each object or triangle, beside what the frame did with it.
+/// What was expected of each object, triangle or part, beside what the frame did with it.
 class PredictionModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     enum Column { Item, Expected, Actual, Right, ColumnCount };
 
-    PredictionModel(ScenePointer scene, Prediction prediction, std::vector<PredictionRow> rows, QObject* parent = nullptr);
+    /// `parts`: of a question about parts, else null.
+    PredictionModel(ScenePointer scene, Prediction prediction, std::vector<PredictionRow> rows,
+                    std::shared_ptr<const NamedParts> parts, QObject* parent = nullptr);
 
     [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override { return parent.isValid() ? 0 : ColumnCount; }
@@ -30,6 +32,7 @@ private:
     ScenePointer m_scene;
     Prediction m_prediction;
     std::vector<PredictionRow> m_rows;
+    std::shared_ptr<const NamedParts> m_parts;
 };
 
 }  // namespace cullscope::ui

@@ -18,7 +18,7 @@ size_t place(int64_t node) { return size_t(node + 1); }
 bool sameBoxes(const StructureSnapshot& a, const StructureSnapshot& b) {
     return std::equal(a.nodes.begin(), a.nodes.end(), b.nodes.begin(), b.nodes.end(),
                       [](const SnapshotNode& x, const SnapshotNode& y) {
-                          return x.parent == y.parent && x.instance == y.instance && x.objects == y.objects;
+                          return x.parent == y.parent && x.instance == y.instance && x.objects == y.objects && x.name == y.name;
                       });
 }
 
@@ -82,6 +82,11 @@ std::optional<uint32_t> StructureModel::instanceAt(const QModelIndex& index) con
     return m_snapshot->nodes[nodeOf(index)].instance;
 }
 
+std::optional<uint32_t> StructureModel::groupAt(const QModelIndex& index) const {
+    if (!index.isValid() || !m_snapshot->nodes[nodeOf(index)].isGroup()) return std::nullopt;
+    return m_snapshot->nodes[nodeOf(index)].number;
+}
+
 QModelIndex StructureModel::indexOfInstance(uint32_t instance) const {
     if (instance >= m_nodeOfInstance.size() || m_nodeOfInstance[instance] < 0) return {};
     return indexOfNode(size_t(m_nodeOfInstance[instance]));
@@ -113,9 +118,16 @@ int StructureModel::rowCount(const QModelIndex& parent) const {
 
 int StructureModel::columnCount(const QModelIndex& /*parent*/) const { return ColumnCount; }
 
+QString StructureModel::namedText(const SnapshotNode& node) const {
+    const QString name = QString::fromStdString(node.name), objects = countText(node.objects);
+    if (m_snapshot->groupName) return translated(m_snapshot->groupName).arg(name, objects);
+    return tr("%1: %2 objects", "a group by its name").arg(name, objects);
+}
+
 QString StructureModel::text(const SnapshotNode& node, size_t number, int column) const {
     switch (column) {
         case Name:
+            if (!node.name.empty()) return namedText(node);
             if (node.isGroup())
                 return node.objects == 1 ? tr("1 object", "a group of one")
                                          : tr("%1 objects", "a group of so many").arg(countText(node.objects));

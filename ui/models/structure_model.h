@@ -36,6 +36,8 @@ public:
     [[nodiscard]] QModelIndex indexOfGroup(uint32_t number) const;
     /// The instance of a row; none for a box with child boxes or a group.
     [[nodiscard]] std::optional<uint32_t> instanceAt(const QModelIndex& index) const;
+    /// The number of a row's group in the structure; none: the row is no group.
+    [[nodiscard]] std::optional<uint32_t> groupAt(const QModelIndex& index) const;
     /// The row of the first leaf of an instance; invalid: it has none.
     [[nodiscard]] QModelIndex indexOfInstance(uint32_t instance) const;
 
@@ -55,6 +57,8 @@ private:
     [[nodiscard]] QModelIndex indexOfNode(size_t node) const;
     /// The state of a box that was kept and holds one object; none: not known.
     [[nodiscard]] std::optional<TriangleState> stateAgainstTruth(const SnapshotNode& node, size_t number) const;
+    /// What a group with a name is called.
+    [[nodiscard]] QString namedText(const SnapshotNode& node) const;
     [[nodiscard]] QString text(const SnapshotNode& node, size_t number, int column) const;
     void layOut();
     void tellOfData();

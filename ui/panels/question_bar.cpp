@@ -14,17 +14,24 @@ QuestionBar::QuestionBar(Session& session, QuestionFirst& questions, QWidget* pa
       m_questions(questions),
       m_question(new QComboBox(this)),
       m_words(new QLabel(this)),
+      m_place(new QComboBox(this)),
       m_reveal(new QPushButton(this)),
       m_withdraw(new QPushButton(this)) {
-    m_question->addItems({QString(), QString()});
+    m_question->addItems({QString(), QString(), QString()});
     leaveWheelUnlessFocused(*m_question);
+    leaveWheelUnlessFocused(*m_place);
+    m_words->setWordWrap(true);
     auto* row = new QHBoxLayout(this);
     row->setContentsMargins(8, 4, 8, 4);
     row->addWidget(m_question);
     row->addWidget(m_words, 1);
+    row->addWidget(m_place);
     row->addWidget(m_reveal);
     row->addWidget(m_withdraw);
     connect(m_question, &QComboBox::activated, this, [this](int chosen) { m_questions.ask(Prediction::Question(chosen)); });
+    connect(m_place, &QComboBox::activated, this, [this](int chosen) {
+        if (chosen > 0) m_questions.place(size_t(chosen - 1));
+    });
     connect(m_reveal, &QPushButton::clicked, &questions, &QuestionFirst::reveal);
     connect(m_withdraw, &QPushButton::clicked, &questions, &QuestionFirst::withdraw);
     connect(&session, &Session::questionChanged, this, &QuestionBar::refresh);
@@ -36,13 +43,47 @@ void QuestionBar::refresh() {
     setVisible(question.has_value());
     if (!question) return;
     m_question->setCurrentIndex(int(question->question));
-    m_words->setText(tr("Click what you expect; a second click takes it back. Named: %1").arg(countText(question->items.size())));
+    m_words->setText(words());
+    refreshPlaces();
+}
+
+QString QuestionBar::words() const {
+    const Prediction& question = *m_session.question();
+    const QString named = countText(question.items.size());
+    const NamedParts* parts = m_session.questionParts().get();
+    if (question.question != Prediction::Question::Place)
+        return tr("Click what you expect; a second click takes it back. Named: %1").arg(named);
+    if (!parts) return {};
+    if (parts->places.empty())
+        return tr(
+            "The active view's strategy has no leaves that could be named. Choose another strategy, other parameters, or "
+            "another question.");
+    if (question.items.empty()) return tr("Click a part, then choose the leaf in which it lies. Named: %1").arg(named);
+    return tr("In which leaf does %1 lie? Then click the next part. Named: %2")
+        .arg(QString::fromStdString(parts->parts[question.items.back()].name), named);
+}
+
+void QuestionBar::refreshPlaces() {
+    const Prediction& question = *m_session.question();
+    const NamedParts* parts = m_session.questionParts().get();
+    const bool asks = question.question == Prediction::Question::Place && parts && !parts->places.empty();
+    m_place->setVisible(asks);
+    if (!asks) return;
+    QStringList names{QStringLiteral("–")};
+    for (const std::string& name : parts->places) names << QString::fromStdString(name);
+    m_place->clear();
+    m_place->addItems(names);
+    m_place->setEnabled(!question.items.empty());
+    const std::optional<size_t> expected = question.places.empty() ? std::nullopt : question.places.back();
+    m_place->setCurrentIndex(expected ? int(*expected) + 1 : 0);
 }
 
 void QuestionBar::retranslate() {
     m_question->setItemText(int(Prediction::Question::Vanish), tr("What vanishes?"));
     m_question->setItemText(int(Prediction::Question::Order), tr("In which order is it drawn?"));
+    m_question->setItemText(int(Prediction::Question::Place), tr("In which leaf does it lie?"));
     m_question->setAccessibleName(tr("Question"));
+    m_place->setAccessibleName(tr("Leaf"));
     m_reveal->setText(tr("Reveal"));
     m_withdraw->setText(tr("Withdraw"));
     refresh();

@@ -8,8 +8,8 @@
 
 namespace cullscope::ui {
 
-/// The bar under the views while a question is open: which question, how many were named, and the buttons that reveal the answer
-/// or withdraw the question.
+/// The bar under the views while a question is open: which question, how many were named, where the last one is expected, and
+/// the buttons that reveal the answer or withdraw the question.
 class QuestionBar : public QWidget {
     Q_OBJECT
 
@@ -17,6 +17,10 @@ public:
     QuestionBar(Session& session, QuestionFirst& questions, QWidget* parent = nullptr);
 
     [[nodiscard]] QComboBox& question() { return *m_question; }
+    /// The places of a question about them, after an entry without a place.
+    [[nodiscard]] QComboBox& place() { return *m_place; }
+    /// What is to be done; only while a question is open.
+    [[nodiscard]] QString words() const;
     [[nodiscard]] QPushButton& revealButton() { return *m_reveal; }
 
 protected:
@@ -24,12 +28,14 @@ protected:
 
 private:
     void refresh();
+    void refreshPlaces();
     void retranslate();
 
     Session& m_session;
     QuestionFirst& m_questions;
     QComboBox* m_question;
     QLabel* m_words;
+    QComboBox* m_place;
     QPushButton *m_reveal, *m_withdraw;
 };
 

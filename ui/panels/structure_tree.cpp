@@ -81,10 +81,21 @@ std::shared_ptr<const TriangleStates> StructureTree::statesOfTruth() const {
 
 QModelIndex StructureTree::followedRow() const {
     if (const ShownStep* step = m_session.stepOf(m_session.activeView()); step != nullptr) {
-        if (step->shape.node) return m_model->indexOfGroup(*step->shape.node);
+        const SubjectShape& shape = step->shape;
+        if (shape.node) return m_model->indexOfGroup(*shape.node);
+        if (shape.triangle && !shape.triangles.empty()) {
+            const auto& [a, b, c] = shape.triangles.front();
+            const auto group = step->frame->request.strategy->groupAt(*shape.triangle, (a + b + c) / 3.0);
+            if (group) return m_model->indexOfGroup(*group);
+        }
         if (step->shape.object) return m_model->indexOfInstance(*step->shape.object);
     }
     const std::optional<Pick>& pick = m_session.pick();
+    const SnapshotReadingPointer& reading = m_reader.reading();
+    if (const auto triangle = m_reader.pickedTriangle();
+        triangle && reading && reading->strategy->scenePointer() == m_session.scene())
+        if (const std::optional<uint32_t> group = reading->strategy->groupAt(*triangle, pick->point))
+            return m_model->indexOfGroup(*group);
     const std::optional<uint32_t> instance = pick ? m_session.instanceOf(pick->object) : std::nullopt;
     return instance ? m_model->indexOfInstance(*instance) : QModelIndex();
 }
@@ -104,10 +115,16 @@ void StructureTree::followPick() {
 void StructureTree::pickSelected() {
     if (m_following) return;
     const QModelIndexList rows = m_view->selectionModel()->selectedRows();
-    const std::optional<uint32_t> instance = rows.isEmpty() ? std::nullopt : m_model->instanceAt(rows.front());
+    const SnapshotReadingPointer& reading = m_reader.reading();
     // After a change of the scene, until the first new reading, the model shows the former scene.
-    if (!instance || !m_reader.reading() || m_reader.reading()->strategy->scenePointer() != m_session.scene()) return;
-    pickObject(m_session, m_session.objectOf(*instance));
+    if (rows.isEmpty() || !reading || reading->strategy->scenePointer() != m_session.scene())
+        return m_session.setGroup(std::nullopt);
+    if (const std::optional<uint32_t> group = m_model->groupAt(rows.front()))
+        return m_session.setGroup(
+            ChosenGroup{reading->strategy, *group, reading->strategy->groupShape(*reading->snapshot, *group)});
+    m_session.setGroup(std::nullopt);
+    if (const std::optional<uint32_t> instance = m_model->instanceAt(rows.front()))
+        pickObject(m_session, m_session.objectOf(*instance));
 }
 
 void StructureTree::retranslate() {

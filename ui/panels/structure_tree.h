@@ -8,8 +8,8 @@
 
 namespace cullscope::ui {
 
-/// The boxes that the active view's strategy tests, with their verdicts. A selected row is picked, and the picked object is
-/// selected.
+/// The boxes that the active view's strategy tests, or the nodes of its tree, with their verdicts. The selected object is picked
+/// and the selected group is marked in the views; the row of what is picked is selected.
 class StructureTree : public QWidget {
     Q_OBJECT
 

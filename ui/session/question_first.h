@@ -17,20 +17,31 @@ class QuestionFirst : public QObject {
 public:
     explicit QuestionFirst(Session& session, QObject* parent = nullptr);
 
-    /// Opens a question without anything named. Of a scene of one object, triangles are named, else objects.
+    /// Opens a question without anything named. What is named are the parts of a frame that cuts objects, or triangles in a
+    /// scene of one object, else objects; a question about places is always about parts.
     void ask(Prediction::Question question);
+    /// Says where what was named last is expected, as a number of NamedParts::places.
+    void place(size_t place);
     /// Closes it without an answer.
     void withdraw();
     /// Reads the frame, closes the question and emits `answered`. Does nothing where no question is open.
     void reveal();
 
 signals:
-    /// `rows` number instances or triangles as the session's scene does.
-    void answered(const cullscope::Prediction& prediction, const std::vector<cullscope::PredictionRow>& rows);
+    /// `rows` number instances and triangles as the session's scene does, and parts as `parts`, which is null without them.
+    void answered(const cullscope::Prediction& prediction, const std::vector<cullscope::PredictionRow>& rows,
+                  const cullscope::ui::NamedPartsPointer& parts);
 
 private:
+    /// Of more parts, only objects are asked about in an order.
+    static constexpr size_t kMostParts = 200;
+
+    /// Reads the parts of the active view's frame, where the open question may be about them.
+    void readParts();
+    void take(const NamedPartsPointer& parts);
+
     Session& m_session;
-    GpuJobs m_jobs;
+    GpuJobs m_jobs, m_reading;
 };
 
 }  // namespace cullscope::ui

@@ -54,6 +54,7 @@ Session::~Session() {
     m_loader.blockSignals(true);
     m_loader.cancel();
     m_step.reset();
+    m_frames->stop();
     if (m_meter) m_meter->cancel();
     for (ViewState& view : m_views) view.figures = {};
     // Finish work and deliveries of the GPU thread while that thread exists.
@@ -102,10 +103,17 @@ void Session::makeView(int view) {
     state.slot = std::make_unique<StrategySlot>(
         info.id, ParameterSet(info.parameters), [this](const StrategyInfo& chosen) { return unavailable(chosen); }, m_structures);
     connect(state.slot.get(), &StrategySlot::chosen, this, [this, view] {
+        // A frame of the former strategy may take minutes.
+        m_frames->interrupt(view);
         emit strategyChosen(view);
         update();
     });
     connect(state.slot.get(), &StrategySlot::builtChanged, this, [this, view] {
+        // A group of what was built before is none of what is built now.
+        if (m_group && std::ranges::none_of(m_views, [this](const ViewState& each) {
+                return each.slot && each.slot->built() == m_group->strategy;
+            }))
+            setGroup(std::nullopt);
         if (m_gpu) m_gpu->post([frames = m_frames, view, built = slot(view).built()] { frames->forget(view, built); });
         emit strategyBuilt(view);
         update();
@@ -163,6 +171,8 @@ void Session::show(const OpenedScenePointer& opened) {
 
 void Session::showScene(const ScenePointer& scene) {
     m_scene = scene;
+    setGroup(std::nullopt);
+    m_frames->interrupt(std::nullopt);
     m_objects.clear();
     for (uint32_t object = 0; object < m_hidden.size(); ++object)
         if (!m_hidden[object]) m_objects.push_back(object);
@@ -305,6 +315,7 @@ void Session::update() {
 
 void Session::setPick(const std::optional<Pick>& pick) {
     if (m_pictures) m_pictures->cancelPick();
+    setGroup(std::nullopt);
     if (pick == m_pick) return;
     m_pick = pick;
     emit pickChanged();
@@ -316,7 +327,7 @@ void Session::pickAt(int view, int x, int y) {
     m_pictures->pick(*request, x, y, [this, view, request = *request](const std::optional<ViewPictureDrawer::Picked>& picked) {
         // A scene that changed meanwhile numbers its triangles in another way.
         if (m_scene != request.buffers->scenePointer()) return;
-        if (m_question) return picked ? nameInQuestion(picked->triangle) : void();
+        if (m_question) return picked ? nameInQuestion(picked->triangle, picked->point) : void();
         if (!picked) return setPick(std::nullopt);
         const auto instance = uint32_t(m_scene->instanceOf(picked->triangle));
         const uint32_t object = objectOf(instance);

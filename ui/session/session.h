@@ -23,6 +23,7 @@
 
 namespace cullscope::ui {
 
+using NamedPartsPointer = std::shared_ptr<const NamedParts>;
 using OpenedScenePointer = std::shared_ptr<const OpenedScene>;
 
 enum class Severity { Information, Warning, Error };
@@ -47,6 +48,15 @@ struct ShownStep {
     [[nodiscard]] bool operator==(const ShownStep& other) const {
         return view == other.view && place == other.place && step == other.step && frame == other.frame;
     }
+};
+
+/// A group of what a strategy built, such as a node of its tree, that was chosen to be marked in the views that cull with it.
+struct ChosenGroup {
+    BuiltStrategyPointer strategy;
+    uint32_t number = 0;  ///< SnapshotNode::number
+    SubjectShape shape;
+
+    [[nodiscard]] bool operator==(const ChosenGroup& other) const { return strategy == other.strategy && number == other.number; }
 };
 
 /// The document of the desktop: the scene, the camera that the linked views share, the setups of all views, their pictures and
@@ -161,6 +171,10 @@ public:
     /// tells what its strategy decided: all show all triangles, and a click names what is clicked.
     [[nodiscard]] const std::optional<Prediction>& question() const { return m_question; }
     void setQuestion(const std::optional<Prediction>& question);
+    /// The parts that a question about parts names; null: it is about objects or triangles, or there is none.
+    [[nodiscard]] const NamedPartsPointer& questionParts() const { return m_questionParts; }
+    /// Opens a question about parts. `question` numbers them as `parts` does.
+    void setQuestion(const Prediction& question, const NamedPartsPointer& parts);
 
     // Metrics
     [[nodiscard]] const ViewMetrics& figures(int view) const { return m_views[size_t(culledBy(view))].figures; }
@@ -179,6 +193,12 @@ public:
     void setPick(const std::optional<Pick>& pick);
     /// Looks up what a view's picture shows at a pixel (y upward) and picks it; a pixel of the background clears the pick.
     void pickAt(int view, int x, int y);
+
+    /// The chosen group of the active view's strategy; none once a strategy was built anew, or something was picked.
+    [[nodiscard]] const std::optional<ChosenGroup>& group() const { return m_group; }
+    void setGroup(const std::optional<ChosenGroup>& group);
+    /// The chosen group where the view culls with its strategy and is not stepped; null: there is none.
+    [[nodiscard]] const ChosenGroup* groupOf(int view) const;
 
     // OpenGL
     /// Why this machine does not support a strategy; none: it does.
@@ -211,6 +231,7 @@ signals:
     void stepChanged();
     void questionChanged();
     void pickChanged();
+    void groupChanged();
     /// Emitted after pickChanged if the pick came from a click into this view's picture.
     void pickedInPicture(int view);
     void messageRaised(cullscope::ui::Severity severity, const cullscope::Message& message);
@@ -228,7 +249,7 @@ private:
     void makeGraphics();
     void makeView(int view);
     void tellRepairs();
-    void nameInQuestion(uint64_t triangle);
+    void nameInQuestion(uint64_t triangle, const Vec3& point);
     void limitToStep(ViewRequest& request) const;
     void showScene(const ScenePointer& scene);
     void changeSetup(int view, const ViewSetup& setup);
@@ -272,8 +293,10 @@ private:
     int m_viewCount = 2;
     int m_activeView = 1;
     std::optional<Pick> m_pick;
+    std::optional<ChosenGroup> m_group;
     std::optional<ShownStep> m_step;
     std::optional<Prediction> m_question;
+    NamedPartsPointer m_questionParts;
     QTimer m_rest;
     std::vector<ViewMeter::Subject> m_underWay;  ///< subjects that the meter is measuring
     bool m_measuring = true;

@@ -101,6 +101,7 @@ void Stepper::show() {
                    {}};
     if (const std::optional<FrameEntry> entry = m_stepper->current())
         step.shape = subjectShape(m_frame->request.strategy->scene(), m_frame->log, m_snapshot, *entry);
+    if (step.shape.node) step.shape.polygons = m_frame->request.strategy->groupShape(m_snapshot, *step.shape.node).polygons;
     m_session.setStep(step);
     emit changed();
 }

@@ -218,8 +218,9 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
         return step.again();
     }
     if (!job.rounds->complete()) {
-        job.rounds->step(m_bench->ownRenderer(),
-                         [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); });
+        job.rounds->step(
+            m_bench->ownRenderer(), [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); },
+            m_bench->frames->stopToken());
         return step.again();
     }
     for (size_t i = 0; i < job.subjects.size(); ++i) {

@@ -13,6 +13,8 @@ constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind 
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
 constexpr double kNamedSize = 1.6;  // of a mark in a question, in lines of text
+constexpr int kPlaneOpacity = 56;   // of 255
+constexpr int kOwnOpacity = 112;
 
 /// Draws a line that is visible on any background: light with a dark edge.
 template <typename Draw>
@@ -35,6 +37,24 @@ public:
         if (from.w < least) from += (least - from.w) / (to.w - from.w) * (to - from);
         if (to.w < least) to += (least - to.w) / (from.w - to.w) * (from - to);
         return QLineF(place(from), place(to));
+    }
+
+    /// A convex polygon in the window, clipped at the eye plane.
+    [[nodiscard]] QPolygonF polygon(const std::vector<Vec3>& corners) const {
+        std::vector<Vec4> clip;
+        double farthest = 0.0;
+        for (const Vec3& corner : corners) {
+            clip.push_back(m_view.clipFromEyeRelative() * Vec4(corner, 1.0));
+            farthest = std::max(farthest, std::abs(clip.back().w));
+        }
+        const double least = kNearestShare * farthest;
+        QPolygonF result;
+        for (size_t i = 0; i < clip.size(); ++i) {
+            const Vec4 &from = clip[i], &to = clip[(i + 1) % clip.size()];
+            if (from.w >= least) result << place(from);
+            if ((from.w >= least) != (to.w >= least)) result << place(from + (least - from.w) / (to.w - from.w) * (to - from));
+        }
+        return result;
     }
 
 private:
@@ -67,6 +87,27 @@ QVector<QLineF> triangleLines(const Projection& projection, const std::array<Vec
     for (size_t i = 0; i < 3; ++i)
         if (const auto line = projection.line(corners[i], corners[(i + 1) % 3])) lines << *line;
     return lines;
+}
+
+/// The middle of a named item, relative to the eye; none: it is a part that is not known any more.
+std::optional<Vec3> middleOf(const Scene& scene, const Prediction& prediction, const NamedParts* parts, size_t place,
+                             const Vec3& eye) {
+    const uint64_t item = prediction.items[place];
+    if (prediction.of == Prediction::Items::Parts)
+        return parts && item < parts->parts.size() ? std::optional(parts->middleOf(scene, item) - eye) : std::nullopt;
+    if (prediction.of == Prediction::Items::Objects) return scene.instanceBox(item).centre() - eye;
+    const size_t instance = scene.instanceOf(item);
+    const std::array<Vec3, 3> corners = InstanceFromEye(scene, instance, eye).corners(item - scene.firstTriangle(instance));
+    return (corners[0] + corners[1] + corners[2]) / 3.0;
+}
+
+/// What the mark of a named item says.
+QString markText(const Prediction& prediction, const NamedParts* parts, size_t place) {
+    if (prediction.question == Prediction::Question::Order) return QString::number(place + 1);
+    if (prediction.question == Prediction::Question::Vanish || !parts) return QStringLiteral("✗");
+    const std::optional<size_t> expected = place < prediction.places.size() ? prediction.places[place] : std::nullopt;
+    const std::string where = expected && *expected < parts->places.size() ? parts->places[*expected] : "?";
+    return QString::fromStdString(parts->parts[prediction.items[place]].name + ": " + where);
 }
 
 }  // namespace
@@ -103,6 +144,10 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
     painter.setBrush(Qt::NoBrush);
     QVector<QLineF> lines;
     for (const Box3& box : shape.boxes) lines << boxLines(projection, box, viewing.eye());
+    for (const std::vector<Vec3>& outline : shape.polygons)
+        for (size_t i = 0; i < outline.size(); ++i)
+            if (const auto line = projection.line(outline[i] - viewing.eye(), outline[(i + 1) % outline.size()] - viewing.eye()))
+                lines << *line;
     for (std::array<Vec3, 3> corners : shape.triangles) {
         for (Vec3& corner : corners) corner -= viewing.eye();
         lines << triangleLines(projection, corners);
@@ -125,30 +170,50 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
     painter.restore();
 }
 
-void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const View& viewing,
-                     const PictureLayout& layout) {
+void paintGroup(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout) {
+    const Projection projection(viewing, layout);
+    painter.save();
+    painter.setClipRect(layout.rect(), Qt::IntersectClip);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setBrush(Qt::NoBrush);
+    for (const Box3& box : shape.boxes) {
+        const QVector<QLineF> lines = boxLines(projection, box, viewing.eye());
+        twice(painter, 1.0, Qt::DashLine, [&] { painter.drawLines(lines); });
+    }
+    const auto fill = [&](std::vector<Vec3> corners, int opacity, double edge) {
+        for (Vec3& corner : corners) corner -= viewing.eye();
+        const QPolygonF polygon = projection.polygon(corners);
+        painter.setBrush(QColor(kInHandColour.red(), kInHand.green(), kInHand.blue(), opacity));
+        painter.setPen(QPen(kEdge, edge + 2.0));
+        painter.drawPolygon(polygon);
+        painter.setBrush(Qt::NoBrush);
+        painter.setPen(QPen(kInHandColour, edge));
+        painter.drawPolygon(polygon);
+    };
+    for (const std::vector<Vec3>& outline : shape.polygons) fill(outline, kPlaneOpacity, 1.5);
+    for (const std::array<Vec3, 3>& corners : shape.triangles) fill({corners.begin(), corners.end()}, kOwnOpacity, 1.0);
+    painter.restore();
+}
+
+void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const NamedParts* parts,
+                     const View& viewing, const PictureLayout& layout) {
     const Projection projection(viewing, layout);
     painter.save();
     painter.setClipRect(layout.rect(), Qt::IntersectClip);
     painter.setRenderHint(QPainter::Antialiasing);
     const double height = QFontMetricsF(painter.font(), painter.device()).height() * kNamedSize;
     for (size_t i = 0; i < prediction.items.size(); ++i) {
-        const uint64_t item = prediction.items[i];
-        const size_t instance = prediction.ofTriangles ? scene.instanceOf(item) : item;
-        Vec3 middle = scene.instanceBox(instance).centre() - viewing.eye();
-        if (prediction.ofTriangles) {
-            const std::array<Vec3, 3> corners =
-                InstanceFromEye(scene, instance, viewing.eye()).corners(item - scene.firstTriangle(instance));
-            middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-        }
-        const std::optional<QLineF> place = projection.line(middle, middle);
+        const std::optional<Vec3> middle = middleOf(scene, prediction, parts, i, viewing.eye());
+        const std::optional<QLineF> place = middle ? projection.line(*middle, *middle) : std::nullopt;
         if (!place) continue;
-        const QRectF disc(place->x1() - height / 2.0, place->y1() - height / 2.0, height, height);
+        const QString text = markText(prediction, parts, i);
+        const double width =
+            std::max(height, QFontMetricsF(painter.font(), painter.device()).horizontalAdvance(text) + 0.6 * height);
+        const QRectF disc(place->x1() - width / 2.0, place->y1() - height / 2.0, width, height);
         painter.setPen(QPen(kEdge, 2.0));
         painter.setBrush(kInHandColour);
-        painter.drawEllipse(disc);
-        const bool ordered = prediction.question == Prediction::Question::Order;
-        painter.drawText(disc, Qt::AlignCenter, ordered ? QString::number(i + 1) : QStringLiteral("✗"));
+        painter.drawRoundedRect(disc, height / 2.0, height / 2.0);
+        painter.drawText(disc, Qt::AlignCenter, text);
     }
     painter.restore();
 }

@@ -16,8 +16,12 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const V
 void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
                   bool ownPicture);
 
-/// Marks what was named in an open question: with its place in an order, else with a cross.
-void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const View& viewing,
-                     const PictureLayout& layout);
+/// Marks a group of what a strategy built: its box with dashes, what divides it and its triangles filled.
+void paintGroup(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout);
+
+/// Marks what was named in an open question: with its place in an order, or the name of its place, else with a cross. `parts`: of
+/// a question about parts, else null.
+void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const NamedParts* parts,
+                     const View& viewing, const PictureLayout& layout);
 
 }  // namespace cullscope::ui

@@ -42,7 +42,8 @@ SceneView::SceneView(Session& session, int view, QWidget* parent)
     connect(&session, &Session::pictureChanged, this, [this](int changed) {
         if (changed == m_view) update();
     });
-    connect(&session, &Session::pickChanged, this, qOverload<>(&SceneView::update));
+    for (const auto signal : {&Session::pickChanged, &Session::groupChanged})
+        connect(&session, signal, this, qOverload<>(&SceneView::update));
     // A step is painted with its picture, which pictureChanged tells of: painting the former one again would delay it.
     connect(&session, &Session::questionChanged, this, qOverload<>(&SceneView::update));
     connect(&session, &Session::setupChanged, this, [this](int changed) {
@@ -226,8 +227,11 @@ void SceneView::paintStep(QPainter& painter, const PictureLayout& layout) const 
     const ViewPicturePointer shown = m_session.picture(m_view);
     const ShownStep* step = m_session.stepOf(m_view);
     if (shown && m_session.question() && m_session.scene() == shown->request.buffers->scenePointer())
-        paintPrediction(painter, *m_session.scene(), *m_session.question(), View(shown->request.viewing, shown->request.size),
-                        layout);
+        paintPrediction(painter, *m_session.scene(), *m_session.question(), m_session.questionParts().get(),
+                        View(shown->request.viewing, shown->request.size), layout);
+    const ChosenGroup* group = m_session.groupOf(m_view);
+    if (shown && group && shown->frame->request.strategy == group->strategy && !shown->request.look.sphericalModel)
+        paintGroup(painter, group->shape, View(shown->request.viewing, shown->request.size), layout);
     if (!shown || !step || m_session.question() || shown->request.look.sphericalModel) return;
     if (!shown->ahead.isNull()) {
         painter.setOpacity(kAheadOpacity);

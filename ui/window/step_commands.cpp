@@ -28,8 +28,9 @@ StepCommands::StepCommands(Session& session, WindowActions& actions, QWidget* wi
     refresh();
 }
 
-void StepCommands::showAnswer(const Prediction& prediction, const std::vector<PredictionRow>& rows) {
-    auto* dialog = new AnswerDialog(new PredictionModel(m_session.scene(), prediction, rows), m_window);
+void StepCommands::showAnswer(const Prediction& prediction, const std::vector<PredictionRow>& rows,
+                              const NamedPartsPointer& parts) {
+    auto* dialog = new AnswerDialog(new PredictionModel(m_session.scene(), prediction, rows, parts), m_window);
     dialog->show();
 }
 

@@ -20,7 +20,7 @@ public:
 
 private:
     void refresh();
-    void showAnswer(const Prediction& prediction, const std::vector<PredictionRow>& rows);
+    void showAnswer(const Prediction& prediction, const std::vector<PredictionRow>& rows, const NamedPartsPointer& parts);
 
     Session& m_session;
     WindowActions& m_actions;

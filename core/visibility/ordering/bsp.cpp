@@ -1,11 +1,12 @@
-#include "core/visibility/ordering/bsp.h"
-
 #include <array>
 
-#include "core/spatial/bsp_tree.h"
+#include "core/frame/named_parts.h"
+#include "core/spatial/bsp_cells.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/ordering/ordering.h"
 #include "core/visibility/overlay.h"
+#include "core/visibility/subject_shape.h"
 #include "core/visibility/why.h"
 
 namespace cullscope::ordering {
@@ -19,11 +20,12 @@ constexpr uint32_t kRecordedNodes = 20'000;
 constexpr uint32_t kPlanesShown = 60;
 
 /// Lines of the listing.
-enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane };
+enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane, NearSide };
 
 struct TreeOfScene : Structure {
     using Structure::Structure;
     std::optional<BspTree> tree;
+    size_t planes = 0;  ///< levels of given planes
 };
 
 BspOptions optionsOf(const ParameterSet& parameters) {
@@ -64,8 +66,10 @@ private:
 
     void visit(uint32_t number, int side) {
         ++m_frame.counters().nodesVisited;
-        if (!records(number) || m_tree.nodes()[number].leaf) return;
+        if (!records(number)) return;
         const BspTree::Node& node = m_tree.nodes()[number];
+        if (node.parent != BspTree::kNone) arrive(number, uint32_t(node.parent));
+        if (node.leaf) return;
         Decision test;
         test.subject = Subject::ofNode(number);
         test.containment = side > 0 ? Containment::Inside : side < 0 ? Containment::Outside : Containment::Straddles;
@@ -76,6 +80,20 @@ private:
         test.operands = {node.plane.distance(m_frame.view().eye()), double(number)};
         test.operandCount = 2;
         m_frame.say(atLine(BspLine::Side, test));
+    }
+
+    /// The walk goes on with a child.
+    void arrive(uint32_t number, uint32_t above) {
+        const BspTree::Node& parent = m_tree.nodes()[above];
+        const bool front = parent.front == int32_t(number);
+        const bool near = (BspTree::sideOf(parent, m_frame.view().eye()) >= 0) == front;
+        Decision goesOn;
+        goesOn.subject = Subject::ofNode(number);
+        goesOn.sentence = near ? CULLSCOPE_TR("The walk comes to node %1, on the eye's side of the plane of node %2.")
+                               : CULLSCOPE_TR("The walk comes to node %1, beyond the plane of node %2.");
+        goesOn.operands = {double(number), double(above)};
+        goesOn.operandCount = 2;
+        m_frame.say(atLine(near ? BspLine::NearSide : BspLine::FarSide, goesOn));
     }
 
     void show(uint32_t number) {
@@ -108,13 +126,9 @@ private:
             m_end = m_begin + scene.meshOf(m_instance).triangleCount();
         }
         const OwnTriangles& from = m_tree.drawn();
-        const auto range = [&](const auto& values, size_t each) {
-            return std::pair(values.begin() + std::ptrdiff_t(each * part.first),
-                             values.begin() + std::ptrdiff_t(each * (part.first + part.count)));
-        };
         const auto append = [&](auto& values, const auto& source, size_t each) {
-            const auto [begin, end] = range(source, each);
-            values.insert(values.end(), begin, end);
+            const auto begin = source.begin() + std::ptrdiff_t(each * part.first);
+            values.insert(values.end(), begin, begin + std::ptrdiff_t(each * part.count));
         };
         append(m_own->positions, from.positions, 3);
         append(m_own->normals, from.normals, 3);
@@ -136,44 +150,6 @@ private:
     uint32_t m_runBegin = 0;
 };
 
-/// A convex polygon, cut to the front or the back of a plane.
-std::vector<Vec3> clipped(const std::vector<Vec3>& polygon, const Vec3& normal, double offset) {
-    std::vector<Vec3> result;
-    for (size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double da = glm::dot(normal, a) + offset, db = glm::dot(normal, b) + offset;
-        if (da >= 0.0) result.push_back(a);
-        if (da * db < 0.0) result.push_back(a + (b - a) * (da / (da - db)));
-    }
-    return result;
-}
-
-/// The part of a node's plane that lies in its cell and in the scene's box.
-std::vector<Vec3> planeInCell(const BspTree& tree, uint32_t number, const Box3& box) {
-    const BspTree::Node& node = tree.nodes()[number];
-    const Vec3 normal = node.plane.normal, centre = box.centre();
-    const Vec3 side = glm::normalize(glm::cross(normal, std::abs(normal.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
-    const Vec3 other = glm::cross(normal, side);
-    const Vec3 foot = centre - normal * node.plane.distance(centre);
-    const double reach = std::max(box.diagonal(), 1e-300);
-    std::vector<Vec3> polygon{foot - (side + other) * reach, foot + (side - other) * reach, foot + (side + other) * reach,
-                              foot - (side - other) * reach};
-    for (int axis = 0; axis < 3; ++axis) {
-        Vec3 inward(0.0);
-        inward[axis] = 1.0;
-        polygon = clipped(polygon, inward, -box.min[axis]);
-        polygon = clipped(polygon, -inward, box.max[axis]);
-    }
-    auto below = int32_t(number);
-    for (int32_t above = node.parent; above != BspTree::kNone; above = tree.nodes()[size_t(above)].parent) {
-        const BspTree::Node& cutting = tree.nodes()[size_t(above)];
-        const double sign = cutting.front == below ? 1.0 : -1.0;
-        polygon = clipped(polygon, cutting.plane.normal * sign, -sign * glm::dot(cutting.plane.normal, cutting.plane.a));
-        below = above;
-    }
-    return polygon;
-}
-
 class Bsp final : public StrategyWith<TreeOfScene> {
 public:
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view /*id*/, const OverlayContext& context,
@@ -184,7 +160,6 @@ public:
         const auto count = uint32_t(std::min<size_t>(tree.nodes().size(), kPlanesShown));
         for (uint32_t number = 0; number < count; ++number) {
             const BspTree::Node& node = tree.nodes()[number];
-            if (node.leaf) continue;
             const std::vector<Vec3> polygon = planeInCell(tree, number, context.scene.bounds());
             // The side that the eye is on decides the colour, the depth in the tree how strong it is.
             const Vec3f side = BspTree::sideOf(node, log.camera.eye) >= 0 ? context.planes[0] : context.planes[1];
@@ -222,9 +197,48 @@ public:
                          Containment::Straddles});
     }
 
+    /// Its plane within its cell, its own polygons, and the box of all below it.
+    [[nodiscard]] SubjectShape groupShape(const Structure& structure, const StructureSnapshot& /*snapshot*/,
+                                          uint32_t number) const override {
+        const BspTree& tree = *own(structure).tree;
+        const Scene& scene = structure.scene();
+        const BspTree::Node& node = tree.nodes()[number];
+        SubjectShape shape;
+        shape.node = number;
+        if (!node.box.empty()) shape.boxes.push_back(node.box);
+        if (!node.leaf) shape.polygons.push_back(planeInCell(tree, number, scene.bounds()));
+        for (const BspTree::Part& part : tree.partsOf(node))
+            for (const auto& corners : trianglesOf(tree, part, scene))
+                if (shape.triangles.size() < SubjectShape::kMostTriangles) shape.triangles.push_back(corners);
+        return shape;
+    }
+
+    [[nodiscard]] std::optional<uint32_t> groupAt(const Structure& structure, uint64_t triangle,
+                                                  const Vec3& point) const override {
+        const BspTree& tree = *own(structure).tree;
+        std::optional<uint32_t> node = nodeAt(tree, structure.scene(), triangle, point);
+        while (node && *node >= kRecordedNodes) node = uint32_t(tree.nodes()[*node].parent);
+        return node;
+    }
+
+    /// Below given planes an object's polygons in one cell are a part, and the cells are the places.
+    [[nodiscard]] NamedParts parts(const Structure& structure, const FrameLog& log) const override {
+        const TreeOfScene& built = own(structure);
+        if (built.planes == 0) return namedParts(structure.scene(), log);
+        const BspCells cells = cellsOf(*built.tree, built.planes);
+        NamedParts result = namedParts(structure.scene(), log, [&](const Decision& fragment) {
+            const auto node = uint32_t(fragment.operands[2]);
+            return PartKey{cells.rank[cells.cellOf(node)], cells.leafOf[node]};
+        });
+        for (size_t leaf = 0; leaf < cells.leaves.size(); ++leaf) result.places.push_back(BspCells::leafName(leaf));
+        return result;
+    }
+
 protected:
     void fill(TreeOfScene& structure, const ParameterSet& parameters, const Progress& progress) const override {
-        structure.tree.emplace(structure.scene(), optionsOf(parameters), progress);
+        const BspOptions options = optionsOf(parameters);
+        structure.planes = options.plane == BspPlane::Given ? structure.scene().planes().size() : 0;
+        structure.tree.emplace(structure.scene(), options, progress);
         const BspTree& tree = *structure.tree;
         structure.report.bytes = tree.bytes();
         structure.report.figures = {{"nodes", double(tree.nodes().size())},
@@ -238,14 +252,8 @@ protected:
         OwnTrianglesPointer own;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("walking the tree"));
-            if (frame.recording()) {
-                Decision start;
-                start.subject = Subject::ofNode(0);
-                start.sentence = CULLSCOPE_TR("The walk starts at the root: %1 nodes, %2 polygons.");
-                start.operands = {double(structure.tree->nodes().size()), double(structure.tree->parts().size())};
-                start.operandCount = 2;
-                frame.say(atLine(BspLine::Start, start));
-            }
+            sayBegin(frame, uint8_t(BspLine::Start), CULLSCOPE_TR("The walk starts at the root: %1 nodes, %2 polygons."),
+                     {double(structure.tree->nodes().size()), double(structure.tree->parts().size())});
             own = BspFrame(frame, *structure.tree, parameters.choice("order") == "front-to-back").walk();
             if (frame.recording()) sayObjectsAreDrawn(frame);
             frame.counters().bytesTouched = structure.tree->bytes();
@@ -263,12 +271,15 @@ protected:
     [[nodiscard]] StructureSnapshot snapshotOf(const TreeOfScene& structure, const FrameLog& /*log*/) const override {
         StructureSnapshot snapshot;
         const BspTree& tree = *structure.tree;
+        const BspCells cells = cellsOf(tree, structure.planes);
+        snapshot.groupName = CULLSCOPE_TR("%1: %2 polygons");
         for (uint32_t number = 0; number < std::min<size_t>(tree.nodes().size(), kRecordedNodes); ++number) {
             const BspTree::Node& from = tree.nodes()[number];
             SnapshotNode node;
             node.parent = from.parent;
             node.instance = SnapshotNode::kGroup;
             node.number = number;
+            node.name = nodeName(tree, cells, structure.scene(), number);
             node.objects = from.polygons;
             node.box = from.box.empty() ? Box3{Vec3(0.0), Vec3(0.0)} : from.box;
             node.triangles = from.polygons;
@@ -304,6 +315,9 @@ Show bspListing() {
 
 std::vector<ParameterDeclaration> bspParameters() {
     const auto building = [](ParameterDeclaration declaration) { return readWhenBuilding(std::move(declaration)); };
+    const auto number = [](const char* key, int64_t value, double most, const char* sentence) {
+        return readWhenBuilding({key, ParameterType::Integer, value, 1.0, most, "", sentence, {}});
+    };
     return {facingParameter(),
             choiceParameter("order", "back-to-front", CULLSCOPE_TR("In which order the tree is walked."),
                             {{"back-to-front", CULLSCOPE_TR("far to near, without depth test")},
@@ -313,22 +327,9 @@ std::vector<ParameterDeclaration> bspParameters() {
                                       {"fewest", CULLSCOPE_TR("of some candidates the one that cuts the fewest polygons")},
                                       {"balance", CULLSCOPE_TR("of some candidates the one that divides them best")},
                                       {"given", CULLSCOPE_TR("the planes that the scene names, one for each level")}})),
-            building({"candidates",
-                      ParameterType::Integer,
-                      int64_t{8},
-                      1.0,
-                      1000.0,
-                      "",
-                      CULLSCOPE_TR("How many planes are tried at a node (plane=fewest and balance)."),
-                      {}}),
-            building({"limit",
-                      ParameterType::Integer,
-                      int64_t{1'000'000},
-                      1.0,
-                      1e8,
-                      "",
-                      CULLSCOPE_TR("How many polygons the tree may have, the cut ones among them."),
-                      {}})};
+            number("candidates", 8, 1000.0, CULLSCOPE_TR("How many planes are tried at a node (plane=fewest and balance).")),
+            number("limit", 1'000'000, 1e8,
+                   CULLSCOPE_TR("How many polygons the tree may have, the cut ones among them, and how many nodes."))};
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-#include "core/visibility/ordering/painter.h"
-
+#include "core/base/work_check.h"
 #include "core/spatial/painters_order.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/ordering/ordering.h"
 
 namespace cullscope::ordering {
 namespace {
@@ -12,6 +12,8 @@ constexpr const char* kTests = "newell-tests";
 /// drawn.
 constexpr uint64_t kComparedTriangles = 5'000;
 constexpr size_t kMostComparisons = 100'000;
+/// Comparisons that their depths, or tests 1 and 2, decide are many: they are said in scenes of at most so many triangles.
+constexpr uint64_t kExtentTriangles = 1'000;
 /// So many polygons of a frame are said to be drawn one by one.
 constexpr size_t kRecordedPolygons = 100'000;
 
@@ -31,6 +33,13 @@ struct ToldTest {
 /// The line and the sentence of a comparison; %1 and %2 are the triangles P and Q, %3 what was compared.
 ToldTest toldTest(NewellTest test) {
     switch (test) {
+        case NewellTest::Depth:
+            return {PainterLine::Candidates,
+                    CULLSCOPE_TR("Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.")};
+        case NewellTest::ExtentX:
+            return {PainterLine::Extents, CULLSCOPE_TR("Test 1: triangles %1 and %2 are apart in x, by %3 pixels.")};
+        case NewellTest::ExtentY:
+            return {PainterLine::Extents, CULLSCOPE_TR("Test 2: triangles %1 and %2 are apart in y, by %3 pixels.")};
         case NewellTest::BehindQ:
             return {PainterLine::Behind,
                     CULLSCOPE_TR("Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.")};
@@ -56,7 +65,7 @@ ToldTest toldTest(NewellTest test) {
 class PaintersFrame {
 public:
     PaintersFrame(FrameContext& frame, const CutTriangles& triangles, const ParameterSet& parameters)
-        : m_frame(frame), m_triangles(triangles) {
+        : m_frame(frame), m_progress{nullptr, frame.stop()}, m_triangles(triangles) {
         m_options.facing = frame.facing();
         m_options.byCentroid = parameters.choice("sort") == "centroid";
         m_options.limit = uint64_t(parameters.integer("limit"));
@@ -65,15 +74,17 @@ public:
     }
 
     OwnTrianglesPointer order() {
-        const PaintersOrder order = paintersOrder(m_triangles, m_frame.scene(), m_frame.view(), m_options);
-        m_triangles.finish();
+        const PaintersOrder order = paintersOrder(m_triangles, m_frame.scene(), m_frame.view(), m_options, m_progress);
+        m_triangles.finish(m_progress);
         m_own->facing = m_frame.facing();
         m_own->positions.reserve(3 * order.polygons.size());
         m_own->normals.reserve(3 * order.polygons.size());
         m_own->triangles.reserve(order.polygons.size());
+        WorkCheck work(m_progress);
         for (const uint32_t triangle : m_triangles.flat()) add(triangle, [&] { m_triangles.drawWhole(triangle, *m_own); });
         size_t said = 0;
         for (const uint32_t polygon : order.polygons) {
+            work.step();
             const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
             const auto first = uint32_t(m_own->triangles.size());
             add(triangle, [&] { m_triangles.draw(polygon, *m_own); });
@@ -85,8 +96,12 @@ public:
 
 private:
     void compared(const NewellStep& step) {
+        if (!step.test) return taken(step);
+        const bool byExtent =
+            step.test == NewellTest::Depth || step.test == NewellTest::ExtentX || step.test == NewellTest::ExtentY;
+        if (byExtent && m_frame.scene().triangleCount() > kExtentTriangles) return;
         if (++m_comparisons > kMostComparisons) return;
-        const ToldTest told = toldTest(step.test);
+        const ToldTest told = toldTest(*step.test);
         Decision test;
         test.subject = {Subject::Kind::Fragment, step.p, uint32_t(m_frame.scene().instanceOf(step.p))};
         const bool later = step.test == NewellTest::Swap || step.test == NewellTest::Cycle || step.test == NewellTest::Pierce;
@@ -96,6 +111,15 @@ private:
         test.operands = {double(step.p), double(step.q), value};
         test.operandCount = 3;
         m_frame.say(atLine(told.line, test));
+    }
+
+    void taken(const NewellStep& step) {
+        Decision farthest;
+        farthest.subject = {Subject::Kind::Fragment, step.p, uint32_t(m_frame.scene().instanceOf(step.p))};
+        farthest.sentence = CULLSCOPE_TR("Triangle %1 is the farthest one left, with the farthest depth %2.");
+        farthest.operands = {double(step.p), step.first};
+        farthest.operandCount = 2;
+        m_frame.say(atLine(PainterLine::Farthest, farthest));
     }
 
     /// `first`: of its triangles among those drawn; they are the last ones so far.
@@ -134,6 +158,7 @@ private:
     }
 
     FrameContext& m_frame;
+    Progress m_progress;
     CutTriangles m_triangles;  ///< a copy, which the frame cuts
     PaintersOptions m_options;
     std::shared_ptr<OwnTriangles> m_own = std::make_shared<OwnTriangles>();
@@ -170,14 +195,8 @@ protected:
         OwnTrianglesPointer own;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("sorting"));
-            if (frame.recording()) {
-                Decision sorted;
-                sorted.subject = Subject::ofNode(0);
-                sorted.sentence = CULLSCOPE_TR("%1 polygons are sorted by their farthest depth.");
-                sorted.operands = {double(structure.triangles->polygons().size())};
-                sorted.operandCount = 1;
-                frame.say(atLine(PainterLine::Sort, sorted));
-            }
+            sayBegin(frame, uint8_t(PainterLine::Sort), CULLSCOPE_TR("%1 polygons are sorted by their farthest depth."),
+                     {double(structure.triangles->polygons().size())});
             own = PaintersFrame(frame, *structure.triangles, parameters).order();
             if (frame.recording()) sayObjectsAreDrawn(frame);
         }

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 
+#include "core/base/error.h"
 #include "core/experiments/experiment_list.h"
 #include "core/scene/scene_source.h"
 
@@ -52,6 +55,30 @@ TEST(LectureQuiz, experimentsAgreeWithTheKey) {
         EXPECT_EQ(table.checks.front().value, 0.0);
     }
     EXPECT_EQ(runExperiment(findExperiment("quiz"), {}).rows.size(), 9u);
+}
+
+TEST(LectureQuiz, sceneOfTheLecturersOwnIsComputedWithoutTheKey) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "lecturer.polygons";
+    std::ofstream(file) << "polygon wall -1 0 0  1 0 0  1 1 0  -1 1 0\npolygon lamp -1 0 -2  -0.5 0 -2  -0.5 1 -2\n"
+                           "plane left 1 0 0 0\nplane behind 0 0 1 1\neye 3 0.5 5\n";
+    const ResultTable table = runExperiment(findExperiment("quiz").ofScene(file.string()), {});
+    const auto computed = [&](size_t row) { return std::get<std::string>(table.rows[row][1]); };
+    ASSERT_EQ(table.rows.size(), 5u);
+    EXPECT_EQ(computed(0), "lamp");
+    EXPECT_EQ(computed(1), "wall2");
+    EXPECT_EQ(computed(2), "NULL");
+    EXPECT_EQ(computed(3), "wall1");
+    EXPECT_EQ(computed(4), "lamp, wall2, wall1");
+    EXPECT_TRUE(table.checks.empty());
+    for (const ResultColumn& column : table.columns) EXPECT_TRUE(column.key != "key" && column.key != "differs");
+    EXPECT_THROW((void)runExperiment(findExperiment("quiz").ofScene("mesh:torus,triangles=200"), {}), Error);
+    std::ofstream(file) << "polygon wall -1 0 0  1 0 0  1 1 0\nplane left 1 0 0 0\n";
+    try {
+        (void)runExperiment(findExperiment("example").ofScene(file.string()), {});
+        FAIL() << "without an eye";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("names no camera"), std::string::npos) << error.what();
+    }
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ TEST_F(PredictionTest, orderIsThatOfTheFirstDrawnTriangles) {
 }
 
 TEST_F(PredictionTest, trianglesAreAskedAboutOnlyWhereTheyWereNamed) {
-    Prediction prediction{Question::Vanish, true};
+    Prediction prediction{Question::Vanish, Prediction::Items::Triangles};
     const uint64_t first = scene->firstTriangle(0);
     prediction.toggle(first + 11);
     prediction.toggle(first + 12);

@@ -65,7 +65,8 @@ TEST(PolygonScene, badLinesAreNamedWithWhatIsWrong) {
     EXPECT_THAT(refusal(good + "eye 1 2"), HasSubstr("an eye has three numbers"));
     EXPECT_THAT(refusal(good + "eye 1 2 3\ncamera 0 0 0 1 1 1"), HasSubstr("line 3: the file has a camera already"));
     EXPECT_THAT(refusal(good + "camera 1 1 1 1 1 1"), HasSubstr("line 2: the camera looks at its own place"));
-    EXPECT_THAT(refusal("plane P 1 0 0 0"), HasSubstr("x.polygons"));
+    for (const char* empty : {"plane P 1 0 0 0", "plane P 1 0 0 0\neye 1 2 3", "# nothing", ""})
+        EXPECT_THAT(refusal(empty), HasSubstr("x.polygons names no polygon. Write at least one line such as")) << empty;
 }
 
 TEST(PolygonScene, fileIsOpenedLikeAnyScene) {

@@ -3,15 +3,15 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
-#include <thread>
 
 #include "core/base/error.h"
 #include "core/mesh/parametric.h"
+#include "core/scene/polygon_scene.h"
 #include "core/scene/scene_source.h"
 #include "tests/support/cut_scenes.h"
+#include "tests/support/stopped_work.h"
 
 namespace cullscope::test::bsp_tree_test {
 namespace {
@@ -137,24 +137,22 @@ TEST(BspTree, trianglesInOnePlaceAreCutEachOnLinesOfItsOwn) {
         }
 }
 
-TEST(BspTree, millionCoplanarTrianglesEndAndCanBeStopped) {
-    const auto side = uint32_t(std::sqrt(double(howMany(1'000'000, 100'000)) / 2.0));
-    std::vector<Vec3f> positions;
-    std::vector<uint32_t> indices;
-    for (uint32_t y = 0; y <= side; ++y)
-        for (uint32_t x = 0; x <= side; ++x) positions.emplace_back(0.01f * float(x), 0.01f * float(y), 0.5f);
-    for (uint32_t y = 0; y < side; ++y)
-        for (uint32_t x = 0; x < side; ++x) {
-            const uint32_t at = y * (side + 1) + x;
-            for (const uint32_t index : {at, at + 1, at + side + 2, at, at + side + 2, at + side + 1}) indices.push_back(index);
-        }
-    const ScenePointer scene = sceneOf({meshOf(std::move(positions), std::move(indices))});
-    std::stop_source stopped;
-    stopped.request_stop();
-    EXPECT_THROW(BspTree(*scene, {}, {nullptr, stopped.get_token()}), Error);
+TEST(BspTree, millionCoplanarTrianglesEndWithALookInEveryTenthOfASecond) {
+    const ScenePointer scene = coplanarTriangles(howMany(1'000'000, 100'000));
+    const WatchedWork watched;
     const BspTree tree(*scene, {});
+    EXPECT_LT(watched.longestGap(), 100.0);
     EXPECT_EQ(tree.nodes().size(), 1u);
     EXPECT_EQ(tree.parts().size(), scene->triangleCount());
+    // Another thread requests the stop on the way: while it is read, divided and finished.
+    const uint64_t all = watched.steps();
+    for (const uint64_t share : {2, 5, 9}) {
+        const StoppedWork stopped =
+            stoppedAfter(all * share / 10, [&](const Progress& progress) { (void)BspTree(*scene, {}, progress); });
+        EXPECT_TRUE(stopped.interrupted) << share;
+        EXPECT_GE(stopped.stepsBefore, all * share / 10);
+        EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << share;
+    }
 }
 
 TEST(BspTree, sliversOfAspectABillionKeepTheirAreas) {
@@ -183,20 +181,38 @@ TEST(BspTree, limitStopsItWithASentence) {
     }
 }
 
-TEST(BspTree, buildStopsWithinATenthOfASecond) {
+TEST(BspTree, limitCountsWholeTrianglesAndNodes) {
+    const auto refusal = [](const Scene& scene, const BspOptions& options) -> std::string {
+        try {
+            return "built: " + std::to_string(BspTree(scene, options).nodes().size());
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::Usage);
+            return error.what();
+        }
+    };
+    const ScenePointer box = sceneOf({boxMesh({-1, -2, -3}, {1, 2, 3})});
+    EXPECT_NE(refusal(*box, {.limit = 11}).find("more than 11 polygons: its 12 triangles were cut 0 times"), std::string::npos);
+    EXPECT_EQ(refusal(*box, {.limit = 12}), "built: 6");
+    // Each given plane doubles the cells: sixty of them would never end.
+    std::string text = "polygon A 0 0 0  1 0 0  0 1 0\n";
+    for (int i = 0; i < 60; ++i) text += "plane P" + std::to_string(i) + " 1 0 0 " + std::to_string(i) + "\n";
+    const ScenePointer scene = readPolygonText(text, "planes").scene;
+    EXPECT_NE(refusal(*scene, {.plane = BspPlane::Given}).find("more than 1000000 nodes: each of its 60 planes"),
+              std::string::npos);
+    const ScenePointer quiz = openScene("quiz").scene;
+    EXPECT_EQ(refusal(*quiz, {.plane = BspPlane::Given, .limit = 15}), "built: 15");
+    EXPECT_NE(refusal(*quiz, {.plane = BspPlane::Given, .limit = 14}).find("more than 14 nodes"), std::string::npos);
+}
+
+TEST(BspTree, buildStopsAtTheNextLookWhereverItIs) {
     const ScenePointer scene = sceneOf({randomTriangles(1, 10'000, 2.0)});
-    using Clock = std::chrono::steady_clock;
-    std::stop_source source;
-    Clock::time_point asked;
-    std::thread stopper([&] {
-        std::this_thread::sleep_for(std::chrono::milliseconds(300));
-        asked = Clock::now();
-        source.request_stop();
-    });
-    EXPECT_THROW(BspTree(*scene, {.limit = 100'000'000}, {nullptr, source.get_token()}), Error);
-    const double waited = std::chrono::duration<double, std::milli>(Clock::now() - asked).count();
-    stopper.join();
-    EXPECT_LT(waited, 100.0 * (fewSamples() ? 5 : 1));
+    for (const uint64_t steps : {1'000, 50'000, 500'000}) {
+        const StoppedWork stopped =
+            stoppedAfter(steps, [&](const Progress& progress) { (void)BspTree(*scene, {.limit = 100'000'000}, progress); });
+        EXPECT_TRUE(stopped.interrupted) << steps;
+        EXPECT_GE(stopped.stepsBefore, steps);
+        EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
+    }
 }
 
 TEST(BspTree, trianglesWithoutAreaAreKeptAside) {

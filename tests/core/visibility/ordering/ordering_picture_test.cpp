@@ -161,6 +161,29 @@ TEST(OrderingPicture, treeStaysAsItIsWhereverTheEyeIs) {
     }
 }
 
+TEST(OrderingPicture, treeOfTheBunnyIsDrawnRightFromAnyEye) {
+    const ScenePointer scene = openScene("mesh:bunny").scene;
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CullerPointer culler = strategy("bsp", {{"plane", "fewest"}});
+    culler->build(*scene);
+    const Sphere sphere = scene->boundingSphere();
+    const auto placed = [&](const View& view) {
+        Camera camera = view.camera();
+        camera.eye = sphere.centre + sphere.radius * camera.eye;
+        camera.target = sphere.centre + sphere.radius * camera.target;
+        camera.nearDistance *= sphere.radius;
+        camera.farDistance *= sphere.radius;
+        return View(camera, kSize);
+    };
+    Random random(9);
+    uint64_t differing = 0;
+    for (uint64_t i = 0; i < howMany(1'000, 4); ++i) {
+        const View view = placed(i % 2 == 0 ? outside(random) : within(random));
+        ASSERT_EQ(unexplained(*culler, buffers, view, &differing), 0u) << "view " << i;
+    }
+    RecordProperty("differing_pixels", int(differing));
+}
+
 TEST(OrderingPicture, quizIsDrawnInTheOrderOfItsPlanes) {
     const ScenePointer scene = openScene("quiz").scene;
     const CullerPointer culler = strategy("bsp", {{"plane", "given"}});

@@ -1,0 +1,207 @@
+// The painter's order: of scenes whose order is known, by each of Newell's tests, and with what waits for itself cut.
+#include "core/spatial/painters_order.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "tests/support/cut_scenes.h"
+#include "tests/support/long_mode.h"
+#include "tests/support/stopped_work.h"
+
+namespace cullscope::test::painters_order_test {
+namespace {
+
+using testing::ElementsAre;
+using testing::Optional;
+
+View front(Viewport size = {100, 100}) { return {{{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, size}; }
+
+struct Ordered {
+    std::vector<uint32_t> triangles;  ///< far to near
+    PaintersOrder order;
+    std::vector<NewellStep> steps;
+    std::vector<double> shares;  ///< of each scene triangle's area, summed over its polygons
+
+    [[nodiscard]] uint64_t count(NewellTest test) const { return order.tests[size_t(test)]; }
+    /// Of all comparisons.
+    [[nodiscard]] uint64_t comparisons() const {
+        uint64_t sum = 0;
+        for (const uint64_t tests : order.tests) sum += tests;
+        return sum;
+    }
+};
+
+Ordered ordered(const ScenePointer& scene, PaintersOptions options = {}, const View& view = front()) {
+    CutTriangles triangles(*scene);
+    Ordered result;
+    options.watch = [&](const NewellStep& step) { result.steps.push_back(step); };
+    result.order = paintersOrder(triangles, *scene, view, options);
+    triangles.finish();
+    result.shares.assign(scene->triangleCount(), 0.0);
+    for (const uint32_t polygon : result.order.polygons) {
+        const uint32_t triangle = triangles.polygons()[polygon].triangle;
+        result.triangles.push_back(triangle);
+        result.shares[triangle] += triangles.share(polygon);
+    }
+    return result;
+}
+
+/// Triangles 0, 1, … of three corners each.
+ScenePointer sceneWith(std::vector<Vec3f> corners) { return sceneOf({soupMesh(std::move(corners))}); }
+
+ScenePointer layers(std::vector<float> heights) {
+    std::vector<Vec3f> corners;
+    for (const float z : heights) corners.insert(corners.end(), {{-1, -1, z}, {1, -1, z}, {0, 1, z}});
+    return sceneWith(std::move(corners));
+}
+
+TEST(PaintersOrder, layersComeFromFarToNear) {
+    EXPECT_THAT(ordered(layers({0.5f, -2, 1, -1, 0})).triangles, ElementsAre(1, 3, 4, 0, 2));
+    EXPECT_THAT(ordered(layers({0, 0, 0})).triangles, ElementsAre(2, 1, 0)) << "in one place the lowest number is on top";
+}
+
+TEST(PaintersOrder, tilesInOnePlaneNeedNoCut) {
+    const Ordered result = ordered(hardScene(2));
+    EXPECT_EQ(result.count(NewellTest::Cycle) + result.count(NewellTest::Pierce), 0u);
+    EXPECT_EQ(result.triangles.size(), hardScene(2)->triangleCount());
+}
+
+/// Two triangles, the first one farther, of which one test alone decides.
+struct Pair {
+    const char* name;
+    NewellTest decides;
+    std::vector<Vec3f> corners;
+};
+
+const std::vector<Pair>& pairs() {
+    static const std::vector<Pair> kPairs{
+        {"Q is nearer", NewellTest::Depth, {{-1, -1, -1}, {1, -1, -1}, {0, 1, -.5f}, {-1, -1, 0}, {1, -1, 0}, {0, 1, .5f}}},
+        {"apart in x",
+         NewellTest::ExtentX,
+         {{-3, -3, -1}, {-2, -3, .5f}, {-2, -1, -1}, {-1, -3, -.5f}, {-.3f, -3, 1}, {-.3f, -1, -.5f}}},
+        {"apart in y",
+         NewellTest::ExtentY,
+         {{-3, -3, -1}, {-3, -2, .5f}, {-1, -2, -1}, {-3, -1, -.5f}, {-3, -.3f, 1}, {-1, -.3f, -.5f}}},
+        {"P is behind Q's plane",
+         NewellTest::BehindQ,
+         {{-1, -.8f, -1}, {1, -.8f, -.3f}, {0, .8f, -.6f}, {-1, -1, -.5f}, {1, -1, .5f}, {0, 1, 0}}},
+        {"Q is before P's plane",
+         NewellTest::BeforeP,
+         {{-1, -1, -1}, {1, -1, .5f}, {0, 1, -.25f}, {.2f, -.5f, .3f}, {.6f, -.5f, .4f}, {.4f, .5f, .9f}}},
+        {"projections are apart",
+         NewellTest::Projections,
+         {{-1, -1, -1}, {1, -1, .6f}, {-1, 1, -.2f}, {1.1f, -.8f, -.3f}, {1.1f, 1.1f, .6f}, {-.8f, 1.1f, -.6f}}}};
+    return kPairs;
+}
+
+TEST(PaintersOrder, eachOfNewellsTestsDecidesOnce) {
+    for (const Pair& pair : pairs()) {
+        SCOPED_TRACE(pair.name);
+        // The corners turned the other way round, too: which side is the front plays no part.
+        std::vector<Vec3f> turned = pair.corners;
+        std::swap(turned[0], turned[1]);
+        std::swap(turned[4], turned[5]);
+        for (const auto& corners : {pair.corners, turned}) {
+            const Ordered result = ordered(sceneWith(corners));
+            EXPECT_THAT(result.triangles, ElementsAre(0, 1));
+            EXPECT_EQ(result.comparisons(), 1u);
+            EXPECT_EQ(result.count(pair.decides), 1u);
+            ASSERT_EQ(result.steps.size(), 3u) << "P, what decided, and the other one";
+            EXPECT_FALSE(result.steps[0].test);
+            EXPECT_EQ(result.steps[0].p, 0u);
+            EXPECT_NEAR(result.steps[0].first, 7.0, 1e-9) << "the farthest depth";
+            EXPECT_THAT(result.steps[1].test, Optional(pair.decides));
+            EXPECT_FALSE(result.steps[2].test);
+        }
+    }
+}
+
+TEST(PaintersOrder, qIsTakenFirstWhereNoTestLetsPComeBefore) {
+    const Ordered result =
+        ordered(sceneWith({{-3, -1, -2}, {1, -1, .6f}, {1, 1, .6f}, {0, -.5f, -.8f}, {.8f, -.5f, -.7f}, {.8f, .2f, -.6f}}));
+    EXPECT_THAT(result.triangles, ElementsAre(1, 0)) << "the first one reaches farther, and lies before the second";
+    EXPECT_EQ(result.count(NewellTest::Swap), 1u);
+    EXPECT_EQ(result.count(NewellTest::BehindQ), 1u) << "the second one passes where the first one waits";
+}
+
+TEST(PaintersOrder, cycleIsCutAndKeepsItsAreas) {
+    const Ordered result = ordered(sceneOf({threeBars()}));
+    EXPECT_GE(result.count(NewellTest::Cycle), 1u);
+    EXPECT_GT(result.triangles.size(), 6u);
+    for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
+    EXPECT_EQ(result.order.unresolved, 0u);
+}
+
+TEST(PaintersOrder, trianglesThatPassThroughEachOtherAreCut) {
+    const Ordered result = ordered(sceneWith({{-1, -1, -1}, {1, -1, 1}, {0, 1, 0}, {-1, -1, 1}, {1, -1, -1}, {0, 1, 0}}));
+    EXPECT_EQ(result.count(NewellTest::Pierce), 1u);
+    EXPECT_GE(result.triangles.size(), 3u);
+    for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
+}
+
+TEST(PaintersOrder, everyTriangleIsDrawnOnceInItsParts) {
+    for (uint64_t seed = 0; seed < howMany(60, 24); ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const ScenePointer scene = hardScene(seed);
+        const Vec3 eye = 3.0 * random.direction();
+        const Ordered result =
+            ordered(scene, {}, View({eye, Vec3(0.0), random.direction(), Angle::fromDegrees(60), 0.05, 100}, {100, 100}));
+        for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
+        EXPECT_EQ(std::set(result.order.polygons.begin(), result.order.polygons.end()).size(), result.order.polygons.size());
+    }
+}
+
+TEST(PaintersOrder, centroidsAloneAreSortedByTheirDistance) {
+    const Ordered result =
+        ordered(sceneWith({{-3, -1, -2}, {1, -1, .6f}, {1, 1, .6f}, {0, -.5f, -.8f}, {.8f, -.5f, -.7f}, {.8f, .2f, -.6f}}),
+                {.byCentroid = true});
+    EXPECT_THAT(result.triangles, ElementsAre(1, 0));
+    EXPECT_EQ(result.comparisons(), 0u);
+}
+
+TEST(PaintersOrder, limitCountsWholeTrianglesAndStopsWithASentence) {
+    const auto refusal = [](const ScenePointer& scene, uint64_t limit) -> std::string {
+        try {
+            return "ordered: " + std::to_string(ordered(scene, {.limit = limit}).triangles.size());
+        } catch (const Error& error) {
+            EXPECT_EQ(error.kind(), ErrorKind::Usage);
+            return error.what();
+        }
+    };
+    EXPECT_NE(refusal(layers({0, 1, 2}), 2).find("more than 2 polygons: its 3 triangles were cut 0 times"), std::string::npos);
+    EXPECT_EQ(refusal(layers({0, 1, 2}), 3), "ordered: 3");
+    EXPECT_NE(refusal(sceneOf({randomTriangles(1, 300, 2.0)}), 1'000).find("more than 1000 polygons"), std::string::npos);
+}
+
+TEST(PaintersOrder, stopsAtTheNextLookWhereverTheSortIs) {
+    const ScenePointer scenes[] = {sceneOf({randomTriangles(1, 2'000, 2.0)}), coplanarTriangles(howMany(1'000'000, 60'000))};
+    for (const ScenePointer& scene : scenes) {
+        CutTriangles triangles(*scene);
+        const auto order = [&](const Progress& progress) {
+            CutTriangles copy = triangles;
+            (void)paintersOrder(copy, *scene, front({320, 240}), {.limit = 100'000'000}, progress);
+        };
+        for (const uint64_t steps : {10'000, 100'000, 150'000}) {
+            const StoppedWork stopped = stoppedAfter(steps, order);
+            EXPECT_TRUE(stopped.interrupted) << steps;
+            EXPECT_GE(stopped.stepsBefore, steps);
+            EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
+        }
+    }
+}
+
+TEST(PaintersOrder, millionCoplanarTrianglesAreSortedWithALookInEveryTenthOfASecond) {
+    const ScenePointer scene = coplanarTriangles(howMany(1'000'000, 60'000));
+    CutTriangles triangles(*scene);
+    const WatchedWork watched;
+    const PaintersOrder order = paintersOrder(triangles, *scene, front({320, 240}), {});
+    EXPECT_LT(watched.longestGap(), 100.0);
+    EXPECT_GT(watched.steps(), scene->triangleCount());
+    EXPECT_EQ(order.polygons.size(), scene->triangleCount());
+    EXPECT_EQ(triangles.cuts(), 0u);
+}
+
+}  // namespace
+}  // namespace cullscope::test::painters_order_test
