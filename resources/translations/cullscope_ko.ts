@@ -988,6 +988,10 @@
         <translation>너무 작음</translation>
     </message>
     <message>
+        <source>covers no sample</source>
+        <translation>표본을 하나도 덮지 않음</translation>
+    </message>
+    <message>
         <source>This view cannot be drawn: %1</source>
         <translation>이 뷰를 그릴 수 없습니다: %1</translation>
     </message>
@@ -2624,6 +2628,22 @@
         <translation>삼각형 %1개 가운데 %2개는 절두체의 한 평면 밖에 있고 %3개는 뒤를 향함: 그리지 않습니다.</translation>
     </message>
     <message>
+        <source>The triangle lies beyond a plane of the frustum.</source>
+        <translation>삼각형이 절두체의 한 평면 밖에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The triangle is turned away.</source>
+        <translation>삼각형이 뒤를 향합니다.</translation>
+    </message>
+    <message>
+        <source>The triangle covers no sample: no centre of a pixel lies in it.</source>
+        <translation>삼각형이 표본을 하나도 덮지 않음: 그 안에 놓인 픽셀 중심이 없습니다.</translation>
+    </message>
+    <message>
+        <source>At every sample that the triangle covers another surface is in front.</source>
+        <translation>삼각형이 덮는 모든 표본에서 다른 면이 앞에 있습니다.</translation>
+    </message>
+    <message>
         <source>depth comparisons</source>
         <translation>깊이 비교</translation>
     </message>
@@ -2856,8 +2876,8 @@
         <translation>장면은 높이 0.02의 물결이 있는 층입니다. 그래서 삼각형마다 자기 평면이 있고 층끼리는 만나지 않습니다. 평평한 층이라면 BSP 트리의 노드는 층마다 하나뿐입니다. 층이 면보다 많으면 층마다 삼각형이 두 개입니다.</translation>
     </message>
     <message>
-        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation>바이트는 방법이 만든 것과, GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
+        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation>바이트는 방법이 만든 것, 한 프레임에 그 밖에 필요했던 것(표, 목록, 방법이 만든 삼각형이나 그림), 그리고 GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
     </message>
     <message>
         <source>lecture: good for</source>

@@ -988,6 +988,10 @@
         <translation>过小</translation>
     </message>
     <message>
+        <source>covers no sample</source>
+        <translation>不覆盖任何样本</translation>
+    </message>
+    <message>
         <source>This view cannot be drawn: %1</source>
         <translation>无法绘制此视图：%1</translation>
     </message>
@@ -2624,6 +2628,22 @@
         <translation>它的 %1 个三角形中，%2 个位于视锥体某一平面之外，%3 个背向：不予绘制。</translation>
     </message>
     <message>
+        <source>The triangle lies beyond a plane of the frustum.</source>
+        <translation>该三角形位于视锥体某一平面之外。</translation>
+    </message>
+    <message>
+        <source>The triangle is turned away.</source>
+        <translation>该三角形背向。</translation>
+    </message>
+    <message>
+        <source>The triangle covers no sample: no centre of a pixel lies in it.</source>
+        <translation>该三角形不覆盖任何样本：没有像素中心位于其中。</translation>
+    </message>
+    <message>
+        <source>At every sample that the triangle covers another surface is in front.</source>
+        <translation>在该三角形覆盖的每个样本处，都有其他表面在前。</translation>
+    </message>
+    <message>
         <source>depth comparisons</source>
         <translation>深度比较</translation>
     </message>
@@ -2856,8 +2876,8 @@
         <translation>场景是波高 0.02 的各层，因此每个三角形有自己的平面，而各层互不相交：平坦的层在 BSP 树中每层只有一个节点。层数多于面数时，每层有两个三角形。</translation>
     </message>
     <message>
-        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation>字节数包括方法所构建的内容，以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
+        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation>字节数包括方法所构建的内容、一帧另外所需的内容（表、列表、方法生成的三角形或图像），以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
     </message>
     <message>
         <source>lecture: good for</source>
