@@ -197,7 +197,7 @@ Rows methodRows(const Setting& setting, const ScenePointer& scene, const Lecture
         if (entrant.method().ranked) row["lecture"] = recommended;
         if (entrant.built() != nullptr) {
             row["build_ms"] = entrant.built()->report().buildMilliseconds;
-            row["bytes"] = double(entrant.built()->report().bytes) +
+            row["bytes"] = double(entrant.built()->report().bytes) + double(entrant.log().frameBytes()) +
                            (entrant.method().onGpu ? kDepthBytes * size.size.width * size.size.height : 0.0);
         }
         const std::optional<double> total = entrant.total();
@@ -233,8 +233,10 @@ std::vector<Message> lectureNotes() {
             "The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and "
             "the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than "
             "surfaces each has two triangles.")),
-        note(CULLSCOPE_TR("Bytes are of what the method built, and of the GPU's depth buffer where it is used. Missed pixels are "
-                          "those of the first view."))};
+        note(CULLSCOPE_TR(
+            "Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its "
+            "picture), and of the GPU's depth buffer where it is used. Missed pixels are those of the first "
+            "view."))};
 }
 
 std::vector<ResultColumn> lectureColumns(const std::vector<Axis>& axes) {

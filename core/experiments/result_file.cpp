@@ -21,7 +21,7 @@ Json parametersJson(const ParameterSet& parameters) {
 
 /// By Cause.
 constexpr std::array<const char*, kCauseCount> kCulledFields{"culled_outside_frustum", "culled_back_facing", "culled_hidden",
-                                                             "culled_too_small"};
+                                                             "culled_too_small", "culled_no_sample"};
 
 /// A whole number without a fraction.
 Json numberJson(double value) {
@@ -42,6 +42,7 @@ Json frameJson(const FrameMeasurement& frame) {
     json["visible_triangles"] = figure(&Accuracy::visibleTriangles);
     json["missed_pixels"] = figure(&Accuracy::missedPixels);
     json["extra_pixels"] = figure(&Accuracy::extraPixels);
+    json["unresolved_pixels"] = figure(&Accuracy::unresolvedPixels);
     json["covered_pixels"] = figure(&Accuracy::coveredPixels);
     json["largest_hole_px"] = figure(&Accuracy::largestHolePixels);
     json["false_culled_triangles"] = figure(&Accuracy::falselyCulledTriangles);

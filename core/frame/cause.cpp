@@ -13,9 +13,11 @@ const char* causeName(Cause cause) {
         case Cause::Hidden:
             return CULLSCOPE_TR("hidden");
         case Cause::TooSmall:
+            return CULLSCOPE_TR("too small");
+        case Cause::NoSample:
             break;
     }
-    return CULLSCOPE_TR("too small");
+    return CULLSCOPE_TR("covers no sample");
 }
 
 const char* planeName(FrustumPlane plane) {

@@ -45,6 +45,30 @@ size_t FrameLog::commandsWithin(size_t entries) const {
     return std::min(commands.size(), entries);
 }
 
+namespace {
+
+/// What a command holds.
+struct BytesOf {
+    template <typename Value>
+    [[nodiscard]] static uint64_t of(const std::vector<Value>& values) {
+        return values.size() * sizeof(Value);
+    }
+    uint64_t operator()(const DrawList& list) const { return of(list.ranges); }
+    uint64_t operator()(const OwnTrianglesPointer& own) const {
+        return of(own->positions) + of(own->normals) + of(own->triangles) + of(own->runs);
+    }
+    uint64_t operator()(const FinishedPicturePointer& picture) const { return of(picture->triangle) + of(picture->depth); }
+    uint64_t operator()(const AskedBoxes& asked) const { return of(asked.boxes) + of(asked.hits); }
+};
+
+}  // namespace
+
+uint64_t FrameLog::frameBytes() const {
+    uint64_t sum = counters.workBytes;
+    for (const Command& command : commands) sum += std::visit(BytesOf{}, command);
+    return sum;
+}
+
 FrameLog FrameLog::upTo(size_t entries) const {
     const size_t all = std::min(entries, this->entries());
     const auto drawn = std::ptrdiff_t(commandsWithin(all)), decided = std::ptrdiff_t(all) - drawn;

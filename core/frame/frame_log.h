@@ -39,6 +39,7 @@ struct FrameCounters {
     std::vector<CullPart> parts;                          ///< of strategies that combine several tests: the result of each
     uint64_t nodesVisited = 0;
     uint64_t bytesTouched = 0;         ///< of the strategy's structures
+    uint64_t workBytes = 0;            ///< memory that the frame needed besides the structure and what its commands hold
     std::vector<NamedFigure> figures;  ///< what a family counts besides
 };
 
@@ -73,6 +74,9 @@ struct FrameLog {
 
     /// What it gave to OpenGL; of a finished picture the triangles that it shows.
     [[nodiscard]] uint64_t consideredTriangles() const;
+    /// Memory that the frame needed besides the structure: what its commands hold, such as a picture or triangles that the
+    /// strategy made, and FrameCounters::workBytes.
+    [[nodiscard]] uint64_t frameBytes() const;
     /// Whether every command draws ranges of the scene with a depth test: then the order of the commands does not matter.
     [[nodiscard]] bool drawsScene() const;
     /// Commands and decisions together.

@@ -114,11 +114,31 @@ ShownPixels shownPixels(Renderer& renderer, const SceneBuffers& buffers, const F
     return {target.readDepth(), {}};
 }
 
+namespace {
+
+/// Of a depth: two units in the last place of a float.
+constexpr double kTwoRoundings = 0x1p-22;
+
+}  // namespace
+
+PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel) {
+    const float truth = reference.depth[pixel], depth = shown.depth[pixel];
+    if (shown.triangle.empty()) return pixelDifference(truth, depth);
+    const uint32_t should = reference.triangle[pixel], is = shown.triangle[pixel];
+    if (is == should) return PixelDifference::None;
+    const bool unresolved =
+        is != 0 && should != 0 && std::abs(double(truth) - double(depth)) <= kTwoRoundings * double(std::max(truth, depth));
+    return unresolved ? PixelDifference::Unresolved : pixelDifference(truth, depth);
+}
+
 Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene) {
     Accuracy accuracy;
     accuracy.coveredPixels = reference.coveredPixels;
-    for (size_t i = 0; i < shown.depth.size(); ++i)
-        if (pixelDifference(reference, shown, i) == PixelDifference::Extra) ++accuracy.extraPixels;
+    for (size_t i = 0; i < shown.depth.size(); ++i) {
+        const PixelDifference difference = pixelDifference(reference, shown, i);
+        if (difference == PixelDifference::Extra) ++accuracy.extraPixels;
+        if (difference == PixelDifference::Unresolved) ++accuracy.unresolvedPixels;
+    }
     std::vector<uint8_t> mask = missedMask(reference, shown);
     accuracy.missedPixels = static_cast<uint64_t>(std::count(mask.begin(), mask.end(), uint8_t{1}));
     if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
@@ -171,8 +191,6 @@ namespace {
 
 constexpr double kNearAnEdge = 1.0 / 64;
 constexpr double kShift = 1.0 / 128;
-/// Of a depth: two units in the last place of a float.
-constexpr double kTwoRoundings = 0x1p-22;
 
 /// Whether the raster's snapping, or the rounding of two depths to float, explains that a triangle is shown at a pixel, or is
 /// not; `gap` is its depth beside the other's, `depth` the larger of them.

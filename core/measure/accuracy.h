@@ -13,6 +13,7 @@ struct Accuracy {
     uint64_t coveredPixels = 0;             ///< of the reference
     uint64_t missedPixels = 0;              ///< the reference shows a surface, the picture a farther one or none
     uint64_t extraPixels = 0;               ///< the picture shows a nearer surface than the reference
+    uint64_t unresolvedPixels = 0;          ///< neither: another triangle, at a depth that a float does not tell apart
     uint64_t largestHolePixels = 0;         ///< largest 4-connected set of missed pixels
     uint64_t visibleTriangles = 0;          ///< |V|
     uint64_t submittedTriangles = 0;        ///< |S|, each counted once
@@ -27,8 +28,9 @@ struct Accuracy {
 /// What a depth sample of a picture is beside that of the truth.
 enum class PixelDifference : uint8_t {
     None,
-    Extra,  ///< the picture shows a nearer surface
-    Missed  ///< the picture shows a farther surface, or none
+    Unresolved,  ///< another triangle within two units in the last place of a float: either could be in front
+    Extra,       ///< the picture shows a nearer surface
+    Missed       ///< the picture shows a farther surface, or none
 };
 [[nodiscard]] inline PixelDifference pixelDifference(float truth, float depth) {
     return depth < truth ? PixelDifference::Missed : depth > truth ? PixelDifference::Extra : PixelDifference::None;
@@ -43,11 +45,10 @@ struct ShownPixels {
 /// The same by a replay of the log, into `target`, which has the culling view's size.
 [[nodiscard]] ShownPixels shownPixels(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Framebuffer& target);
 
-/// What a pixel shows beside the truth: the same triangle is no difference.
-[[nodiscard]] inline PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel) {
-    if (!shown.triangle.empty() && shown.triangle[pixel] == reference.triangle[pixel]) return PixelDifference::None;
-    return pixelDifference(reference.depth[pixel], shown.depth[pixel]);
-}
+/// What a pixel shows beside the truth: the same triangle is no difference, and another one of an unresolved depth none that
+/// counts. Where the frame shows the scene's own surfaces by OpenGL, its depths have the reference's bits, and every difference
+/// counts.
+[[nodiscard]] PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel);
 
 /// Compares what a frame of the scene shows with the truth for its culling view; `drawn` is what it drew (drawnTriangles).
 [[nodiscard]] Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene);

@@ -25,16 +25,11 @@ struct RowCounts {
 struct RasterPicture {
     std::shared_ptr<FinishedPicture> picture;
     std::vector<RowCounts> rows;
+    std::vector<uint8_t> fates;  ///< by scene triangle, a TriangleFate: kCovers where it covers a sample, shown or not
+    uint64_t bytes = 0;          ///< of the tables that it took besides, where there are any: the largest of those at one time
 
     [[nodiscard]] RowCounts total() const;
 };
-
-/// The rows of each band of a picture, which one processor draws.
-inline constexpr int kBandRows = 32;
-
-enum class RasterSimd { Portable, Avx2 };
-/// Those that this processor has, the fastest last.
-[[nodiscard]] std::span<const RasterSimd> availableRasterSimd();
 
 /// A picture by the depth buffer: every triangle in its order; each of its samples is compared with the depth stored at the pixel
 /// and replaces it where it is nearer. At equal depths the first one drawn stays. `parallel`, by bands of rows, and `simd` change

@@ -1,6 +1,7 @@
 #include "core/raster/scan_line.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
 
@@ -84,17 +85,25 @@ float depthAt(const Surface& surface, int column) { return float(unroundedAt(sur
 /// The rows of one band, from the bottom up.
 class Sweep {
 public:
-    Sweep(std::span<const ScreenTriangle* const> triangles, const Viewport& size, int firstRow, int endRow, bool keepSpans,
-          FinishedPicture& picture)
-        : m_size(size), m_picture(picture), m_keepSpans(keepSpans) {
+    Sweep(std::span<const ScreenTriangle> triangles, const Viewport& size, int firstRow, int endRow, bool keepSpans,
+          FinishedPicture& picture, std::vector<uint8_t>& fates)
+        : m_size(size), m_picture(picture), m_fates(fates), m_keepSpans(keepSpans) {
         m_starting.resize(size_t(endRow - firstRow));
         for (uint32_t i = 0; i < triangles.size(); ++i)
-            m_starting[size_t(std::max(triangles[i]->firstRow, firstRow) - firstRow)].push_back({triangles[i], i});
+            m_starting[size_t(std::max(triangles[i].firstRow, firstRow) - firstRow)].push_back({&triangles[i], i});
         for (int row = firstRow; row < endRow; ++row) {
             for (const auto& [triangle, order] : m_starting[size_t(row - firstRow)]) begin(*triangle, order, row);
             sweep(row);
             goUp(row);
         }
+    }
+
+    /// The edge table, the active edges and surfaces at their largest.
+    [[nodiscard]] uint64_t bytes() const {
+        uint64_t sum =
+            m_surfaces.capacity() * sizeof(Surface) + (m_beginning.capacity() + m_active.capacity()) * sizeof(uint32_t);
+        for (const auto& starting : m_starting) sum += sizeof starting + starting.capacity() * sizeof(Starting);
+        return sum;
     }
 
     std::vector<RowCounts> counts;
@@ -153,6 +162,8 @@ private:
             surface.begin = int(begin);
             surface.end = int(end);
             counts.back().samples += uint64_t(end - begin);
+            // Other bands may say the same of the triangle at the same time.
+            std::atomic_ref(m_fates[triangle.number - 1]).store(kCovers, std::memory_order_relaxed);
             surface.rowDepth = triangle.depth + triangle.depthPerRow * double(row - triangle.firstRow);
             m_beginning.push_back(i);
         }
@@ -289,6 +300,7 @@ private:
 
     const Viewport& m_size;
     FinishedPicture& m_picture;
+    std::vector<uint8_t>& m_fates;
     bool m_keepSpans;
     std::vector<std::vector<Starting>> m_starting;  ///< the edge table: what begins in each row
     std::vector<Surface> m_surfaces;                ///< in the order in which they began
@@ -301,22 +313,26 @@ private:
 
 ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool parallel) {
     const size_t pixels = size_t(scene.size.width) * size_t(scene.size.height);
-    const RasterBins bins(scene, kBandRows, parallel);
     ScanLinePicture result;
     result.picture = std::make_shared<FinishedPicture>();
     result.picture->size = scene.size;
     result.picture->triangle.resize(pixels);
     result.picture->depth.resize(pixels);
-    std::vector<std::vector<RowCounts>> counts(bins.bands());
-    std::vector<std::vector<RowSpan>> spans(bins.bands());
-    forEachOf(bins.bands(), parallel, [&](size_t number) {
+    std::vector<std::vector<RowCounts>> counts(scene.bands());
+    std::vector<std::vector<RowSpan>> spans(scene.bands());
+    std::vector<uint64_t> bytes(scene.bands());
+    result.fates = scene.fates;
+    forEachOf(scene.bands(), parallel, [&](size_t number) {
         const int first = int(number) * kBandRows;
-        Sweep sweep(bins.band(number), scene.size, first, std::min(first + kBandRows, scene.size.height), keepSpans,
-                    *result.picture);
+        const std::vector<ScreenTriangle> triangles = scene.trianglesIn(number);
+        Sweep sweep(triangles, scene.size, first, std::min(first + kBandRows, scene.size.height), keepSpans, *result.picture,
+                    result.fates);
+        bytes[number] = triangles.capacity() * sizeof(ScreenTriangle) + sweep.bytes();
         counts[number] = std::move(sweep.counts);
         spans[number] = std::move(sweep.spans);
     });
-    for (size_t number = 0; number < bins.bands(); ++number) {
+    result.bytes = bytes.empty() ? 0 : std::ranges::max(bytes);
+    for (size_t number = 0; number < scene.bands(); ++number) {
         for (RowCounts& row : counts[number]) row.covered = row.written;
         result.rows.insert(result.rows.end(), counts[number].begin(), counts[number].end());
         result.spans.insert(result.spans.end(), spans[number].begin(), spans[number].end());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -11,55 +12,64 @@
 
 namespace cullscope {
 
-/// Consecutive triangles of an instance on the raster, and what became of the others.
+/// The rows of each band of a picture, which one processor draws.
+inline constexpr int kBandRows = 32;
+
+/// Consecutive triangles of an instance on the raster, by the bands of rows that they reach, and what became of the others.
 struct TrianglesOnRaster {
     uint32_t instance = 0;
-    std::vector<ScreenTriangle> triangles;  ///< in the scene's order; those of a clipped triangle follow each other
-    uint64_t given = 0;                     ///< of the scene
-    uint64_t outside = 0;                   ///< lie beyond one plane of the frustum with all corners
-    uint64_t facingAway = 0;                ///< not drawn by the facing rule
-    uint64_t withoutSample = 0;             ///< have no area on the raster, or no pixel centre in their box
-    uint64_t clipped = 0;                   ///< at the near plane, or where they leave the raster's range
+    uint32_t firstNumber = 1;           ///< of the scene's triangle, counted from 1
+    const uint32_t* indices = nullptr;  ///< three of each triangle
+    const RasterVertex* vertices = nullptr;
+    std::vector<ScreenTriangle> setUp;  ///< large and clipped ones; those of a clipped triangle follow each other
+    std::vector<uint16_t> entries;      ///< by band, then in the scene's order (screen_triangle.h)
+    std::vector<uint32_t> bandBegin;    ///< where each band's entries begin, and the end of the last one's
+    uint64_t onRaster = 0;              ///< pieces of triangles that the entries name, each counted once
+    uint64_t given = 0;                 ///< of the scene
+    uint64_t outside = 0;               ///< lie beyond one plane of the frustum with all corners
+    uint64_t facingAway = 0;            ///< not drawn by the facing rule
+    uint64_t withoutSample = 0;         ///< have no area on the raster, or no pixel centre in their box
+    uint64_t clipped = 0;               ///< at the near plane, or where they leave the raster's range
+
+    [[nodiscard]] PartInBand inBand(size_t band) const;
 };
 
-/// The triangles of a scene on the raster of a picture, in the scene's order.
+/// The triangles of a scene on the raster of a picture, in the scene's order. The scene must outlive it.
 struct SceneOnRaster {
     Viewport size;
+    std::unique_ptr<RasterVertex[]> vertices;
+    std::vector<uint32_t> ownIndices;  ///< where the triangles are of no scene
     std::vector<TrianglesOnRaster> parts;
+    size_t vertexCount = 0;
+    std::vector<uint8_t> fates;  ///< by scene triangle, a TriangleFate: kOutside, kFacingAway; else kNoSample, until it is drawn
 
+    [[nodiscard]] size_t bands() const { return (size_t(size.height) + kBandRows - 1) / size_t(kBandRows); }
     [[nodiscard]] size_t triangleCount() const;
+    /// The triangles of all parts that reach a band, in their order, each set up.
+    [[nodiscard]] std::vector<ScreenTriangle> trianglesIn(size_t band) const;
+    /// The memory that it takes.
+    [[nodiscard]] uint64_t bytes() const;
 };
+
+/// Instruction sets of the kernels; all make the same picture.
+enum class RasterSimd { Portable, Avx2, Avx512 };
+/// Those that this processor has, the fastest last.
+[[nodiscard]] std::span<const RasterSimd> availableRasterSimd();
 
 /// Transforms each vertex once, as OpenGL does: by a float matrix relative to the eye; depth is reversed, 1 at the near plane and
 /// 0 at the far plane. Clips at the near plane before the division. Nothing is clipped at the far plane, for what lies beyond it
 /// has a depth below 0, which no depth test passes. Triangles that reach beyond 32,000 pixels are clipped there, so that edge
-/// functions are exact in 64 bits. `parallel` changes nothing in the result. Throws Error(Usage) for a scene of more than
-/// 2^32 − 2 triangles.
-[[nodiscard]] SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel = true);
+/// functions are exact in 64 bits. `parallel` and `simd` change nothing in the result. Throws Error(Usage) for a scene of more
+/// than 2^32 − 2 triangles.
+[[nodiscard]] SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel = true,
+                                              RasterSimd simd = availableRasterSimd().back());
 
 /// A corner in a picture: pixels from its lower left corner, and the reversed depth.
 struct RasterCorner {
     double x = 0.0, y = 0.0;
     float depth = 0.0f;
 };
-/// A triangle from its corners in a picture, both of its sides; none where it covers no sample. `number` is counted from 1.
-[[nodiscard]] std::optional<ScreenTriangle> triangleOnRaster(const RasterCorner (&corners)[3], uint32_t number,
-                                                             const Viewport& size);
-
-/// Indices of triangles by bands of rows that they reach, in their order.
-class RasterBins {
-public:
-    /// `rows`: of each band.
-    RasterBins(const SceneOnRaster& scene, int rows, bool parallel);
-
-    [[nodiscard]] size_t bands() const { return m_begin.empty() ? 0 : m_begin.size() - 1; }
-    [[nodiscard]] std::span<const ScreenTriangle* const> band(size_t number) const {
-        return std::span(m_triangles).subspan(m_begin[number], m_begin[number + 1] - m_begin[number]);
-    }
-
-private:
-    std::vector<size_t> m_begin;
-    std::vector<const ScreenTriangle*> m_triangles;
-};
+/// Triangles by their corners in a picture, three each, both of their sides.
+[[nodiscard]] SceneOnRaster cornersOnRaster(std::span<const RasterCorner> corners, const Viewport& size);
 
 }  // namespace cullscope

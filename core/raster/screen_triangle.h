@@ -28,6 +28,40 @@ struct ScreenTriangle {
     double depth, depthPerColumn, depthPerRow;
 };
 
+/// A vertex on the raster: whole numbers of 1/256 pixel as above, and the reversed depth.
+struct RasterVertex {
+    int32_t x, y;
+    float depth;
+    uint32_t beyond;  ///< beyond which planes and limits it lies (projection.h)
+};
+
+/// Triangles whose box has at most this size have edge functions within 32 bits. They are set up eight at a time where they are
+/// drawn, from their vertices; larger ones and those that were clipped one by one, as ScreenTriangles.
+inline constexpr int32_t kSmall = 64 * kSubPixels;
+
+/// What became of a triangle in a picture made in software. No enumeration of a class: kernels store it as bytes.
+enum TriangleFate : uint8_t {
+    kNoSample,    ///< it covers no pixel centre of the picture
+    kCovers,      ///< it covers at least one, and is behind others at all of them
+    kOutside,     ///< all its corners lie beyond one plane of the frustum
+    kFacingAway,  ///< the facing rule drops it
+    kShown,       ///< the picture shows it
+    kTriangleFates
+};
+
+/// The entry of a triangle that was set up: this and its place among them; else the triangle's place in its part.
+inline constexpr uint16_t kSetUp = 0x8000;
+
+/// Those triangles of a part that reach a band, in their order.
+struct PartInBand {
+    const RasterVertex* vertices;
+    const uint32_t* indices;  ///< of the part's triangles, three each
+    uint32_t firstNumber;     ///< of the part's first triangle
+    const ScreenTriangle* setUp;
+    const uint16_t* entries;
+    size_t count;
+};
+
 /// A band of rows of a picture that a kernel draws into. Each row has `stride` elements, a multiple of kLanes, so that the last
 /// pixels of a row are not a special case.
 struct RasterBand {
@@ -35,6 +69,9 @@ struct RasterBand {
     uint32_t* number;
     size_t stride;
     int32_t firstRow, endRow;
+    int32_t width;      ///< of the picture
+    int32_t endOfRows;  ///< there is room for rows up to here, four times so many from the first one
+    uint8_t* fates;     ///< by scene triangle: kCovers is stored where a triangle covers a sample
 };
 inline constexpr int32_t kLanes = 8;
 
@@ -45,8 +82,23 @@ struct RasterCounts {
 };
 
 /// Draws triangles in their order into a band: a sample is written where its depth is above the one that is there.
-using RasterKernel = void(const ScreenTriangle* const* triangles, size_t count, const RasterBand& band, RasterCounts& counts);
+using RasterKernel = void(const PartInBand& part, const RasterBand& band, RasterCounts& counts);
 
-RasterKernel drawTrianglesPortable, drawTrianglesAvx2;
+RasterKernel drawTrianglesPortable, drawTrianglesAvx2, drawTrianglesAvx512;
+
+/// How positions come to the raster (projection.h): clip coordinates by the columns of a matrix, then pixels.
+struct RasterProjection {
+    float columns[4][4];
+    float halfWidth, halfHeight;
+    float rangeX, rangeY;                   ///< within which nothing is clipped, in units of w
+    int32_t left, right, bottom, top, far;  ///< how RasterVertex::beyond names the planes
+};
+/// What a vertex has as `beyond` that the kernel leaves to Projection.
+inline constexpr uint32_t kNotProjected = 0xFFFFFFFF;
+
+/// Projects positions, three numbers each.
+using ProjectionKernel = void(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices);
+
+ProjectionKernel projectPortable, projectAvx2;
 
 }  // namespace cullscope

@@ -40,6 +40,7 @@ TriangleState stateOfCause(Cause cause) {
         case Cause::Hidden:
             return TriangleState::Hidden;
         case Cause::TooSmall:
+        case Cause::NoSample:
             break;
     }
     return TriangleState::TooSmall;

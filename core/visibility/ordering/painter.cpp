@@ -155,6 +155,7 @@ private:
         m_frame.counters().figures.push_back({"cuts", double(m_triangles.cuts())});
         m_frame.counters().figures.push_back({"unresolved", double(order.unresolved)});
         m_frame.counters().bytesTouched = m_triangles.bytes();
+        m_frame.counters().workBytes = m_triangles.bytes();
     }
 
     FrameContext& m_frame;

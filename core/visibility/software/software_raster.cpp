@@ -1,12 +1,12 @@
 #include "core/visibility/software/software_raster.h"
 
-#include <atomic>
-#include <numeric>
+#include <algorithm>
 
 #include "core/base/message.h"
-#include "core/raster/in_parallel.h"
 #include "core/raster/scan_line.h"
 #include "core/visibility/facing.h"
+#include "core/visibility/software/triangle_fates.h"
+#include "core/visibility/why.h"
 
 namespace cullscope::software {
 namespace {
@@ -18,41 +18,6 @@ constexpr size_t kMostSpansSaid = 5000;
 struct NoStructure : Structure {
     using Structure::Structure;
 };
-
-/// How many triangles of each object a picture shows.
-std::vector<uint64_t> shownOfObjects(const Scene& scene, const FinishedPicture& picture, bool parallel) {
-    std::vector<uint8_t> shown(scene.triangleCount(), 0);
-    const auto width = size_t(picture.size.width);
-    forEachOf(size_t(picture.size.height), parallel, [&](size_t row) {
-        uint32_t before = 0;
-        for (size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
-            const uint32_t number = picture.triangle[pixel];
-            if (number != before && number != 0) std::atomic_ref(shown[number - 1]).store(uint8_t{1}, std::memory_order_relaxed);
-            before = number;
-        }
-    });
-    std::vector<uint64_t> counts(scene.instances().size());
-    for (size_t i = 0; i < counts.size(); ++i) {
-        const auto first = shown.begin() + std::ptrdiff_t(scene.firstTriangle(i));
-        counts[i] = std::accumulate(first, first + std::ptrdiff_t(scene.meshOf(i).triangleCount()), uint64_t{0});
-    }
-    return counts;
-}
-
-/// What became of an object's triangles on their way to the raster.
-struct ObjectCounts {
-    uint64_t given = 0, outside = 0, facingAway = 0;
-};
-
-std::vector<ObjectCounts> countsOfObjects(const SceneOnRaster& raster, size_t objects) {
-    std::vector<ObjectCounts> counts(objects);
-    for (const TrianglesOnRaster& part : raster.parts) {
-        counts[part.instance].given += part.given;
-        counts[part.instance].outside += part.outside;
-        counts[part.instance].facingAway += part.facingAway;
-    }
-    return counts;
-}
 
 Decision said(const Subject& subject, Decision::Outcome outcome, const char* sentence,
               const std::array<double, Decision::kOperands>& operands) {
@@ -67,6 +32,16 @@ Decision said(const Subject& subject, Decision::Outcome outcome, const char* sen
 
 /// A strategy that makes its picture on the processor from all triangles of the scene.
 class SoftwareRaster : public StrategyWith<NoStructure> {
+public:
+    void addWhySteps(const Structure& /*structure*/, const FrameLog& log, uint32_t instance, uint32_t triangle,
+                     std::vector<WhyStep>& steps) const override {
+        for (const Decision& decision : log.decisions) {
+            if (decision.subject.kind != Subject::Kind::Cell || decision.subject.object != instance) continue;
+            if (triangle - decision.places.first < decision.places.count)
+                steps.push_back({{decision.sentence, {}}, {}, {}, {}, Containment::Outside});
+        }
+    }
+
 protected:
     void fill(NoStructure& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
         structure.report.figures = {{"objects", double(structure.scene().instances().size())}};
@@ -80,8 +55,7 @@ protected:
             const StageTimer stage(frame, CULLSCOPE_TR("triangles to the raster"));
             raster = trianglesOnRaster(frame.scene(), frame.view(), frame.facing(), parallel);
         }
-        const std::vector<ObjectCounts> counts = countsOfObjects(raster, frame.scene().instances().size());
-        if (frame.recording()) sayTriangles(frame, counts);
+        if (frame.recording()) sayTriangles(frame, countFates(frame.scene(), raster.fates));
         RasterPicture drawn;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("rasterising"));
@@ -91,11 +65,13 @@ protected:
         FrameCounters& counters = frame.counters();
         counters.nodesVisited = raster.triangleCount();
         counters.bytesTouched = drawn.picture->depth.size() * (sizeof(float) + sizeof(uint32_t));
+        counters.workBytes = raster.bytes() + drawn.fates.capacity() + drawn.bytes;
         counters.figures = {{"samples", double(total.samples)},
                             {"comparisons", double(total.comparisons)},
                             {"written", double(total.written)},
                             {"overlap", total.covered > 0 ? double(total.samples) / double(total.covered) : 0.0}};
-        end(frame, shownOfObjects(frame.scene(), *drawn.picture, parallel), counts);
+        markShown(*drawn.picture, drawn.fates, parallel);
+        end(frame, drawn.fates);
         frame.show(std::move(drawn.picture));
     }
 
@@ -113,30 +89,38 @@ protected:
     [[nodiscard]] virtual ObjectLines objectLines() const = 0;
 
 private:
-    void sayTriangles(FrameContext& frame, const std::vector<ObjectCounts>& counts) const {
+    void sayTriangles(FrameContext& frame, const std::vector<FateCounts>& counts) const {
         const char* sentence =
             CULLSCOPE_TR("Of its %1 triangles %2 lie beyond a plane of the frustum and %3 are turned away: they are not drawn.");
         for (uint32_t i = 0; i < counts.size(); ++i) {
-            const auto& [given, outside, facingAway] = counts[i];
+            const uint64_t given = frame.scene().meshOf(i).triangleCount();
             Decision test = said(Subject::ofObject(i), Decision::Outcome::Open, sentence,
-                                 {double(given), double(outside), double(facingAway)});
-            if (outside == given) test.containment = Containment::Outside;
+                                 {double(given), double(counts[i][kOutside]), double(counts[i][kFacingAway])});
+            if (counts[i][kOutside] == given) test.containment = Containment::Outside;
             frame.say(atLine(objectLines().triangles, test));
         }
     }
 
-    /// Says and counts what became of each object: what the picture does not show is hidden, or lies outside.
-    void end(FrameContext& frame, const std::vector<uint64_t>& shown, const std::vector<ObjectCounts>& counts) const {
-        for (uint32_t i = 0; i < shown.size(); ++i) {
-            const uint64_t triangles = frame.scene().meshOf(i).triangleCount();
-            const Cause cause = counts[i].outside == triangles ? Cause::OutsideFrustum : Cause::Hidden;
-            frame.counters().culledTriangles[size_t(cause)] += triangles - shown[i];
+    /// Says and counts what became of each object and its triangles.
+    void end(FrameContext& frame, const std::vector<uint8_t>& fates) const {
+        const std::vector<FateCounts> counts = countFates(frame.scene(), fates);
+        size_t runsLeft = kMostRunsSaid;
+        for (uint32_t i = 0; i < counts.size(); ++i) {
+            const uint64_t triangles = frame.scene().meshOf(i).triangleCount(), shown = counts[i][kShown];
+            FateCounts others = counts[i];
+            others[kShown] = 0;
+            for (uint8_t fate = 0; fate < kTriangleFates; ++fate)
+                frame.counters().culledTriangles[size_t(causeOf(fate))] += others[fate];
             if (!frame.recording()) continue;
-            const auto outcome = shown[i] == triangles ? Decision::Outcome::Drawn
-                                 : shown[i] > 0        ? Decision::Outcome::PartlyDrawn
-                                                       : Decision::Outcome::Culled;
-            Decision decision = ending(Subject::ofObject(i), triangles == 0 ? Decision::Outcome::Culled : outcome, cause);
-            decision.containment = shown[i] == 0 ? Containment::Outside : Containment::Straddles;
+            // Of an object that is left out for several causes the one that its own decision names.
+            const auto most = others[kCovers] > 0 ? uint8_t{kCovers} : uint8_t(std::ranges::max_element(others) - others.begin());
+            if (shown < triangles && shown + others[most] < triangles)
+                sayFates(frame, i, fates, uint8_t(objectLines().shown), runsLeft);
+            const auto outcome = shown == triangles ? Decision::Outcome::Drawn
+                                 : shown > 0        ? Decision::Outcome::PartlyDrawn
+                                                    : Decision::Outcome::Culled;
+            Decision decision = ending(Subject::ofObject(i), triangles == 0 ? Decision::Outcome::Culled : outcome, causeOf(most));
+            decision.containment = shown == 0 ? Containment::Outside : Containment::Straddles;
             frame.say(atLine(objectLines().shown, decision));
         }
     }

@@ -91,6 +91,34 @@ TEST(LectureTable, verdictsAreOnlyWhereTheLectureOrTheMeasurementSaysSomething) 
     }
 }
 
+/// The bytes of a method at one layer seen once.
+double bytesOf(const char* method, int surfaces) {
+    LectureTableSize size = quick();
+    size.overlaps = {1};
+    size.surfaces = {surfaces};
+    size.views = {1};
+    const ResultTable table = runExperiment(lectureTable(size), {});
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        if (words(table, row, "method") == method) return numberOf(table.value(row, "bytes")).value_or(-1.0);
+    return -1.0;
+}
+
+TEST(LectureTable, bytesCountTheBuffersAndTablesOfAFrame) {
+    const double pixels = 64 * 48, perTriangle = 8;
+    for (const char* method : {"depth-buffer", "scan-line"}) {
+        // Depth and triangle number of each pixel, and the vertices and bins of the triangles.
+        const double few = bytesOf(method, 10), many = bytesOf(method, 2000);
+        EXPECT_GE(few, 8 * pixels) << method;
+        EXPECT_GE(many - few, perTriangle * 1500) << method;
+    }
+    EXPECT_GT(bytesOf("scan-line", 2000), bytesOf("depth-buffer", 2000)) << "the edge table and the active edges";
+    for (const char* method : {"painter", "bsp"}) {
+        // Triangles in order: three positions and three normals.
+        EXPECT_GE(bytesOf(method, 2000) - bytesOf(method, 10), 72 * 1500) << method;
+    }
+    EXPECT_EQ(bytesOf("all", 10), bytesOf("all", 2000)) << "the GPU's depth buffer and the list of objects";
+}
+
 TEST(LectureTable, methodThatTakesTooLongSaysSo) {
     LectureTableSize size = quick();
     size.overlaps = {2};

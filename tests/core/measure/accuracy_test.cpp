@@ -51,6 +51,32 @@ TEST(Compare, equalPicturesMissNothing) {
     EXPECT_EQ(accuracy.needlesslyDrawnTriangles, 1u);
 }
 
+TEST(Compare, anotherTriangleWithinTwoRoundingsIsUnresolved) {
+    // Case 32. Of pictures that have triangle numbers: without them, any difference of depths counts.
+    const Reference reference = someReference();
+    const auto moved = [](float depth, int roundings) {
+        for (; roundings > 0; --roundings) depth = std::nextafter(depth, 0.0f);
+        for (; roundings < 0; ++roundings) depth = std::nextafter(depth, 1.0f);
+        return depth;
+    };
+    std::vector<uint32_t> triangle = reference.triangle;
+    std::vector<float> depth = reference.depth;
+    for (const size_t pixel : {0, 1, 4, 5, 6}) triangle[pixel] = 4;
+    depth[1] = moved(depth[1], 2);   // unresolved, as pixel 0 at the same depth
+    depth[4] = moved(depth[4], -1);  // unresolved; a float has half the spacing below 0.5
+    depth[5] = moved(depth[5], 8);   // missed
+    depth[6] = moved(depth[6], -8);  // extra
+    depth[7] = moved(depth[7], 8);   // the same triangle: no difference
+    const Accuracy accuracy = compare(reference, {depth, triangle}, kAllFour, *fourTriangles());
+    EXPECT_EQ(accuracy.unresolvedPixels, 3u);
+    EXPECT_EQ(accuracy.missedPixels, 1u);
+    EXPECT_EQ(accuracy.extraPixels, 1u);
+    const Accuracy byDepth = compare(reference, {depth, {}}, kAllFour, *fourTriangles());
+    EXPECT_EQ(byDepth.unresolvedPixels, 0u);
+    EXPECT_EQ(byDepth.missedPixels, 3u);
+    EXPECT_EQ(byDepth.extraPixels, 2u);
+}
+
 TEST(Compare, missedAndExtraPixelsAreToldApart) {
     const Reference reference = someReference();
     std::vector<float> depth = reference.depth;

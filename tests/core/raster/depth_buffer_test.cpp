@@ -18,13 +18,10 @@ const Viewport kSize{320, 240};
 
 /// A picture of triangles given by their corners in it, all at depth 0.5, numbered from 1.
 FinishedPicture pictureOf(const std::vector<std::array<Vec2, 3>>& triangles, const Viewport& size) {
-    SceneOnRaster scene{size, std::vector<TrianglesOnRaster>(1)};
-    for (const auto& [a, b, c] : triangles) {
-        const RasterCorner corners[3] = {{a.x, a.y, 0.5f}, {b.x, b.y, 0.5f}, {c.x, c.y, 0.5f}};
-        const auto triangle = triangleOnRaster(corners, uint32_t(scene.parts[0].given++) + 1, size);
-        if (triangle) scene.parts[0].triangles.push_back(*triangle);
-    }
-    return *drawDepthBuffer(scene).picture;
+    std::vector<RasterCorner> corners;
+    for (const auto& triangle : triangles)
+        for (const Vec2& corner : triangle) corners.push_back({corner.x, corner.y, 0.5f});
+    return *drawDepthBuffer(cornersOnRaster(corners, size)).picture;
 }
 
 uint64_t pixelsOf(const FinishedPicture& picture, uint32_t number) {
@@ -88,8 +85,8 @@ struct Differences {
 Differences differences(const Scene& scene, const Camera& camera, const Viewport& size, const FinishedPicture& picture,
                         const SceneOnRaster& raster, const Renderer::ItemBuffer& items) {
     std::map<uint32_t, double> slopes;
-    for (const TrianglesOnRaster& part : raster.parts)
-        for (const ScreenTriangle& triangle : part.triangles)
+    for (size_t band = 0; band < raster.bands(); ++band)
+        for (const ScreenTriangle& triangle : raster.trianglesIn(band))
             slopes[triangle.number] = std::abs(triangle.depthPerColumn) + std::abs(triangle.depthPerRow);
     const PixelEdges edges(scene, camera, size);
     Differences found;
@@ -152,20 +149,68 @@ TEST(DepthBuffer, meshesAreAsOpenGlDrawsThemByBothFacingRules) {
 }
 
 TEST(DepthBuffer, threadsAndInstructionSetsChangeNothing) {
-    for (uint64_t seed = 0; seed < 20; ++seed) {
-        const ScenePointer scene = randomPolygons(seed);
-        const View view(aroundPolygons(seed), {157, 99});
-        const SceneOnRaster raster = trianglesOnRaster(*scene, view, Facing::TwoSided, false);
-        const RasterPicture one = drawDepthBuffer(raster, false, RasterSimd::Portable);
-        for (const RasterSimd simd : availableRasterSimd())
-            for (const bool parallel : {false, true}) {
-                const SceneOnRaster again = trianglesOnRaster(*scene, view, Facing::TwoSided, parallel);
-                const RasterPicture other = drawDepthBuffer(again, parallel, simd);
-                EXPECT_EQ(one.picture->triangle, other.picture->triangle) << "seed " << seed;
-                EXPECT_EQ(one.picture->depth, other.picture->depth) << "seed " << seed;
-                EXPECT_EQ(one.total().comparisons, other.total().comparisons);
-                EXPECT_EQ(one.total().written, other.total().written);
-            }
+    // Also where rows or bands are drawn elsewhere, because their samples are no multiple of a block's.
+    for (const Viewport size : {Viewport{157, 99}, {160, 120}, {160, 97}, {5, 3}, {3, 130}})
+        for (uint64_t seed = 0; seed < 20; ++seed) {
+            SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", seed " + std::to_string(seed));
+            const ScenePointer scene = randomPolygons(seed);
+            const View view(aroundPolygons(seed), size);
+            const SceneOnRaster raster = trianglesOnRaster(*scene, view, Facing::TwoSided, false, RasterSimd::Portable);
+            const RasterPicture one = drawDepthBuffer(raster, false, RasterSimd::Portable);
+            for (const RasterSimd simd : availableRasterSimd())
+                for (const bool parallel : {false, true}) {
+                    const SceneOnRaster again = trianglesOnRaster(*scene, view, Facing::TwoSided, parallel, simd);
+                    const RasterPicture other = drawDepthBuffer(again, parallel, simd);
+                    EXPECT_EQ(one.picture->triangle, other.picture->triangle);
+                    EXPECT_EQ(one.picture->depth, other.picture->depth);
+                    EXPECT_EQ(one.fates, other.fates);
+                    EXPECT_EQ(one.total().comparisons, other.total().comparisons);
+                    EXPECT_EQ(one.total().written, other.total().written);
+                }
+        }
+}
+
+TEST(DepthBuffer, smallTrianglesAreSetUpAsLargeOnesAre) {
+    // A triangle of each size around that from which on they are set up one by one, at many places: its samples are those whose
+    // centres lie inside by whole numbers, and depths change evenly.
+    Random random(8);
+    const Viewport size{160, 128};
+    for (int i = 0; i < 300; ++i) {
+        const double reach = i % 3 == 0 ? 2.0 : i % 3 == 1 ? 20.0 : 70.0;
+        RasterCorner corners[3];
+        const Vec2 middle(random.between(-10, 170), random.between(-10, 138));
+        for (RasterCorner& corner : corners) {
+            corner.x = std::round((middle.x + random.between(-reach, reach)) * 256) / 256;
+            corner.y = std::round((middle.y + random.between(-reach, reach)) * 256) / 256;
+            corner.depth = float(random.between(0.2, 0.8));
+        }
+        const SceneOnRaster raster = cornersOnRaster(corners, size);
+        const RasterPicture drawn = drawDepthBuffer(raster);
+        std::vector<uint32_t> expected(drawn.picture->triangle.size(), 0);
+        std::vector<float> depths(expected.size(), 0.0f);
+        if (raster.triangleCount() > 0) {
+            ScreenTriangle triangle{};
+            for (size_t band = 0; band < raster.bands(); ++band)
+                for (const ScreenTriangle& one : raster.trianglesIn(band)) triangle = one;
+            for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+                for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
+                    bool inside = true;
+                    for (int e = 0; e < 3; ++e) {
+                        const int next = (e + 1) % 3;
+                        const int64_t dx = triangle.x[next] - triangle.x[e], dy = triangle.y[next] - triangle.y[e];
+                        const int64_t value = dx * (row * 256 - triangle.y[e]) - dy * (column * 256 - triangle.x[e]);
+                        inside = inside && (value > 0 || (value == 0 && (dy < 0 || (dy == 0 && dx < 0))));
+                    }
+                    if (!inside) continue;
+                    const size_t pixel = size_t(row) * size_t(size.width) + size_t(column);
+                    expected[pixel] = 1;
+                    depths[pixel] = float((triangle.depth + triangle.depthPerRow * double(row - triangle.firstRow)) +
+                                          triangle.depthPerColumn * double(column - triangle.firstColumn));
+                }
+        }
+        EXPECT_EQ(drawn.picture->triangle, expected) << i;
+        EXPECT_EQ(drawn.picture->depth, depths) << i;
+        EXPECT_EQ(drawn.fates[0] == kCovers, std::ranges::count(expected, 1u) > 0) << i;
     }
 }
 

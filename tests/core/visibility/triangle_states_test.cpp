@@ -154,13 +154,14 @@ TEST(TriangleStates, wrongDrawListLosesWhatIsSeen) {
 }
 
 TEST(TriangleStates, everyCauseBecomesItsState) {
-    const ScenePointer scene = sceneOf({squareMesh(1, 0), squareMesh(1, -1), squareMesh(1, -2), squareMesh(1, -3)});
+    const ScenePointer scene =
+        sceneOf({squareMesh(1, 0), squareMesh(1, -1), squareMesh(1, -2), squareMesh(1, -3), squareMesh(1, -4)});
     std::vector<Decision> decisions;
     for (uint32_t i = 0; i < kCauseCount; ++i) decisions.push_back(culledFor(i, static_cast<Cause>(i)));
     const TriangleStates states = triangleStates(*scene, logOf(overThree(), {}, decisions), std::nullopt);
     using enum TriangleState;
-    EXPECT_THAT(states.states,
-                testing::ElementsAre(OutsideFrustum, OutsideFrustum, BackFacing, BackFacing, Hidden, Hidden, TooSmall, TooSmall));
+    EXPECT_THAT(states.states, testing::ElementsAre(OutsideFrustum, OutsideFrustum, BackFacing, BackFacing, Hidden, Hidden,
+                                                    TooSmall, TooSmall, TooSmall, TooSmall));
     EXPECT_FALSE(states.againstTruth);
 }
 

@@ -4,11 +4,10 @@
 #include "core/mesh/parametric.h"
 #include "core/scene/scene_source.h"
 #include "core/spatial/bsp_tree.h"
-#include "core/spatial/screen_polygon.h"
 #include "tests/support/culler.h"
 #include "tests/support/cut_scenes.h"
 #include "tests/support/gl_environment.h"
-#include "tests/support/pixel_edges.h"
+#include "tests/support/picture_differences.h"
 
 namespace cullscope::test::ordering_picture_test {
 namespace {
@@ -21,50 +20,18 @@ CullerPointer strategy(const char* id, const std::vector<std::pair<const char*, 
     return makeCuller(id, parameters);
 }
 
-/// One over the forward distance of a triangle's plane at a pixel, as a linear function of the picture.
-Vec3 inverseOf(const Scene& scene, const View& view, uint32_t triangle) {
-    const size_t instance = scene.instanceOf(triangle);
-    const TriangleMesh& mesh = scene.meshOf(instance);
-    std::vector<Vec3> corners;
-    for (size_t i = 0; i < 3; ++i) {
-        const size_t index = mesh.indices()[3 * (triangle - scene.firstTriangle(instance)) + i];
-        corners.push_back(Vec3(scene.instances()[instance].worldFromMesh * Vec4(mesh.position(index), 1.0)) - view.eye());
-    }
-    return ScreenProjection(view)
-        .project(corners, glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])))
-        .inverse;
-}
-
-/// The pixels at which a frame shows another triangle than the depth buffer, and which nothing explains: neither an edge of one
-/// of the two within 1/128 pixel, nor depths that both planes have within 1/128 pixel (the raster's snapping moves each plane by
-/// its own slope), nor depths that a float does not tell apart.
+/// The pixels of a frame that nothing explains (tests/support/picture_differences.h).
 uint64_t unexplained(const SceneBuffers& buffers, const View& view, const FrameLog& log, const Reference& truth,
                      uint64_t* differing) {
-    const Scene& scene = buffers.scene();
     Framebuffer target(view.viewport());
-    const ShownPixels shown = shownPixels(GlEnvironment::renderer(), buffers, log, target);
-    const PixelEdges edges(scene, view.camera(), view.viewport());
-    uint64_t count = 0;
-    for (size_t pixel = 0; pixel < truth.triangle.size(); ++pixel) {
-        const uint32_t is = shown.triangle[pixel], should = truth.triangle[pixel];
-        if (is == should) continue;
-        ++*differing;
-        if (is != 0 && edges.toEdgeOf(is - 1, pixel) <= kEdgePixels) continue;
-        if (should != 0 && edges.toEdgeOf(should - 1, pixel) <= kEdgePixels) continue;
-        if (is != 0 && should != 0) {
-            const Vec3 a = inverseOf(scene, view, is - 1), b = inverseOf(scene, view, should - 1), d = a - b;
-            const Vec3 at(double(pixel % size_t(kSize.width)) + 0.5, double(pixel / size_t(kSize.width)) + 0.5, 1.0);
-            if (std::abs(glm::dot(d, at)) <=
-                (glm::length(Vec2(a)) + glm::length(Vec2(b))) * kEdgePixels + 0x1p-22 * std::abs(glm::dot(a, at)))
-                continue;
-        }
-        if (++count > 3) continue;
-        std::printf("pixel %zu: shows %u in place of %u, depths %.9g and %.9g\n", pixel, is, should, double(shown.depth[pixel]),
-                    double(truth.depth[pixel]));
-    }
-    if (count > 0)
+    const PictureDifferences found =
+        pictureDifferences(buffers.scene(), view, truth, shownPixels(GlEnvironment::renderer(), buffers, log, target));
+    *differing += found.pixels;
+    if (found.unexplained > 0) {
+        std::printf("%s", found.first.c_str());
         for (const NamedFigure& figure : log.counters.figures) std::printf("%s %g ", figure.name.c_str(), figure.value);
-    return count;
+    }
+    return found.unexplained;
 }
 
 uint64_t unexplained(Culler& culler, const SceneBuffers& buffers, const View& view, uint64_t* differing) {

@@ -1,0 +1,54 @@
+#include "tests/support/picture_differences.h"
+
+#include <cmath>
+
+#include "core/spatial/screen_polygon.h"
+#include "tests/support/pixel_edges.h"
+
+namespace cullscope::test {
+namespace {
+
+/// One over the forward distance of a triangle's plane at a pixel, as a linear function of the picture.
+Vec3 inverseOf(const Scene& scene, const View& view, uint32_t triangle) {
+    const size_t instance = scene.instanceOf(triangle);
+    const TriangleMesh& mesh = scene.meshOf(instance);
+    std::vector<Vec3> corners;
+    for (size_t i = 0; i < 3; ++i) {
+        const size_t index = mesh.indices()[3 * (triangle - scene.firstTriangle(instance)) + i];
+        corners.push_back(Vec3(scene.instances()[instance].worldFromMesh * Vec4(mesh.position(index), 1.0)) - view.eye());
+    }
+    return ScreenProjection(view)
+        .project(corners, glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0])))
+        .inverse;
+}
+
+}  // namespace
+
+PictureDifferences pictureDifferences(const Scene& scene, const View& view, const Reference& truth, const ShownPixels& shown) {
+    const PixelEdges edges(scene, view.camera(), view.viewport());
+    const auto width = size_t(view.viewport().width);
+    PictureDifferences found;
+    for (size_t pixel = 0; pixel < truth.triangle.size(); ++pixel) {
+        const uint32_t is = shown.triangle[pixel], should = truth.triangle[pixel];
+        if (is == should) continue;
+        ++found.pixels;
+        if (is != 0 && edges.toEdgeOf(is - 1, pixel) <= kEdgePixels) continue;
+        if (should != 0 && edges.toEdgeOf(should - 1, pixel) <= kEdgePixels) continue;
+        if (is != 0 && should != 0) {
+            const Vec3 a = inverseOf(scene, view, is - 1), b = inverseOf(scene, view, should - 1), d = a - b;
+            const Vec3 at(double(pixel % width) + 0.5, double(pixel / width) + 0.5, 1.0);
+            if (std::abs(glm::dot(d, at)) <=
+                (glm::length(Vec2(a)) + glm::length(Vec2(b))) * kEdgePixels + 0x1p-22 * std::abs(glm::dot(a, at))) {
+                ++found.unresolved;
+                continue;
+            }
+        }
+        if (++found.unexplained > 3) continue;
+        found.first += "pixel " + std::to_string(pixel % width) + ", " + std::to_string(pixel / width) + ": shows " +
+                       std::to_string(is) + " in place of " + std::to_string(should) + ", depths " +
+                       std::to_string(shown.depth[pixel]) + " and " + std::to_string(truth.depth[pixel]) + "\n";
+    }
+    return found;
+}
+
+}  // namespace cullscope::test

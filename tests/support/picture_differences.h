@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "core/measure/accuracy.h"
+
+namespace cullscope::test {
+
+/// Where a frame shows another triangle than the depth buffer.
+struct PictureDifferences {
+    uint64_t pixels = 0;       ///< all of them
+    uint64_t unresolved = 0;   ///< of these, those that an unresolved depth explains, and no edge
+    uint64_t unexplained = 0;  ///< neither an edge nor an unresolved depth explains them
+    std::string first;         ///< the first three of these, in words
+};
+
+/// A pixel is explained by an edge of one of the two triangles within 1/128 pixel of its centre; by depths that both planes have
+/// within 1/128 pixel, for the raster's snapping moves each plane by its own slope; or by depths that a float does not tell
+/// apart.
+[[nodiscard]] PictureDifferences pictureDifferences(const Scene& scene, const View& view, const Reference& truth,
+                                                    const ShownPixels& shown);
+
+}  // namespace cullscope::test
