@@ -48,10 +48,8 @@ TEST(States, beforeASceneIsOpenedTheWindowInvites) {
     EXPECT_EQ(cut(desktop), QStringList());
 }
 
-TEST(States, aFinishedExperimentLooksAsKept) {
-    Desktop desktop;
-    desktop.window.statistics().toggleViewAction()->trigger();
-    desktop.settle();
+/// Measures over a short path by the statistics' own button.
+void runExperiment(Desktop& desktop) {
     StatisticsPanel& panel = desktop.window.statistics().statistics();
     const auto boxes = panel.bar().findChildren<QSpinBox*>();
     ASSERT_EQ(boxes.size(), 2);
@@ -64,12 +62,39 @@ TEST(States, aFinishedExperimentLooksAsKept) {
     ASSERT_TRUE(waitUntil([&] { return start->text() == begin; }));
     desktop.settle();
     EXPECT_GE(panel.model().rowCount(), 2);
+}
+
+TEST(States, aFinishedExperimentLooksAsKept) {
+    Desktop desktop;
+    desktop.window.statistics().toggleViewAction()->trigger();
+    desktop.settle();
+    runExperiment(desktop);
+    StatisticsPanel& panel = desktop.window.statistics().statistics();
     // Columns fit their numbers, and times have more or fewer digits from run to run: fix the widths.
     for (QTableView* table : panel.findChildren<QTableView*>()) {
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
         for (int column = 1; column < table->model()->columnCount(); ++column) table->setColumnWidth(column, kColumnWidth);
     }
     EXPECT_TRUE(looksAsKept(desktop.look(), QStringLiteral("statistics")));
+}
+
+TEST(States, statisticsCutNoTextOnASmallScreen) {
+    for (const char* language : {"en", "ko", "zh_CN"}) {
+        Desktop desktop({.size = {1280, 800}, .language = QString::fromLatin1(language)});
+        desktop.window.statistics().toggleViewAction()->trigger();
+        desktop.settle();
+        EXPECT_EQ(cut(desktop), QStringList()) << language << ", before an experiment";
+        runExperiment(desktop);
+        auto* tabs = desktop.window.statistics().statistics().findChild<QTabBar*>();
+        for (int tab = 0; tab < tabs->count(); ++tab) {
+            tabs->setCurrentIndex(tab);
+            desktop.settle();
+            EXPECT_EQ(cut(desktop), QStringList()) << language << ", " << tabs->tabText(tab).toStdString();
+            if (qEnvironmentVariableIsSet("CULLSCOPE_SAVE_LOOKS"))
+                desktop.window.grab().save(writtenPicturesFolder() +
+                                           QStringLiteral("/statistics-%1-%2.png").arg(language).arg(tab));
+        }
+    }
 }
 
 TEST(States, aLectureHasNoSmallLetters) {
