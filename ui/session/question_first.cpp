@@ -39,7 +39,7 @@ void QuestionFirst::readParts() {
     const auto read = [this, &gpu, request = *request, frames = m_session.frames()](GpuJobs::Step& step) {
         if (gpu.lost()) return;
         try {
-            const ViewFramePointer frame = frames->of(request.frame(), true, gpu.renderer());
+            const ViewFramePointer frame = frames->of(request.frame(), gpu.renderer());
             const auto parts = std::make_shared<const NamedParts>(request.strategy->parts(frame->log));
             step.deliver([this, parts] { take(parts); });
         } catch (const Error&) {

@@ -145,7 +145,7 @@ struct ViewMeter::Job {
             const size_t baselinePlace = placeOf(baseline, baseline.strategy->begin());
             // What a view remembers is known when its frame is decided.
             const FrameRequest frame = requestOf(subject.view, what);
-            if (what.strategy->info().remembers) (void)bench.frames->of(frame, true, bench.ownRenderer());
+            if (what.strategy->info().remembers) (void)bench.frames->of(frame, bench.ownRenderer());
             ViewStatePointer memory = bench.frames->memoryBefore(frame);
             places.push_back({placeOf(what, std::move(memory)), baselinePlace});
         }

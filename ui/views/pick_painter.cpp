@@ -183,7 +183,7 @@ void paintGroup(QPainter& painter, const SubjectShape& shape, const View& viewin
     const auto fill = [&](std::vector<Vec3> corners, int opacity, double edge) {
         for (Vec3& corner : corners) corner -= viewing.eye();
         const QPolygonF polygon = projection.polygon(corners);
-        painter.setBrush(QColor(kInHandColour.red(), kInHand.green(), kInHand.blue(), opacity));
+        painter.setBrush(QColor(kInHandColour.red(), kInHandColour.green(), kInHandColour.blue(), opacity));
         painter.setPen(QPen(kEdge, edge + 2.0));
         painter.drawPolygon(polygon);
         painter.setBrush(Qt::NoBrush);
