@@ -2492,14 +2492,6 @@
         <translation>눈을 둘러싸거나 납작하면: 모두 그림</translation>
     </message>
     <message>
-        <source>cut: draw between corner rays</source>
-        <translation>잘리면: 네 모서리 광선 사이의 셀을 그림</translation>
-    </message>
-    <message>
-        <source>inside: draw near half, growing S</source>
-        <translation>안이면: 가까운 절반과 S가 커지는 곳을 그림</translation>
-    </message>
-    <message>
         <source>cut by near, flat, small: draw all</source>
         <translation>가까운 평면에 잘림, 납작함, 작음: 모두 그림</translation>
     </message>
@@ -2854,10 +2846,6 @@
     <message>
         <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
         <translation>장면은 높이 0.02의 물결이 있는 층입니다. 그래서 삼각형마다 자기 평면이 있고 층끼리는 만나지 않습니다. 평평한 층이라면 BSP 트리의 노드는 층마다 하나뿐입니다. 층이 면보다 많으면 층마다 삼각형이 두 개입니다.</translation>
-    </message>
-    <message>
-        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation>바이트는 방법이 만든 것과, GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
     </message>
     <message>
         <source>lecture: good for</source>
@@ -3408,10 +3396,6 @@
         <translation>노드에서 시험하는 평면의 수(plane=fewest, balance).</translation>
     </message>
     <message>
-        <source>How many polygons the tree may have, the cut ones among them.</source>
-        <translation>잘린 것을 포함해 트리가 가질 수 있는 다각형의 수.</translation>
-    </message>
-    <message>
         <source>BSP tree</source>
         <translation>BSP 트리</translation>
     </message>
@@ -3592,30 +3576,6 @@
         <translation>네 모서리 사이의 영역은 경우 %1입니다. 둘러싼 상자: %2, 그 셀의 삼각형: %3.</translation>
     </message>
     <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
-        <translation>α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 적어도 일부가 그려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
-        <translation>α = %3°까지의 띠: 표면의 기울기 %1, 그 앞의 지평선 %2. 가려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
-        <translation>앞쪽 절반에 있는 α = %3°까지의 띠: S %1, 그 앞의 최댓값 %2. 그려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
-        <translation>α = %3°까지의 띠: S %1 &gt; 그 앞의 최댓값 %2. 그려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
-        <translation>α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다.</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
-        <translation>α = %3°까지의 띠: S %1이지만 같은 부채꼴의 더 가까운 띠가 가려졌습니다(그 앞의 최댓값 %2). 그 뒤로는 그리지 않습니다.</translation>
-    </message>
-    <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
         <translation>검사로 제외된 셀이지만 양쪽 구간과 함께 그려집니다. 이렇게 적은 삼각형은 구간을 따로 둘 만하지 않습니다.</translation>
     </message>
@@ -3626,6 +3586,194 @@
     <message>
         <source>index map</source>
         <translation>색인 맵</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no camera, from which the order is seen. Write a line eye x y z into its .polygons file.</source>
+        <translation>&quot;%1&quot;에는 순서를 볼 카메라가 없습니다. .polygons 파일에 eye x y z 행을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Leaves of a BSP tree and the order of drawing</source>
+        <translation>BSP 트리의 잎과 그리는 순서</translation>
+    </message>
+    <message>
+        <source>Computed from the scene&apos;s own planes, which divide it level by level; its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation>장면에 있는 평면으로 계산한다. 평면이 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation>바이트는 방법이 만든 것, 한 프레임에 그 밖에 필요했던 것(표, 목록, 방법이 만든 삼각형이나 그림), 그리고 GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
+    </message>
+    <message>
+        <source>covers no sample</source>
+        <translation>표본을 하나도 덮지 않음</translation>
+    </message>
+    <message>
+        <source>About several cells</source>
+        <translation>여러 셀에 관한 것</translation>
+    </message>
+    <message>
+        <source>Cells of %1</source>
+        <translation>%1의 셀들</translation>
+    </message>
+    <message>
+        <source>Several cells</source>
+        <translation>여러 셀</translation>
+    </message>
+    <message>
+        <source>%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation>%1에 다각형이 없습니다. polygon A 0 0 0  1 0 0  0 1 0 과 같은 행을 하나 이상 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 노드가 %2개를 넘게 필요합니다. 평면 %3개가 저마다 앞 평면의 모든 칸을 나눕니다. 평면 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>draw its triangles, both sides</source>
+        <translation>삼각형을 양면 모두 그림</translation>
+    </message>
+    <message>
+        <source>draw it: OpenGL drops back faces</source>
+        <translation>그림: 뒷면은 OpenGL이 버림</translation>
+    </message>
+    <message>
+        <source>The walk comes to node %1, on the eye&apos;s side of the plane of node %2.</source>
+        <translation>순회가 노드 %1에 온다. 노드 %2의 평면에서 눈과 같은 쪽이다.</translation>
+    </message>
+    <message>
+        <source>The walk comes to node %1, beyond the plane of node %2.</source>
+        <translation>순회가 노드 %1에 온다. 노드 %2의 평면 너머이다.</translation>
+    </message>
+    <message>
+        <source>%1: %2 polygons</source>
+        <translation>%1: 다각형 %2개</translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them, and how many nodes.</source>
+        <translation>트리가 가질 수 있는 다각형의 수(잘린 것 포함)와 노드의 수.</translation>
+    </message>
+    <message>
+        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
+        <translation>삼각형 %2와(과) 그 뒤의 모든 삼각형은 삼각형 %1 전체보다 가깝다. 삼각형 %1의 가장 가까운 깊이는 %3이다.</translation>
+    </message>
+    <message>
+        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
+        <translation>검사 1: 삼각형 %1와(과) %2은(는) x 방향으로 %3픽셀 떨어져 있다.</translation>
+    </message>
+    <message>
+        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
+        <translation>검사 2: 삼각형 %1와(과) %2은(는) y 방향으로 %3픽셀 떨어져 있다.</translation>
+    </message>
+    <message>
+        <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
+        <translation>삼각형 %1이(가) 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
+    </message>
+    <message>
+        <source>The triangle lies beyond a plane of the frustum.</source>
+        <translation>삼각형이 절두체의 한 평면 밖에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The triangle is turned away.</source>
+        <translation>삼각형이 뒤를 향합니다.</translation>
+    </message>
+    <message>
+        <source>The triangle covers no sample: no centre of a pixel lies in it.</source>
+        <translation>삼각형이 표본을 하나도 덮지 않음: 그 안에 놓인 픽셀 중심이 없습니다.</translation>
+    </message>
+    <message>
+        <source>At every sample that the triangle covers another surface is in front.</source>
+        <translation>삼각형이 덮는 모든 표본에서 다른 면이 앞에 있습니다.</translation>
+    </message>
+    <message>
+        <source>cut: follow four corner rays</source>
+        <translation>잘리면: 네 모서리 광선을 따라감</translation>
+    </message>
+    <message>
+        <source>cell by cell: a triangle hit?</source>
+        <translation>셀마다: 삼각형에 맞는가?</translation>
+    </message>
+    <message>
+        <source>the region between their points</source>
+        <translation>네 점 사이의 영역</translation>
+    </message>
+    <message>
+        <source>draw boxes of cells around it</source>
+        <translation>이를 감싸는 셀 상자를 그림</translation>
+    </message>
+    <message>
+        <source>inside: S of band &gt; S before it?</source>
+        <translation>안이면: 띠의 S &gt; 그 앞의 S?</translation>
+    </message>
+    <message>
+        <source>yes, or the near half: draw it</source>
+        <translation>그렇거나 가까운 절반이면: 그림</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: the surface&apos;s slope is at least %1, and the horizon before it %2.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: 표면의 기울기는 적어도 %1, 그 앞의 지평선은 %2입니다.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is higher everywhere, at least %2: hidden.</source>
+        <translation>셀의 삼각형이 기울기 %1까지 이릅니다. 그 앞의 지평선이 모든 곳에서 적어도 %2로 더 높습니다. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is not everywhere higher (%2): drawn.</source>
+        <translation>셀의 삼각형이 기울기 %1까지 이릅니다. 그 앞의 지평선이 모든 곳에서 더 높지는 않습니다(%2). 그려집니다.</translation>
+    </message>
+    <message>
+        <source>The cell lies too near to the centre or to the axis, or reaches too far around: drawn without a test.</source>
+        <translation>셀이 중심이나 축에 너무 가깝거나 너무 넓게 걸쳐 있습니다. 검사 없이 그립니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 passes a cell in which no triangle lies.</source>
+        <translation>광선 %1은(는) 삼각형이 없는 셀을 지납니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≥ %2 in this cell, whose triangles end at R = %3: none of them is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R ≥ %2이고 셀의 삼각형은 R = %3에서 끝납니다. 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≤ %2 in this cell, whose triangles begin at R = %3: none of them is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R ≤ %2이고 셀의 삼각형은 R = %3에서 시작합니다. 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles one is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 하나에 맞습니다.</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles none is hit.</source>
+        <translation>이 셀에서 광선 %1은(는) R = %2~%3에 있습니다. 셀의 삼각형 %4개 중 아무것에도 맞지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 enters the bounding sphere at R = %2.</source>
+        <translation>모서리 광선 %1은(는) R = %2에서 경계 구에 들어갑니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
+        <translation>부채꼴 %4, 앞쪽 절반에 있는 α = %3°까지의 띠: S %1, 그 앞의 최댓값 %2. 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 &gt; 그 앞의 최댓값 %2. 그려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. 가려집니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1이지만 같은 부채꼴의 더 가까운 띠가 가려졌습니다(그 앞의 최댓값 %2). 그 뒤로는 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
+        <translation>영역을 감싸는 상자: 맵의 행 %1~%2, 열 %3~%4.</translation>
+    </message>
+    <message>
+        <source>Cells %1 to %2 are one range of the memory access map: %3 triangles from place %4 on are drawn.</source>
+        <translation>셀 %1~%2은(는) 메모리 접근 맵의 한 구간입니다. 자리 %4부터 삼각형 %3개를 그립니다.</translation>
+    </message>
+    <message>
+        <source>not yet decided</source>
+        <translation>아직 결정되지 않음</translation>
     </message>
 </context>
 <context>
@@ -4873,6 +5021,10 @@ OpenGL %2
         <source>Right: %1 of %2</source>
         <translation>맞음: %1 / %2</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>조각</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionBar</name>
@@ -4899,6 +5051,26 @@ OpenGL %2
     <message>
         <source>Withdraw</source>
         <translation>질문 취소</translation>
+    </message>
+    <message>
+        <source>The active view&apos;s strategy has no leaves that could be named. Choose another strategy, other parameters, or another question.</source>
+        <translation>활성 뷰의 전략에는 지정할 잎이 없습니다. 다른 전략, 다른 매개변수 또는 다른 질문을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
+        <translation>조각을 클릭한 다음 그것이 있는 잎을 고르십시오. 지정: %1</translation>
+    </message>
+    <message>
+        <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
+        <translation>%1은(는) 어느 잎에 있습니까? 그런 다음 다음 조각을 클릭하십시오. 지정: %2</translation>
+    </message>
+    <message>
+        <source>In which leaf does it lie?</source>
+        <translation>어느 잎에 있습니까?</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>잎</translation>
     </message>
 </context>
 <context>
@@ -5671,6 +5843,11 @@ snapping</source>
         <comment>has a group outside</comment>
         <translation>한 평면이 아님</translation>
     </message>
+    <message>
+        <source>%1: %2 objects</source>
+        <comment>a group by its name</comment>
+        <translation>%1: 물체 %2개</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::StructurePanel</name>
@@ -5862,6 +6039,11 @@ snapping</source>
     <message>
         <source>step %1 of %2 · whole frame: %3</source>
         <translation>단계 %1 / %2 · 프레임 전체: %3</translation>
+    </message>
+    <message>
+        <source>step %1 · %2</source>
+        <comment>of a narrow view, figures</comment>
+        <translation>단계 %1 · %2</translation>
     </message>
 </context>
 <context>

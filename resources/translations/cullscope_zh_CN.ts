@@ -2492,14 +2492,6 @@
         <translation>围住视点或扁平：全部绘制</translation>
     </message>
     <message>
-        <source>cut: draw between corner rays</source>
-        <translation>相交：绘制四条角光线之间的单元</translation>
-    </message>
-    <message>
-        <source>inside: draw near half, growing S</source>
-        <translation>在内：绘制近的一半以及 S 增大之处</translation>
-    </message>
-    <message>
         <source>cut by near, flat, small: draw all</source>
         <translation>与近平面相交、扁平或较小：全部绘制</translation>
     </message>
@@ -2854,10 +2846,6 @@
     <message>
         <source>The scenes are layers with waves of height 0.02, so that their triangles lie in planes of their own and the layers do not meet: a BSP tree of flat layers would have a node a layer. With more layers than surfaces each has two triangles.</source>
         <translation>场景是波高 0.02 的各层，因此每个三角形有自己的平面，而各层互不相交：平坦的层在 BSP 树中每层只有一个节点。层数多于面数时，每层有两个三角形。</translation>
-    </message>
-    <message>
-        <source>Bytes are of what the method built, and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation>字节数包括方法所构建的内容，以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
     </message>
     <message>
         <source>lecture: good for</source>
@@ -3408,10 +3396,6 @@
         <translation>每个节点试几个平面（plane=fewest 和 balance）。</translation>
     </message>
     <message>
-        <source>How many polygons the tree may have, the cut ones among them.</source>
-        <translation>树最多可有多少多边形，包括切割所得。</translation>
-    </message>
-    <message>
         <source>BSP tree</source>
         <translation>BSP 树</translation>
     </message>
@@ -3592,30 +3576,6 @@
         <translation>四个角点之间的区域属于情形 %1；外围框：%2；其单元中的三角形：%3。</translation>
     </message>
     <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: drawn in part at least.</source>
-        <translation>至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：至少部分绘制。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: slope %1 of the surface, horizon before it %2: hidden.</source>
-        <translation>至 α = %3° 的带：表面斜率 %1，之前的地平线 %2：被遮挡。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
-        <translation>近半球中至 α = %3° 的带：S %1，之前的最大值 %2：绘制。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
-        <translation>至 α = %3° 的带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
-        <translation>至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
-    </message>
-    <message>
-        <source>Band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
-        <translation>至 α = %3° 的带：S %1，但该扇区中更近的带已被遮挡（之前的最大值 %2）：其后不再绘制。</translation>
-    </message>
-    <message>
         <source>A test left the cell out, but it is drawn with the ranges on both of its sides: so few triangles are not worth a range of their own.</source>
         <translation>测试剔除了该单元，但它随两侧的区间一起绘制：这么少的三角形不值得单独成为区间。</translation>
     </message>
@@ -3626,6 +3586,194 @@
     <message>
         <source>index map</source>
         <translation>索引图</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; names no camera, from which the order is seen. Write a line eye x y z into its .polygons file.</source>
+        <translation>“%1”没有指定观察顺序的相机。请在其 .polygons 文件中写一行 eye x y z。</translation>
+    </message>
+    <message>
+        <source>Leaves of a BSP tree and the order of drawing</source>
+        <translation>BSP 树的叶与绘制顺序</translation>
+    </message>
+    <message>
+        <source>Computed from the scene&apos;s own planes, which divide it level by level; its objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.</source>
+        <translation>由场景自己的平面计算：平面逐层划分场景，物体挂在叶上。C1 是位于所有平面背面的叶，最后一个叶位于所有平面正面。</translation>
+    </message>
+    <message>
+        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
+        <translation>字节数包括方法所构建的内容、一帧另外所需的内容（表、列表、方法生成的三角形或图像），以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
+    </message>
+    <message>
+        <source>covers no sample</source>
+        <translation>不覆盖任何样本</translation>
+    </message>
+    <message>
+        <source>About several cells</source>
+        <translation>关于多个单元</translation>
+    </message>
+    <message>
+        <source>Cells of %1</source>
+        <translation>%1 的单元</translation>
+    </message>
+    <message>
+        <source>Several cells</source>
+        <translation>多个单元</translation>
+    </message>
+    <message>
+        <source>%1 names no polygon. Write at least one line such as polygon A 0 0 0  1 0 0  0 1 0.</source>
+        <translation>%1 没有指定任何多边形。请至少写一行，例如 polygon A 0 0 0  1 0 0  0 1 0。</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 nodes: each of its %3 planes divides every cell of the one before. Name fewer planes, or take a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个节点：%3 个平面各自划分前一个平面的所有单元。请减少平面，或提高上限。</translation>
+    </message>
+    <message>
+        <source>draw its triangles, both sides</source>
+        <translation>绘制其三角形的两面</translation>
+    </message>
+    <message>
+        <source>draw it: OpenGL drops back faces</source>
+        <translation>绘制它：OpenGL 丢弃背面</translation>
+    </message>
+    <message>
+        <source>The walk comes to node %1, on the eye&apos;s side of the plane of node %2.</source>
+        <translation>遍历来到节点 %1，它在节点 %2 的平面上视点所在的一侧。</translation>
+    </message>
+    <message>
+        <source>The walk comes to node %1, beyond the plane of node %2.</source>
+        <translation>遍历来到节点 %1，它在节点 %2 的平面的另一侧。</translation>
+    </message>
+    <message>
+        <source>%1: %2 polygons</source>
+        <translation>%1：%2 个多边形</translation>
+    </message>
+    <message>
+        <source>How many polygons the tree may have, the cut ones among them, and how many nodes.</source>
+        <translation>树最多可有多少个多边形（包括切开的）以及多少个节点。</translation>
+    </message>
+    <message>
+        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
+        <translation>三角形 %2 及其后的所有三角形都比整个三角形 %1 近，后者的最近深度为 %3。</translation>
+    </message>
+    <message>
+        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
+        <translation>测试 1：三角形 %1 与 %2 在 x 方向相隔 %3 像素。</translation>
+    </message>
+    <message>
+        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
+        <translation>测试 2：三角形 %1 与 %2 在 y 方向相隔 %3 像素。</translation>
+    </message>
+    <message>
+        <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
+        <translation>三角形 %1 是剩余中最远的，最远深度为 %2。</translation>
+    </message>
+    <message>
+        <source>The triangle lies beyond a plane of the frustum.</source>
+        <translation>该三角形位于视锥体某一平面之外。</translation>
+    </message>
+    <message>
+        <source>The triangle is turned away.</source>
+        <translation>该三角形背向。</translation>
+    </message>
+    <message>
+        <source>The triangle covers no sample: no centre of a pixel lies in it.</source>
+        <translation>该三角形不覆盖任何样本：没有像素中心位于其中。</translation>
+    </message>
+    <message>
+        <source>At every sample that the triangle covers another surface is in front.</source>
+        <translation>在该三角形覆盖的每个样本处，都有其他表面在前。</translation>
+    </message>
+    <message>
+        <source>cut: follow four corner rays</source>
+        <translation>相交：跟踪四条角光线</translation>
+    </message>
+    <message>
+        <source>cell by cell: a triangle hit?</source>
+        <translation>逐个单元：是否击中三角形？</translation>
+    </message>
+    <message>
+        <source>the region between their points</source>
+        <translation>它们的点之间的区域</translation>
+    </message>
+    <message>
+        <source>draw boxes of cells around it</source>
+        <translation>绘制包围它的单元盒</translation>
+    </message>
+    <message>
+        <source>inside: S of band &gt; S before it?</source>
+        <translation>在内：带的 S &gt; 之前的 S？</translation>
+    </message>
+    <message>
+        <source>yes, or the near half: draw it</source>
+        <translation>是，或在近的一半：绘制</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: the surface&apos;s slope is at least %1, and the horizon before it %2.</source>
+        <translation>扇区 %4，至 α = %3° 的带：表面斜率至少为 %1，其前的地平线为 %2。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is higher everywhere, at least %2: hidden.</source>
+        <translation>单元的三角形达到斜率 %1；之前的地平线处处更高，至少为 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>The cell&apos;s triangles reach the slope %1; the horizon before them is not everywhere higher (%2): drawn.</source>
+        <translation>单元的三角形达到斜率 %1；之前的地平线并非处处更高（%2）：绘制。</translation>
+    </message>
+    <message>
+        <source>The cell lies too near to the centre or to the axis, or reaches too far around: drawn without a test.</source>
+        <translation>单元离中心或轴太近，或延伸范围过大：不检验直接绘制。</translation>
+    </message>
+    <message>
+        <source>Ray %1 passes a cell in which no triangle lies.</source>
+        <translation>光线 %1 经过一个没有三角形的单元。</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≥ %2 in this cell, whose triangles end at R = %3: none of them is hit.</source>
+        <translation>在此单元中光线 %1 处于 R ≥ %2，而单元的三角形止于 R = %3：一个也没有击中。</translation>
+    </message>
+    <message>
+        <source>Ray %1 stays at R ≤ %2 in this cell, whose triangles begin at R = %3: none of them is hit.</source>
+        <translation>在此单元中光线 %1 处于 R ≤ %2，而单元的三角形始于 R = %3：一个也没有击中。</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles one is hit.</source>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形中击中一个。</translation>
+    </message>
+    <message>
+        <source>Ray %1 is at R = %2 to %3 in this cell: of its %4 triangles none is hit.</source>
+        <translation>在此单元中光线 %1 处于 R = %2 至 %3：其 %4 个三角形一个也没有击中。</translation>
+    </message>
+    <message>
+        <source>Corner ray %1 enters the bounding sphere at R = %2.</source>
+        <translation>角光线 %1 在 R = %2 处进入包围球。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.</source>
+        <translation>扇区 %4，近半球中至 α = %3° 的带：S %1，之前的最大值 %2：绘制。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 &gt; %2, the largest before it: drawn.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 &gt; 之前的最大值 %2：绘制。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：被遮挡。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1, but a nearer band of the sector was hidden (largest before it %2): nothing behind it is drawn.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1，但该扇区中更近的带已被遮挡（之前的最大值 %2）：其后不再绘制。</translation>
+    </message>
+    <message>
+        <source>A box around the region: rows %1 to %2 of the map, columns %3 to %4.</source>
+        <translation>包围该区域的盒：图的第 %1 至 %2 行，第 %3 至 %4 列。</translation>
+    </message>
+    <message>
+        <source>Cells %1 to %2 are one range of the memory access map: %3 triangles from place %4 on are drawn.</source>
+        <translation>单元 %1 至 %2 是内存访问图的一个区间：从位置 %4 起绘制 %3 个三角形。</translation>
+    </message>
+    <message>
+        <source>not yet decided</source>
+        <translation>尚未决定</translation>
     </message>
 </context>
 <context>
@@ -4873,6 +5021,10 @@ OpenGL %2
         <source>Right: %1 of %2</source>
         <translation>正确：%1 / %2</translation>
     </message>
+    <message>
+        <source>Part</source>
+        <translation>部分</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionBar</name>
@@ -4899,6 +5051,26 @@ OpenGL %2
     <message>
         <source>Withdraw</source>
         <translation>撤回</translation>
+    </message>
+    <message>
+        <source>The active view&apos;s strategy has no leaves that could be named. Choose another strategy, other parameters, or another question.</source>
+        <translation>活动视图的策略没有可指出的叶。请选择其他策略、其他参数或其他问题。</translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
+        <translation>点击一个部分，再选择它所在的叶。已指出：%1</translation>
+    </message>
+    <message>
+        <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
+        <translation>%1 在哪个叶中？然后点击下一个部分。已指出：%2</translation>
+    </message>
+    <message>
+        <source>In which leaf does it lie?</source>
+        <translation>它在哪个叶中？</translation>
+    </message>
+    <message>
+        <source>Leaf</source>
+        <translation>叶</translation>
     </message>
 </context>
 <context>
@@ -5671,6 +5843,11 @@ snapping</source>
         <comment>has a group outside</comment>
         <translation>非单个平面</translation>
     </message>
+    <message>
+        <source>%1: %2 objects</source>
+        <comment>a group by its name</comment>
+        <translation>%1：%2 个物体</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::StructurePanel</name>
@@ -5862,6 +6039,11 @@ snapping</source>
     <message>
         <source>step %1 of %2 · whole frame: %3</source>
         <translation>第 %1 / %2 步 · 整帧：%3</translation>
+    </message>
+    <message>
+        <source>step %1 · %2</source>
+        <comment>of a narrow view, figures</comment>
+        <translation>第 %1 步 · %2</translation>
     </message>
 </context>
 <context>

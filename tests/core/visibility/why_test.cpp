@@ -60,7 +60,8 @@ std::vector<Camera> cameras() {
     std::vector<Camera> cameras;
     Random random(31);
     for (int i = 0; i < 30; ++i) {
-        const Vec3 eye{random.between(-9, 9), random.between(-3, 3), random.between(-9, 9)};
+        const double z = random.between(-9, 9), y = random.between(-3, 3), x = random.between(-9, 9);
+        const Vec3 eye(x, y, z);
         cameras.push_back({eye, eye + random.direction(), {0, 1, 0}, Angle::fromDegrees(random.between(20, 80)), 0.5, 12});
     }
     return cameras;

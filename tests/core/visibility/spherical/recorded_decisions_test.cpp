@@ -88,7 +88,7 @@ TEST(RecordedDecisions, curveGrowsBandByBand) {
     const Recorded recorded("spherical", *scene, seenWhole());
     const FrameLog& log = recorded.frame.log;
     size_t known = 0, steps = 0;
-    for (size_t k = 0; k <= log.entries(); k += 20) {
+    for (size_t k = 0; k <= log.entries(); k += 4) {
         const std::optional<Curve> curve = recorded.culler->built()->curve("band-sizes", log.upTo(k), 0, 0);
         if (!curve || curve->intervals.empty()) continue;
         const size_t now =

@@ -133,7 +133,7 @@ TEST(RecordedTests, bandsAreSaidSectorBySectorFromTheNearPointOn) {
 TEST(RecordedTests, raysAreFollowedCellByCellThenComeRegionBoxesAndRanges) {
     const ScenePointer scene = star();
     const Culled frame = recorded("spherical", *scene, from(2.0, 20.0));
-    const spherical::SphericalDecision& decision = spherical::decisionsOf(frame.log).front();
+    const spherical::SphericalDecision decision = spherical::decisionsOf(frame.log).front();
     ASSERT_TRUE(decision.region);
     std::string order;  // what follows what
     size_t walked = 0, hits = 0;
