@@ -124,14 +124,15 @@ void addGroupTests(const FrameLog& log, uint32_t group, std::vector<WhyStep>& st
     }
 }
 
-/// What was said of the cell by which a triangle of an object was decided, with its numbers; `own`: its number in the mesh.
+/// What was said of the cell or range of cells by which a triangle of an object was decided, with its numbers; `own`: its number in the mesh.
 void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, uint64_t own, std::vector<WhyStep>& steps) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     uint64_t place = 0;
     while (place < scene.meshOf(instance).triangleCount() && triangleAt(log.order.get(), mesh, place) != own) ++place;
     const auto holds = [&](const Decision& decision) {
-        return decision.subject.kind == Subject::Kind::Cell && decision.subject.object == instance &&
-               decision.places.first <= place && place - decision.places.first < decision.places.count;
+        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
+        return cells && decision.subject.object == instance && decision.places.first <= place &&
+               place - decision.places.first < decision.places.count;
     };
     const auto last = std::find_if(log.decisions.rbegin(), log.decisions.rend(), [&](const Decision& decision) {
         return decision.outcome != Decision::Outcome::Open && holds(decision);

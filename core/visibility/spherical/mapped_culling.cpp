@@ -111,7 +111,9 @@ void MappedCulling::record(const MappedMesh& mesh, const MappedObject& object, b
     for (uint32_t i = 0; i < decision.rays.size(); ++i)
         if (decision.rays[i].followed)
             frame.attach(std::make_shared<RayDetail>(i, decision.rays[i]), {Subject::Kind::Ray, i, decision.instance}, before);
-    if (decision.region) frame.attach(std::make_shared<RegionDetail>(*decision.region));
+    if (decision.region)
+        frame.attach(std::make_shared<RegionDetail>(*decision.region),
+                     {Subject::Kind::Cells, CellGroups::kRegion, decision.instance}, before);
     const bool outside = decision.relation == SphereRelation::Outside;
     Decision end = ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
                           outside ? Cause::OutsideFrustum : causeOf(decision.relation));
