@@ -5,10 +5,19 @@
 #include <QLabel>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/models/prediction_model.h"
 
 namespace cullscope::ui {
+
+namespace {
+
+constexpr int kAnswerWidth = 520;
+constexpr int kLeastAnswerColumn = 96;  // pixels, so that short words of some languages are not cramped
+constexpr int kAnswersShown = 14;       // of more rows the table scrolls
+
+}  // namespace
 
 AnswerDialog::AnswerDialog(PredictionModel* model, QWidget* parent) : QDialog(parent), m_model(model) {
     model->setParent(this);
@@ -23,6 +32,8 @@ AnswerDialog::AnswerDialog(PredictionModel* model, QWidget* parent) : QDialog(pa
     table->verticalHeader()->hide();
     table->setSelectionMode(QAbstractItemView::NoSelection);
     table->setTabKeyNavigation(false);
+    table->setWordWrap(false);
+    table->horizontalHeader()->setMinimumSectionSize(kLeastAnswerColumn);
     table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     table->horizontalHeader()->setSectionResizeMode(PredictionModel::Item, QHeaderView::Stretch);
     table->setAccessibleName(windowTitle());
@@ -32,7 +43,11 @@ AnswerDialog::AnswerDialog(PredictionModel* model, QWidget* parent) : QDialog(pa
     layout->addWidget(score);
     layout->addWidget(table, 1);
     layout->addWidget(buttons);
-    resize(520, 360);
+    // As high as its rows: an empty table looks as if something were missing.
+    const int rows = std::clamp(model->rowCount(), 1, kAnswersShown);
+    table->setMinimumHeight(table->horizontalHeader()->sizeHint().height() +
+                            rows * table->verticalHeader()->defaultSectionSize() + 2 * table->frameWidth());
+    resize(kAnswerWidth, sizeHint().height());
 }
 
 }  // namespace cullscope::ui

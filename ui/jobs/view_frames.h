@@ -61,8 +61,6 @@ public:
     void stop() { m_stop.request_stop(); }
     /// Ends the frame of a view (none: of any) that is being decided, because it is not wanted any more. On any thread.
     void interrupt(std::optional<int> view);
-    /// What frames that are drawn beside these look at.
-    [[nodiscard]] std::stop_token stopToken() const { return m_stop.get_token(); }
 
     /// Drops the frames, or those of a view whose strategy is another one by now.
     void forget() { m_views.clear(); }

@@ -1,5 +1,8 @@
 #include "ui/models/prediction_model.h"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
@@ -10,7 +13,11 @@ PredictionModel::PredictionModel(ScenePointer scene, Prediction prediction, std:
       m_scene(std::move(scene)),
       m_prediction(std::move(prediction)),
       m_rows(std::move(rows)),
-      m_parts(std::move(parts)) {}
+      m_parts(std::move(parts)) {
+    // An order is read from the first to the last; what has no place in it comes at the end.
+    if (m_prediction.question == Prediction::Question::Order)
+        std::ranges::stable_sort(m_rows, {}, [](const PredictionRow& row) { return row.actual.value_or(SIZE_MAX); });
+}
 
 int PredictionModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }
 

@@ -122,6 +122,7 @@ struct ViewMeter::Job {
     };
 
     std::vector<Subject> subjects;
+    std::stop_token stop;
     std::vector<ViewMetrics> figures;
     std::optional<TimedRounds> rounds;
     std::vector<Place> places;
@@ -186,16 +187,31 @@ void ViewMeter::deliver(GpuJobs::Step& step, int view, const ViewMetrics& figure
     step.deliver([this, view, figures] { emit measured(view, figures); });
 }
 
+void ViewMeter::beginAnew() {
+    m_stop.request_stop();
+    m_stop = std::stop_source();
+}
+
+void ViewMeter::cancel() {
+    m_jobs.cancel();
+    beginAnew();
+}
+
 void ViewMeter::measure(std::vector<Subject> subjects) {
+    beginAnew();
     // What the loss of the context ends is asked for again with the buffers of the new one.
     std::vector<SceneBuffersPointer> buffers;
     for (const Subject& subject : subjects) buffers.push_back(subject.what.buffers);
     auto job = std::make_shared<Job>();
     job->subjects = std::move(subjects);
+    job->stop = m_stop.get_token();
     const auto work = [this, job](GpuJobs::Step& step) {
         try {
             measureNext(*job, step);
         } catch (const std::exception& error) {
+            // A frame that is not wanted any more has no figures, and there is nothing to tell.
+            const auto* known = dynamic_cast<const Error*>(&error);
+            if (known != nullptr && known->kind() == ErrorKind::Interrupted) return;
             const Message message = sentenceOf(error, QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"));
             for (const Subject& subject : job->subjects) deliver(step, subject.view, failure(message, subject.what));
         }
@@ -220,7 +236,7 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
     if (!job.rounds->complete()) {
         job.rounds->step(
             m_bench->ownRenderer(), [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); },
-            m_bench->frames->stopToken());
+            job.stop);
         return step.again();
     }
     for (size_t i = 0; i < job.subjects.size(); ++i) {

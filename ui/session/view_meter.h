@@ -33,7 +33,8 @@ public:
     ~ViewMeter() override;
 
     void measure(std::vector<Subject> subjects);
-    void cancel() { m_jobs.cancel(); }
+    /// Drops what was asked for; a frame that is being timed ends where its strategy looks for a stop request.
+    void cancel();
     /// How many references were computed so far; waits for the thread. For tests: truth is never computed twice.
     [[nodiscard]] size_t referencesComputed();
 
@@ -44,6 +45,8 @@ private:
     struct Bench;  ///< objects that live on the GPU thread
     struct Job;    ///< one request and its progress
 
+    /// Stops the frame of the former request.
+    void beginAnew();
     void measureNext(Job& job, GpuJobs::Step& step);
     void deliver(GpuJobs::Step& step, int view, const ViewMetrics& figures);
 
@@ -51,6 +54,7 @@ private:
     TimingProtocol m_rounds;
     std::shared_ptr<Bench> m_bench;
     GpuJobs m_jobs;
+    std::stop_source m_stop;  ///< of the newest request
 };
 
 }  // namespace cullscope::ui
