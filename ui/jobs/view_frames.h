@@ -28,7 +28,7 @@ struct FrameRequest {
     }
 };
 
-/// A frame that was decided. Its picture from any camera, its panels, its verdicts and its figures are replays of it.
+/// A frame that was decided. Its picture from any camera, its panels and its colours by verdict are replays of it.
 struct ViewFrame {
     FrameRequest request;
     FrameLog log;
