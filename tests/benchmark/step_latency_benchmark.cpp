@@ -29,6 +29,7 @@ using namespace cullscope::ui;
 using Clock = std::chrono::steady_clock;
 
 constexpr int kPatience = 120'000;                         // ms
+constexpr int kQuiet = 60;                                 // ms after a step, in which its panels follow
 constexpr double kSmallLimit = 50.0, kLargeLimit = 100.0;  // ms
 constexpr int kUsualTimes = 40;                            // steps of a kind
 constexpr size_t kPolygons = 500;
@@ -121,7 +122,7 @@ public:
         if (!painted) throw std::runtime_error("a step is not shown");
         const double passed = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
         // The panels follow; the next step begins when all is quiet.
-        QTest::qWait(30);
+        QTest::qWait(kQuiet);
         return passed;
     }
 
@@ -146,6 +147,8 @@ Row rowOf(SteppedWindow& stepped, int kind, int times) {
         if (kind == 0 && step == count) stepper.jump(0);
         if (kind == 1 && step == 0) stepper.toEnd();
         stepped.wait([&] { return stepped.current(); });
+        // Its panels follow, as after a timed step.
+        if (stepper.place()->step() != step) QTest::qWait(kQuiet);
         // Jumps go to and fro over the frame: 0, 5/8, 2/8, 7/8, … of it.
         const size_t target = (count * size_t((5 * i) % 8 + (i / 8) % 2)) / 8;
         if (kind == 2 && target == stepper.place()->step()) continue;

@@ -19,6 +19,7 @@ Stepper::Stepper(Session& session, QObject* parent) : QObject(parent), m_session
     m_timer.setInterval(kBetweenSteps);
     connect(&m_timer, &QTimer::timeout, this, &Stepper::advance);
     connect(&session, &Session::sceneChanged, this, &Stepper::stop);
+    connect(&session, &Session::stepChanged, this, &Stepper::changed);
     for (const auto signal :
          {&Session::hiddenChanged, &Session::buffersChanged, &Session::cameraChanged, &Session::viewCountChanged})
         connect(&session, signal, this, &Stepper::check);
@@ -102,8 +103,9 @@ void Stepper::show() {
     if (const std::optional<FrameEntry> entry = m_stepper->current())
         step.shape = subjectShape(m_frame->request.strategy->scene(), m_frame->log, m_snapshot, *entry);
     if (step.shape.node) step.shape.polygons = m_frame->request.strategy->groupShape(m_snapshot, *step.shape.node).polygons;
+    const bool same = m_session.step() && *m_session.step() == step;
     m_session.setStep(step);
-    emit changed();
+    if (same) emit changed();
 }
 
 void Stepper::forward() {
