@@ -18,6 +18,7 @@ public:
         s_last = ownMilliseconds();
         WorkCheck::observer = [](uint32_t steps) {
             s_steps += steps;
+            while (s_steps >= s_holdAt) std::this_thread::yield();
             tellTime();
         };
     }
@@ -26,6 +27,9 @@ public:
     WatchedWork& operator=(const WatchedWork&) = delete;
 
     [[nodiscard]] uint64_t steps() const { return s_steps; }
+    /// Work waits at its look after so many steps, until it is let go on.
+    void holdAt(uint64_t steps) const { s_holdAt = steps; }
+    void letGoOn() const { s_holdAt = UINT64_MAX; }
     /// The longest time between two looks for a stop request so far, and since the last one, in milliseconds that the calling
     /// thread itself worked: other programs on the machine do not count.
     [[nodiscard]] double longestGap() const {
@@ -46,6 +50,7 @@ private:
     }
 
     static inline std::atomic<uint64_t> s_steps{0};
+    static inline std::atomic<uint64_t> s_holdAt{UINT64_MAX};
     static inline double s_last = 0.0, s_longest = 0.0;  ///< of the thread that works
 };
 
@@ -56,10 +61,12 @@ struct StoppedWork {
     uint64_t stepsAfter = 0;   ///< made after the request
 };
 
-/// Runs `work(progress)`; another thread requests the stop once so many steps were made.
+/// Runs `work(progress)`; another thread requests the stop at the first look after so many steps. The work waits there for the
+/// request, so that it cannot end before it on a busy machine.
 template <typename Work>
 StoppedWork stoppedAfter(uint64_t steps, const Work& work) {
     const WatchedWork watched;
+    watched.holdAt(steps);
     std::stop_source source;
     std::atomic<bool> done{false};
     std::atomic<uint64_t> atRequest{0};
@@ -67,6 +74,7 @@ StoppedWork stoppedAfter(uint64_t steps, const Work& work) {
         while (watched.steps() < steps && !done) std::this_thread::yield();
         source.request_stop();
         atRequest = watched.steps();
+        watched.letGoOn();
     });
     StoppedWork result;
     try {

@@ -50,7 +50,7 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& stat
     const View culling(request.culling, request.size);
     GpuFrame context(renderer, *request.buffers, culling, true);
     const std::stop_callback closing(m_stop.get_token(), [this] { interrupt(std::nullopt); });
-    context.stopBy(begin(request.view));
+    context.stopBy(begin(request));
     try {
         request.strategy->draw(context, state);
     } catch (...) {
@@ -62,11 +62,14 @@ ViewFramePointer ViewFrames::decide(const FrameRequest& request, ViewState& stat
     return frame;
 }
 
-std::stop_token ViewFrames::begin(int view) {
+std::stop_token ViewFrames::begin(const FrameRequest& request) {
     const std::lock_guard lock(m_mutex);
-    m_deciding = view;
+    m_deciding = request.view;
+    m_strategy = request.strategy;
     m_stopOfThisFrame = {};
-    if (m_stop.stop_requested()) m_stopOfThisFrame.request_stop();
+    const auto unwanted = m_unwanted.find(request.view);
+    const bool isUnwanted = unwanted != m_unwanted.end() && unwanted->second.lock() == request.strategy;
+    if (m_stop.stop_requested() || isUnwanted) m_stopOfThisFrame.request_stop();
     return m_stopOfThisFrame.get_token();
 }
 
@@ -78,7 +81,10 @@ void ViewFrames::end(int view, bool decided) {
 
 void ViewFrames::interrupt(std::optional<int> view) {
     const std::lock_guard lock(m_mutex);
-    if (m_deciding && (!view || m_deciding == view)) m_stopOfThisFrame.request_stop();
+    if (view) m_unwanted.erase(*view);
+    if (!m_deciding || (view && m_deciding != view)) return;
+    m_stopOfThisFrame.request_stop();
+    if (view) m_unwanted[*view] = m_strategy;
 }
 
 size_t entriesUpTo(const ViewFrame& frame, const LogPlace& place) {

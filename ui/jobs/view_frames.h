@@ -59,7 +59,9 @@ public:
 
     /// Ends the frame that is being decided, and all to come: the window closes. On any thread.
     void stop() { m_stop.request_stop(); }
-    /// Ends the frame of a view (none: of any) that is being decided, because it is not wanted any more. On any thread.
+    /// Ends the frame of a view (none: of any) that is being decided, because it is not wanted any more. Requests of a view for
+    /// frames of the same strategy that wait for the GPU thread end at once, too, until the view is interrupted again. On any
+    /// thread.
     void interrupt(std::optional<int> view);
 
     /// Drops the frames, or those of a view whose strategy is another one by now.
@@ -76,16 +78,18 @@ private:
     };
 
     /// What the frame of a view looks at; `end` follows.
-    [[nodiscard]] std::stop_token begin(int view);
+    [[nodiscard]] std::stop_token begin(const FrameRequest& request);
     void end(int view, bool decided);
     [[nodiscard]] ViewFramePointer decide(const FrameRequest& request, ViewState& state, Renderer& renderer);
 
     std::map<int, Memory> m_views;
     std::stop_source m_stop;
     mutable std::mutex m_mutex;
-    std::map<int, size_t> m_decided;     ///< guarded by m_mutex
-    std::optional<int> m_deciding;       ///< the view whose frame is being decided; guarded by m_mutex
-    std::stop_source m_stopOfThisFrame;  ///< guarded by m_mutex
+    std::map<int, size_t> m_decided;                               ///< guarded by m_mutex
+    std::optional<int> m_deciding;                                 ///< the view whose frame is being decided; guarded by m_mutex
+    std::weak_ptr<const BuiltStrategy> m_strategy;                 ///< its strategy; guarded by m_mutex
+    std::map<int, std::weak_ptr<const BuiltStrategy>> m_unwanted;  ///< by view; guarded by m_mutex
+    std::stop_source m_stopOfThisFrame;                            ///< guarded by m_mutex
 };
 using ViewFramesPointer = std::shared_ptr<ViewFrames>;
 

@@ -105,6 +105,7 @@ void Session::makeView(int view) {
     connect(state.slot.get(), &StrategySlot::chosen, this, [this, view] {
         // A frame of the former strategy may take minutes.
         m_frames->interrupt(view);
+        if (std::ranges::find(m_underWay, view, &ViewMeter::Subject::view) != m_underWay.end()) cancelFigures();
         emit strategyChosen(view);
         update();
     });

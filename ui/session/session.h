@@ -262,6 +262,7 @@ private:
     [[nodiscard]] double aspect(int view) const;
     void update();
     void updateFigures();
+    void cancelFigures();  ///< ends the measurement under way; its views are not measured
     /// Whether a view's metrics still hold for its present state.
     [[nodiscard]] bool figuresStand(int view) const;
     [[nodiscard]] ViewMetrics figuresWithoutMeasuring() const;

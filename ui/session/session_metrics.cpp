@@ -49,10 +49,7 @@ void Session::updateFigures() {
     const bool overtaken = std::any_of(m_underWay.begin(), m_underWay.end(), [this](const ViewMeter::Subject& measured) {
         return subject(measured.view) != measured.what || slot(measured.view).building();
     });
-    if (overtaken) {
-        m_meter->cancel();
-        m_underWay.clear();
-    }
+    if (overtaken) cancelFigures();
     const std::vector<int> measured = measuredViews();
     for (int view = 0; view < kMostViews; ++view) {
         if (figuresStand(view)) continue;
@@ -62,6 +59,11 @@ void Session::updateFigures() {
                                        [view](const ViewMeter::Subject& subject) { return subject.view == view; });
         if (!begun && std::find(measured.begin(), measured.end(), view) != measured.end()) m_rest.start();
     }
+}
+
+void Session::cancelFigures() {
+    if (m_meter) m_meter->cancel();
+    m_underWay.clear();
 }
 
 void Session::setFigures(int view, const ViewMetrics& figures) {
@@ -74,8 +76,7 @@ void Session::requestFigures() { measure(true); }
 void Session::setMeasuring(bool measuring) {
     m_measuring = measuring;
     if (!m_meter) return;
-    m_meter->cancel();
-    m_underWay.clear();
+    cancelFigures();
     if (measuring) m_rest.start();
 }
 
