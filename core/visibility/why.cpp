@@ -124,7 +124,8 @@ void addGroupTests(const FrameLog& log, uint32_t group, std::vector<WhyStep>& st
     }
 }
 
-/// What was said of the cell or range of cells by which a triangle of an object was decided, with its numbers; `own`: its number in the mesh.
+/// What was said of the cell or range of cells by which a triangle of an object was decided, with its numbers; `own`: its number
+/// in the mesh.
 void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, uint64_t own, std::vector<WhyStep>& steps) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     uint64_t place = 0;

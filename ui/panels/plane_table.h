@@ -8,9 +8,9 @@
 
 namespace cullscope::ui {
 
-/// The plane tests of the object in a chain of decisions: signed distance and bound of each, and a bar of the distance in multiples of the
-/// bound on a logarithmic scale. The bar of a distance outside points to the left and is hatched; "outside" begins at the line at
-/// −bound. Planes that the strategy did not test are listed below in grey.
+/// The plane tests of the object in a chain of decisions: signed distance and bound of each, and a bar of the distance in
+/// multiples of the bound on a logarithmic scale. The bar of a distance outside points to the left and is hatched; "outside"
+/// begins at the line at −bound. Planes that the strategy did not test are listed below in grey.
 class PlaneTable : public QTableWidget {
     Q_OBJECT
 

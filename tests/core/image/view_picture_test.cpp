@@ -98,7 +98,8 @@ TEST(ViewPicture, defaultLookIsTheRenderers) {
 /// Squares of 20 × 20 pixels in a row, one for each state; the centre of state i lies at (20 + 40 i, 20).
 ScenePointer rowOfSquares(const Vec3& moved = Vec3(0.0)) {
     std::vector<Mat4> places;
-    for (int i = 0; i < int(kTriangleStateCount); ++i) places.push_back(translation(moved + Vec3(4 * i - 2 * (int(kTriangleStateCount) - 1), 0, -10)));
+    for (int i = 0; i < int(kTriangleStateCount); ++i)
+        places.push_back(translation(moved + Vec3(4 * i - 2 * (int(kTriangleStateCount) - 1), 0, -10)));
     return copiesOf(squareMesh(1, 0), places);
 }
 View overTheRow(const Vec3& moved = Vec3(0.0)) {
