@@ -120,8 +120,8 @@ TEST(RecordedDecisions, raysAndRegionAreKnownWhenTheyWereSaid) {
     ASSERT_TRUE(region && lastRay);
     EXPECT_GT(*region, *lastRay);
     EXPECT_EQ(recorded.decision().region->caseNumber, recorded.frame.caseNumber);
-    for (const spherical::CornerRay& ray : spherical::decisionsOf(without(log, Subject::Kind::Ray)).front().rays)
-        EXPECT_FALSE(ray.followed);
+    const spherical::SphericalDecision mute = spherical::decisionsOf(without(log, Subject::Kind::Ray)).front();
+    for (const spherical::CornerRay& ray : mute.rays) EXPECT_FALSE(ray.followed);
 }
 
 TEST(RecordedDecisions, slopesAreTestedCellByCellAndTheBandsAreNoTests) {
