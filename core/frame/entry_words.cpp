@@ -44,6 +44,9 @@ struct CommandWords {
                 {Term::plain(uint64_t(picture->size.width)), Term::plain(uint64_t(picture->size.height))}};
     }
     Words operator()(const AskedBoxes& asked) const {
+        if (!asked.answered)
+            return {CULLSCOPE_TR("OpenGL is asked about %1 boxes; its answers come in a later frame"),
+                    {Term::count(asked.boxes.size())}};
         return {CULLSCOPE_TR("OpenGL is asked about %1 boxes, and hits %2"),
                 {Term::count(asked.boxes.size()), Term::count(asked.hits.size())}};
     }

@@ -25,14 +25,16 @@ inline void drawEight(const ScreenTriangle& triangle, double rowDepth, int32_t c
     const HalfFloats left = __builtin_convertvector(rowDepth + triangle.depthPerColumn * first, HalfFloats);
     const HalfFloats right = __builtin_convertvector(rowDepth + triangle.depthPerColumn * second, HalfFloats);
     const Floats depth = __builtin_shufflevector(left, right, 0, 1, 2, 3, 4, 5, 6, 7);
-    const Floats before = *reinterpret_cast<const FloatsInMemory*>(depthAt);
+    Floats before;
+    load(before, depthAt);
     const Ints pass = (depth > before) & covered;
     counters.comparisons -= covered;
     if (Lanes::none(pass)) return;
     counters.written -= pass;
-    const Numbers numbers = *reinterpret_cast<const NumbersInMemory*>(numberAt);
-    *reinterpret_cast<FloatsInMemory*>(depthAt) = pass ? depth : before;
-    *reinterpret_cast<NumbersInMemory*>(numberAt) = pass ? Numbers{} + triangle.number : numbers;
+    Numbers numbers;
+    load(numbers, numberAt);
+    store<Floats>(depthAt, pass ? depth : before);
+    store<Numbers>(numberAt, pass ? Numbers{} + triangle.number : numbers);
 }
 
 /// Whether a centre on the edge from corner i to the next one belongs to the triangle: a left edge goes down, one at the top goes
@@ -205,12 +207,14 @@ inline void setUpEight(Batch& batch, size_t first, const RasterBand& band) {
 /// Two rows of a block: where the triangle covers it, samples are compared and those that are nearer written.
 inline void drawRows(const Ints& covered, const HalfFloats& low, const HalfFloats& high, const Numbers& number, size_t at,
                      const RasterBand& band, PixelCounters& counters) {
-    auto* const depths = reinterpret_cast<HalfFloatsInMemory*>(band.depth + at);
-    auto* const depthsAbove = reinterpret_cast<HalfFloatsInMemory*>(band.depth + at + band.stride);
-    auto* const numbers = reinterpret_cast<HalfNumbersInMemory*>(band.number + at);
-    auto* const numbersAbove = reinterpret_cast<HalfNumbersInMemory*>(band.number + at + band.stride);
-    const HalfFloats lowBefore = *depths, highBefore = *depthsAbove;
-    const HalfNumbers lowNumbers = *numbers, highNumbers = *numbersAbove;
+    float *const depths = band.depth + at, *const depthsAbove = depths + band.stride;
+    uint32_t *const numbers = band.number + at, *const numbersAbove = numbers + band.stride;
+    HalfFloats lowBefore, highBefore;
+    load(lowBefore, depths);
+    load(highBefore, depthsAbove);
+    HalfNumbers lowNumbers, highNumbers;
+    load(lowNumbers, numbers);
+    load(highNumbers, numbersAbove);
     const Floats depth = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
     const Floats before = __builtin_shufflevector(lowBefore, highBefore, 0, 1, 2, 3, 4, 5, 6, 7);
     const Ints pass = (depth > before) & covered;
@@ -218,10 +222,10 @@ inline void drawRows(const Ints& covered, const HalfFloats& low, const HalfFloat
     counters.written -= pass;
     const Floats after = pass ? depth : before;
     const Numbers shown = pass ? number : __builtin_shufflevector(lowNumbers, highNumbers, 0, 1, 2, 3, 4, 5, 6, 7);
-    *depths = __builtin_shufflevector(after, after, 0, 1, 2, 3);
-    *depthsAbove = __builtin_shufflevector(after, after, 4, 5, 6, 7);
-    *numbers = __builtin_shufflevector(shown, shown, 0, 1, 2, 3);
-    *numbersAbove = __builtin_shufflevector(shown, shown, 4, 5, 6, 7);
+    store<HalfFloats>(depths, __builtin_shufflevector(after, after, 0, 1, 2, 3));
+    store<HalfFloats>(depthsAbove, __builtin_shufflevector(after, after, 4, 5, 6, 7));
+    store<HalfNumbers>(numbers, __builtin_shufflevector(shown, shown, 0, 1, 2, 3));
+    store<HalfNumbers>(numbersAbove, __builtin_shufflevector(shown, shown, 4, 5, 6, 7));
 }
 
 /// A block of a triangle of the batch: four columns and four rows.

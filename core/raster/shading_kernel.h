@@ -242,8 +242,9 @@ void shadeRow(const Shading& shading, const uint32_t* items, int32_t count, int3
             shadeEight<Lanes>(shading, values, colours);
             uint32_t* to = rgba + chunk + block;
             if (block + 8 <= pixels) {
-                const Numbers shown = *reinterpret_cast<const NumbersInMemory*>(items + chunk + block);
-                *reinterpret_cast<NumbersInMemory*>(to) = shown == 0u ? Numbers{} + shading.background : colours;
+                Numbers shown;
+                load(shown, items + chunk + block);
+                store<Numbers>(to, shown == 0u ? Numbers{} + shading.background : colours);
             } else {
                 for (int32_t i = 0; i < pixels - block; ++i)
                     to[i] = items[chunk + block + i] == 0 ? shading.background : colours[i];

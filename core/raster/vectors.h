@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 
 // Vectors of the kernels that are compiled for several instruction sets; each of those files has its own, hence the anonymous
 // namespace.
@@ -16,11 +17,17 @@ using Doubles = double __attribute__((vector_size(32)));
 using HalfFloats = float __attribute__((vector_size(16)));
 using HalfNumbers = uint32_t __attribute__((vector_size(16)));
 using HalfInts = int32_t __attribute__((vector_size(16)));
-// The same in memory, where they may begin at any pixel.
-using FloatsInMemory = float __attribute__((vector_size(32), aligned(4), may_alias));
-using HalfFloatsInMemory = float __attribute__((vector_size(16), aligned(4), may_alias));
-using HalfNumbersInMemory = uint32_t __attribute__((vector_size(16), aligned(4), may_alias));
-using NumbersInMemory = uint32_t __attribute__((vector_size(32), aligned(4), may_alias));
+
+// Reads and writes pixels in memory, where a vector may begin at any of them; no vector is returned, which without AVX would have
+// a calling convention of its own.
+template <typename Vector>
+inline void load(Vector& vector, const void* pixels) {
+    std::memcpy(&vector, pixels, sizeof vector);
+}
+template <typename Vector>
+inline void store(void* pixels, const Vector& vector) {
+    std::memcpy(pixels, &vector, sizeof vector);
+}
 
 }  // namespace
 }  // namespace cullscope

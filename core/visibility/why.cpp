@@ -143,6 +143,14 @@ void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, ui
         if (decision.subject == last->subject && decision.sentence != nullptr) steps.push_back(step(decision));
 }
 
+/// What became of a triangle in the end. `ownPicture`: the strategy makes its picture without OpenGL.
+const char* lastSentence(bool given, bool ownPicture) {
+    if (ownPicture)
+        return given ? CULLSCOPE_TR("The triangle is in the picture that the strategy made.")
+                     : CULLSCOPE_TR("The triangle is not in the picture that the strategy made.");
+    return given ? CULLSCOPE_TR("The triangle is given to OpenGL.") : CULLSCOPE_TR("The triangle is not given to OpenGL.");
+}
+
 bool submits(const DrawList& list, const Scene& scene, uint32_t instance, uint64_t triangle) {
     const uint32_t mesh = scene.instances()[instance].mesh;
     return std::any_of(list.ranges.begin(), list.ranges.end(), [&](const DrawRange& range) {
@@ -199,13 +207,10 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
     strategy.addWhySteps(log, instance, uint32_t(own), steps);
     const bool given = submits(drawnTriangles(scene, log), scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
-    steps.push_back(
-        {{given ? CULLSCOPE_TR("The triangle is given to OpenGL.") : CULLSCOPE_TR("The triangle is not given to OpenGL."), {}},
-         {},
-         {},
-         {},
-         containment});
-    if (given) {
+    const bool ownPicture = std::ranges::any_of(
+        log.commands, [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });
+    steps.push_back({{lastSentence(given, ownPicture), {}}, {}, {}, {}, containment});
+    if (given && !ownPicture) {
         const bool away = InstanceFromEye(scene, instance, log.camera.eye).facesAway(own);
         const bool dropped = log.facing == Facing::Front && away;
         steps.push_back({openGlSentence(log.facing, away), {}, {}, {}, dropped ? Containment::Outside : Containment::Straddles});

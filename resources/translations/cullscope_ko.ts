@@ -3775,6 +3775,18 @@
         <source>not yet decided</source>
         <translation>아직 결정되지 않음</translation>
     </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes; its answers come in a later frame</source>
+        <translation>OpenGL에 상자 %1개를 묻습니다. 답은 뒤의 프레임에 옵니다</translation>
+    </message>
+    <message>
+        <source>The triangle is in the picture that the strategy made.</source>
+        <translation>이 삼각형은 전략이 만든 그림에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The triangle is not in the picture that the strategy made.</source>
+        <translation>이 삼각형은 전략이 만든 그림에 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

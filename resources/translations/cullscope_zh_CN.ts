@@ -3775,6 +3775,18 @@
         <source>not yet decided</source>
         <translation>尚未决定</translation>
     </message>
+    <message>
+        <source>OpenGL is asked about %1 boxes; its answers come in a later frame</source>
+        <translation>向 OpenGL 询问 %1 个包围盒；回答在之后的帧到来</translation>
+    </message>
+    <message>
+        <source>The triangle is in the picture that the strategy made.</source>
+        <translation>该三角形在此策略生成的图像中。</translation>
+    </message>
+    <message>
+        <source>The triangle is not in the picture that the strategy made.</source>
+        <translation>该三角形不在此策略生成的图像中。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -33,7 +33,7 @@ PictureMaker::PictureMaker(GpuThread& gpu, int views, ViewFramesPointer frames, 
     : QObject(parent),
       m_gpu(gpu),
       m_wish(std::move(wish)),
-      m_drawer(std::make_shared<ViewPictureDrawer>(std::move(frames))),
+      m_drawer(std::make_shared<ViewPictureDrawer>(gpu, std::move(frames))),
       m_views(size_t(views)) {
     connect(
         &gpu, &GpuThread::contextGoing, this, [drawer = m_drawer] { drawer->letGo(); }, Qt::DirectConnection);

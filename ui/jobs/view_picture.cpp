@@ -61,18 +61,12 @@ ViewFramePointer shownFrame(const ViewRequest& request, const ViewFramePointer& 
 
 QColor addedPixelColour() { return QColor::fromRgb(kAddedColour); }
 
-Renderer& ViewPictureDrawer::renderer() {
-    if (!m_renderer) m_renderer = std::make_unique<Renderer>();
-    return *m_renderer;
-}
-
 Framebuffer& ViewPictureDrawer::target(const Viewport& size) {
     if (!m_framebuffer || !(m_framebuffer->size() == size)) m_framebuffer = std::make_unique<Framebuffer>(size);
     return *m_framebuffer;
 }
 
 void ViewPictureDrawer::letGo() {
-    m_renderer.reset();
     m_framebuffer.reset();
     m_frames->forget();
 }

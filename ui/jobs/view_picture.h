@@ -9,6 +9,7 @@
 #include "core/gpu/renderer.h"
 #include "core/image/plane_colours.h"
 #include "core/measure/accuracy.h"
+#include "ui/jobs/gpu_thread.h"
 #include "ui/jobs/view_frames.h"
 #include "ui/jobs/view_setup.h"
 
@@ -98,7 +99,7 @@ public:
         Vec3 point{0.0};
     };
 
-    explicit ViewPictureDrawer(ViewFramesPointer frames) : m_frames(std::move(frames)) {}
+    ViewPictureDrawer(GpuThread& gpu, ViewFramesPointer frames) : m_gpu(gpu), m_frames(std::move(frames)) {}
 
     [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request);
     /// The triangle and point that the request's picture shows at a pixel (y upward); none: background.
@@ -109,11 +110,12 @@ public:
     [[nodiscard]] const ViewFramesPointer& frames() const { return m_frames; }
 
 private:
-    Renderer& renderer();
+    /// The one of all pictures: a view's memory may hold questions whose answers only their renderer knows.
+    Renderer& renderer() { return m_gpu.renderer(); }
     Framebuffer& target(const Viewport& size);
 
+    GpuThread& m_gpu;
     ViewFramesPointer m_frames;
-    std::unique_ptr<Renderer> m_renderer;
     std::unique_ptr<Framebuffer> m_framebuffer;
 };
 

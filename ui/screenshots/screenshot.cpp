@@ -27,20 +27,18 @@ Message failureOf(const Work& work) {
 }  // namespace
 
 struct Screenshot::Drawing {
-    std::unique_ptr<Renderer> renderer;
     std::optional<TiledPicture> current;
     std::vector<TiledPicture::Result> pictures;
     size_t stepsDone = 0, steps = 0;
 
     /// Draws one tile; returns false if all are drawn.
-    bool drawNext(const ScreenshotPlan& plan, ViewFrames& frames) {
-        if (!renderer) renderer = std::make_unique<Renderer>();
+    bool drawNext(const ScreenshotPlan& plan, ViewFrames& frames, Renderer& renderer) {
         if (!current) {
             const ScreenshotPlan::Part& part = plan.parts[pictures.size()];
             current.emplace(part.request, part.wanted);
         }
         ++stepsDone;
-        if (current->drawNext(frames, *renderer)) return true;
+        if (current->drawNext(frames, renderer)) return true;
         pictures.push_back(current->take());
         current.reset();
         return pictures.size() < plan.parts.size();
@@ -54,8 +52,6 @@ Screenshot::Screenshot(GpuThread& gpu, ViewFramesPointer frames, ScreenshotPlan 
       m_plan(std::move(plan)),
       m_path(std::move(path)),
       m_drawing(std::make_shared<Drawing>()) {
-    connect(
-        &gpu, &GpuThread::contextGoing, this, [drawing = m_drawing] { drawing->renderer.reset(); }, Qt::DirectConnection);
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_drawing->steps += TiledPicture(part.request, part.wanted).steps();
 }
 
@@ -76,7 +72,7 @@ void Screenshot::start() {
 
 bool Screenshot::drawNext() {
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_gpu.requireHeld(part.request.buffers);
-    const bool more = m_drawing->drawNext(m_plan, *m_frames);
+    const bool more = m_drawing->drawNext(m_plan, *m_frames, m_gpu.renderer());
     m_gpu.requireHeld(m_plan.parts.front().request.buffers);
     return more;
 }
@@ -88,7 +84,6 @@ void Screenshot::draw(GpuJobs::Step& step) {
     const double share = kDrawingShare * double(m_drawing->stepsDone) / double(m_drawing->steps);
     step.deliver([this, share] { emit progressed(share); });
     if (more) return step.again();
-    m_drawing->renderer.reset();
     step.deliver([this, pictures = std::make_shared<Pictures>(std::move(m_drawing->pictures))] { write(pictures); });
 }
 

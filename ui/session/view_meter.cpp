@@ -48,7 +48,7 @@ void fillTimes(ViewMetrics& figures, const FrameMeasurement& subject, const Fram
 }  // namespace
 
 struct ViewMeter::Bench {
-    std::unique_ptr<Renderer> renderer;
+    GpuThread* gpu = nullptr;
     std::unique_ptr<Framebuffer> framebuffer;
     ViewFramesPointer frames;
     std::shared_ptr<StructureStore> structures;
@@ -56,10 +56,8 @@ struct ViewMeter::Bench {
 
     References references;
 
-    Renderer& ownRenderer() {
-        if (!renderer) renderer = std::make_unique<Renderer>();
-        return *renderer;
-    }
+    /// The one of all pictures: a view's memory may hold questions whose answers only their renderer knows.
+    Renderer& renderer() { return gpu->renderer(); }
     Framebuffer& target(const Viewport& size) {
         if (!framebuffer || !(framebuffer->size() == size)) framebuffer = std::make_unique<Framebuffer>(size);
         return *framebuffer;
@@ -67,7 +65,6 @@ struct ViewMeter::Bench {
 
     /// Releases the objects of the context, and references that may have been drawn in a lost context.
     void letGo() {
-        renderer.reset();
         framebuffer.reset();
         references.clear();
     }
@@ -86,9 +83,9 @@ struct ViewMeter::Bench {
     /// need its decisions, which timed frames do not record.
     ViewMetrics accuracy(int number, const MetricsSubject& what, const TimedFrames& timed) {
         const Scene& scene = what.buffers->scene();
-        const auto truth = references.of(ownRenderer(), *timed.buffers, timed.view, what.strategy->referenceFacing());
+        const auto truth = references.of(renderer(), *timed.buffers, timed.view, what.strategy->referenceFacing());
         FrameMeasurement measured = measurementOf(timed);
-        const JudgedFrame judged = addLosses(measured, ownRenderer(), timed, *truth, target(what.size));
+        const JudgedFrame judged = addLosses(measured, renderer(), timed, *truth, target(what.size));
         ViewMetrics figures;
         figures.promise = what.strategy->promiseAt(timed.view);
         figures.state = ViewMetrics::State::Ready;
@@ -103,7 +100,7 @@ struct ViewMeter::Bench {
         const std::vector<uint8_t> missed = missedMask(*truth, judged.shown);
         figures.lostObjects = lostObjects(scene, *truth, missed);
         figures.holes = holes(missed, truth->size);
-        const ViewFramePointer shown = frames->of(requestOf(number, what), ownRenderer());
+        const ViewFramePointer shown = frames->of(requestOf(number, what), renderer());
         figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, shown->log, truth->visible()));
         return figures;
     }
@@ -146,7 +143,7 @@ struct ViewMeter::Job {
             const size_t baselinePlace = placeOf(baseline, baseline.strategy->begin());
             // What a view remembers is known when its frame is decided.
             const FrameRequest frame = requestOf(subject.view, what);
-            if (what.strategy->info().remembers) (void)bench.frames->of(frame, bench.ownRenderer());
+            if (what.strategy->info().remembers) (void)bench.frames->of(frame, bench.renderer());
             ViewStatePointer memory = bench.frames->memoryBefore(frame);
             places.push_back({placeOf(what, std::move(memory)), baselinePlace});
         }
@@ -165,6 +162,7 @@ TimingProtocol ViewMeter::protocol() {
 ViewMeter::ViewMeter(GpuThread& gpu, ViewFramesPointer frames, std::shared_ptr<StructureStore> structures,
                      const TimingProtocol& rounds, QObject* parent)
     : QObject(parent), m_gpu(gpu), m_rounds(rounds), m_bench(std::make_shared<Bench>()) {
+    m_bench->gpu = &gpu;
     m_bench->frames = std::move(frames);
     m_bench->structures = std::move(structures);
     connect(
@@ -235,7 +233,7 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
     }
     if (!job.rounds->complete()) {
         job.rounds->step(
-            m_bench->ownRenderer(), [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); },
+            m_bench->renderer(), [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); },
             job.stop);
         return step.again();
     }

@@ -1,0 +1,33 @@
+// A view's memory is that of its picture and of its figures: both are drawn by one renderer, which alone knows the answers to the
+// questions that the memory holds.
+
+#include "core/measure/accuracy.h"
+#include "tests/ui/shown_window.h"
+
+namespace cullscope::ui::memory_of_a_view_test {
+namespace {
+
+using MemoryOfAView = Window;
+
+TEST_F(MemoryOfAView, figuresUseTheAnswersThatThePictureUses) {
+    openAndWait(session, QStringLiteral("layers:count=8,triangles=200"));
+    ParameterSet parameters(findStrategy("octree-query").info.parameters);
+    parameters.setFromText("latency", "1");
+    session.slot(0).choose("octree-query");
+    session.slot(0).setParameters(parameters);
+    settle();
+    Camera front = session.camera();
+    front.up = {0, 1, 0};
+    front.eye = front.target + Vec3(0, 0, 0.6 * session.scene()->bounds().diagonal());
+    uint64_t considered = session.scene()->triangleCount();
+    for (int move = 1; move <= 3; ++move) {
+        session.setCamera(zoomed(front, front.target, 1.0 - 0.001 * move, 1.0));
+        settle();
+        considered = session.picture(0)->consideredTriangles;
+        EXPECT_EQ(session.figures(0).consideredTriangles, considered) << "after " << move;
+    }
+    EXPECT_LT(considered, session.scene()->triangleCount()) << "the answers to the frame before hide something";
+}
+
+}  // namespace
+}  // namespace cullscope::ui::memory_of_a_view_test
