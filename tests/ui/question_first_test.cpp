@@ -56,6 +56,17 @@ struct QuestionAboutParts : Window {
     const std::vector<Vec3> inOrder{{-2.5, -0.5, -2.5}, {-1, 1.3, -0.8}, {-1, 1.3, 0.9}, {1, 0.8, -0.9}, {1, 0.5, 0.9}};
 };
 
+TEST_F(QuestionAboutParts, stepsDoNotAnswerAnOpenQuestion) {
+    window.actions().stepThrough->trigger();
+    ASSERT_TRUE(waitUntil([&] { return session.step().has_value(); }));
+    ask(Prediction::Question::Order);
+    EXPECT_FALSE(session.step());
+    EXPECT_FALSE(window.actions().stepThrough->isChecked());
+    EXPECT_FALSE(window.actions().stepThrough->isEnabled());
+    window.actions().questionFirst->trigger();
+    EXPECT_TRUE(window.actions().stepThrough->isEnabled());
+}
+
 TEST_F(QuestionAboutParts, orderIsThatOfTheKeyWithTheParts) {
     ask(Prediction::Question::Order);
     ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));

@@ -15,7 +15,11 @@ StepCommands::StepCommands(Session& session, WindowActions& actions, QWidget* wi
     connect(actions.questionFirst, &QAction::triggered, this,
             [this](bool on) { on ? m_questions->ask(Prediction::Question::Vanish) : m_questions->withdraw(); });
     connect(m_questions, &QuestionFirst::answered, this, &StepCommands::showAnswer);
-    connect(&session, &Session::questionChanged, this, &StepCommands::refresh);
+    // Steps would answer an open question.
+    connect(&session, &Session::questionChanged, this, [this] {
+        if (m_session.question()) m_stepper->stop();
+        refresh();
+    });
     connect(actions.stepThrough, &QAction::triggered, this, [this](bool on) { on ? m_stepper->start() : m_stepper->stop(); });
     connect(actions.stepOn, &QAction::triggered, m_stepper, &Stepper::forward);
     connect(actions.stepBack, &QAction::triggered, m_stepper, &Stepper::back);
@@ -35,7 +39,7 @@ void StepCommands::showAnswer(const Prediction& prediction, const std::vector<Pr
 }
 
 void StepCommands::refresh() {
-    m_actions.stepThrough->setEnabled(m_session.opened() != nullptr);
+    m_actions.stepThrough->setEnabled(m_session.opened() != nullptr && !m_session.question());
     m_actions.questionFirst->setEnabled(m_session.opened() != nullptr);
     m_actions.questionFirst->setChecked(m_session.question().has_value());
     m_actions.stepThrough->setChecked(m_stepper->active());
