@@ -1,8 +1,11 @@
 # A layer is a folder of core with all sources below it, those in subfolders included. cullscope_layer(NAME [SOURCES generated
-# files] [LINKS …] [PRIVATE_LINKS …]) makes one static library of it.
+# files] [EXCEPT folder of another target] [LINKS …] [PRIVATE_LINKS …]) makes one static library of it.
 function(cullscope_layer name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "EXCEPT" "SOURCES;LINKS;PRIVATE_LINKS" ${ARGN})
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
+  if(ARG_EXCEPT)
+    list(FILTER sources EXCLUDE REGEX "/${ARG_EXCEPT}")
+  endif()
   add_library(cullscope_${name} STATIC ${sources} ${ARG_SOURCES})
   add_library(cullscope::${name} ALIAS cullscope_${name})
   target_compile_options(cullscope_${name} PRIVATE ${CULLSCOPE_CORE_OPTIONS})

@@ -3787,6 +3787,10 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>이 삼각형은 전략이 만든 그림에 없습니다.</translation>
     </message>
+    <message>
+        <source>%1, which writes and reads pictures, cannot be opened: %2. Install or build Cullscope again.</source>
+        <translation>그림을 쓰고 읽는 %1을(를) 열 수 없습니다: %2. Cullscope를 다시 설치하거나 빌드하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -3787,6 +3787,10 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>该三角形不在此策略生成的图像中。</translation>
     </message>
+    <message>
+        <source>%1, which writes and reads pictures, cannot be opened: %2. Install or build Cullscope again.</source>
+        <translation>无法打开负责读写图像的 %1：%2。请重新安装或构建 Cullscope。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

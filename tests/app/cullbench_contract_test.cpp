@@ -47,6 +47,20 @@ TEST_F(CullbenchContract, stepsOfAFrameAreDrawnAndPrintedAndOthersRefused) {
     EXPECT_EQ(with({"--step", "first"}).exitStatus, 2);
 }
 
+// As where a program was copied without the rest of the installation.
+TEST_F(CullbenchContract, aProgramWithoutItsPictureFormatsSaysSoAndMeasures) {
+    const std::string program = file("bin/cullbench");
+    std::filesystem::create_directories(file("bin"));
+    std::filesystem::copy_file(CULLBENCH, program);
+    const ProcessResult picture =
+        runProcess({program, "render", "sphere:triangles=80", "-s", "all", "--size", "16x16", "-o", file("a.png")});
+    expectRefusal(picture, 2, "lib/cullscope/picture_formats.so");
+    EXPECT_FALSE(std::filesystem::exists(file("a.png")));
+    const ProcessResult measured = runProcess(
+        {program, "measure", "sphere:triangles=80", "-s", "all", "--path", "fibonacci:1", "--size", "16x16", "--repeat", "1"});
+    EXPECT_EQ(measured.exitStatus, 0) << measured.err;
+}
+
 TEST_F(CullbenchContract, measureGivesEveryField) {
     const ProcessResult result = cullbench({"measure", "sphere:triangles=2000", "-s", "all,backface,frustum", "--path",
                                             "fibonacci:3", "--size", "64x48", "--repeat", "2", "--json", "-"});

@@ -108,6 +108,7 @@ TEST_F(PlantedSystem, packageThatNothingUsesIsReported) {
 
 const fs::path kProject = CULLSCOPE_SOURCE_DIR;
 const fs::path kBuild = CULLSCOPE_BINARY_DIR;
+const fs::path kModules = kBuild / "lib/cullscope";
 const fs::path kDpkg = "/var/lib/dpkg";
 
 /// The include folders for angle brackets, with those of Qt, which CMake adds.
@@ -154,9 +155,10 @@ DirectUses directUses() {
             uses.headers.push_back({file, place});
         }
     }
-    for (const fs::path& program : programsIn(kBuild / "bin")) {
-        for (const fs::path& library : neededLibraries(program)) uses.libraries.push_back({library, program.filename().string()});
-    }
+    for (const fs::path& folder : {kBuild / "bin", kModules})
+        for (const fs::path& program : programsIn(folder))
+            for (const fs::path& library : neededLibraries(program))
+                uses.libraries.push_back({library, program.filename().string()});
     return uses;
 }
 
@@ -235,7 +237,17 @@ std::vector<std::string> qtLibraries(const fs::path& program) {
 TEST(Programs, qtOfTheDesktopIsSeen) {
     EXPECT_THAT(qtLibraries(CULLSCOPE_DESKTOP_PROGRAM), Contains(HasSubstr("libQt6Widgets")));
 }
-TEST(Programs, cullbenchLoadsNoQt) { EXPECT_THAT(qtLibraries(CULLSCOPE_BENCH_PROGRAM), IsEmpty()); }
+TEST(Programs, cullbenchLoadsNoQt) {
+    EXPECT_THAT(qtLibraries(CULLSCOPE_BENCH_PROGRAM), IsEmpty());
+    EXPECT_THAT(qtLibraries(kModules / "picture_formats.so"), IsEmpty());
+}
+// They take a quarter of a second to load.
+TEST(Programs, librariesOfPictureFormatsAreLoadedByTheirModuleAlone) {
+    const auto hasSubject = Contains(HasSubstr("libOpenImageIO"));
+    EXPECT_THAT(loadedLibraries(kModules / "picture_formats.so"), hasSubject);
+    EXPECT_THAT(loadedLibraries(CULLSCOPE_BENCH_PROGRAM), testing::Not(hasSubject));
+    EXPECT_THAT(loadedLibraries(CULLSCOPE_DESKTOP_PROGRAM), testing::Not(hasSubject));
+}
 
 }  // namespace
 }  // namespace cullscope::rules::packages_test

@@ -2,8 +2,8 @@
 
 #include <OpenImageIO/imageio.h>
 
-#include <filesystem>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace cullscope {
@@ -12,10 +12,9 @@ namespace cullscope {
 [[nodiscard]] std::string firstLine(const std::string& text);
 
 /// The complete bytes of a picture file that `output` makes of `spec` and the pixels that `writePixels` passes to it. Encoded in
-/// memory, because with a full disk some picture libraries terminate the program and others report no error. Throws Error(Usage)
-/// naming `path`, the file that they are for, where memory runs out or the library fails.
+/// memory, because with a full disk some picture libraries terminate the program and others report no error. Throws
+/// PictureFormatFailure where memory runs out or the library fails.
 [[nodiscard]] std::vector<unsigned char> encodedInMemory(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
-                                                         const std::function<bool()>& writePixels,
-                                                         const std::filesystem::path& path);
+                                                         const std::function<bool()>& writePixels);
 
 }  // namespace cullscope

@@ -1,4 +1,4 @@
-#include "core/image/picture_file_memory.h"
+#include "core/image/formats/encoded_in_memory.h"
 
 #include <OpenImageIO/filesystem.h>
 #include <fcntl.h>
@@ -10,10 +10,12 @@
 #include <cerrno>
 #include <new>
 
-#include "core/base/error.h"
+#include "core/image/formats/picture_formats.h"
 
 namespace cullscope {
 namespace {
+
+using Kind = PictureFormatFailure::Kind;
 
 /// The target that OpenImageIO writes to in place of a file.
 class MemoryProxy final : public OIIO::Filesystem::IOVecOutput {
@@ -37,7 +39,7 @@ private:
 class NamedMemory {
 public:
     NamedMemory() : m_descriptor(memfd_create("picture", MFD_CLOEXEC)) {
-        if (m_descriptor < 0) throwUsage(CULLSCOPE_TR("The picture cannot be made: %1."), {systemReason(errno)});
+        if (m_descriptor < 0) throw PictureFormatFailure{Kind::System, {}, errno};
     }
     ~NamedMemory() { close(m_descriptor); }
     NamedMemory(const NamedMemory&) = delete;
@@ -53,7 +55,7 @@ public:
         std::vector<unsigned char> bytes(static_cast<size_t>(size()));
         for (size_t done = 0; done < bytes.size();) {
             const ssize_t count = pread(m_descriptor, bytes.data() + done, bytes.size() - done, static_cast<off_t>(done));
-            if (count <= 0) throwUsage(CULLSCOPE_TR("The picture cannot be made: %1."), {systemReason(count < 0 ? errno : EIO)});
+            if (count <= 0) throw PictureFormatFailure{Kind::System, {}, count < 0 ? errno : EIO};
             done += static_cast<size_t>(count);
         }
         return bytes;
@@ -68,12 +70,8 @@ private:
     int m_descriptor;
 };
 
-[[noreturn]] void refuseNoMemory() {
-    throwUsage(CULLSCOPE_TR("There is no memory for this picture: choose a smaller size."), {});
-}
-
-[[noreturn]] void refuseForLibrary(const OIIO::ImageOutput& output, const std::filesystem::path& path) {
-    throwUsage(CULLSCOPE_TR("%1 cannot be written: %2"), {path.string(), firstLine(output.geterror())});
+[[noreturn]] void refuseForLibrary(const OIIO::ImageOutput& output) {
+    throw PictureFormatFailure{Kind::Library, firstLine(output.geterror())};
 }
 
 bool written(OIIO::ImageOutput& output, const std::string& name, const OIIO::ImageSpec& spec,
@@ -100,22 +98,20 @@ bool wholeFile(const std::string& name, const OIIO::ImageSpec& spec) {
 
 /// Encodes into a named file: the TIFF library reads back what it has written, which OpenImageIO supports for named files only.
 std::vector<unsigned char> encodedByName(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
-                                         const std::function<bool()>& writePixels, const std::filesystem::path& path) {
+                                         const std::function<bool()>& writePixels) {
     const NamedMemory file;
     if (written(output, file.name(), spec, writePixels) && wholeFile(file.name(), spec)) return file.contents();
-    if (const int reason = file.refusal(); reason != 0)
-        throwUsage(CULLSCOPE_TR("%1 cannot be written: %2. Choose another place or free some space."),
-                   {path.string(), systemReason(reason)});
-    refuseForLibrary(output, path);
+    if (const int reason = file.refusal(); reason != 0) throw PictureFormatFailure{Kind::NoSpace, {}, reason};
+    refuseForLibrary(output);
 }
 
 std::vector<unsigned char> encodedByProxy(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
-                                          const std::function<bool()>& writePixels, const std::filesystem::path& path) {
+                                          const std::function<bool()>& writePixels) {
     MemoryProxy file;
     output.set_ioproxy(&file);
     const bool done = written(output, "picture", spec, writePixels);
-    if (file.full()) refuseNoMemory();
-    if (!done) refuseForLibrary(output, path);
+    if (file.full()) throw PictureFormatFailure{Kind::NoMemory};
+    if (!done) refuseForLibrary(output);
     return std::move(file.buffer());
 }
 
@@ -124,9 +120,9 @@ std::vector<unsigned char> encodedByProxy(OIIO::ImageOutput& output, const OIIO:
 std::string firstLine(const std::string& text) { return text.substr(0, text.find_first_of("\r\n")); }
 
 std::vector<unsigned char> encodedInMemory(OIIO::ImageOutput& output, const OIIO::ImageSpec& spec,
-                                           const std::function<bool()>& writePixels, const std::filesystem::path& path) {
+                                           const std::function<bool()>& writePixels) {
     const bool tiff = std::string_view(output.format_name()) == "tiff";
-    return (tiff ? encodedByName : encodedByProxy)(output, spec, writePixels, path);
+    return (tiff ? encodedByName : encodedByProxy)(output, spec, writePixels);
 }
 
 }  // namespace cullscope

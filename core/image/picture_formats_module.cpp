@@ -1,0 +1,32 @@
+#include "core/image/picture_formats_module.h"
+
+#include <dlfcn.h>
+
+#include <filesystem>
+
+#include "core/base/error.h"
+
+namespace cullscope {
+namespace {
+
+const PictureFormats& opened() {
+    std::error_code unknown;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", unknown);
+    const std::filesystem::path file =
+        (program.parent_path() / ".." / "lib" / "cullscope" / "picture_formats.so").lexically_normal();
+    void* const module = dlopen(file.c_str(), RTLD_LAZY | RTLD_LOCAL);
+    void* const function = module == nullptr ? nullptr : dlsym(module, kPictureFormatsFunction);
+    if (function == nullptr)
+        throwUsage(CULLSCOPE_TR("%1, which writes and reads pictures, cannot be opened: %2. Install or build Cullscope again."),
+                   {file.string(), dlerror()});
+    return *reinterpret_cast<PictureFormatsFunction>(function)();
+}
+
+}  // namespace
+
+const PictureFormats& pictureFormats() {
+    static const PictureFormats& formats = opened();
+    return formats;
+}
+
+}  // namespace cullscope
