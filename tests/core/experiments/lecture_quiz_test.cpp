@@ -71,7 +71,7 @@ TEST(LectureQuiz, sceneOfTheLecturersOwnIsComputedWithoutTheKey) {
     EXPECT_EQ(computed(4), "lamp, wall2, wall1");
     EXPECT_TRUE(table.checks.empty());
     for (const ResultColumn& column : table.columns) EXPECT_TRUE(column.key != "key" && column.key != "differs");
-    EXPECT_THROW((void)runExperiment(findExperiment("quiz").ofScene("mesh:torus,triangles=200"), {}), Error);
+    EXPECT_THROW((void)runExperiment(findExperiment("quiz").ofScene("torus:triangles=200"), {}), Error);
     std::ofstream(file) << "polygon wall -1 0 0  1 0 0  1 1 0\nplane left 1 0 0 0\n";
     try {
         (void)runExperiment(findExperiment("example").ofScene(file.string()), {});

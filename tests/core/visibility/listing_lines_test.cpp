@@ -76,9 +76,28 @@ std::vector<Shot> fixedShots() {
     return shots;
 }
 
-/// The lines at which decisions of recorded frames fell, from 1: of two frames of each view, with the sides of triangles that
-/// the strategy draws by itself and with front sides alone.
-std::set<int> linesReached(const RegisteredStrategy& strategy, const std::vector<Shot>& shots) {
+/// Whether decisions fall at a line, or, where it opens a block, within the block.
+bool isReached(const std::vector<ListingLine>& lines, size_t line, const std::set<int>& reached) {
+    if (reached.contains(int(line) + 1)) return true;
+    for (size_t inner = line + 1; inner < lines.size() && lines[inner].indentation > lines[line].indentation; ++inner)
+        if (reached.contains(int(inner) + 1)) return true;
+    return false;
+}
+
+/// The lines, from 1, at which no decision fell and where one should.
+std::vector<int> missed(const StrategyInfo& info, const std::vector<ListingLine>& lines, const std::set<int>& reached) {
+    std::vector<int> missing;
+    for (size_t line = 0; line < lines.size(); ++line) {
+        const auto known = [&](const WithoutDecision& one) { return one.strategy == info.id && one.line == int(line) + 1; };
+        if (!isReached(lines, line, reached) && std::ranges::none_of(kWithoutDecision, known)) missing.push_back(int(line) + 1);
+    }
+    return missing;
+}
+
+/// The lines at which no decision of the recorded frames fell: of two frames of each view, with the sides of triangles that the
+/// strategy draws by itself and with front sides alone. Ends with the shot by which all lines are reached.
+std::vector<int> linesMissed(const RegisteredStrategy& strategy, const std::vector<ListingLine>& lines,
+                             const std::vector<Shot>& shots) {
     std::set<int> reached;
     for (const Shot& shot : shots) {
         ParameterSet front(strategy.info.parameters);
@@ -90,16 +109,9 @@ std::set<int> linesReached(const RegisteredStrategy& strategy, const std::vector
             for (int frame = 0; frame < 2; ++frame)
                 for (const Decision& decision : culler.cull(view, Recording::On, &GlEnvironment::renderer()).log.decisions)
                     reached.insert(decision.line);
+        if (missed(strategy.info, lines, reached).empty()) break;
     }
-    return reached;
-}
-
-/// Whether decisions fall at a line, or, where it opens a block, within the block.
-bool isReached(const std::vector<ListingLine>& lines, size_t line, const std::set<int>& reached) {
-    if (reached.contains(int(line) + 1)) return true;
-    for (size_t inner = line + 1; inner < lines.size() && lines[inner].indentation > lines[line].indentation; ++inner)
-        if (reached.contains(int(inner) + 1)) return true;
-    return false;
+    return missed(strategy.info, lines, reached);
 }
 
 TEST(ListingLines, everyRegisteredStrategyHasAListing) {
@@ -112,14 +124,9 @@ TEST(ListingLines, everyLineIsReachedByADecision) {
     for (const RegisteredStrategy& strategy : strategies()) {
         const Show* listing = strategy.info.first(Show::Kind::Listing);
         if (listing == nullptr || unavailable(strategy.info, GlEnvironment::info())) continue;
-        const std::set<int> reached = linesReached(strategy, shots);
-        for (size_t line = 0; line < listing->lines.size(); ++line) {
-            const auto known = [&](const WithoutDecision& one) {
-                return one.strategy == strategy.info.id && one.line == int(line) + 1;
-            };
-            EXPECT_TRUE(isReached(listing->lines, line, reached) || std::ranges::any_of(kWithoutDecision, known))
-                << strategy.info.id << ": no decision falls at line " << line + 1 << ", \"" << listing->lines[line].text << '"';
-        }
+        for (const int line : linesMissed(strategy, listing->lines, shots))
+            ADD_FAILURE() << strategy.info.id << ": no decision falls at line " << line << ", \""
+                          << listing->lines[size_t(line) - 1].text << '"';
     }
 }
 

@@ -129,7 +129,7 @@ TEST(OrderingPicture, treeStaysAsItIsWhereverTheEyeIs) {
 }
 
 TEST(OrderingPicture, treeOfTheBunnyIsDrawnRightFromAnyEye) {
-    const ScenePointer scene = openScene("mesh:bunny").scene;
+    const ScenePointer scene = openScene(fewSamples() ? "mesh:bunny,triangles=5000" : "mesh:bunny").scene;
     const SceneBuffers buffers(scene, Upload::Vbo);
     const CullerPointer culler = strategy("bsp", {{"plane", "fewest"}});
     culler->build(*scene);

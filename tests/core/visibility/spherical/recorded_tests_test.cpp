@@ -203,8 +203,9 @@ TEST(RecordedTests, partOfALogKnowsNothingOfObjectsThatWereDecidedLater) {
         EXPECT_EQ(spherical::decisionsOf(frame.log.upTo(0)).size(), 0u);
         EXPECT_EQ(spherical::decisionsOf(frame.log).size(), 3u);
         size_t known = 0;
-        for (size_t k = 0; k <= frame.log.entries(); ++k) {
-            const size_t now = spherical::decisionsOf(frame.log.upTo(k)).size();
+        const size_t entries = frame.log.entries(), stride = std::max<size_t>(entries / 200, 1);
+        for (size_t k = 0; k < entries + stride; k += stride) {
+            const size_t now = spherical::decisionsOf(frame.log.upTo(std::min(k, entries))).size();
             EXPECT_GE(now, known);
             known = now;
         }
