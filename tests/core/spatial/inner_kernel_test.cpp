@@ -84,7 +84,7 @@ void expectFilled(const TriangleMesh& mesh, uint64_t seed) {
     ASSERT_EQ(kernel.state(), State::Filled);
     const Surface surface(mesh);
     Random random(seed);
-    for (int i = 0; i < 600; ++i) {
+    for (uint64_t i = 0; i < howMany(600, 600); ++i) {
         const Vec3 direction = random.direction();
         const double distance = surface.distance(direction);
         ASSERT_LE(kernel.radius(octahedralCell(direction, kernel.level())), distance);

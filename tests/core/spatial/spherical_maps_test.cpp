@@ -91,9 +91,12 @@ TEST(SphericalMaps, everyTriangleIsInItsCentroidsCellOnce) {
             for (const uint32_t triangle : maps.centroids(cell)) {
                 const std::array<Vec3, 3> corners = maps.corners(triangle);
                 const Vec3 centroid = (corners[0] + corners[1] + corners[2]) / 3.0;
-                EXPECT_EQ(maps.grid().number(maps.grid().cellOf(centroid)), cell);
-                EXPECT_FLOAT_EQ(maps.centroidRadius(triangle), float(glm::length(centroid)));
-                EXPECT_GE(maps.centroidRadius(triangle), before);
+                const float radius = maps.centroidRadius(triangle), expected = float(glm::length(centroid));
+                // One condition a triangle, for there are many.
+                if (maps.grid().number(maps.grid().cellOf(centroid)) != cell || radius < before ||
+                    std::abs(radius - expected) > 4e-7f * expected)
+                    ADD_FAILURE() << mesh->name() << ", triangle " << triangle << ", cell " << cell << ": " << radius << " for "
+                                  << expected << " after " << before;
                 before = maps.centroidRadius(triangle);
                 ++times[triangle];
             }
@@ -106,7 +109,7 @@ TEST(SphericalMaps, everyTriangleIsInEveryCellThatItTouches) {
     Random random(23);
     for (const MeshPointer& mesh : mapTestMeshes()) {
         const SphericalMaps maps(mesh, SphericalGrid());
-        const size_t stride = longMode() ? 1 : std::max<size_t>(1, mesh->triangleCount() / 3'000);
+        const size_t stride = longMode() ? 1 : std::max<size_t>(1, mesh->triangleCount() / 1'000);
         for (uint32_t triangle = 0; triangle < mesh->triangleCount(); triangle += uint32_t(stride))
             forPoints(maps.corners(triangle), random, 12, [&](const Vec3& point) {
                 if (point == Vec3(0.0)) return;

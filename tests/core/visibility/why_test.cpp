@@ -110,7 +110,8 @@ TEST(Why, chainAgreesWithTheDrawList) {
     for (const RegisteredStrategy& registered : strategies()) {
         const CullerPointer strategy = makeCuller(registered.info.id);
         strategy->build(*scene);
-        for (const Camera& camera : cameras()) {
+        const std::vector<Camera> all = cameras();
+        for (const Camera& camera : std::span(all).first(howMany(all.size(), all.size()))) {
             const View view(camera, {200, 150});
             const Culled frame = strategy->cull(view, Recording::On, &GlEnvironment::renderer());
             const std::vector<bool> given = givenTriangles(*scene, frame.drawList);
