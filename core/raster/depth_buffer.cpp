@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "core/raster/in_parallel.h"
 
@@ -14,6 +15,32 @@ RasterKernel* kernelOf(RasterSimd simd) {
     if (simd == RasterSimd::Avx2) return drawTrianglesAvx2;
 #endif
     return simd == RasterSimd::Portable ? drawTrianglesPortable : nullptr;
+}
+
+/// Copies a band's rows to the picture; how many of its pixels show a surface.
+uint64_t copyRows(const RasterBand& band, FinishedPicture& picture) {
+    const auto width = size_t(band.width);
+    uint64_t covered = 0;
+    for (int32_t row = band.firstRow; row < band.endRow; ++row) {
+        const RasterTile* tile = band.tiles + size_t((row - band.firstRow) / kTile) * band.tilesInRow;
+        const size_t inTile = size_t(row % kTile) * kTile;
+        float* depth = &picture.depth[size_t(row) * width];
+        uint32_t* number = &picture.triangle[size_t(row) * width];
+        uint32_t ofRow = 0;
+        size_t column = 0;
+        for (; column + kTile <= width; column += kTile, ++tile) {
+            std::memcpy(depth + column, tile->depth + inTile, kTile * sizeof(float));
+            std::memcpy(number + column, tile->number + inTile, kTile * sizeof(uint32_t));
+            for (size_t i = 0; i < kTile; ++i) ofRow += tile->number[inTile + i] != 0 ? 1 : 0;
+        }
+        for (size_t i = 0; column + i < width; ++i) {
+            depth[column + i] = tile->depth[inTile + i];
+            number[column + i] = tile->number[inTile + i];
+            ofRow += tile->number[inTile + i] != 0 ? 1 : 0;
+        }
+        covered += ofRow;
+    }
+    return covered;
 }
 
 }  // namespace
@@ -44,26 +71,15 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
     result.rows.resize(scene.bands());
     result.fates = scene.fates;
     RasterKernel* const kernel = kernelOf(simd);
-    const size_t stride = (width + size_t(kLanes) - 1) / size_t(kLanes) * size_t(kLanes);
 
     forEachOf(scene.bands(), parallel, [&](size_t number) {
         RowCounts& counts = result.rows[number];
         counts.firstRow = int(number) * kBandRows;
         counts.endRow = std::min(counts.firstRow + kBandRows, scene.size.height);
-        const size_t first = size_t(counts.firstRow) * width, rows = size_t(counts.endRow - counts.firstRow);
-        RasterBand band{&picture.depth[first], &picture.triangle[first], stride,        counts.firstRow,
-                        counts.endRow,         scene.size.width,         counts.endRow, result.fates.data()};
-        // Rows whose length is no multiple of the lanes are drawn longer than they are, elsewhere; so are bands whose rows are no
-        // multiple of four.
-        const bool elsewhere = stride != width || rows % 4 != 0;
-        const size_t moreRows = (rows + 3) / 4 * 4;
-        std::vector<float> depth(elsewhere ? stride * moreRows : 0);
-        std::vector<uint32_t> numbers(depth.size());
-        if (elsewhere) {
-            band.depth = depth.data();
-            band.number = numbers.data();
-            band.endOfRows = band.firstRow + int(moreRows);
-        }
+        const size_t tilesInRow = (width + kTile - 1) / kTile;
+        const auto tileRows = size_t(counts.endRow - counts.firstRow + kTile - 1) / kTile;
+        std::vector<RasterTile> tiles(tilesInRow * tileRows);
+        const RasterBand band{tiles.data(), tilesInRow, counts.firstRow, counts.endRow, scene.size.width, result.fates.data()};
         RasterCounts kernelCounts{};
         for (const TrianglesOnRaster& part : scene.parts) {
             const PartInBand triangles = part.inBand(number);
@@ -72,13 +88,7 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
         }
         counts.samples = counts.comparisons = kernelCounts.comparisons;
         counts.written = kernelCounts.written;
-        if (elsewhere)
-            for (size_t row = 0; row < rows; ++row) {
-                std::copy_n(&depth[row * stride], width, &picture.depth[first + row * width]);
-                std::copy_n(&numbers[row * stride], width, &picture.triangle[first + row * width]);
-            }
-        const auto begin = picture.triangle.begin() + std::ptrdiff_t(first);
-        counts.covered = rows * width - uint64_t(std::count(begin, begin + std::ptrdiff_t(rows * width), 0u));
+        counts.covered = copyRows(band, picture);
     });
     return result;
 }

@@ -8,15 +8,16 @@ namespace cullscope {
 namespace {
 
 struct Avx2Lanes {
-    /// Whether no element of a comparison's result holds.
-    static bool none(const Ints& mask) {
-        const __m256i bits = reinterpret_cast<const __m256i&>(mask);
-        return _mm256_testz_si256(bits, bits) != 0;
+    /// How many elements of a comparison's results hold.
+    static uint32_t countOf(const Ints (&masks)[2]) {
+        const auto bitsOf = [](const Ints& mask) { return unsigned(_mm256_movemask_ps(reinterpret_cast<const __m256&>(mask))); };
+        return uint32_t(__builtin_popcount(bitsOf(masks[0]) | bitsOf(masks[1]) << 8));
     }
     static Ints rounded(const Floats& values) { return reinterpret_cast<Ints>(_mm256_cvtps_epi32(values)); }
-    static void drawBlock(const Batch& batch, size_t i, const BlockPlace& block, const RasterBand& band,
-                          PixelCounters& counters) {
-        cullscope::drawBlock<Avx2Lanes>(batch, i, block, band, counters);
+    /// a · b + c, rounded once.
+    static Floats fused(const Floats& a, const Floats& b, const Floats& c) { return _mm256_fmadd_ps(a, b, c); }
+    static void drawSmall(const Batch& batch, size_t i, const RasterBand& band, RasterCounts& counts) {
+        drawSmallByHalves<Avx2Lanes>(batch, i, band, counts);
     }
     static Floats root(const Floats& values) { return _mm256_sqrt_ps(values); }
 };

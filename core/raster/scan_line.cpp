@@ -72,15 +72,26 @@ struct Surface {
     ActiveEdge edges[3];
     // In the current row:
     int begin = 0, end = 0;  ///< its pixels
-    double rowDepth = 0.0;
-    int mayCross = kNever;  ///< the first column at which it may come before the surface in front
+    int mayCross = kNever;   ///< the first column at which it may come before the surface in front
 };
 
-/// Depth and its float exactly as the depth buffer has them.
-double unroundedAt(const Surface& surface, int column) {
-    return surface.rowDepth + surface.triangle->depthPerColumn * double(column - surface.triangle->firstColumn);
+/// Depth exactly as the depth buffer has it.
+float depthAt(const Surface& surface, int row, int column) {
+    const ScreenTriangle& triangle = *surface.triangle;
+    return std::fma(triangle.depthPerRow, float(row), std::fma(triangle.depthPerColumn, float(column), triangle.depth));
 }
-float depthAt(const Surface& surface, int column) { return float(unroundedAt(surface, column)); }
+
+/// A surface's depth at a pixel before any rounding, and by how much depthAt may differ from it.
+struct UnroundedDepth {
+    double depth, error;
+};
+UnroundedDepth unroundedAt(const Surface& surface, int row, int column) {
+    const ScreenTriangle& triangle = *surface.triangle;
+    const double along = double(triangle.depth) + double(triangle.depthPerColumn) * column;
+    const double depth = along + double(triangle.depthPerRow) * row;
+    // A float's rounding is 2^-24 of it; the rest is that of this computation, and of the smallest floats.
+    return {depth, 0x1.01p-24 * (std::abs(along) + std::abs(depth)) + 0x1p-140};
+}
 
 /// The rows of one band, from the bottom up.
 class Sweep {
@@ -164,8 +175,8 @@ private:
             counts.back().samples += uint64_t(end - begin);
             // Other bands may say the same of the triangle at the same time.
             std::atomic_ref(m_fates[triangle.number - 1]).store(kCovers, std::memory_order_relaxed);
-            surface.rowDepth = triangle.depth + triangle.depthPerRow * double(row - triangle.firstRow);
-            m_beginning.push_back(i);
+            // A surface without a plane is nowhere the nearest.
+            if (!std::isnan(triangle.depth)) m_beginning.push_back(i);
         }
         std::ranges::sort(m_beginning, [&](uint32_t a, uint32_t b) {
             return m_surfaces[a].begin != m_surfaces[b].begin ? m_surfaces[a].begin < m_surfaces[b].begin : a < b;
@@ -173,25 +184,22 @@ private:
     }
 
     /// Whether a surface comes before another one at a pixel: a comparison of depths.
-    bool before(uint32_t surface, uint32_t other, int column) {
+    bool before(uint32_t surface, uint32_t other, int row, int column) {
         ++counts.back().comparisons;
-        const float a = depthAt(m_surfaces[surface], column), b = depthAt(m_surfaces[other], column);
+        const float a = depthAt(m_surfaces[surface], row, column), b = depthAt(m_surfaces[other], row, column);
         return a > b || (a == b && m_surfaces[surface].order < m_surfaces[other].order);
     }
 
     /// The first column from `from` at which a surface may come before the one in front. Both depths change evenly along the row;
     /// before that column their difference exceeds what their rounding to float, and that of its own computation, can hide.
-    int crossingOf(const Surface& surface, const Surface& front, int from) const {
+    static int crossingOf(const Surface& surface, const Surface& front, int row, int from) {
         const int last = std::min(surface.end, front.end) - 1;
         if (from > last) return kNever;
-        const double s0 = unroundedAt(surface, from), s1 = unroundedAt(surface, last);
-        const double f0 = unroundedAt(front, from), f1 = unroundedAt(front, last);
-        const auto reach = [&](const Surface& of) {
-            return std::abs(of.rowDepth) + std::abs(of.triangle->depthPerColumn) * double(m_size.width);
-        };
-        const double largest = std::max(std::max(std::abs(s0), std::abs(s1)), std::max(std::abs(f0), std::abs(f1)));
-        const double margin = 0x1p-23 * largest + 0x1p-48 * (reach(surface) + reach(front)) + 0x1p-140;
-        const double atFrom = s0 - f0, atLast = s1 - f1;
+        const UnroundedDepth s0 = unroundedAt(surface, row, from), s1 = unroundedAt(surface, row, last);
+        const UnroundedDepth f0 = unroundedAt(front, row, from), f1 = unroundedAt(front, row, last);
+        // Errors are largest at one of the ends.
+        const double margin = std::max(s0.error, s1.error) + std::max(f0.error, f1.error);
+        const double atFrom = s0.depth - f0.depth, atLast = s1.depth - f1.depth;
         if (atFrom >= -margin) return from;
         if (atLast < -margin) return kNever;
         const double columns = (-margin - atFrom) / (atLast - atFrom) * double(last - from);
@@ -231,7 +239,7 @@ private:
                     if (how == RowSpan::Start::Remains) start = how;
                     return;
                 }
-                const bool wins = before(surface, front, column);
+                const bool wins = before(surface, front, row, column);
                 start = wins || ended ? how : start;
                 against = wins ? front : ended ? surface : against;
                 if (wins) front = surface;
@@ -258,10 +266,10 @@ private:
                 if (front != kNoSurface && m_keepSpans) {
                     const auto compared = uint32_t(counts.back().comparisons);
                     span = {row, column, column, start, m_surfaces[front].triangle->number - 1};
-                    span.depth = depthAt(m_surfaces[front], column);
+                    span.depth = depthAt(m_surfaces[front], row, column);
                     if (against != kNoSurface) {
                         span.other = m_surfaces[against].triangle->number;
-                        span.otherDepth = depthAt(m_surfaces[against], column);
+                        span.otherDepth = depthAt(m_surfaces[against], row, column);
                     }
                     span.comparisons = compared - comparedBefore;
                     comparedBefore = compared;
@@ -272,7 +280,7 @@ private:
                 if (m_active[i] == front)
                     surface.mayCross = kNever;
                 else if (front != old || i >= already || surface.mayCross <= column)
-                    surface.mayCross = crossingOf(surface, m_surfaces[front], column + 1);
+                    surface.mayCross = crossingOf(surface, m_surfaces[front], row, column + 1);
             }
         }
     }
@@ -290,7 +298,7 @@ private:
         const Surface& front = m_surfaces[m_front];
         const size_t first = size_t(row) * size_t(m_size.width);
         for (int column = begin; column < end; ++column) {
-            const float depth = depthAt(front, column);
+            const float depth = depthAt(front, row, column);
             if (!(depth > 0.0f)) continue;
             m_picture.depth[first + size_t(column)] = depth;
             m_picture.triangle[first + size_t(column)] = front.triangle->number;

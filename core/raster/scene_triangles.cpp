@@ -9,8 +9,9 @@
 namespace cullscope {
 namespace {
 
-/// A part has at most so many triangles: then the places of its set-up triangles, at most 11 of each, stay below kSetUp.
+/// A part has at most so many triangles: then the places of its set-up triangles stay below kSetUp.
 constexpr size_t kPartTriangles = 2048;
+static_assert(kPartTriangles * kMostPieces < kSetUp);
 
 /// A piece of an instance's vertices or triangles.
 struct Piece {
@@ -53,23 +54,24 @@ public:
         const RasterVertex &a = m_part.vertices[corners[0]], &b = m_part.vertices[corners[1]], &c = m_part.vertices[corners[2]];
         ++m_part.given;
         if (const uint32_t any = a.beyond | b.beyond | c.beyond; any != 0) {
-            if ((a.beyond & b.beyond & c.beyond & Beyond::kPlane) != 0 || (any & Beyond::Nowhere) != 0) {
+            if ((a.beyond & b.beyond & c.beyond) != 0 || (any & Beyond::Nowhere) != 0) {
                 ++m_part.outside;
                 m_fates[triangle] = kOutside;
                 return;
             }
-            if ((any & Beyond::kNeedsClipping) != 0) return addClippedAt(triangle, corners);
+            return addClippedAt(triangle, corners);
         }
-        const int64_t area = twiceArea(a, b, c);
+        const RasterCorners places(a, b, c);
+        const int64_t area = places.twiceArea();
         if (area == 0) return count(triangle, RasterFate::WithoutSample);
         if (m_facing.drops(area)) return count(triangle, RasterFate::FacingAway);
-        const Place pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
+        const Place pa{places.x[0], places.y[0]}, pb{places.x[1], places.y[1]}, pc{places.x[2], places.y[2]};
         const Place low = lower(lower(pa, pb), pc), high = higher(higher(pa, pb), pc);
         const Place first = higher((low + (kSubPixels - 1)) >> 8, Place{}), end = lower((high >> 8) + 1, m_end);
         if (first[0] >= end[0] || first[1] >= end[1]) return count(triangle, RasterFate::WithoutSample);
         const Place extent = high - low;
         if (extent[0] <= kSmall && extent[1] <= kSmall) return place(uint16_t(triangle), first[1], end[1]);
-        m_part.setUp.push_back(*screenTriangle({a, b, c}, area, m_part.firstNumber + uint32_t(triangle), m_size));
+        m_part.setUp.push_back(*screenTriangle(places, area, m_part.firstNumber + uint32_t(triangle), m_size));
         placeSetUp(m_part.setUp.size() - 1);
     }
 
@@ -140,7 +142,7 @@ ProjectionKernel* projectionKernelOf(RasterSimd simd) {
 std::span<const RasterSimd> availableRasterSimd() {
     static constexpr std::array kAll{RasterSimd::Portable, RasterSimd::Avx2, RasterSimd::Avx512};
 #ifdef CULLSCOPE_RASTER_AVX
-    static const bool kAvx2 = __builtin_cpu_supports("avx2") != 0;
+    static const bool kAvx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
     static const bool kAvx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
                                 __builtin_cpu_supports("avx512vl") != 0;
     if (kAvx2) return std::span(kAll).first(kAvx512 ? 3 : 2);
@@ -172,8 +174,8 @@ std::vector<ScreenTriangle> SceneOnRaster::trianglesIn(size_t band) const {
                 continue;
             }
             const uint32_t* corners = part.indices + 3 * size_t(entry);
-            const RasterCorners places{part.vertices[corners[0]], part.vertices[corners[1]], part.vertices[corners[2]]};
-            const int64_t area = twiceArea(places[0], places[1], places[2]);
+            const RasterCorners places(part.vertices[corners[0]], part.vertices[corners[1]], part.vertices[corners[2]]);
+            const int64_t area = places.twiceArea();
             triangles.push_back(*screenTriangle(places, area, part.firstNumber + entry, size));
         }
     }
@@ -216,8 +218,6 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
         const Vec3f* positions = scene.meshOf(piece.instance).positions().data();
         RasterVertex* to = &result.vertices[firstVertex[piece.instance]];
         project(projection.forKernels(), &positions[piece.first].x, piece.end - piece.first, to + piece.first);
-        for (size_t v = piece.first; v < piece.end; ++v)
-            if (to[v].beyond == kNotProjected) to[v] = projection.vertex(projection.clip(positions[v]));
     });
 
     const std::vector<Piece> ofTriangles =
@@ -247,8 +247,7 @@ SceneOnRaster cornersOnRaster(std::span<const RasterCorner> corners, const Viewp
     result.vertexCount = corners.size();
     result.vertices.reset(new RasterVertex[corners.size()]);
     for (size_t i = 0; i < corners.size(); ++i) {
-        result.vertices[i] = {int32_t(std::lrint((corners[i].x - 0.5) * kSubPixels)),
-                              int32_t(std::lrint((corners[i].y - 0.5) * kSubPixels)), corners[i].depth, 0};
+        result.vertices[i] = {float(corners[i].x), float(corners[i].y), corners[i].depth, 0};
         result.ownIndices.push_back(uint32_t(i));
     }
     result.fates.resize(corners.size() / 3, kNoSample);

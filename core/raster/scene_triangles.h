@@ -29,7 +29,7 @@ struct TrianglesOnRaster {
     uint64_t outside = 0;               ///< lie beyond one plane of the frustum with all corners
     uint64_t facingAway = 0;            ///< not drawn by the facing rule
     uint64_t withoutSample = 0;         ///< have no area on the raster, or no pixel centre in their box
-    uint64_t clipped = 0;               ///< at the near plane, or where they leave the raster's range
+    uint64_t clipped = 0;               ///< at a plane of the frustum
 
     [[nodiscard]] PartInBand inBand(size_t band) const;
 };
@@ -57,10 +57,8 @@ enum class RasterSimd { Portable, Avx2, Avx512 };
 [[nodiscard]] std::span<const RasterSimd> availableRasterSimd();
 
 /// Transforms each vertex once, as OpenGL does: by a float matrix relative to the eye; depth is reversed, 1 at the near plane and
-/// 0 at the far plane. Clips at the near plane before the division. Nothing is clipped at the far plane, for what lies beyond it
-/// has a depth below 0, which no depth test passes. Triangles that reach beyond 32,000 pixels are clipped there, so that edge
-/// functions are exact in 64 bits. `parallel` and `simd` change nothing in the result. Throws Error(Usage) for a scene of more
-/// than 2^32 − 2 triangles.
+/// 0 at the far plane. Triangles that reach beyond a plane of the frustum are clipped there, before the division. `parallel` and
+/// `simd` change nothing in the result. Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
 [[nodiscard]] SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel = true,
                                               RasterSimd simd = availableRasterSimd().back());
 
