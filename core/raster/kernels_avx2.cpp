@@ -8,10 +8,11 @@ namespace cullscope {
 namespace {
 
 struct Avx2Lanes {
+    /// A bit of each element of a comparison's result.
+    static uint32_t bitsOf(const Ints& mask) { return uint32_t(_mm256_movemask_ps(reinterpret_cast<const __m256&>(mask))); }
     /// How many elements of a comparison's results hold.
     static uint32_t countOf(const Ints (&masks)[2]) {
-        const auto bitsOf = [](const Ints& mask) { return unsigned(_mm256_movemask_ps(reinterpret_cast<const __m256&>(mask))); };
-        return uint32_t(__builtin_popcount(bitsOf(masks[0]) | bitsOf(masks[1]) << 8));
+        return uint32_t(__builtin_popcount(bitsOf(masks[0]) | bitsOf(masks[1]) << kLanes));
     }
     static Ints rounded(const Floats& values) { return reinterpret_cast<Ints>(_mm256_cvtps_epi32(values)); }
     /// a · b + c, rounded once.
@@ -27,6 +28,8 @@ struct Avx2Lanes {
 void drawTrianglesAvx2(const PartInBand& part, const RasterBand& band, RasterCounts& counts) {
     drawTriangles<Avx2Lanes>(part, band, counts);
 }
+
+void placeAvx2(const RasterPlacing& placing, uint32_t* places) { placeTriangles<Avx2Lanes>(placing, places); }
 
 void projectAvx2(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices) {
     project<Avx2Lanes>(projection, positions, count, vertices);

@@ -6,6 +6,12 @@ namespace cullscope {
 namespace {
 
 struct PortableLanes {
+    /// A bit of each element of a comparison's result.
+    static uint32_t bitsOf(const Ints& mask) {
+        uint32_t bits = 0;
+        for (int lane = 0; lane < kLanes; ++lane) bits |= uint32_t(mask[lane] & 1) << lane;
+        return bits;
+    }
     /// How many elements of a comparison's results hold.
     static uint32_t countOf(const Ints (&masks)[2]) {
         int32_t count = 0;
@@ -38,6 +44,8 @@ struct PortableLanes {
 void drawTrianglesPortable(const PartInBand& part, const RasterBand& band, RasterCounts& counts) {
     drawTriangles<PortableLanes>(part, band, counts);
 }
+
+void placePortable(const RasterPlacing& placing, uint32_t* places) { placeTriangles<PortableLanes>(placing, places); }
 
 void projectPortable(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices) {
     project<PortableLanes>(projection, positions, count, vertices);

@@ -12,7 +12,8 @@ namespace {
 
 ShadingKernel* shadingKernelOf(RasterSimd simd) {
 #ifdef CULLSCOPE_RASTER_AVX
-    if (simd != RasterSimd::Portable) return shadeRowAvx2;
+    if (simd == RasterSimd::Avx512) return shadeRowAvx512;
+    if (simd == RasterSimd::Avx2) return shadeRowAvx2;
 #endif
     return simd == RasterSimd::Portable ? shadeRowPortable : nullptr;
 }
@@ -25,16 +26,21 @@ void copyTo(double* values, const Vec3& vector) {
     for (int axis = 0; axis < 3; ++axis) values[axis] = vector[axis];
 }
 
-std::vector<ShadedInstance> shadedInstances(const Scene& scene, const View& view) {
+std::vector<ShadedInstance> shadedInstances(const Scene& scene, const View& view, const Vec3& step) {
     std::vector<ShadedInstance> instances(scene.instances().size());
+    const Frustum& frustum = view.frustum();
     for (size_t i = 0; i < instances.size(); ++i) {
         const Mat4& place = scene.instances()[i].worldFromMesh;
         const TriangleMesh& mesh = scene.meshOf(i);
+        const Mat3 linear(place), fromWorld = glm::inverse(linear);
         ShadedInstance& to = instances[i];
-        copyTo(to.linear, Mat3(place));
         // Translations are summed before any rounding.
-        copyTo(to.translation, Vec3(place[3]) - view.eye() + Mat3(place) * mesh.origin());
-        copyTo(to.normals, glm::transpose(glm::inverse(Mat3(place))));
+        copyTo(to.eye, fromWorld * (view.eye() - Vec3(place[3]) - linear * mesh.origin()));
+        copyTo(to.forward, fromWorld * frustum.forward);
+        copyTo(to.right, fromWorld * frustum.right);
+        copyTo(to.up, fromWorld * frustum.up);
+        copyTo(to.step, fromWorld * step);
+        copyTo(to.normals, glm::transpose(fromWorld));
         to.positions = mesh.positions().empty() ? nullptr : &mesh.positions().front().x;
         to.normal = mesh.normals().empty() ? nullptr : &mesh.normals().front().x;
         to.indices = mesh.indices().data();
@@ -48,7 +54,8 @@ std::vector<ShadedInstance> shadedInstances(const Scene& scene, const View& view
 std::unique_ptr<uint32_t[]> shadedPicture(const Scene& scene, const View& view, const FinishedPicture& picture,
                                           const PicturePart& part, const PictureColours& colours, bool parallel,
                                           RasterSimd simd) {
-    const std::vector<ShadedInstance> instances = shadedInstances(scene, view);
+    const Vec3 step = view.direction(1.0, 0.0) - view.direction(0.0, 0.0);
+    const std::vector<ShadedInstance> instances = shadedInstances(scene, view, step);
     Shading shading{};
     shading.instances = instances.data();
     shading.instanceCount = instances.size();
@@ -60,7 +67,7 @@ std::unique_ptr<uint32_t[]> shadedPicture(const Scene& scene, const View& view, 
     shading.tanHalfHeight = frustum.tanHalfHeight;
     shading.width = view.viewport().width;
     shading.height = view.viewport().height;
-    copyTo(shading.step, view.direction(1.0, 0.0) - view.direction(0.0, 0.0));
+    copyTo(shading.step, step);
     const Vec3f surface = glm::max(colours.surface, Vec3f(0.0f)) * 255.0f;
     for (int channel = 0; channel < 3; ++channel) shading.surface[channel] = surface[channel];
     shading.background = std::bit_cast<uint32_t>(colours.background);

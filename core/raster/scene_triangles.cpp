@@ -29,11 +29,6 @@ std::vector<Piece> piecesOf(const Scene& scene, size_t size, const CountOf& coun
     return pieces;
 }
 
-using Place = int32_t __attribute__((vector_size(16)));  // x, y of a vertex; two more
-
-Place lower(const Place& a, const Place& b) { return a < b ? a : b; }
-Place higher(const Place& a, const Place& b) { return a > b ? a : b; }
-
 /// Puts the triangles of a part on the raster, one after the other.
 class Placing {
 public:
@@ -49,30 +44,34 @@ public:
         m_placed.reserve(kPartTriangles);
     }
 
-    void add(size_t triangle) {
-        const uint32_t* corners = m_part.indices + 3 * triangle;
-        const RasterVertex &a = m_part.vertices[corners[0]], &b = m_part.vertices[corners[1]], &c = m_part.vertices[corners[2]];
-        ++m_part.given;
-        if (const uint32_t any = a.beyond | b.beyond | c.beyond; any != 0) {
-            if ((a.beyond & b.beyond & c.beyond) != 0 || (any & Beyond::Nowhere) != 0) {
-                ++m_part.outside;
-                m_fates[triangle] = kOutside;
-                return;
+    /// All triangles of the part.
+    void addAll(size_t count, PlacingKernel* kernel) {
+        m_part.given = count;
+        uint32_t places[kPartTriangles + 8];
+        kernel({m_part.vertices, m_part.indices, count, m_size.width, m_size.height, kBandRows, Beyond::Nowhere, m_facing.front,
+                m_facing.mirrored},
+               places);
+        for (size_t triangle = 0; triangle < count; ++triangle) {
+            const uint32_t place = places[triangle];
+            switch (place % (1u << kFirstBandShift)) {
+                case kPlacedSmall:
+                    m_placed.push_back({uint16_t(triangle), uint16_t(place >> kFirstBandShift & kBandMask),
+                                        uint16_t(place >> kLastBandShift & kBandMask)});
+                    break;
+                case kPlacedLarge:
+                    addLarge(triangle);
+                    break;
+                case kPlacedBeyond:
+                    addClippedAt(triangle);
+                    break;
+                case kPlacedOutside:
+                    ++m_part.outside;
+                    m_fates[triangle] = kOutside;
+                    break;
+                default:
+                    this->count(triangle, place == kPlacedFacingAway ? RasterFate::FacingAway : RasterFate::WithoutSample);
             }
-            return addClippedAt(triangle, corners);
         }
-        const RasterCorners places(a, b, c);
-        const int64_t area = places.twiceArea();
-        if (area == 0) return count(triangle, RasterFate::WithoutSample);
-        if (m_facing.drops(area)) return count(triangle, RasterFate::FacingAway);
-        const Place pa{places.x[0], places.y[0]}, pb{places.x[1], places.y[1]}, pc{places.x[2], places.y[2]};
-        const Place low = lower(lower(pa, pb), pc), high = higher(higher(pa, pb), pc);
-        const Place first = higher((low + (kSubPixels - 1)) >> 8, Place{}), end = lower((high >> 8) + 1, m_end);
-        if (first[0] >= end[0] || first[1] >= end[1]) return count(triangle, RasterFate::WithoutSample);
-        const Place extent = high - low;
-        if (extent[0] <= kSmall && extent[1] <= kSmall) return place(uint16_t(triangle), first[1], end[1]);
-        m_part.setUp.push_back(*screenTriangle(places, area, m_part.firstNumber + uint32_t(triangle), m_size));
-        placeSetUp(m_part.setUp.size() - 1);
     }
 
     /// Sorts the part's entries by band.
@@ -97,7 +96,21 @@ private:
         uint16_t entry, firstBand, lastBand;
     };
 
-    void addClippedAt(size_t triangle, const uint32_t* corners) {
+    static constexpr uint32_t kBandMask = (1u << (kLastBandShift - kFirstBandShift)) - 1;
+
+    void addLarge(size_t triangle) {
+        const uint32_t* corners = m_part.indices + 3 * triangle;
+        const RasterCorners places(m_part.vertices[corners[0]], m_part.vertices[corners[1]], m_part.vertices[corners[2]]);
+        const int64_t area = places.twiceArea();
+        if (area == 0) return count(triangle, RasterFate::WithoutSample);
+        if (m_facing.drops(area)) return count(triangle, RasterFate::FacingAway);
+        const std::optional<ScreenTriangle> large = screenTriangle(places, area, m_part.firstNumber + uint32_t(triangle), m_size);
+        if (!large) return count(triangle, RasterFate::WithoutSample);
+        m_part.setUp.push_back(*large);
+        placeSetUp(m_part.setUp.size() - 1);
+    }
+    void addClippedAt(size_t triangle) {
+        const uint32_t* corners = m_part.indices + 3 * triangle;
         const auto clip = [&](size_t i) { return m_projection->clip(m_positions[corners[i]]); };
         ++m_part.clipped;
         size_t next = m_part.setUp.size();
@@ -105,12 +118,10 @@ private:
                                    m_size, m_part.setUp));
         for (; next < m_part.setUp.size(); ++next) placeSetUp(next);
     }
-    void place(uint16_t entry, int32_t firstRow, int32_t endRow) {
-        m_placed.push_back({entry, uint16_t(firstRow / kBandRows), uint16_t((endRow - 1) / kBandRows)});
-    }
     void placeSetUp(size_t number) {
         const ScreenTriangle& triangle = m_part.setUp[number];
-        place(uint16_t(kSetUp | number), triangle.firstRow, triangle.endRow);
+        m_placed.push_back(
+            {uint16_t(kSetUp | number), uint16_t(triangle.firstRow / kBandRows), uint16_t((triangle.endRow - 1) / kBandRows)});
     }
     void count(size_t triangle, RasterFate fate) {
         if (fate == RasterFate::FacingAway) {
@@ -126,15 +137,23 @@ private:
     uint8_t* m_fates;  ///< of the part's triangles
     const Projection* m_projection;
     const Vec3f* m_positions;
-    const Place m_end{m_size.width, m_size.height};
     std::vector<Placed> m_placed;
 };
 
 ProjectionKernel* projectionKernelOf(RasterSimd simd) {
 #ifdef CULLSCOPE_RASTER_AVX
-    if (simd != RasterSimd::Portable) return projectAvx2;
+    if (simd == RasterSimd::Avx512) return projectAvx512;
+    if (simd == RasterSimd::Avx2) return projectAvx2;
 #endif
     return simd == RasterSimd::Portable ? projectPortable : nullptr;
+}
+
+PlacingKernel* placingKernelOf(RasterSimd simd) {
+#ifdef CULLSCOPE_RASTER_AVX
+    if (simd == RasterSimd::Avx512) return placeAvx512;
+    if (simd == RasterSimd::Avx2) return placeAvx2;
+#endif
+    return simd == RasterSimd::Portable ? placePortable : nullptr;
 }
 
 }  // namespace
@@ -234,7 +253,7 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
         part.firstNumber = uint32_t(scene.firstTriangle(piece.instance) + piece.first) + 1;
         Placing placing(part, facings[piece.instance], result.size, result.fates, &projections[piece.instance],
                         mesh.positions().data());
-        for (size_t t = 0; t < piece.end - piece.first; ++t) placing.add(t);
+        placing.addAll(piece.end - piece.first, placingKernelOf(simd));
         placing.finish(result.bands());
         result.parts[i] = std::move(part);
     });
@@ -258,7 +277,7 @@ SceneOnRaster cornersOnRaster(std::span<const RasterCorner> corners, const Viewp
         part.indices = &result.ownIndices[3 * first];
         part.vertices = result.vertices.get();
         Placing placing(part, bothSides, result.size, result.fates);
-        for (size_t t = 0; t < std::min(kPartTriangles, count - first); ++t) placing.add(t);
+        placing.addAll(std::min(kPartTriangles, count - first), placingKernelOf(availableRasterSimd().back()));
         placing.finish(result.bands());
     }
     return result;

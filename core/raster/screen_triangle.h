@@ -91,6 +91,32 @@ using RasterKernel = void(const PartInBand& part, const RasterBand& band, Raster
 
 RasterKernel drawTrianglesPortable, drawTrianglesAvx2, drawTrianglesAvx512;
 
+/// Where a triangle lies on the raster: one of these, and, of small ones, the first and the last band that it reaches.
+enum TrianglePlace : uint32_t {
+    kPlacedSmall,          ///< at most kSmall wide and high
+    kPlacedLarge,          ///< larger: what becomes of it is not decided yet
+    kPlacedBeyond,         ///< with some corners beyond a plane of the frustum: the same
+    kPlacedOutside,        ///< with all of them beyond one plane
+    kPlacedFacingAway,     ///< dropped by the facing rule
+    kPlacedWithoutSample,  ///< without area on the raster, or without a pixel's centre in its box
+    kPlaces,
+    kFirstBandShift = 4,
+    kLastBandShift = 18
+};
+/// What places triangles, consecutive ones of a part.
+struct RasterPlacing {
+    const RasterVertex* vertices;
+    const uint32_t* indices;  ///< three of each triangle
+    size_t count;
+    int32_t width, height, bandRows;  ///< of the picture; a power of two
+    int32_t nowhere;                  ///< a bit of RasterVertex::beyond that a single corner suffices for
+    bool front, mirrored;             ///< as RasterFacing
+};
+/// Gives a number for every triangle, eight at a time: `places` has room up to the next multiple of eight.
+using PlacingKernel = void(const RasterPlacing& placing, uint32_t* places);
+
+PlacingKernel placePortable, placeAvx2, placeAvx512;
+
 /// How positions come to the raster (triangle_setup.h): clip coordinates by the columns of a matrix, then pixels.
 struct RasterProjection {
     float columns[4][4];
@@ -101,6 +127,6 @@ struct RasterProjection {
 /// Projects positions, three numbers each.
 using ProjectionKernel = void(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices);
 
-ProjectionKernel projectPortable, projectAvx2;
+ProjectionKernel projectPortable, projectAvx2, projectAvx512;
 
 }  // namespace cullscope

@@ -8,14 +8,15 @@
 
 namespace cullscope {
 
-/// An instance of a scene as shading needs it. Matrices are by columns.
+/// An instance of a scene as shading needs it.
 struct ShadedInstance {
-    double linear[9], translation[3];  ///< from positions to world axes with the origin at the eye
-    double normals[9];                 ///< from the mesh's normals to world axes
-    const float* positions;            ///< three of each vertex
-    const float* normal;               ///< three of each vertex
-    const uint32_t* indices;           ///< three of each triangle
-    uint32_t firstTriangle;            ///< of the scene's triangles
+    // In the axes of its mesh's positions: the eye, the view's basis, and Shading::step.
+    double eye[3], forward[3], right[3], up[3], step[3];
+    double normals[9];        ///< from the mesh's normals to world axes, by columns
+    const float* positions;   ///< three of each vertex
+    const float* normal;      ///< three of each vertex
+    const uint32_t* indices;  ///< three of each triangle
+    uint32_t firstTriangle;   ///< of the scene's triangles
 };
 
 /// What shading a picture needs besides its rows.
@@ -35,6 +36,6 @@ struct Shading {
 using ShadingKernel = void(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row,
                            uint32_t* rgba);
 
-ShadingKernel shadeRowPortable, shadeRowAvx2;
+ShadingKernel shadeRowPortable, shadeRowAvx2, shadeRowAvx512;
 
 }  // namespace cullscope

@@ -21,18 +21,21 @@ struct Run {
     int32_t begin;
 };
 
-/// One component of four triangles' vertices.
-inline Doubles gathered(const float* const (&from)[4], size_t component) {
-    const HalfFloats floats{from[0][component], from[1][component], from[2][component], from[3][component]};
-    return __builtin_convertvector(floats, Doubles);
-}
-inline ThreeDoubles gathered(const float* const (&from)[4]) { return {gathered(from, 0), gathered(from, 1), gathered(from, 2)}; }
-
 inline ThreeDoubles cross(const ThreeDoubles& a, const ThreeDoubles& b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
 }
 inline Doubles largerOf(const Doubles& a, const Doubles& b) { return a < b ? b : a; }
-inline Doubles absolute(const Doubles& value) { return value < 0.0 ? -value : value; }
+inline Doubles largestOf(const ThreeDoubles& of) {
+    const auto absolute = [](const Doubles& value) -> Doubles { return value < 0.0 ? -value : value; };
+    return largerOf(largerOf(absolute(of.x), absolute(of.y)), absolute(of.z));
+}
+inline Doubles dot(const ThreeDoubles& a, const ThreeDoubles& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+/// A direction by its shares of a basis.
+inline ThreeDoubles toward(const ThreeDoubles& forward, const ThreeDoubles& right, const ThreeDoubles& up, const Doubles& across,
+                           const Doubles& upward) {
+    return {(forward.x + right.x * across) + up.x * upward, (forward.y + right.y * across) + up.y * upward,
+            (forward.z + right.z * across) + up.z * upward};
+}
 
 inline const ShadedInstance& instanceOf(const Shading& shading, uint32_t triangle) {
     size_t low = 0, high = shading.instanceCount;
@@ -80,30 +83,30 @@ inline void transpose(const ThreeDoubles& of, HalfFloats (&columns)[4]) {
     transpose(rows, columns);
 }
 
+/// Vectors in memory, three floats each, one of each run.
+inline ThreeDoubles gathered(const float* const (&from)[4]) {
+    HalfFloats vectors[4], components[4];
+    for (int i = 0; i < 4; ++i) {
+        vectors[i] = HalfFloats{from[i][0], from[i][1], from[i][2], 0.0f};
+    }
+    transpose(vectors, components);
+    return {__builtin_convertvector(components[0], Doubles), __builtin_convertvector(components[1], Doubles),
+            __builtin_convertvector(components[2], Doubles)};
+}
+
 inline void setUpRuns(const Shading& shading, const Run* runs, int32_t first, const Doubles& upward, FourRuns& four) {
-    // The weights of the corners' normals at the point in a direction are the
-    // products of the direction with b × c, c × a and a × b, up to a common
-    // factor, so that the normal is a matrix times the direction.
+    // In the mesh's axes the weights of the corners' normals at the point in a direction are the products of the direction with
+    // b × c, c × a and a × b, up to a common factor, so that the normal is a matrix times the direction.
     const ShadedInstance* instance[4];
     for (int i = 0; i < 4; ++i) instance[i] = &instanceOf(shading, runs[i].item - 1);
-    ThreeDoubles linear[3], normals[3], translation;
     const bool one = instance[0] == instance[1] && instance[0] == instance[2] && instance[0] == instance[3];
-    const auto fromInstances = [&](const auto& valueOf) -> Doubles {
-        if (one) return Doubles{} + valueOf(*instance[0]);
-        const Doubles values{valueOf(*instance[0]), valueOf(*instance[1]), valueOf(*instance[2]), valueOf(*instance[3])};
-        return values;
+    using Axes = double[3];
+    const auto fromInstances = [&](const Axes& (*axesOf)(const ShadedInstance&)) -> ThreeDoubles {
+        if (one) return fourOf(axesOf(*instance[0]));
+        const Axes &a = axesOf(*instance[0]), &b = axesOf(*instance[1]), &c = axesOf(*instance[2]), &d = axesOf(*instance[3]);
+        return {Doubles{a[0], b[0], c[0], d[0]}, Doubles{a[1], b[1], c[1], d[1]}, Doubles{a[2], b[2], c[2], d[2]}};
     };
-    for (int column = 0; column < 3; ++column) {
-        linear[column] = {fromInstances([&](const ShadedInstance& of) { return of.linear[3 * column]; }),
-                          fromInstances([&](const ShadedInstance& of) { return of.linear[3 * column + 1]; }),
-                          fromInstances([&](const ShadedInstance& of) { return of.linear[3 * column + 2]; })};
-        normals[column] = {fromInstances([&](const ShadedInstance& of) { return of.normals[3 * column]; }),
-                           fromInstances([&](const ShadedInstance& of) { return of.normals[3 * column + 1]; }),
-                           fromInstances([&](const ShadedInstance& of) { return of.normals[3 * column + 2]; })};
-    }
-    translation = {fromInstances([](const ShadedInstance& of) { return of.translation[0]; }),
-                   fromInstances([](const ShadedInstance& of) { return of.translation[1]; }),
-                   fromInstances([](const ShadedInstance& of) { return of.translation[2]; })};
+    const ThreeDoubles eye = fromInstances([](const ShadedInstance& of) -> const Axes& { return of.eye; });
     ThreeDoubles corner[3], normal[3];
     for (size_t c = 0; c < 3; ++c) {
         const float *position[4], *direction[4];
@@ -112,38 +115,48 @@ inline void setUpRuns(const Shading& shading, const Run* runs, int32_t first, co
             position[i] = instance[i]->positions + 3 * vertex;
             direction[i] = instance[i]->normal + 3 * vertex;
         }
-        corner[c] = times(linear, gathered(position));
-        corner[c] = {corner[c].x + translation.x, corner[c].y + translation.y, corner[c].z + translation.z};
-        normal[c] = times(normals, gathered(direction));
+        corner[c] = gathered(position);
+        corner[c] = {corner[c].x - eye.x, corner[c].y - eye.y, corner[c].z - eye.z};
+        normal[c] = gathered(direction);
     }
-    ThreeDoubles matrix[3] = {};
-    for (size_t c = 0; c < 3; ++c) {
-        const ThreeDoubles weight = cross(corner[(c + 1) % 3], corner[(c + 2) % 3]);
-        const Doubles* byColumn[3] = {&weight.x, &weight.y, &weight.z};
-        for (int column = 0; column < 3; ++column) {
-            matrix[column].x += normal[c].x * *byColumn[column];
-            matrix[column].y += normal[c].y * *byColumn[column];
-            matrix[column].z += normal[c].z * *byColumn[column];
-        }
-    }
-    Doubles largest{};
-    for (const ThreeDoubles& column : matrix)
-        largest = largerOf(largerOf(largerOf(largest, absolute(column.x)), absolute(column.y)), absolute(column.z));
-    // Its length does not matter; scaled, its square stays within the range of
-    // numbers.
-    largest = ((largest > 0.0) & (largest < __builtin_inf())) ? largest : Doubles{} + 1.0;
-    for (ThreeDoubles& column : matrix) column = {column.x / largest, column.y / largest, column.z / largest};
-
     Doubles across{double(first + runs[0].begin), double(first + runs[1].begin), double(first + runs[2].begin),
                    double(first + runs[3].begin)};
     across = (2.0 * (across + 0.5) / shading.width - 1.0) * shading.tanHalfWidth;
-    const ThreeDoubles direction{(shading.forward[0] + shading.right[0] * across) + shading.up[0] * upward,
-                                 (shading.forward[1] + shading.right[1] * across) + shading.up[1] * upward,
-                                 (shading.forward[2] + shading.right[2] * across) + shading.up[2] * upward};
+    const ThreeDoubles forward = fromInstances([](const ShadedInstance& of) -> const Axes& { return of.forward; });
+    const ThreeDoubles right = fromInstances([](const ShadedInstance& of) -> const Axes& { return of.right; });
+    const ThreeDoubles up = fromInstances([](const ShadedInstance& of) -> const Axes& { return of.up; });
+    const ThreeDoubles inMesh = toward(forward, right, up, across, upward);
+    const ThreeDoubles stepInMesh = fromInstances([](const ShadedInstance& of) -> const Axes& { return of.step; });
+    ThreeDoubles start{}, step{};
+    for (size_t c = 0; c < 3; ++c) {
+        const ThreeDoubles weight = cross(corner[(c + 1) % 3], corner[(c + 2) % 3]);
+        const Doubles atStart = dot(weight, inMesh), change = dot(weight, stepInMesh);
+        start = {start.x + normal[c].x * atStart, start.y + normal[c].y * atStart, start.z + normal[c].z * atStart};
+        step = {step.x + normal[c].x * change, step.y + normal[c].y * change, step.z + normal[c].z * change};
+    }
+    ThreeDoubles normals[3];
+    for (int column = 0; column < 3; ++column) {
+        const auto valueOf = [&](int row) -> Doubles {
+            const int at = 3 * column + row;
+            if (one) return Doubles{} + instance[0]->normals[at];
+            return Doubles{instance[0]->normals[at], instance[1]->normals[at], instance[2]->normals[at],
+                           instance[3]->normals[at]};
+        };
+        normals[column] = {valueOf(0), valueOf(1), valueOf(2)};
+    }
+    start = times(normals, start);
+    step = times(normals, step);
+    // Its length does not matter; scaled, its square stays within the range of numbers.
+    const Doubles largest = largerOf(largestOf(start), largestOf(step));
+    const Doubles scale = 1.0 / (((largest > 0.0) & (largest < __builtin_inf())) ? largest : Doubles{} + 1.0);
+    start = {start.x * scale, start.y * scale, start.z * scale};
+    step = {step.x * scale, step.y * scale, step.z * scale};
+
+    const ThreeDoubles direction = toward(fourOf(shading.forward), fourOf(shading.right), fourOf(shading.up), across, upward);
     HalfFloats directions[4], starts[4], steps[4];
     transpose(direction, directions);
-    transpose(times(matrix, direction), starts);
-    transpose(times(matrix, fourOf(shading.step)), steps);
+    transpose(start, starts);
+    transpose(step, steps);
     const HalfFloats along{float(shading.step[0]), float(shading.step[1]), float(shading.step[2]), 0.0f};
     for (int i = 0; i < 4; ++i) {
         four.start[i] = __builtin_shufflevector(directions[i], starts[i], 0, 1, 2, 3, 4, 5, 6, 7);
@@ -204,7 +217,20 @@ void shadeRow(const Shading& shading, const uint32_t* items, int32_t count, int3
         const int32_t pixels = count - chunk < kTogether ? count - chunk : kTogether;
         uint64_t begins = 0;
         uint32_t any = 0;
-        for (int32_t i = 0; i < pixels; ++i) {
+        int32_t found = 0;
+        if (chunk > 0) {
+            Numbers shown{};
+            for (; found + kLanes <= pixels; found += kLanes) {
+                Numbers here, left;
+                load(here, items + chunk + found);
+                load(left, items + chunk + found - 1);
+                begins |= uint64_t(Lanes::bitsOf(here != left)) << found;
+                shown |= here;
+            }
+            for (int lane = 0; lane < kLanes; ++lane) any |= shown[lane];
+            if (found > 0) before = items[chunk + found - 1];
+        }
+        for (int32_t i = found; i < pixels; ++i) {
             const uint32_t item = items[chunk + i];
             begins |= uint64_t(item != before ? 1 : 0) << i;
             any |= item;
