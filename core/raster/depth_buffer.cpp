@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/raster/in_parallel.h"
+#include "core/raster/triangle_setup.h"
 
 namespace cullscope {
 namespace {
@@ -52,6 +53,7 @@ RowCounts RasterPicture::total() const {
         sum.triangles += row.triangles;
         sum.samples += row.samples;
         sum.comparisons += row.comparisons;
+        sum.edges += row.edges;
         sum.crossings += row.crossings;
         sum.spans += row.spans;
         sum.written += row.written;
@@ -60,7 +62,7 @@ RowCounts RasterPicture::total() const {
     return sum;
 }
 
-RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterSimd simd) {
+RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterSimd simd, const Progress& progress) {
     const auto width = size_t(scene.size.width), pixels = width * size_t(scene.size.height);
     RasterPicture result;
     result.picture = std::make_shared<FinishedPicture>();
@@ -71,6 +73,7 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
     result.rows.resize(scene.bands());
     result.fates = scene.fates;
     RasterKernel* const kernel = kernelOf(simd);
+    result.bytes = (width + kTile - 1) / kTile * size_t(kBandRows / kTile) * sizeof(RasterTile);
 
     forEachOf(scene.bands(), parallel, [&](size_t number) {
         RowCounts& counts = result.rows[number];
@@ -82,6 +85,7 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
         const RasterBand band{tiles.data(), tilesInRow, counts.firstRow, counts.endRow, scene.size.width, result.fates.data()};
         RasterCounts kernelCounts{};
         for (const TrianglesOnRaster& part : scene.parts) {
+            progress.check();
             const PartInBand triangles = part.inBand(number);
             counts.triangles += triangles.count;
             if (triangles.count > 0) kernel(triangles, band, kernelCounts);
@@ -91,6 +95,47 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
         counts.covered = copyRows(band, picture);
     });
     return result;
+}
+
+std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene) {
+    constexpr uint64_t kMostInBoxes = 1 << 24;
+    std::vector<ScreenTriangle> triangles;
+    uint64_t inBoxes = 0;
+    for (size_t band = 0; band < scene.bands(); ++band)
+        for (const ScreenTriangle& triangle : scene.trianglesIn(band)) {
+            if (size_t(triangle.firstRow / kBandRows) != band) continue;  // it begins in a band before
+            inBoxes += uint64_t(triangle.endColumn - triangle.firstColumn) * uint64_t(triangle.endRow - triangle.firstRow);
+            if (inBoxes > kMostInBoxes) return {};
+            triangles.push_back(triangle);
+        }
+    std::ranges::stable_sort(triangles, {}, &ScreenTriangle::number);
+    std::vector<float> stored(size_t(scene.size.width) * size_t(scene.size.height));
+    std::vector<FollowedTriangle> followed;
+    for (const ScreenTriangle& triangle : triangles) {
+        // The pieces of a clipped triangle follow each other.
+        const bool another = followed.empty() || followed.back().triangle != triangle.number - 1;
+        if (another) followed.emplace_back().triangle = triangle.number - 1;
+        FollowedTriangle& of = followed.back();
+        for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+            for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
+                if (!coversCentre(triangle, column, row)) continue;
+                float& before = stored[size_t(row) * size_t(scene.size.width) + size_t(column)];
+                const float depth = depthOf(triangle, column, row);
+                const bool nearer = depth > before;
+                if (of.samples++ == 0 || (nearer && of.written == 0)) {
+                    of.column = column;
+                    of.row = row;
+                    of.depth = depth;
+                    of.stored = before;
+                }
+                if (!nearer) continue;
+                ++of.written;
+                of.first += before == 0.0f ? 1 : 0;
+                before = depth;
+            }
+        if (of.samples == 0) followed.pop_back();
+    }
+    return followed;
 }
 
 }  // namespace cullscope

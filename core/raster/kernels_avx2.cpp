@@ -35,8 +35,6 @@ void projectAvx2(const RasterProjection& projection, const float* positions, siz
     project<Avx2Lanes>(projection, positions, count, vertices);
 }
 
-void shadeRowAvx2(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row, uint32_t* rgba) {
-    shadeRow<Avx2Lanes>(shading, items, count, first, row, rgba);
-}
+void shadeAvx2(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx2Lanes>(shading, block); }
 
 }  // namespace cullscope

@@ -83,8 +83,6 @@ void projectAvx512(const RasterProjection& projection, const float* positions, s
     project<Avx512Lanes>(projection, positions, count, vertices);
 }
 
-void shadeRowAvx512(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row, uint32_t* rgba) {
-    shadeRow<Avx512Lanes>(shading, items, count, first, row, rgba);
-}
+void shadeAvx512(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx512Lanes>(shading, block); }
 
 }  // namespace cullscope

@@ -51,8 +51,6 @@ void projectPortable(const RasterProjection& projection, const float* positions,
     project<PortableLanes>(projection, positions, count, vertices);
 }
 
-void shadeRowPortable(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row, uint32_t* rgba) {
-    shadeRow<PortableLanes>(shading, items, count, first, row, rgba);
-}
+void shadePortable(const Shading& shading, const ShadedBlock& block) { shadeBlock<PortableLanes>(shading, block); }
 
 }  // namespace cullscope

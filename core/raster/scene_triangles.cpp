@@ -180,12 +180,13 @@ size_t SceneOnRaster::triangleCount() const {
     return count;
 }
 
-std::vector<ScreenTriangle> SceneOnRaster::trianglesIn(size_t band) const {
+std::vector<ScreenTriangle> SceneOnRaster::trianglesIn(size_t band, const Progress& progress) const {
     std::vector<ScreenTriangle> triangles;
     size_t count = 0;
     for (const TrianglesOnRaster& part : parts) count += part.inBand(band).count;
     triangles.reserve(count);
     for (const TrianglesOnRaster& part : parts) {
+        progress.check();
         const PartInBand inBand = part.inBand(band);
         for (const uint16_t entry : std::span(inBand.entries, inBand.count)) {
             if ((entry & kSetUp) != 0) {
@@ -209,7 +210,8 @@ uint64_t SceneOnRaster::bytes() const {
     return sum;
 }
 
-SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel, RasterSimd simd) {
+SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel, RasterSimd simd,
+                                const Progress& progress) {
     if (scene.triangleCount() >= UINT32_MAX)
         throwUsage(CULLSCOPE_TR("The scene has %1 triangles; the item buffer numbers at most 4294967294. Measure a part of it."),
                    {std::to_string(scene.triangleCount())});
@@ -232,6 +234,7 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
     const std::vector<Piece> ofVertices =
         piecesOf(scene, kPartVertices, [](const TriangleMesh& mesh) { return mesh.vertexCount(); });
     forEachOf(ofVertices.size(), parallel, [&](size_t i) {
+        progress.check();
         const Piece& piece = ofVertices[i];
         const Projection projection = projections[piece.instance];
         const Vec3f* positions = scene.meshOf(piece.instance).positions().data();
@@ -244,6 +247,7 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
     result.parts.resize(ofTriangles.size());
     result.fates.resize(scene.triangleCount(), kNoSample);
     forEachOf(ofTriangles.size(), parallel, [&](size_t i) {
+        progress.check();
         const Piece& piece = ofTriangles[i];
         TrianglesOnRaster part;
         part.instance = piece.instance;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/frame/draw_list.h"
 #include "core/raster/screen_triangle.h"
 #include "core/scene/camera.h"
@@ -45,8 +46,9 @@ struct SceneOnRaster {
 
     [[nodiscard]] size_t bands() const { return (size_t(size.height) + kBandRows - 1) / size_t(kBandRows); }
     [[nodiscard]] size_t triangleCount() const;
-    /// The triangles of all parts that reach a band, in their order, each set up.
-    [[nodiscard]] std::vector<ScreenTriangle> trianglesIn(size_t band) const;
+    /// The triangles of all parts that reach a band, in their order, each set up. Throws Error(Interrupted) soon after a stop is
+    /// requested.
+    [[nodiscard]] std::vector<ScreenTriangle> trianglesIn(size_t band, const Progress& progress = {}) const;
     /// The memory that it takes.
     [[nodiscard]] uint64_t bytes() const;
 };
@@ -58,9 +60,10 @@ enum class RasterSimd { Portable, Avx2, Avx512 };
 
 /// Transforms each vertex once, as OpenGL does: by a float matrix relative to the eye; depth is reversed, 1 at the near plane and
 /// 0 at the far plane. Triangles that reach beyond a plane of the frustum are clipped there, before the division. `parallel` and
-/// `simd` change nothing in the result. Throws Error(Usage) for a scene of more than 2^32 − 2 triangles.
+/// `simd` change nothing in the result. Throws Error(Usage) for a scene of more than 2^32 − 2 triangles, and Error(Interrupted)
+/// soon after a stop is requested.
 [[nodiscard]] SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel = true,
-                                              RasterSimd simd = availableRasterSimd().back());
+                                              RasterSimd simd = availableRasterSimd().back(), const Progress& progress = {});
 
 /// A corner in a picture: pixels from its lower left corner, and the reversed depth.
 struct RasterCorner {

@@ -132,6 +132,18 @@ std::optional<ScreenTriangle> screenTriangle(const RasterCorners& c, int64_t are
     return t;
 }
 
+bool coversCentre(const ScreenTriangle& triangle, int column, int row) {
+    for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3;
+        const int64_t dx = triangle.x[next] - triangle.x[i], dy = triangle.y[next] - triangle.y[i];
+        const int64_t inside =
+            dx * (int64_t(row) * kSubPixels - triangle.y[i]) - dy * (int64_t(column) * kSubPixels - triangle.x[i]);
+        // A left edge goes down, one at the top goes to the left: these own the centres on them.
+        if (inside < 0 || (inside == 0 && !(dy < 0 || (dy == 0 && dx < 0)))) return false;
+    }
+    return true;
+}
+
 RasterFacing::RasterFacing(const Scene& scene, size_t instance, Facing facing)
     : front(facing == Facing::Front), mirrored(glm::determinant(Mat3(scene.instances()[instance].worldFromMesh)) < 0.0) {}
 

@@ -68,6 +68,13 @@ struct RasterCorners {
 [[nodiscard]] std::optional<ScreenTriangle> screenTriangle(const RasterCorners& corners, int64_t area, uint32_t number,
                                                            const Viewport& size);
 
+/// A triangle's depth at a pixel.
+[[nodiscard]] inline float depthOf(const ScreenTriangle& triangle, int column, int row) {
+    return std::fma(triangle.depthPerRow, float(row), std::fma(triangle.depthPerColumn, float(column), triangle.depth));
+}
+/// Whether a pixel belongs to a triangle.
+[[nodiscard]] bool coversCentre(const ScreenTriangle& triangle, int column, int row);
+
 /// What became of a triangle on its way to the raster.
 enum class RasterFate { OnRaster, FacingAway, WithoutSample };
 

@@ -3787,6 +3787,26 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>이 삼각형은 전략이 만든 그림에 없습니다.</translation>
     </message>
+    <message>
+        <source>The triangle covers %1 samples. At column %2 of row %3 its depth is %4.</source>
+        <translation>삼각형이 표본 %1개를 덮습니다. %3행 %2열에서 깊이는 %4입니다.</translation>
+    </message>
+    <message>
+        <source>Its depth %1 there does not exceed the stored %2. It is nearer at none of its samples.</source>
+        <translation>거기서 깊이 %1은(는) 저장된 %2보다 크지 않습니다. 어느 표본에서도 더 가깝지 않습니다.</translation>
+    </message>
+    <message>
+        <source>At %1 samples it is nearer, at %2 of them the first surface. There its depth %3 exceeds the stored %4: drawn.</source>
+        <translation>표본 %1개에서 더 가깝고, 그중 %2개에서는 첫 번째 면입니다. 거기서 깊이 %3이(가) 저장된 %4보다 큽니다: 그립니다.</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces.</source>
+        <translation>%1행에는 면 %3개의 활성 모서리가 %2개 있습니다.</translation>
+    </message>
+    <message>
+        <source>Columns %1 to %2 are filled with it.</source>
+        <translation>%1열부터 %2열까지 이 면으로 채웁니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

@@ -3787,6 +3787,26 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>该三角形不在此策略生成的图像中。</translation>
     </message>
+    <message>
+        <source>The triangle covers %1 samples. At column %2 of row %3 its depth is %4.</source>
+        <translation>三角形覆盖 %1 个样本。在第 %3 行第 %2 列，其深度为 %4。</translation>
+    </message>
+    <message>
+        <source>Its depth %1 there does not exceed the stored %2. It is nearer at none of its samples.</source>
+        <translation>其深度 %1 在该处不大于已存的 %2。它在任何样本上都不更近。</translation>
+    </message>
+    <message>
+        <source>At %1 samples it is nearer, at %2 of them the first surface. There its depth %3 exceeds the stored %4: drawn.</source>
+        <translation>它在 %1 个样本上更近，其中 %2 个此前没有表面。该处其深度 %3 大于已存的 %4：绘制。</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces.</source>
+        <translation>第 %1 行有 %3 个表面的 %2 条活动边。</translation>
+    </message>
+    <message>
+        <source>Columns %1 to %2 are filled with it.</source>
+        <translation>用它填充第 %1 列到第 %2 列。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
