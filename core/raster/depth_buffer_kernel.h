@@ -233,12 +233,12 @@ void placeTriangles(const RasterPlacing& placing, uint32_t* places) {
         const Ints away = placing.front ? (placing.mirrored ? ~clockwise : clockwise) : none;
         const auto number = [&](uint32_t place) -> Ints { return none + int32_t(place); };
         Ints result = (firstRow >> bandShift) << int(kFirstBandShift) | ((endRow - 1) >> bandShift) << int(kLastBandShift);
-        result = (firstColumn >= endColumn) | (firstRow >= endRow) ? number(kPlacedWithoutSample) : result;
+        result = ((firstColumn >= endColumn) | (firstRow >= endRow)) ? number(kPlacedWithoutSample) : result;
         result = away ? number(kPlacedFacingAway) : result;
         result = area == 0 ? number(kPlacedWithoutSample) : result;
         result = small ? result : number(kPlacedLarge);
         result = any != 0 ? number(kPlacedBeyond) : result;
-        result = (all != 0) | ((any & placing.nowhere) != 0) ? number(kPlacedOutside) : result;
+        result = ((all != 0) | ((any & placing.nowhere) != 0)) ? number(kPlacedOutside) : result;
         store<Ints>(places + first, result);
     }
 }
