@@ -81,6 +81,15 @@ OwnTrianglesPointer namedPart(const OwnTriangles& all, std::span<const Decision>
     return end == 0 ? nullptr : firstOf(all, std::min(end, uint32_t(all.triangles.size())));
 }
 
+/// The triangles that decisions name as drawn into a picture, by a depth test.
+DrawList drawnInto(Facing facing, std::span<const Decision> said) {
+    DrawList list{facing, {}};
+    for (const Decision& decision : said)
+        if (decision.subject.kind == Subject::Kind::Cell && decision.outcome == Decision::Outcome::Drawn)
+            list.ranges.push_back({decision.subject.object, 3 * decision.places.first, 3 * decision.places.count});
+    return list;
+}
+
 FinishedPicturePointer namedPart(const FinishedPicture& all, std::span<const Decision> said) {
     auto part = std::make_shared<FinishedPicture>();
     part->size = all.size;
@@ -114,7 +123,11 @@ FrameLog replayUpTo(const FrameLog& log, size_t entries) {
     if (const auto* own = std::get_if<OwnTrianglesPointer>(&*next)) {
         if (OwnTrianglesPointer named = namedPart(**own, said)) part.commands.emplace_back(std::move(named));
     } else if (const auto* picture = std::get_if<FinishedPicturePointer>(&*next)) {
-        if (FinishedPicturePointer named = namedPart(**picture, said)) part.commands.emplace_back(std::move(named));
+        DrawList drawn = drawnInto(log.facing, said);
+        if (!drawn.ranges.empty())
+            part.commands.emplace_back(std::move(drawn));
+        else if (FinishedPicturePointer named = namedPart(**picture, said))
+            part.commands.emplace_back(std::move(named));
     }
     return part;
 }

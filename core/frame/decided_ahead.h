@@ -12,6 +12,8 @@ namespace cullscope {
 /// The first `entries` entries (FrameLog::upTo) as they are shown: where decisions name parts of the strategy's own triangles
 /// (Subject::Kind::Fragment) or of its finished picture (Tile, Span) before the command that shows them all, those parts are a
 /// last command of their own. The own triangles end with the last part that was named; of a picture there are the pixels named.
+/// Where decisions name triangles as drawn before a picture (cells with Outcome::Drawn), the last command draws these, with a
+/// depth test: so a depth buffer is followed triangle by triangle.
 [[nodiscard]] FrameLog replayUpTo(const FrameLog& log, size_t entries);
 
 }  // namespace cullscope

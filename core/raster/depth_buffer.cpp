@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
 
 #include "core/raster/in_parallel.h"
+#include "core/raster/triangle_setup.h"
 
 namespace cullscope {
 namespace {
@@ -16,6 +18,32 @@ RasterKernel* kernelOf(RasterSimd simd) {
     return simd == RasterSimd::Portable ? drawTrianglesPortable : nullptr;
 }
 
+/// Copies a band's rows to the picture; how many of its pixels show a surface.
+uint64_t copyRows(const RasterBand& band, FinishedPicture& picture) {
+    const auto width = size_t(band.width);
+    uint64_t covered = 0;
+    for (int32_t row = band.firstRow; row < band.endRow; ++row) {
+        const RasterTile* tile = band.tiles + size_t((row - band.firstRow) / kTile) * band.tilesInRow;
+        const size_t inTile = size_t(row % kTile) * kTile;
+        float* depth = &picture.depth[size_t(row) * width];
+        uint32_t* number = &picture.triangle[size_t(row) * width];
+        uint32_t ofRow = 0;
+        size_t column = 0;
+        for (; column + kTile <= width; column += kTile, ++tile) {
+            std::memcpy(depth + column, tile->depth + inTile, kTile * sizeof(float));
+            std::memcpy(number + column, tile->number + inTile, kTile * sizeof(uint32_t));
+            for (size_t i = 0; i < kTile; ++i) ofRow += tile->number[inTile + i] != 0 ? 1 : 0;
+        }
+        for (size_t i = 0; column + i < width; ++i) {
+            depth[column + i] = tile->depth[inTile + i];
+            number[column + i] = tile->number[inTile + i];
+            ofRow += tile->number[inTile + i] != 0 ? 1 : 0;
+        }
+        covered += ofRow;
+    }
+    return covered;
+}
+
 }  // namespace
 
 RowCounts RasterPicture::total() const {
@@ -25,6 +53,7 @@ RowCounts RasterPicture::total() const {
         sum.triangles += row.triangles;
         sum.samples += row.samples;
         sum.comparisons += row.comparisons;
+        sum.edges += row.edges;
         sum.crossings += row.crossings;
         sum.spans += row.spans;
         sum.written += row.written;
@@ -33,7 +62,7 @@ RowCounts RasterPicture::total() const {
     return sum;
 }
 
-RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterSimd simd) {
+RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterSimd simd, const Progress& progress) {
     const auto width = size_t(scene.size.width), pixels = width * size_t(scene.size.height);
     RasterPicture result;
     result.picture = std::make_shared<FinishedPicture>();
@@ -44,43 +73,69 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
     result.rows.resize(scene.bands());
     result.fates = scene.fates;
     RasterKernel* const kernel = kernelOf(simd);
-    const size_t stride = (width + size_t(kLanes) - 1) / size_t(kLanes) * size_t(kLanes);
+    result.bytes = (width + kTile - 1) / kTile * size_t(kBandRows / kTile) * sizeof(RasterTile);
 
     forEachOf(scene.bands(), parallel, [&](size_t number) {
         RowCounts& counts = result.rows[number];
         counts.firstRow = int(number) * kBandRows;
         counts.endRow = std::min(counts.firstRow + kBandRows, scene.size.height);
-        const size_t first = size_t(counts.firstRow) * width, rows = size_t(counts.endRow - counts.firstRow);
-        RasterBand band{&picture.depth[first], &picture.triangle[first], stride,        counts.firstRow,
-                        counts.endRow,         scene.size.width,         counts.endRow, result.fates.data()};
-        // Rows whose length is no multiple of the lanes are drawn longer than they are, elsewhere; so are bands whose rows are no
-        // multiple of four.
-        const bool elsewhere = stride != width || rows % 4 != 0;
-        const size_t moreRows = (rows + 3) / 4 * 4;
-        std::vector<float> depth(elsewhere ? stride * moreRows : 0);
-        std::vector<uint32_t> numbers(depth.size());
-        if (elsewhere) {
-            band.depth = depth.data();
-            band.number = numbers.data();
-            band.endOfRows = band.firstRow + int(moreRows);
-        }
+        const size_t tilesInRow = (width + kTile - 1) / kTile;
+        const auto tileRows = size_t(counts.endRow - counts.firstRow + kTile - 1) / kTile;
+        std::vector<RasterTile> tiles(tilesInRow * tileRows);
+        const RasterBand band{tiles.data(), tilesInRow, counts.firstRow, counts.endRow, scene.size.width, result.fates.data()};
         RasterCounts kernelCounts{};
         for (const TrianglesOnRaster& part : scene.parts) {
+            progress.check();
             const PartInBand triangles = part.inBand(number);
             counts.triangles += triangles.count;
             if (triangles.count > 0) kernel(triangles, band, kernelCounts);
         }
         counts.samples = counts.comparisons = kernelCounts.comparisons;
         counts.written = kernelCounts.written;
-        if (elsewhere)
-            for (size_t row = 0; row < rows; ++row) {
-                std::copy_n(&depth[row * stride], width, &picture.depth[first + row * width]);
-                std::copy_n(&numbers[row * stride], width, &picture.triangle[first + row * width]);
-            }
-        const auto begin = picture.triangle.begin() + std::ptrdiff_t(first);
-        counts.covered = rows * width - uint64_t(std::count(begin, begin + std::ptrdiff_t(rows * width), 0u));
+        counts.covered = copyRows(band, picture);
     });
     return result;
+}
+
+std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene) {
+    constexpr uint64_t kMostInBoxes = 1 << 24;
+    std::vector<ScreenTriangle> triangles;
+    uint64_t inBoxes = 0;
+    for (size_t band = 0; band < scene.bands(); ++band)
+        for (const ScreenTriangle& triangle : scene.trianglesIn(band)) {
+            if (size_t(triangle.firstRow / kBandRows) != band) continue;  // it begins in a band before
+            inBoxes += uint64_t(triangle.endColumn - triangle.firstColumn) * uint64_t(triangle.endRow - triangle.firstRow);
+            if (inBoxes > kMostInBoxes) return {};
+            triangles.push_back(triangle);
+        }
+    std::ranges::stable_sort(triangles, {}, &ScreenTriangle::number);
+    std::vector<float> stored(size_t(scene.size.width) * size_t(scene.size.height));
+    std::vector<FollowedTriangle> followed;
+    for (const ScreenTriangle& triangle : triangles) {
+        // The pieces of a clipped triangle follow each other.
+        const bool another = followed.empty() || followed.back().triangle != triangle.number - 1;
+        if (another) followed.emplace_back().triangle = triangle.number - 1;
+        FollowedTriangle& of = followed.back();
+        for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+            for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
+                if (!coversCentre(triangle, column, row)) continue;
+                float& before = stored[size_t(row) * size_t(scene.size.width) + size_t(column)];
+                const float depth = depthOf(triangle, column, row);
+                const bool nearer = depth > before;
+                if (of.samples++ == 0 || (nearer && of.written == 0)) {
+                    of.column = column;
+                    of.row = row;
+                    of.depth = depth;
+                    of.stored = before;
+                }
+                if (!nearer) continue;
+                ++of.written;
+                of.first += before == 0.0f ? 1 : 0;
+                before = depth;
+            }
+        if (of.samples == 0) followed.pop_back();
+    }
+    return followed;
 }
 
 }  // namespace cullscope

@@ -15,6 +15,7 @@ struct RowCounts {
     uint64_t triangles = 0;    ///< that reach these rows
     uint64_t samples = 0;      ///< that triangles cover, each as often as it is covered
     uint64_t comparisons = 0;  ///< of depths; the depth buffer compares every sample
+    uint64_t edges = 0;        ///< of the scan line: those that bound the pixels of a surface in a row
     uint64_t crossings = 0;    ///< of the scan line: places where a surface passes another one
     uint64_t spans = 0;        ///< of the scan line
     uint64_t written = 0;      ///< samples that were stored, the same pixel as often as a nearer surface replaced another one
@@ -33,8 +34,22 @@ struct RasterPicture {
 
 /// A picture by the depth buffer: every triangle in its order; each of its samples is compared with the depth stored at the pixel
 /// and replaces it where it is nearer. At equal depths the first one drawn stays. `parallel`, by bands of rows, and `simd` change
-/// nothing in the picture.
+/// nothing in the picture. Throws Error(Interrupted) soon after a stop is requested.
 [[nodiscard]] RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel = true,
-                                            RasterSimd simd = availableRasterSimd().back());
+                                            RasterSimd simd = availableRasterSimd().back(), const Progress& progress = {});
+
+/// What the depth buffer did with one triangle.
+struct FollowedTriangle {
+    uint32_t triangle = 0;  ///< of the scene
+    uint64_t samples = 0;   ///< that it covers
+    uint64_t written = 0;   ///< of these, where it is nearer
+    uint64_t first = 0;     ///< of these, where nothing was stored before
+    // At the first sample where it is nearer, or else at the first one: the pixel, the triangle's depth and the stored one.
+    int column = 0, row = 0;
+    float depth = 0.0f, stored = 0.0f;
+};
+/// The same drawing, one triangle after the other, those that cover a sample. None where it would take longer than a few
+/// hundredths of a second.
+[[nodiscard]] std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene);
 
 }  // namespace cullscope

@@ -8,15 +8,17 @@ namespace cullscope {
 namespace {
 
 struct Avx2Lanes {
-    /// Whether no element of a comparison's result holds.
-    static bool none(const Ints& mask) {
-        const __m256i bits = reinterpret_cast<const __m256i&>(mask);
-        return _mm256_testz_si256(bits, bits) != 0;
+    /// A bit of each element of a comparison's result.
+    static uint32_t bitsOf(const Ints& mask) { return uint32_t(_mm256_movemask_ps(reinterpret_cast<const __m256&>(mask))); }
+    /// How many elements of a comparison's results hold.
+    static uint32_t countOf(const Ints (&masks)[2]) {
+        return uint32_t(__builtin_popcount(bitsOf(masks[0]) | bitsOf(masks[1]) << kLanes));
     }
     static Ints rounded(const Floats& values) { return reinterpret_cast<Ints>(_mm256_cvtps_epi32(values)); }
-    static void drawBlock(const Batch& batch, size_t i, const BlockPlace& block, const RasterBand& band,
-                          PixelCounters& counters) {
-        cullscope::drawBlock<Avx2Lanes>(batch, i, block, band, counters);
+    /// a · b + c, rounded once.
+    static Floats fused(const Floats& a, const Floats& b, const Floats& c) { return _mm256_fmadd_ps(a, b, c); }
+    static void drawSmall(const Batch& batch, size_t i, const RasterBand& band, RasterCounts& counts) {
+        drawSmallByHalves<Avx2Lanes>(batch, i, band, counts);
     }
     static Floats root(const Floats& values) { return _mm256_sqrt_ps(values); }
 };
@@ -27,12 +29,12 @@ void drawTrianglesAvx2(const PartInBand& part, const RasterBand& band, RasterCou
     drawTriangles<Avx2Lanes>(part, band, counts);
 }
 
+void placeAvx2(const RasterPlacing& placing, uint32_t* places) { placeTriangles<Avx2Lanes>(placing, places); }
+
 void projectAvx2(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices) {
     project<Avx2Lanes>(projection, positions, count, vertices);
 }
 
-void shadeRowAvx2(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row, uint32_t* rgba) {
-    shadeRow<Avx2Lanes>(shading, items, count, first, row, rgba);
-}
+void shadeAvx2(const Shading& shading, const ShadedBlock& block) { shadeBlock<Avx2Lanes>(shading, block); }
 
 }  // namespace cullscope

@@ -6,20 +6,31 @@ namespace cullscope {
 namespace {
 
 struct PortableLanes {
-    /// Whether no element of a comparison's result holds.
-    static bool none(const Ints& mask) {
-        int32_t any = 0;
-        for (int lane = 0; lane < kLanes; ++lane) any |= mask[lane];
-        return any == 0;
+    /// A bit of each element of a comparison's result.
+    static uint32_t bitsOf(const Ints& mask) {
+        uint32_t bits = 0;
+        for (int lane = 0; lane < kLanes; ++lane) bits |= uint32_t(mask[lane] & 1) << lane;
+        return bits;
+    }
+    /// How many elements of a comparison's results hold.
+    static uint32_t countOf(const Ints (&masks)[2]) {
+        int32_t count = 0;
+        for (int lane = 0; lane < kLanes; ++lane) count -= masks[0][lane] + masks[1][lane];
+        return uint32_t(count);
     }
     static Ints rounded(const Floats& values) {
         Ints whole{};
         for (int lane = 0; lane < kLanes; ++lane) whole[lane] = int32_t(__builtin_lrintf(values[lane]));
         return whole;
     }
-    static void drawBlock(const Batch& batch, size_t i, const BlockPlace& block, const RasterBand& band,
-                          PixelCounters& counters) {
-        cullscope::drawBlock<PortableLanes>(batch, i, block, band, counters);
+    /// a · b + c, rounded once.
+    static Floats fused(const Floats& a, const Floats& b, const Floats& c) {
+        Floats sum{};
+        for (int lane = 0; lane < kLanes; ++lane) sum[lane] = __builtin_fmaf(a[lane], b[lane], c[lane]);
+        return sum;
+    }
+    static void drawSmall(const Batch& batch, size_t i, const RasterBand& band, RasterCounts& counts) {
+        drawSmallByHalves<PortableLanes>(batch, i, band, counts);
     }
     static Floats root(const Floats& values) {
         Floats roots{};
@@ -34,12 +45,12 @@ void drawTrianglesPortable(const PartInBand& part, const RasterBand& band, Raste
     drawTriangles<PortableLanes>(part, band, counts);
 }
 
+void placePortable(const RasterPlacing& placing, uint32_t* places) { placeTriangles<PortableLanes>(placing, places); }
+
 void projectPortable(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices) {
     project<PortableLanes>(projection, positions, count, vertices);
 }
 
-void shadeRowPortable(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row, uint32_t* rgba) {
-    shadeRow<PortableLanes>(shading, items, count, first, row, rgba);
-}
+void shadePortable(const Shading& shading, const ShadedBlock& block) { shadeBlock<PortableLanes>(shading, block); }
 
 }  // namespace cullscope

@@ -12,9 +12,10 @@ namespace {
 
 ShadingKernel* shadingKernelOf(RasterSimd simd) {
 #ifdef CULLSCOPE_RASTER_AVX
-    if (simd != RasterSimd::Portable) return shadeRowAvx2;
+    if (simd == RasterSimd::Avx512) return shadeAvx512;
+    if (simd == RasterSimd::Avx2) return shadeAvx2;
 #endif
-    return simd == RasterSimd::Portable ? shadeRowPortable : nullptr;
+    return simd == RasterSimd::Portable ? shadePortable : nullptr;
 }
 
 void copyTo(double* values, const Mat3& matrix) {
@@ -30,11 +31,12 @@ std::vector<ShadedInstance> shadedInstances(const Scene& scene, const View& view
     for (size_t i = 0; i < instances.size(); ++i) {
         const Mat4& place = scene.instances()[i].worldFromMesh;
         const TriangleMesh& mesh = scene.meshOf(i);
+        const Mat3 linear(place), fromWorld = glm::inverse(linear);
         ShadedInstance& to = instances[i];
-        copyTo(to.linear, Mat3(place));
         // Translations are summed before any rounding.
-        copyTo(to.translation, Vec3(place[3]) - view.eye() + Mat3(place) * mesh.origin());
-        copyTo(to.normals, glm::transpose(glm::inverse(Mat3(place))));
+        copyTo(to.eye, fromWorld * (view.eye() - Vec3(place[3]) - linear * mesh.origin()));
+        copyTo(to.fromWorld, fromWorld);
+        copyTo(to.normals, glm::transpose(fromWorld));
         to.positions = mesh.positions().empty() ? nullptr : &mesh.positions().front().x;
         to.normal = mesh.normals().empty() ? nullptr : &mesh.normals().front().x;
         to.indices = mesh.indices().data();
@@ -68,12 +70,16 @@ std::unique_ptr<uint32_t[]> shadedPicture(const Scene& scene, const View& view, 
     const auto width = size_t(part.size.width);
     std::unique_ptr<uint32_t[]> rgba(new uint32_t[width * size_t(part.size.height)]);
     ShadingKernel* const kernel = shadingKernelOf(simd);
-    constexpr int kRowsTogether = 16;
-    forEachOf(size_t((part.size.height + kRowsTogether - 1) / kRowsTogether), parallel, [&](size_t together) {
-        const int first = int(together) * kRowsTogether;
-        for (int row = first; row < std::min(first + kRowsTogether, part.size.height); ++row) {
-            const size_t from = size_t(part.y + row) * size_t(picture.size.width) + size_t(part.x);
-            kernel(shading, &picture.triangle[from], part.size.width, part.x, part.y + row, &rgba[size_t(row) * width]);
+    const int upward = (part.size.height + kShadedRows - 1) / kShadedRows;
+    forEachOf(size_t(upward), parallel, [&](size_t ofRows) {
+        const int row = int(ofRows) * kShadedRows;
+        // Blocks begin at the same columns of the picture, whatever part of it is shaded.
+        for (int column = 0, next = 0; column < part.size.width; column = next) {
+            next = std::min(part.size.width, (part.x + column) / kShadedColumns * kShadedColumns + kShadedColumns - part.x);
+            const size_t from = size_t(part.y + row) * size_t(picture.size.width) + size_t(part.x + column);
+            kernel(shading,
+                   {part.x + column, part.y + row, next - column, std::min(kShadedRows, part.size.height - row),
+                    &picture.triangle[from], size_t(picture.size.width), &rgba[size_t(row) * width + size_t(column)], width});
         }
     });
     return rgba;

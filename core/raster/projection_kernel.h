@@ -25,27 +25,29 @@ void projectEight(const RasterProjection& projection, const float* positions, Ra
                      projection.columns[3][axis];
     const Floats px = clip[0], py = clip[1], pz = clip[2], w = clip[3];
     const auto absolute = [](const Floats& value) -> Floats { return value < 0.0f ? -value : value; };
-    // The others, which are few, are left to Projection: before the near plane, beyond the raster's range, or no numbers.
-    const Ints projected = (w > 0.0f) & (pz <= w) & (absolute(px) <= projection.rangeX * w) &
-                           (absolute(py) <= projection.rangeY * w) & (absolute(px) + absolute(py) + absolute(pz) + w < 0x1p100f);
-    const Ints beyond = ((px < -w) & projection.left) | ((px > w) & projection.right) | ((py < -w) & projection.bottom) |
-                        ((py > w) & projection.top) | ((pz < 0.0f) & projection.far);
+    const Ints numbers = absolute(px) + absolute(py) + absolute(pz) + absolute(w) < 0x1p100f;
+    const Ints beyond = ((px > w) & projection.right) | ((px < -w) & projection.left) | ((py > w) & projection.top) |
+                        ((py < -w) & projection.bottom) | ((pz < 0.0f) & projection.far) | ((pz > w) & projection.near);
+    const Ints somewhere = numbers & ((w > 0.0f) | (beyond != 0));
     const Floats inverse = 1.0f / w;
-    const auto snapped = [&](const Floats& coordinate, float half) {
-        const Floats pixels = coordinate * inverse * half + half;
-        return Lanes::rounded((pixels - 0.5f) * float(kSubPixels));
-    };
-    const Ints columns = snapped(px, projection.halfWidth), rows = snapped(py, projection.halfHeight);
+    const Floats columns = Lanes::fused(px * inverse, Floats{} + projection.halfWidth, Floats{} + projection.halfWidth);
+    const Floats rows = Lanes::fused(py * inverse, Floats{} + projection.halfHeight, Floats{} + projection.halfHeight);
     const Floats depth = pz * inverse;
-    for (int i = 0; i < 8; ++i)
-        vertices[i] = {columns[i], rows[i], depth[i], projected[i] != 0 ? uint32_t(beyond[i]) : kNotProjected};
+    const Ints flags = somewhere ? beyond : Ints{} + projection.nowhere;
+    for (int i = 0; i < 8; ++i) vertices[i] = {columns[i], rows[i], depth[i], uint32_t(flags[i])};
 }
 
 template <typename Lanes>
 void project(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices) {
     size_t first = 0;
     for (; first + 8 <= count; first += 8) projectEight<Lanes>(projection, positions + 3 * first, vertices + first);
-    for (; first < count; ++first) vertices[first].beyond = kNotProjected;
+    if (first == count) return;
+    // The last ones, among eight.
+    float last[24] = {};
+    RasterVertex projected[8];
+    for (size_t i = 0; i < 3 * (count - first); ++i) last[i] = positions[3 * first + i];
+    projectEight<Lanes>(projection, last, projected);
+    for (size_t i = 0; first + i < count; ++i) vertices[first + i] = projected[i];
 }
 
 }  // namespace

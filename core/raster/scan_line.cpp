@@ -5,64 +5,16 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/work_check.h"
+#include "core/raster/active_edge.h"
 #include "core/raster/in_parallel.h"
+#include "core/raster/triangle_setup.h"
 
 namespace cullscope {
 namespace {
 
 constexpr int kNever = std::numeric_limits<int>::max();
 constexpr uint32_t kNoSurface = UINT32_MAX;
-
-int64_t quotientDown(int64_t dividend, int64_t divisor) {
-    const int64_t quotient = dividend / divisor;
-    return quotient - (quotient * divisor > dividend ? 1 : 0);
-}
-
-/// An edge while rows pass it. The column where it lies in a row is a whole number and a remainder, so that no step rounds.
-class ActiveEdge {
-public:
-    ActiveEdge() = default;
-    /// The edge of a triangle from corner i to the next one, which must not be horizontal, at its row `row`.
-    ActiveEdge(const ScreenTriangle& triangle, int i, int row) {
-        const int next = (i + 1) % 3;
-        const int64_t dx = triangle.x[next] - triangle.x[i], dy = triangle.y[next] - triangle.y[i];
-        m_begins = dy < 0;
-        m_divisor = std::abs(dy) * kSubPixels;
-        // A left edge owns the centres on it, a right edge does not: the first column inside is the ceiling of where the left
-        // edge lies, the first one outside that of where the right edge lies.
-        const int64_t onRow = m_begins ? -dx * (int64_t(row) * kSubPixels - triangle.y[i]) - dy * triangle.x[i]
-                                       : dx * (int64_t(row) * kSubPixels - triangle.y[i]) + dy * triangle.x[i];
-        set(onRow + m_divisor - 1, m_column, m_remainder);
-        set((m_begins ? -dx : dx) * kSubPixels, m_columnStep, m_remainderStep);
-        const auto [low, high] = std::minmax(triangle.y[i], triangle.y[next]);
-        m_firstRow = (low + kSubPixels - 1) >> 8;
-        m_endRow = (high >> 8) + 1;
-    }
-
-    /// Whether it begins spans (a left edge) or ends them.
-    [[nodiscard]] bool begins() const { return m_begins; }
-    [[nodiscard]] bool reaches(int row) const { return m_firstRow <= row && row < m_endRow; }
-    /// The first column to the right of the edge, in the current row.
-    [[nodiscard]] int64_t column() const { return m_column; }
-    void goUp() {
-        m_column += m_columnStep;
-        m_remainder += m_remainderStep;
-        if (m_remainder >= m_divisor) {
-            m_remainder -= m_divisor;
-            ++m_column;
-        }
-    }
-
-private:
-    void set(int64_t dividend, int64_t& quotient, int64_t& remainder) const {
-        quotient = quotientDown(dividend, m_divisor);
-        remainder = dividend - quotient * m_divisor;
-    }
-
-    int64_t m_column = 0, m_remainder = 0, m_columnStep = 0, m_remainderStep = 0, m_divisor = 1;
-    int m_firstRow = 0, m_endRow = 0;
-    bool m_begins = false;
-};
 
 /// A triangle that the current row may meet.
 struct Surface {
@@ -72,23 +24,32 @@ struct Surface {
     ActiveEdge edges[3];
     // In the current row:
     int begin = 0, end = 0;  ///< its pixels
-    double rowDepth = 0.0;
-    int mayCross = kNever;  ///< the first column at which it may come before the surface in front
+    int mayCross = kNever;   ///< the first column at which it may come before the surface in front
 };
 
-/// Depth and its float exactly as the depth buffer has them.
-double unroundedAt(const Surface& surface, int column) {
-    return surface.rowDepth + surface.triangle->depthPerColumn * double(column - surface.triangle->firstColumn);
+/// Depth exactly as the depth buffer has it.
+float depthAt(const Surface& surface, int row, int column) { return depthOf(*surface.triangle, column, row); }
+
+/// A surface's depth at a pixel before any rounding, and by how much depthAt may differ from it.
+struct UnroundedDepth {
+    double depth, error;
+};
+UnroundedDepth unroundedAt(const Surface& surface, int row, int column) {
+    const ScreenTriangle& triangle = *surface.triangle;
+    const double along = double(triangle.depth) + double(triangle.depthPerColumn) * column;
+    const double depth = along + double(triangle.depthPerRow) * row;
+    // A float's rounding is 2^-24 of it; the rest is that of this computation, and of the smallest floats.
+    return {depth, 0x1.01p-24 * (std::abs(along) + std::abs(depth)) + 0x1p-140};
 }
-float depthAt(const Surface& surface, int column) { return float(unroundedAt(surface, column)); }
 
 /// The rows of one band, from the bottom up.
 class Sweep {
 public:
     Sweep(std::span<const ScreenTriangle> triangles, const Viewport& size, int firstRow, int endRow, bool keepSpans,
-          FinishedPicture& picture, std::vector<uint8_t>& fates)
-        : m_size(size), m_picture(picture), m_fates(fates), m_keepSpans(keepSpans) {
+          FinishedPicture& picture, std::vector<uint8_t>& fates, const Progress& progress)
+        : m_size(size), m_picture(picture), m_fates(fates), m_keepSpans(keepSpans), m_work(progress) {
         m_starting.resize(size_t(endRow - firstRow));
+        worked(triangles.size());
         for (uint32_t i = 0; i < triangles.size(); ++i)
             m_starting[size_t(std::max(triangles[i].firstRow, firstRow) - firstRow)].push_back({&triangles[i], i});
         for (int row = firstRow; row < endRow; ++row) {
@@ -110,6 +71,12 @@ public:
     std::vector<RowSpan> spans;
 
 private:
+    /// So many surfaces were looked at, each in some ten nanoseconds.
+    void worked(size_t surfaces) {
+        constexpr size_t kOfAStep = 64;
+        for (m_looked += surfaces; m_looked >= kOfAStep; m_looked -= kOfAStep) m_work.step();
+    }
+
     struct Starting {
         const ScreenTriangle* triangle;
         uint32_t order;
@@ -127,6 +94,7 @@ private:
     }
 
     void goUp(int row) {
+        worked(m_surfaces.size());
         std::erase_if(m_surfaces, [&](const Surface& surface) { return surface.triangle->endRow <= row + 1; });
         for (Surface& surface : m_surfaces)
             for (int i = 0; i < surface.edgeCount; ++i) surface.edges[i].goUp();
@@ -146,6 +114,7 @@ private:
     void findIntervals(int row) {
         m_beginning.clear();
         for (uint32_t i = 0; i < m_surfaces.size(); ++i) {
+            worked(2);
             Surface& surface = m_surfaces[i];
             const ScreenTriangle& triangle = *surface.triangle;
             if (onBottomEdge(triangle, row)) continue;
@@ -161,37 +130,39 @@ private:
             if (begin >= end) continue;
             surface.begin = int(begin);
             surface.end = int(end);
+            counts.back().edges += 2;
             counts.back().samples += uint64_t(end - begin);
             // Other bands may say the same of the triangle at the same time.
             std::atomic_ref(m_fates[triangle.number - 1]).store(kCovers, std::memory_order_relaxed);
-            surface.rowDepth = triangle.depth + triangle.depthPerRow * double(row - triangle.firstRow);
-            m_beginning.push_back(i);
+            // A surface without a plane is nowhere the nearest.
+            if (!std::isnan(triangle.depth)) m_beginning.push_back(i);
         }
-        std::ranges::sort(m_beginning, [&](uint32_t a, uint32_t b) {
+        const auto fromLeft = [&](uint32_t a, uint32_t b) {
             return m_surfaces[a].begin != m_surfaces[b].begin ? m_surfaces[a].begin < m_surfaces[b].begin : a < b;
+        };
+        std::ranges::sort(m_beginning, [&](uint32_t a, uint32_t b) {
+            worked(1);
+            return fromLeft(a, b);
         });
     }
 
     /// Whether a surface comes before another one at a pixel: a comparison of depths.
-    bool before(uint32_t surface, uint32_t other, int column) {
+    bool before(uint32_t surface, uint32_t other, int row, int column) {
         ++counts.back().comparisons;
-        const float a = depthAt(m_surfaces[surface], column), b = depthAt(m_surfaces[other], column);
+        const float a = depthAt(m_surfaces[surface], row, column), b = depthAt(m_surfaces[other], row, column);
         return a > b || (a == b && m_surfaces[surface].order < m_surfaces[other].order);
     }
 
     /// The first column from `from` at which a surface may come before the one in front. Both depths change evenly along the row;
     /// before that column their difference exceeds what their rounding to float, and that of its own computation, can hide.
-    int crossingOf(const Surface& surface, const Surface& front, int from) const {
+    static int crossingOf(const Surface& surface, const Surface& front, int row, int from) {
         const int last = std::min(surface.end, front.end) - 1;
         if (from > last) return kNever;
-        const double s0 = unroundedAt(surface, from), s1 = unroundedAt(surface, last);
-        const double f0 = unroundedAt(front, from), f1 = unroundedAt(front, last);
-        const auto reach = [&](const Surface& of) {
-            return std::abs(of.rowDepth) + std::abs(of.triangle->depthPerColumn) * double(m_size.width);
-        };
-        const double largest = std::max(std::max(std::abs(s0), std::abs(s1)), std::max(std::abs(f0), std::abs(f1)));
-        const double margin = 0x1p-23 * largest + 0x1p-48 * (reach(surface) + reach(front)) + 0x1p-140;
-        const double atFrom = s0 - f0, atLast = s1 - f1;
+        const UnroundedDepth s0 = unroundedAt(surface, row, from), s1 = unroundedAt(surface, row, last);
+        const UnroundedDepth f0 = unroundedAt(front, row, from), f1 = unroundedAt(front, row, last);
+        // Errors are largest at one of the ends.
+        const double margin = std::max(s0.error, s1.error) + std::max(f0.error, f1.error);
+        const double atFrom = s0.depth - f0.depth, atLast = s1.depth - f1.depth;
         if (atFrom >= -margin) return from;
         if (atLast < -margin) return kNever;
         const double columns = (-margin - atFrom) / (atLast - atFrom) * double(last - from);
@@ -217,6 +188,7 @@ private:
             spans.push_back(span);
         };
         while (beginning < m_beginning.size() || !m_active.empty()) {
+            worked(4 + 3 * m_active.size());
             int column = m_active.empty() ? kNever : nextActive();
             if (beginning < m_beginning.size()) column = std::min(column, m_surfaces[m_beginning[beginning]].begin);
 
@@ -231,7 +203,7 @@ private:
                     if (how == RowSpan::Start::Remains) start = how;
                     return;
                 }
-                const bool wins = before(surface, front, column);
+                const bool wins = before(surface, front, row, column);
                 start = wins || ended ? how : start;
                 against = wins ? front : ended ? surface : against;
                 if (wins) front = surface;
@@ -258,10 +230,10 @@ private:
                 if (front != kNoSurface && m_keepSpans) {
                     const auto compared = uint32_t(counts.back().comparisons);
                     span = {row, column, column, start, m_surfaces[front].triangle->number - 1};
-                    span.depth = depthAt(m_surfaces[front], column);
+                    span.depth = depthAt(m_surfaces[front], row, column);
                     if (against != kNoSurface) {
                         span.other = m_surfaces[against].triangle->number;
-                        span.otherDepth = depthAt(m_surfaces[against], column);
+                        span.otherDepth = depthAt(m_surfaces[against], row, column);
                     }
                     span.comparisons = compared - comparedBefore;
                     comparedBefore = compared;
@@ -272,7 +244,7 @@ private:
                 if (m_active[i] == front)
                     surface.mayCross = kNever;
                 else if (front != old || i >= already || surface.mayCross <= column)
-                    surface.mayCross = crossingOf(surface, m_surfaces[front], column + 1);
+                    surface.mayCross = crossingOf(surface, m_surfaces[front], row, column + 1);
             }
         }
     }
@@ -290,7 +262,7 @@ private:
         const Surface& front = m_surfaces[m_front];
         const size_t first = size_t(row) * size_t(m_size.width);
         for (int column = begin; column < end; ++column) {
-            const float depth = depthAt(front, column);
+            const float depth = depthAt(front, row, column);
             if (!(depth > 0.0f)) continue;
             m_picture.depth[first + size_t(column)] = depth;
             m_picture.triangle[first + size_t(column)] = front.triangle->number;
@@ -307,11 +279,13 @@ private:
     std::vector<uint32_t> m_beginning;              ///< in the current row, from the left
     std::vector<uint32_t> m_active;                 ///< at the current column
     uint32_t m_front = kNoSurface;
+    WorkCheck m_work;
+    size_t m_looked = 0;  ///< surfaces since the last step
 };
 
 }  // namespace
 
-ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool parallel) {
+ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool parallel, const Progress& progress) {
     const size_t pixels = size_t(scene.size.width) * size_t(scene.size.height);
     ScanLinePicture result;
     result.picture = std::make_shared<FinishedPicture>();
@@ -324,9 +298,9 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
     result.fates = scene.fates;
     forEachOf(scene.bands(), parallel, [&](size_t number) {
         const int first = int(number) * kBandRows;
-        const std::vector<ScreenTriangle> triangles = scene.trianglesIn(number);
+        const std::vector<ScreenTriangle> triangles = scene.trianglesIn(number, progress);
         Sweep sweep(triangles, scene.size, first, std::min(first + kBandRows, scene.size.height), keepSpans, *result.picture,
-                    result.fates);
+                    result.fates, progress);
         bytes[number] = triangles.capacity() * sizeof(ScreenTriangle) + sweep.bytes();
         counts[number] = std::move(sweep.counts);
         spans[number] = std::move(sweep.spans);

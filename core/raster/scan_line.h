@@ -31,7 +31,8 @@ struct ScanLinePicture : RasterPicture {
 /// the spans between them. Depths are compared only where a surface begins, where the one in front ends, and where two surfaces
 /// may cross. That is where their depths lie within the rounding of a float; from there on they are compared pixel by pixel until
 /// one is surely in front. At equal depths the surface that would be drawn first stays. Counts are by rows. `keepSpans`: all
-/// spans are returned.
-[[nodiscard]] ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans = false, bool parallel = true);
+/// spans are returned. Throws Error(Interrupted) soon after a stop is requested.
+[[nodiscard]] ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans = false, bool parallel = true,
+                                           const Progress& progress = {});
 
 }  // namespace cullscope

@@ -9,8 +9,9 @@
 namespace cullscope {
 namespace {
 
-/// A part has at most so many triangles: then the places of its set-up triangles, at most 11 of each, stay below kSetUp.
+/// A part has at most so many triangles: then the places of its set-up triangles stay below kSetUp.
 constexpr size_t kPartTriangles = 2048;
+static_assert(kPartTriangles * kMostPieces < kSetUp);
 
 /// A piece of an instance's vertices or triangles.
 struct Piece {
@@ -28,11 +29,6 @@ std::vector<Piece> piecesOf(const Scene& scene, size_t size, const CountOf& coun
     return pieces;
 }
 
-using Place = int32_t __attribute__((vector_size(16)));  // x, y of a vertex; two more
-
-Place lower(const Place& a, const Place& b) { return a < b ? a : b; }
-Place higher(const Place& a, const Place& b) { return a > b ? a : b; }
-
 /// Puts the triangles of a part on the raster, one after the other.
 class Placing {
 public:
@@ -48,29 +44,34 @@ public:
         m_placed.reserve(kPartTriangles);
     }
 
-    void add(size_t triangle) {
-        const uint32_t* corners = m_part.indices + 3 * triangle;
-        const RasterVertex &a = m_part.vertices[corners[0]], &b = m_part.vertices[corners[1]], &c = m_part.vertices[corners[2]];
-        ++m_part.given;
-        if (const uint32_t any = a.beyond | b.beyond | c.beyond; any != 0) {
-            if ((a.beyond & b.beyond & c.beyond & Beyond::kPlane) != 0 || (any & Beyond::Nowhere) != 0) {
-                ++m_part.outside;
-                m_fates[triangle] = kOutside;
-                return;
+    /// All triangles of the part.
+    void addAll(size_t count, PlacingKernel* kernel) {
+        m_part.given = count;
+        uint32_t places[kPartTriangles + 8];
+        kernel({m_part.vertices, m_part.indices, count, m_size.width, m_size.height, kBandRows, Beyond::Nowhere, m_facing.front,
+                m_facing.mirrored},
+               places);
+        for (size_t triangle = 0; triangle < count; ++triangle) {
+            const uint32_t place = places[triangle];
+            switch (place % (1u << kFirstBandShift)) {
+                case kPlacedSmall:
+                    m_placed.push_back({uint16_t(triangle), uint16_t(place >> kFirstBandShift & kBandMask),
+                                        uint16_t(place >> kLastBandShift & kBandMask)});
+                    break;
+                case kPlacedLarge:
+                    addLarge(triangle);
+                    break;
+                case kPlacedBeyond:
+                    addClippedAt(triangle);
+                    break;
+                case kPlacedOutside:
+                    ++m_part.outside;
+                    m_fates[triangle] = kOutside;
+                    break;
+                default:
+                    this->count(triangle, place == kPlacedFacingAway ? RasterFate::FacingAway : RasterFate::WithoutSample);
             }
-            if ((any & Beyond::kNeedsClipping) != 0) return addClippedAt(triangle, corners);
         }
-        const int64_t area = twiceArea(a, b, c);
-        if (area == 0) return count(triangle, RasterFate::WithoutSample);
-        if (m_facing.drops(area)) return count(triangle, RasterFate::FacingAway);
-        const Place pa{a.x, a.y}, pb{b.x, b.y}, pc{c.x, c.y};
-        const Place low = lower(lower(pa, pb), pc), high = higher(higher(pa, pb), pc);
-        const Place first = higher((low + (kSubPixels - 1)) >> 8, Place{}), end = lower((high >> 8) + 1, m_end);
-        if (first[0] >= end[0] || first[1] >= end[1]) return count(triangle, RasterFate::WithoutSample);
-        const Place extent = high - low;
-        if (extent[0] <= kSmall && extent[1] <= kSmall) return place(uint16_t(triangle), first[1], end[1]);
-        m_part.setUp.push_back(*screenTriangle({a, b, c}, area, m_part.firstNumber + uint32_t(triangle), m_size));
-        placeSetUp(m_part.setUp.size() - 1);
     }
 
     /// Sorts the part's entries by band.
@@ -95,7 +96,21 @@ private:
         uint16_t entry, firstBand, lastBand;
     };
 
-    void addClippedAt(size_t triangle, const uint32_t* corners) {
+    static constexpr uint32_t kBandMask = (1u << (kLastBandShift - kFirstBandShift)) - 1;
+
+    void addLarge(size_t triangle) {
+        const uint32_t* corners = m_part.indices + 3 * triangle;
+        const RasterCorners places(m_part.vertices[corners[0]], m_part.vertices[corners[1]], m_part.vertices[corners[2]]);
+        const int64_t area = places.twiceArea();
+        if (area == 0) return count(triangle, RasterFate::WithoutSample);
+        if (m_facing.drops(area)) return count(triangle, RasterFate::FacingAway);
+        const std::optional<ScreenTriangle> large = screenTriangle(places, area, m_part.firstNumber + uint32_t(triangle), m_size);
+        if (!large) return count(triangle, RasterFate::WithoutSample);
+        m_part.setUp.push_back(*large);
+        placeSetUp(m_part.setUp.size() - 1);
+    }
+    void addClippedAt(size_t triangle) {
+        const uint32_t* corners = m_part.indices + 3 * triangle;
         const auto clip = [&](size_t i) { return m_projection->clip(m_positions[corners[i]]); };
         ++m_part.clipped;
         size_t next = m_part.setUp.size();
@@ -103,12 +118,10 @@ private:
                                    m_size, m_part.setUp));
         for (; next < m_part.setUp.size(); ++next) placeSetUp(next);
     }
-    void place(uint16_t entry, int32_t firstRow, int32_t endRow) {
-        m_placed.push_back({entry, uint16_t(firstRow / kBandRows), uint16_t((endRow - 1) / kBandRows)});
-    }
     void placeSetUp(size_t number) {
         const ScreenTriangle& triangle = m_part.setUp[number];
-        place(uint16_t(kSetUp | number), triangle.firstRow, triangle.endRow);
+        m_placed.push_back(
+            {uint16_t(kSetUp | number), uint16_t(triangle.firstRow / kBandRows), uint16_t((triangle.endRow - 1) / kBandRows)});
     }
     void count(size_t triangle, RasterFate fate) {
         if (fate == RasterFate::FacingAway) {
@@ -124,15 +137,23 @@ private:
     uint8_t* m_fates;  ///< of the part's triangles
     const Projection* m_projection;
     const Vec3f* m_positions;
-    const Place m_end{m_size.width, m_size.height};
     std::vector<Placed> m_placed;
 };
 
 ProjectionKernel* projectionKernelOf(RasterSimd simd) {
 #ifdef CULLSCOPE_RASTER_AVX
-    if (simd != RasterSimd::Portable) return projectAvx2;
+    if (simd == RasterSimd::Avx512) return projectAvx512;
+    if (simd == RasterSimd::Avx2) return projectAvx2;
 #endif
     return simd == RasterSimd::Portable ? projectPortable : nullptr;
+}
+
+PlacingKernel* placingKernelOf(RasterSimd simd) {
+#ifdef CULLSCOPE_RASTER_AVX
+    if (simd == RasterSimd::Avx512) return placeAvx512;
+    if (simd == RasterSimd::Avx2) return placeAvx2;
+#endif
+    return simd == RasterSimd::Portable ? placePortable : nullptr;
 }
 
 }  // namespace
@@ -140,7 +161,7 @@ ProjectionKernel* projectionKernelOf(RasterSimd simd) {
 std::span<const RasterSimd> availableRasterSimd() {
     static constexpr std::array kAll{RasterSimd::Portable, RasterSimd::Avx2, RasterSimd::Avx512};
 #ifdef CULLSCOPE_RASTER_AVX
-    static const bool kAvx2 = __builtin_cpu_supports("avx2") != 0;
+    static const bool kAvx2 = __builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0;
     static const bool kAvx512 = __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512dq") != 0 &&
                                 __builtin_cpu_supports("avx512vl") != 0;
     if (kAvx2) return std::span(kAll).first(kAvx512 ? 3 : 2);
@@ -159,12 +180,13 @@ size_t SceneOnRaster::triangleCount() const {
     return count;
 }
 
-std::vector<ScreenTriangle> SceneOnRaster::trianglesIn(size_t band) const {
+std::vector<ScreenTriangle> SceneOnRaster::trianglesIn(size_t band, const Progress& progress) const {
     std::vector<ScreenTriangle> triangles;
     size_t count = 0;
     for (const TrianglesOnRaster& part : parts) count += part.inBand(band).count;
     triangles.reserve(count);
     for (const TrianglesOnRaster& part : parts) {
+        progress.check();
         const PartInBand inBand = part.inBand(band);
         for (const uint16_t entry : std::span(inBand.entries, inBand.count)) {
             if ((entry & kSetUp) != 0) {
@@ -172,8 +194,8 @@ std::vector<ScreenTriangle> SceneOnRaster::trianglesIn(size_t band) const {
                 continue;
             }
             const uint32_t* corners = part.indices + 3 * size_t(entry);
-            const RasterCorners places{part.vertices[corners[0]], part.vertices[corners[1]], part.vertices[corners[2]]};
-            const int64_t area = twiceArea(places[0], places[1], places[2]);
+            const RasterCorners places(part.vertices[corners[0]], part.vertices[corners[1]], part.vertices[corners[2]]);
+            const int64_t area = places.twiceArea();
             triangles.push_back(*screenTriangle(places, area, part.firstNumber + entry, size));
         }
     }
@@ -188,7 +210,8 @@ uint64_t SceneOnRaster::bytes() const {
     return sum;
 }
 
-SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel, RasterSimd simd) {
+SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel, RasterSimd simd,
+                                const Progress& progress) {
     if (scene.triangleCount() >= UINT32_MAX)
         throwUsage(CULLSCOPE_TR("The scene has %1 triangles; the item buffer numbers at most 4294967294. Measure a part of it."),
                    {std::to_string(scene.triangleCount())});
@@ -211,13 +234,12 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
     const std::vector<Piece> ofVertices =
         piecesOf(scene, kPartVertices, [](const TriangleMesh& mesh) { return mesh.vertexCount(); });
     forEachOf(ofVertices.size(), parallel, [&](size_t i) {
+        progress.check();
         const Piece& piece = ofVertices[i];
         const Projection projection = projections[piece.instance];
         const Vec3f* positions = scene.meshOf(piece.instance).positions().data();
         RasterVertex* to = &result.vertices[firstVertex[piece.instance]];
         project(projection.forKernels(), &positions[piece.first].x, piece.end - piece.first, to + piece.first);
-        for (size_t v = piece.first; v < piece.end; ++v)
-            if (to[v].beyond == kNotProjected) to[v] = projection.vertex(projection.clip(positions[v]));
     });
 
     const std::vector<Piece> ofTriangles =
@@ -225,6 +247,7 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
     result.parts.resize(ofTriangles.size());
     result.fates.resize(scene.triangleCount(), kNoSample);
     forEachOf(ofTriangles.size(), parallel, [&](size_t i) {
+        progress.check();
         const Piece& piece = ofTriangles[i];
         TrianglesOnRaster part;
         part.instance = piece.instance;
@@ -234,7 +257,7 @@ SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing fac
         part.firstNumber = uint32_t(scene.firstTriangle(piece.instance) + piece.first) + 1;
         Placing placing(part, facings[piece.instance], result.size, result.fates, &projections[piece.instance],
                         mesh.positions().data());
-        for (size_t t = 0; t < piece.end - piece.first; ++t) placing.add(t);
+        placing.addAll(piece.end - piece.first, placingKernelOf(simd));
         placing.finish(result.bands());
         result.parts[i] = std::move(part);
     });
@@ -247,8 +270,7 @@ SceneOnRaster cornersOnRaster(std::span<const RasterCorner> corners, const Viewp
     result.vertexCount = corners.size();
     result.vertices.reset(new RasterVertex[corners.size()]);
     for (size_t i = 0; i < corners.size(); ++i) {
-        result.vertices[i] = {int32_t(std::lrint((corners[i].x - 0.5) * kSubPixels)),
-                              int32_t(std::lrint((corners[i].y - 0.5) * kSubPixels)), corners[i].depth, 0};
+        result.vertices[i] = {float(corners[i].x), float(corners[i].y), corners[i].depth, 0};
         result.ownIndices.push_back(uint32_t(i));
     }
     result.fates.resize(corners.size() / 3, kNoSample);
@@ -259,7 +281,7 @@ SceneOnRaster cornersOnRaster(std::span<const RasterCorner> corners, const Viewp
         part.indices = &result.ownIndices[3 * first];
         part.vertices = result.vertices.get();
         Placing placing(part, bothSides, result.size, result.fates);
-        for (size_t t = 0; t < std::min(kPartTriangles, count - first); ++t) placing.add(t);
+        placing.addAll(std::min(kPartTriangles, count - first), placingKernelOf(availableRasterSimd().back()));
         placing.finish(result.bands());
     }
     return result;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/frame/draw_list.h"
 #include "core/raster/screen_triangle.h"
 #include "core/scene/camera.h"
@@ -29,7 +30,7 @@ struct TrianglesOnRaster {
     uint64_t outside = 0;               ///< lie beyond one plane of the frustum with all corners
     uint64_t facingAway = 0;            ///< not drawn by the facing rule
     uint64_t withoutSample = 0;         ///< have no area on the raster, or no pixel centre in their box
-    uint64_t clipped = 0;               ///< at the near plane, or where they leave the raster's range
+    uint64_t clipped = 0;               ///< at a plane of the frustum
 
     [[nodiscard]] PartInBand inBand(size_t band) const;
 };
@@ -45,8 +46,9 @@ struct SceneOnRaster {
 
     [[nodiscard]] size_t bands() const { return (size_t(size.height) + kBandRows - 1) / size_t(kBandRows); }
     [[nodiscard]] size_t triangleCount() const;
-    /// The triangles of all parts that reach a band, in their order, each set up.
-    [[nodiscard]] std::vector<ScreenTriangle> trianglesIn(size_t band) const;
+    /// The triangles of all parts that reach a band, in their order, each set up. Throws Error(Interrupted) soon after a stop is
+    /// requested.
+    [[nodiscard]] std::vector<ScreenTriangle> trianglesIn(size_t band, const Progress& progress = {}) const;
     /// The memory that it takes.
     [[nodiscard]] uint64_t bytes() const;
 };
@@ -57,12 +59,11 @@ enum class RasterSimd { Portable, Avx2, Avx512 };
 [[nodiscard]] std::span<const RasterSimd> availableRasterSimd();
 
 /// Transforms each vertex once, as OpenGL does: by a float matrix relative to the eye; depth is reversed, 1 at the near plane and
-/// 0 at the far plane. Clips at the near plane before the division. Nothing is clipped at the far plane, for what lies beyond it
-/// has a depth below 0, which no depth test passes. Triangles that reach beyond 32,000 pixels are clipped there, so that edge
-/// functions are exact in 64 bits. `parallel` and `simd` change nothing in the result. Throws Error(Usage) for a scene of more
-/// than 2^32 − 2 triangles.
+/// 0 at the far plane. Triangles that reach beyond a plane of the frustum are clipped there, before the division. `parallel` and
+/// `simd` change nothing in the result. Throws Error(Usage) for a scene of more than 2^32 − 2 triangles, and Error(Interrupted)
+/// soon after a stop is requested.
 [[nodiscard]] SceneOnRaster trianglesOnRaster(const Scene& scene, const View& view, Facing facing, bool parallel = true,
-                                              RasterSimd simd = availableRasterSimd().back());
+                                              RasterSimd simd = availableRasterSimd().back(), const Progress& progress = {});
 
 /// A corner in a picture: pixels from its lower left corner, and the reversed depth.
 struct RasterCorner {

@@ -22,17 +22,18 @@ struct ScreenTriangle {
     /// The rows and columns of the picture that its box contains: all its pixels lie there.
     int32_t firstColumn, endColumn;
     int32_t firstRow, endRow;
-    /// The reversed depth at the first column and row, and its change from one column or row to the next. The depth of a pixel
-    /// is float((depth + depthPerRow · rows) + depthPerColumn · columns), in this order and in double precision: so every
-    /// rasteriser gets the same bits.
-    double depth, depthPerColumn, depthPerRow;
+    /// The reversed depth at the picture's lower left pixel, and its change from one column or row to the next. The depth of a
+    /// pixel is fma(depthPerRow, row, fma(depthPerColumn, column, depth)), where fma rounds once: so every rasteriser gets the
+    /// same bits, and the same as llvmpipe. Not a number where the plane is none: such a triangle is nowhere the nearest.
+    float depth, depthPerColumn, depthPerRow;
 };
 
-/// A vertex on the raster: whole numbers of 1/256 pixel as above, and the reversed depth.
+/// A vertex in the picture: pixels from its lower left corner, and the reversed depth. Edges go through the corner rounded to
+/// 1/256 pixel, depths through the corner as it is.
 struct RasterVertex {
-    int32_t x, y;
+    float x, y;
     float depth;
-    uint32_t beyond;  ///< beyond which planes and limits it lies (projection.h)
+    uint32_t beyond;  ///< beyond which planes it lies (Beyond, triangle_setup.h); then its place is not used
 };
 
 /// Triangles whose box has at most this size have edge functions within 32 bits. They are set up eight at a time where they are
@@ -62,18 +63,22 @@ struct PartInBand {
     size_t count;
 };
 
-/// A band of rows of a picture that a kernel draws into. Each row has `stride` elements, a multiple of kLanes, so that the last
-/// pixels of a row are not a special case.
-struct RasterBand {
-    float* depth;
-    uint32_t* number;
-    size_t stride;
-    int32_t firstRow, endRow;
-    int32_t width;      ///< of the picture
-    int32_t endOfRows;  ///< there is room for rows up to here, four times so many from the first one
-    uint8_t* fates;     ///< by scene triangle: kCovers is stored where a triangle covers a sample
+/// Four rows of four pixels, from the bottom. A tile is a cache line of depths and one of numbers.
+struct alignas(64) RasterTile {
+    float depth[16];
+    uint32_t number[16];
 };
-inline constexpr int32_t kLanes = 8;
+inline constexpr int32_t kTile = 4;
+
+/// A band of rows of a picture that a kernel draws into, by tiles: a row of them after the other, from the bottom. Its first row
+/// is a multiple of a tile's; its last tiles may reach beyond the picture, where nothing is drawn.
+struct RasterBand {
+    RasterTile* tiles;
+    size_t tilesInRow;
+    int32_t firstRow, endRow;
+    int32_t width;   ///< of the picture
+    uint8_t* fates;  ///< by scene triangle: kCovers is stored where a triangle covers a sample
+};
 
 /// What drawing into a band counted.
 struct RasterCounts {
@@ -86,19 +91,42 @@ using RasterKernel = void(const PartInBand& part, const RasterBand& band, Raster
 
 RasterKernel drawTrianglesPortable, drawTrianglesAvx2, drawTrianglesAvx512;
 
-/// How positions come to the raster (projection.h): clip coordinates by the columns of a matrix, then pixels.
+/// Where a triangle lies on the raster: one of these, and, of small ones, the first and the last band that it reaches.
+enum TrianglePlace : uint32_t {
+    kPlacedSmall,          ///< at most kSmall wide and high
+    kPlacedLarge,          ///< larger: what becomes of it is not decided yet
+    kPlacedBeyond,         ///< with some corners beyond a plane of the frustum: the same
+    kPlacedOutside,        ///< with all of them beyond one plane
+    kPlacedFacingAway,     ///< dropped by the facing rule
+    kPlacedWithoutSample,  ///< without area on the raster, or without a pixel's centre in its box
+    kPlaces,
+    kFirstBandShift = 4,
+    kLastBandShift = 18
+};
+/// What places triangles, consecutive ones of a part.
+struct RasterPlacing {
+    const RasterVertex* vertices;
+    const uint32_t* indices;  ///< three of each triangle
+    size_t count;
+    int32_t width, height, bandRows;  ///< of the picture; a power of two
+    int32_t nowhere;                  ///< a bit of RasterVertex::beyond that a single corner suffices for
+    bool front, mirrored;             ///< as RasterFacing
+};
+/// Gives a number for every triangle, eight at a time: `places` has room up to the next multiple of eight.
+using PlacingKernel = void(const RasterPlacing& placing, uint32_t* places);
+
+PlacingKernel placePortable, placeAvx2, placeAvx512;
+
+/// How positions come to the raster (triangle_setup.h): clip coordinates by the columns of a matrix, then pixels.
 struct RasterProjection {
     float columns[4][4];
     float halfWidth, halfHeight;
-    float rangeX, rangeY;                   ///< within which nothing is clipped, in units of w
-    int32_t left, right, bottom, top, far;  ///< how RasterVertex::beyond names the planes
+    int32_t right, left, top, bottom, far, near, nowhere;  ///< how RasterVertex::beyond names the planes
 };
-/// What a vertex has as `beyond` that the kernel leaves to Projection.
-inline constexpr uint32_t kNotProjected = 0xFFFFFFFF;
 
 /// Projects positions, three numbers each.
 using ProjectionKernel = void(const RasterProjection& projection, const float* positions, size_t count, RasterVertex* vertices);
 
-ProjectionKernel projectPortable, projectAvx2;
+ProjectionKernel projectPortable, projectAvx2, projectAvx512;
 
 }  // namespace cullscope

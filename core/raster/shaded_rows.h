@@ -10,15 +10,16 @@ namespace cullscope {
 
 /// An instance of a scene as shading needs it. Matrices are by columns.
 struct ShadedInstance {
-    double linear[9], translation[3];  ///< from positions to world axes with the origin at the eye
-    double normals[9];                 ///< from the mesh's normals to world axes
-    const float* positions;            ///< three of each vertex
-    const float* normal;               ///< three of each vertex
-    const uint32_t* indices;           ///< three of each triangle
-    uint32_t firstTriangle;            ///< of the scene's triangles
+    double eye[3];            ///< in the axes of its mesh's positions
+    double fromWorld[9];      ///< from world axes to those
+    double normals[9];        ///< from the mesh's normals to world axes
+    const float* positions;   ///< three of each vertex
+    const float* normal;      ///< three of each vertex
+    const uint32_t* indices;  ///< three of each triangle
+    uint32_t firstTriangle;   ///< of the scene's triangles
 };
 
-/// What shading a picture needs besides its rows.
+/// What shading a picture needs besides its pixels.
 struct Shading {
     const ShadedInstance* instances;
     size_t instanceCount;
@@ -30,11 +31,20 @@ struct Shading {
     uint32_t background;   ///< as four bytes: red, green, blue, opacity
 };
 
-/// Shades pixels of a row, from column `first`: `items` are scene triangle numbers + 1, 0 the background. `rgba` gets four bytes
-/// of each.
-using ShadingKernel = void(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row,
-                           uint32_t* rgba);
+/// A rectangle of a picture, from its lower left pixel.
+struct ShadedBlock {
+    int32_t column, row;    ///< in the picture
+    int32_t columns, rows;  ///< at most these
+    const uint32_t* items;  ///< scene triangle numbers + 1, 0 the background
+    size_t itemsInRow;      ///< from a row to the next one
+    uint32_t* rgba;         ///< four bytes of each pixel
+    size_t rgbaInRow;
+};
+inline constexpr int32_t kShadedColumns = 64, kShadedRows = 16;
 
-ShadingKernel shadeRowPortable, shadeRowAvx2;
+/// Shades the pixels of a block.
+using ShadingKernel = void(const Shading& shading, const ShadedBlock& block);
+
+ShadingKernel shadePortable, shadeAvx2, shadeAvx512;
 
 }  // namespace cullscope

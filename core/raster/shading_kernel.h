@@ -15,25 +15,14 @@ struct ThreeDoubles {
     Doubles x, y, z;
 };
 
-/// Where a piece of a row that shows one triangle begins.
-struct Run {
-    uint32_t item;
-    int32_t begin;
-};
-
-/// One component of four triangles' vertices.
-inline Doubles gathered(const float* const (&from)[4], size_t component) {
-    const HalfFloats floats{from[0][component], from[1][component], from[2][component], from[3][component]};
-    return __builtin_convertvector(floats, Doubles);
-}
-inline ThreeDoubles gathered(const float* const (&from)[4]) { return {gathered(from, 0), gathered(from, 1), gathered(from, 2)}; }
-
 inline ThreeDoubles cross(const ThreeDoubles& a, const ThreeDoubles& b) {
     return {a.y * b.z - b.y * a.z, a.z * b.x - b.z * a.x, a.x * b.y - b.x * a.y};
 }
 inline Doubles largerOf(const Doubles& a, const Doubles& b) { return a < b ? b : a; }
-inline Doubles absolute(const Doubles& value) { return value < 0.0 ? -value : value; }
-
+inline Doubles largestOf(const ThreeDoubles& of) {
+    const auto absolute = [](const Doubles& value) -> Doubles { return value < 0.0 ? -value : value; };
+    return largerOf(largerOf(absolute(of.x), absolute(of.y)), absolute(of.z));
+}
 inline const ShadedInstance& instanceOf(const Shading& shading, uint32_t triangle) {
     size_t low = 0, high = shading.instanceCount;
     while (high - low > 1) {
@@ -46,13 +35,6 @@ inline const ShadedInstance& instanceOf(const Shading& shading, uint32_t triangl
     return shading.instances[low];
 }
 
-/// Of four runs in turn: the direction to their first pixel, the normal there,
-/// and its change to the next pixel; a normal has any length. Eight numbers
-/// each, of which the fourth and the eighth are 0.
-struct FourRuns {
-    Floats start[4], step[4];
-};
-
 /// The columns of a matrix times a vector, in the order in which glm adds.
 inline ThreeDoubles times(const ThreeDoubles (&columns)[3], const ThreeDoubles& by) {
     return {columns[0].x * by.x + columns[1].x * by.y + columns[2].x * by.z,
@@ -63,7 +45,7 @@ inline ThreeDoubles fourOf(const double (&values)[3]) {
     return {Doubles{} + values[0], Doubles{} + values[1], Doubles{} + values[2]};
 }
 
-/// Numbers of four runs to those of each.
+/// Numbers of four triangles to those of each.
 inline void transpose(const HalfFloats (&rows)[4], HalfFloats (&columns)[4]) {
     const HalfFloats a = __builtin_shufflevector(rows[0], rows[1], 0, 4, 1, 5),
                      b = __builtin_shufflevector(rows[2], rows[3], 0, 4, 1, 5);
@@ -74,108 +56,108 @@ inline void transpose(const HalfFloats (&rows)[4], HalfFloats (&columns)[4]) {
     columns[2] = __builtin_shufflevector(c, d, 0, 1, 4, 5);
     columns[3] = __builtin_shufflevector(c, d, 2, 3, 6, 7);
 }
-inline void transpose(const ThreeDoubles& of, HalfFloats (&columns)[4]) {
-    const HalfFloats rows[4] = {__builtin_convertvector(of.x, HalfFloats), __builtin_convertvector(of.y, HalfFloats),
-                                __builtin_convertvector(of.z, HalfFloats), HalfFloats{}};
-    transpose(rows, columns);
+/// Vectors in memory, three floats each, one of each triangle.
+inline ThreeDoubles gathered(const float* const (&from)[4]) {
+    HalfFloats vectors[4], components[4];
+    for (int i = 0; i < 4; ++i) {
+        vectors[i] = HalfFloats{from[i][0], from[i][1], from[i][2], 0.0f};
+    }
+    transpose(vectors, components);
+    return {__builtin_convertvector(components[0], Doubles), __builtin_convertvector(components[1], Doubles),
+            __builtin_convertvector(components[2], Doubles)};
 }
 
-inline void setUpRuns(const Shading& shading, const Run* runs, int32_t first, const Doubles& upward, FourRuns& four) {
-    // The weights of the corners' normals at the point in a direction are the
-    // products of the direction with b × c, c × a and a × b, up to a common
-    // factor, so that the normal is a matrix times the direction.
+/// The normals of a triangle: interpolated over it they are a matrix times a pixel's direction, of any length.
+struct Normals {
+    Doubles columns[3];  ///< the fourth numbers are 0
+    HalfFloats step;     ///< to the next pixel of a row
+};
+
+/// Of the triangles that a block shows, four at a time.
+inline void setUpNormals(const Shading& shading, const uint32_t* items, Normals* normalsOf) {
+    // In the mesh's axes the weights of the corners' normals at the point in a direction are the products of the direction with
+    // b × c, c × a and a × b, up to a common factor.
     const ShadedInstance* instance[4];
-    for (int i = 0; i < 4; ++i) instance[i] = &instanceOf(shading, runs[i].item - 1);
-    ThreeDoubles linear[3], normals[3], translation;
+    for (int i = 0; i < 4; ++i) instance[i] = &instanceOf(shading, items[i] - 1);
     const bool one = instance[0] == instance[1] && instance[0] == instance[2] && instance[0] == instance[3];
-    const auto fromInstances = [&](const auto& valueOf) -> Doubles {
-        if (one) return Doubles{} + valueOf(*instance[0]);
-        const Doubles values{valueOf(*instance[0]), valueOf(*instance[1]), valueOf(*instance[2]), valueOf(*instance[3])};
-        return values;
+    const auto ofFour = [&](const double* a, const double* b, const double* c, const double* d) -> ThreeDoubles {
+        if (one) return {Doubles{} + a[0], Doubles{} + a[1], Doubles{} + a[2]};
+        return {Doubles{a[0], b[0], c[0], d[0]}, Doubles{a[1], b[1], c[1], d[1]}, Doubles{a[2], b[2], c[2], d[2]}};
     };
-    for (int column = 0; column < 3; ++column) {
-        linear[column] = {fromInstances([&](const ShadedInstance& of) { return of.linear[3 * column]; }),
-                          fromInstances([&](const ShadedInstance& of) { return of.linear[3 * column + 1]; }),
-                          fromInstances([&](const ShadedInstance& of) { return of.linear[3 * column + 2]; })};
-        normals[column] = {fromInstances([&](const ShadedInstance& of) { return of.normals[3 * column]; }),
-                           fromInstances([&](const ShadedInstance& of) { return of.normals[3 * column + 1]; }),
-                           fromInstances([&](const ShadedInstance& of) { return of.normals[3 * column + 2]; })};
-    }
-    translation = {fromInstances([](const ShadedInstance& of) { return of.translation[0]; }),
-                   fromInstances([](const ShadedInstance& of) { return of.translation[1]; }),
-                   fromInstances([](const ShadedInstance& of) { return of.translation[2]; })};
-    ThreeDoubles corner[3], normal[3];
+    const ThreeDoubles eye = ofFour(instance[0]->eye, instance[1]->eye, instance[2]->eye, instance[3]->eye);
+    ThreeDoubles corner[3], normal[3], normals[3];
     for (size_t c = 0; c < 3; ++c) {
         const float *position[4], *direction[4];
         for (int i = 0; i < 4; ++i) {
-            const size_t vertex = instance[i]->indices[3 * size_t(runs[i].item - 1 - instance[i]->firstTriangle) + c];
+            const size_t vertex = instance[i]->indices[3 * size_t(items[i] - 1 - instance[i]->firstTriangle) + c];
             position[i] = instance[i]->positions + 3 * vertex;
             direction[i] = instance[i]->normal + 3 * vertex;
         }
-        corner[c] = times(linear, gathered(position));
-        corner[c] = {corner[c].x + translation.x, corner[c].y + translation.y, corner[c].z + translation.z};
-        normal[c] = times(normals, gathered(direction));
+        corner[c] = gathered(position);
+        corner[c] = {corner[c].x - eye.x, corner[c].y - eye.y, corner[c].z - eye.z};
+        normal[c] = gathered(direction);
+        normals[c] = ofFour(instance[0]->normals + 3 * c, instance[1]->normals + 3 * c, instance[2]->normals + 3 * c,
+                            instance[3]->normals + 3 * c);
     }
-    ThreeDoubles matrix[3] = {};
+    for (ThreeDoubles& of : normal) of = times(normals, of);
+    ThreeDoubles inMesh[3] = {}, matrix[3];
     for (size_t c = 0; c < 3; ++c) {
         const ThreeDoubles weight = cross(corner[(c + 1) % 3], corner[(c + 2) % 3]);
         const Doubles* byColumn[3] = {&weight.x, &weight.y, &weight.z};
         for (int column = 0; column < 3; ++column) {
-            matrix[column].x += normal[c].x * *byColumn[column];
-            matrix[column].y += normal[c].y * *byColumn[column];
-            matrix[column].z += normal[c].z * *byColumn[column];
+            inMesh[column].x += normal[c].x * *byColumn[column];
+            inMesh[column].y += normal[c].y * *byColumn[column];
+            inMesh[column].z += normal[c].z * *byColumn[column];
         }
     }
     Doubles largest{};
-    for (const ThreeDoubles& column : matrix)
-        largest = largerOf(largerOf(largerOf(largest, absolute(column.x)), absolute(column.y)), absolute(column.z));
-    // Its length does not matter; scaled, its square stays within the range of
-    // numbers.
-    largest = ((largest > 0.0) & (largest < __builtin_inf())) ? largest : Doubles{} + 1.0;
-    for (ThreeDoubles& column : matrix) column = {column.x / largest, column.y / largest, column.z / largest};
-
-    Doubles across{double(first + runs[0].begin), double(first + runs[1].begin), double(first + runs[2].begin),
-                   double(first + runs[3].begin)};
-    across = (2.0 * (across + 0.5) / shading.width - 1.0) * shading.tanHalfWidth;
-    const ThreeDoubles direction{(shading.forward[0] + shading.right[0] * across) + shading.up[0] * upward,
-                                 (shading.forward[1] + shading.right[1] * across) + shading.up[1] * upward,
-                                 (shading.forward[2] + shading.right[2] * across) + shading.up[2] * upward};
-    HalfFloats directions[4], starts[4], steps[4];
-    transpose(direction, directions);
-    transpose(times(matrix, direction), starts);
-    transpose(times(matrix, fourOf(shading.step)), steps);
-    const HalfFloats along{float(shading.step[0]), float(shading.step[1]), float(shading.step[2]), 0.0f};
+    for (size_t c = 0; c < 3; ++c) {
+        matrix[c] = times(inMesh, ofFour(instance[0]->fromWorld + 3 * c, instance[1]->fromWorld + 3 * c,
+                                         instance[2]->fromWorld + 3 * c, instance[3]->fromWorld + 3 * c));
+        largest = largerOf(largest, largestOf(matrix[c]));
+    }
+    // Its length does not matter; scaled, its square stays within the range of numbers.
+    const Doubles scale = 1.0 / (((largest > 0.0) & (largest < __builtin_inf())) ? largest : Doubles{} + 1.0);
+    for (ThreeDoubles& of : matrix) of = {of.x * scale, of.y * scale, of.z * scale};
+    const ThreeDoubles step =
+        times(matrix, {Doubles{} + shading.step[0], Doubles{} + shading.step[1], Doubles{} + shading.step[2]});
     for (int i = 0; i < 4; ++i) {
-        four.start[i] = __builtin_shufflevector(directions[i], starts[i], 0, 1, 2, 3, 4, 5, 6, 7);
-        four.step[i] = __builtin_shufflevector(along, steps[i], 0, 1, 2, 3, 4, 5, 6, 7);
+        for (int column = 0; column < 3; ++column)
+            normalsOf[i].columns[column] = Doubles{matrix[column].x[i], matrix[column].y[i], matrix[column].z[i], 0.0};
+        normalsOf[i].step = HalfFloats{float(step.x[i]), float(step.y[i]), float(step.z[i]), 0.0f};
     }
 }
 
-/// a0 a1 … of eight pixels to their first numbers, their second ones, and so
-/// on.
-inline void transpose(const Floats (&rows)[8], Floats (&columns)[8]) {
-    Floats pairs[8], fours[8];
-    for (int i = 0; i < 8; i += 2) {
-        pairs[i] = __builtin_shufflevector(rows[i], rows[i + 1], 0, 8, 1, 9, 4, 12, 5, 13);
-        pairs[i + 1] = __builtin_shufflevector(rows[i], rows[i + 1], 2, 10, 3, 11, 6, 14, 7, 15);
-    }
-    for (int i = 0; i < 8; i += 4)
-        for (int j = 0; j < 2; ++j) {
-            fours[i + 2 * j] = __builtin_shufflevector(pairs[i + j], pairs[i + j + 2], 0, 1, 8, 9, 4, 5, 12, 13);
-            fours[i + 2 * j + 1] = __builtin_shufflevector(pairs[i + j], pairs[i + j + 2], 2, 3, 10, 11, 6, 7, 14, 15);
+/// The triangles that a block shows, each once, in the order in which they were found.
+class ShownTriangles {
+public:
+    /// The place of an item that is not the background, from 1.
+    uint32_t placeOf(uint32_t item) {
+        uint32_t slot = (item * 2654435769u) >> (32 - kBits);
+        while (m_table[slot] != 0 && m_items[m_table[slot]] != item) slot = (slot + 1) & (kSlots - 1);
+        if (m_table[slot] == 0) {
+            m_table[slot] = uint16_t(++m_count);
+            m_items[m_count] = item;
         }
-    for (int i = 0; i < 4; ++i) {
-        columns[i] = __builtin_shufflevector(fours[i], fours[i + 4], 0, 1, 2, 3, 8, 9, 10, 11);
-        columns[i + 4] = __builtin_shufflevector(fours[i], fours[i + 4], 4, 5, 6, 7, 12, 13, 14, 15);
+        return m_table[slot];
     }
-}
+    [[nodiscard]] uint32_t count() const { return m_count; }
+    /// By place. Behind the last one there is room for three more.
+    [[nodiscard]] uint32_t* items() { return m_items; }
 
-/// The colours of eight pixels, of which `values` has direction and normal.
+private:
+    static constexpr uint32_t kBits = 11, kSlots = 1u << kBits;  ///< twice as many as pixels
+    static_assert(kSlots == 2 * kShadedColumns * kShadedRows);
+    uint16_t m_table[kSlots] = {};
+    uint32_t m_items[1 + kShadedColumns * kShadedRows + 3];
+    uint32_t m_count = 0;
+};
+
+/// The colours of eight pixels by their directions and normals.
 template <typename Lanes>
-inline void shadeEight(const Shading& shading, const Floats (&values)[8], Numbers& rgba) {
-    Floats of[8];
-    transpose(values, of);
-    const auto& [dx, dy, dz, nothing, nx, ny, nz, nothingEither] = of;
+inline void shadeEight(const Shading& shading, const Floats (&direction)[3], const Floats (&normal)[3], Numbers& rgba) {
+    const auto& [dx, dy, dz] = direction;
+    const auto& [nx, ny, nz] = normal;
     const Floats squares = (dx * dx + dy * dy + dz * dz) * (nx * nx + ny * ny + nz * nz);
     const Floats product = dx * nx + dy * ny + dz * nz;
     const Floats cosine = squares > 0.0f ? (product < 0.0f ? -product : product) / Lanes::root(squares) : Floats{} + 1.0f;
@@ -189,70 +171,117 @@ inline void shadeEight(const Shading& shading, const Floats (&values)[8], Number
     }
 }
 
-/// Runs are short and their lengths are chance: where they begin is kept as
-/// bits, and nothing branches on them.
+/// Vectors of eight pixels, one after the other in each half, to their components.
+inline void componentsOf(const Floats (&rows)[4], Floats (&components)[3]) {
+    const Floats xyOfEven = __builtin_shufflevector(rows[0], rows[2], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Floats xyOfOdd = __builtin_shufflevector(rows[1], rows[3], 0, 8, 1, 9, 4, 12, 5, 13);
+    const Floats zOfEven = __builtin_shufflevector(rows[0], rows[2], 2, 10, 3, 11, 6, 14, 7, 15);
+    const Floats zOfOdd = __builtin_shufflevector(rows[1], rows[3], 2, 10, 3, 11, 6, 14, 7, 15);
+    components[0] = __builtin_shufflevector(xyOfEven, xyOfOdd, 0, 8, 1, 9, 4, 12, 5, 13);
+    components[1] = __builtin_shufflevector(xyOfEven, xyOfOdd, 2, 10, 3, 11, 6, 14, 7, 15);
+    components[2] = __builtin_shufflevector(zOfEven, zOfOdd, 0, 8, 1, 9, 4, 12, 5, 13);
+}
+
+/// Bits of the pixels at which another item begins than before; the first pixel of a row begins one.
 template <typename Lanes>
-void shadeRow(const Shading& shading, const uint32_t* items, int32_t count, int32_t first, int32_t row, uint32_t* rgba) {
-    const Doubles upward = Doubles{} + (2.0 * (row + 0.5) / shading.height - 1.0) * shading.tanHalfHeight;
-    constexpr int32_t kTogether = 64;
-    // The run that the pixels before belong to is the first one of these.
-    Floats start[1 + kTogether + 3], step[1 + kTogether + 3];
-    int32_t beginOf[1 + kTogether + 3] = {};
-    start[0] = step[0] = Floats{};
-    uint32_t before = ~items[0];
-    for (int32_t chunk = 0; chunk < count; chunk += kTogether) {
-        const int32_t pixels = count - chunk < kTogether ? count - chunk : kTogether;
-        uint64_t begins = 0;
-        uint32_t any = 0;
-        for (int32_t i = 0; i < pixels; ++i) {
-            const uint32_t item = items[chunk + i];
-            begins |= uint64_t(item != before ? 1 : 0) << i;
-            any |= item;
-            before = item;
-        }
-        if (any == 0) {
-            for (int32_t i = 0; i < pixels; ++i) rgba[chunk + i] = shading.background;
-            continue;
-        }
-        Run runs[kTogether + 3];
-        int32_t runCount = 0;
-        for (uint64_t left = begins; left != 0; left &= left - 1) {
-            const int32_t begin = chunk + __builtin_ctzll(left);
-            // The background is shaded as some triangle, and coloured afterwards.
-            runs[runCount] = {items[begin] + (items[begin] == 0 ? 1 : 0), begin};
-            beginOf[++runCount] = begin;
-        }
-        for (int32_t i = runCount; i % 4 != 0; ++i) runs[i] = runs[i - 1];
-        for (int32_t i = 0; i < runCount; i += 4) {
-            FourRuns four;
-            setUpRuns(shading, runs + i, first, upward, four);
-            for (int32_t j = 0; j < 4; ++j) {
-                start[1 + i + j] = four.start[j];
-                step[1 + i + j] = four.step[j];
-            }
-        }
+inline uint64_t beginsIn(const uint32_t* items, int32_t count, uint32_t& any) {
+    uint64_t begins = 1;
+    any |= items[0];
+    int32_t found = 1;
+    for (; found + kLanes <= count; found += kLanes) {
+        Numbers here, left;
+        load(here, items + found);
+        load(left, items + found - 1);
+        begins |= uint64_t(Lanes::bitsOf(here != left)) << found;
+    }
+    for (; found < count; ++found) begins |= uint64_t(items[found] != items[found - 1] ? 1 : 0) << found;
+    for (uint64_t left = begins; left != 0; left &= left - 1) any |= items[__builtin_ctzll(left)];
+    return begins;
+}
+
+/// The normals at the first pixels of a row's runs, and where these are.
+struct ShadedRow {
+    HalfFloats start[kShadedColumns + 1], step[kShadedColumns + 1];
+    float begin[kShadedColumns + 1];
+};
+
+template <typename Lanes>
+void shadeBlock(const Shading& shading, const ShadedBlock& block) {
+    ShownTriangles shown;
+    uint64_t begins[kShadedRows];
+    uint16_t placeOfRun[kShadedRows][kShadedColumns];
+    uint32_t any = 0;
+    for (int32_t row = 0; row < block.rows; ++row) {
+        const uint32_t* items = block.items + size_t(row) * block.itemsInRow;
+        begins[row] = beginsIn<Lanes>(items, block.columns, any);
         int32_t run = 0;
-        for (int32_t block = 0; block < pixels; block += 8) {
-            Floats values[8];
-            for (int32_t i = 0; i < 8; ++i) {
-                run += int32_t(begins >> (block + i) & 1);
-                values[i] = start[run] + float(chunk + block + i - beginOf[run]) * step[run];
+        for (uint64_t left = begins[row]; left != 0; left &= left - 1) {
+            const uint32_t item = items[__builtin_ctzll(left)];
+            placeOfRun[row][run++] = uint16_t(item == 0 ? 0 : shown.placeOf(item));
+        }
+    }
+    if (any == 0) {
+        for (int32_t row = 0; row < block.rows; ++row)
+            for (int32_t i = 0; i < block.columns; ++i)
+                block.rgba[size_t(row) * block.rgbaInRow + size_t(i)] = shading.background;
+        return;
+    }
+    // The background has a normal of no length, and is coloured afterwards.
+    Normals normals[1 + kShadedColumns * kShadedRows + 3];
+    normals[0] = Normals{};
+    for (uint32_t i = 0; i < 3; ++i) shown.items()[shown.count() + 1 + i] = shown.items()[1];
+    for (uint32_t i = 1; i <= shown.count(); i += 4) setUpNormals(shading, shown.items() + i, normals + i);
+
+    const auto along = [&shading](int axis, double across, double upward) {
+        return (shading.forward[axis] + shading.right[axis] * across) + shading.up[axis] * upward;
+    };
+    for (int32_t row = 0; row < block.rows; ++row) {
+        const double upward = (2.0 * (block.row + row + 0.5) / shading.height - 1.0) * shading.tanHalfHeight;
+        const auto acrossAt = [&](int32_t column) {
+            return (2.0 * (block.column + column + 0.5) / shading.width - 1.0) * shading.tanHalfWidth;
+        };
+        ShadedRow of;
+        int32_t count = 0;
+        for (uint64_t left = begins[row]; left != 0; left &= left - 1, ++count) {
+            const int32_t begin = __builtin_ctzll(left);
+            const Normals& at = normals[placeOfRun[row][count]];
+            const double across = acrossAt(begin);
+            const Doubles start = (at.columns[0] * along(0, across, upward) + at.columns[1] * along(1, across, upward)) +
+                                  at.columns[2] * along(2, across, upward);
+            of.start[count + 1] = __builtin_convertvector(start, HalfFloats);
+            of.step[count + 1] = at.step;
+            of.begin[count + 1] = float(begin);
+        }
+        float first[3];
+        for (int axis = 0; axis < 3; ++axis) first[axis] = float(along(axis, acrossAt(0), upward));
+        const uint32_t* items = block.items + size_t(row) * block.itemsInRow;
+        uint32_t* rgba = block.rgba + size_t(row) * block.rgbaInRow;
+        int32_t run = 0;
+        for (int32_t from = 0; from < block.columns; from += 8) {
+            int32_t runs[8];
+            for (int32_t i = 0; i < 8; ++i) runs[i] = run += int32_t(begins[row] >> (from + i) & 1);
+            Floats rows[4], normal[3], direction[3];
+            for (int32_t i = 0; i < 4; ++i) {
+                const int32_t a = runs[i], b = runs[i + 4];
+                const Floats start = __builtin_shufflevector(of.start[a], of.start[b], 0, 1, 2, 3, 4, 5, 6, 7);
+                const Floats step = __builtin_shufflevector(of.step[a], of.step[b], 0, 1, 2, 3, 4, 5, 6, 7);
+                const float ofA = float(from + i) - of.begin[a], ofB = float(from + i + 4) - of.begin[b];
+                rows[i] = start + Floats{ofA, ofA, ofA, ofA, ofB, ofB, ofB, ofB} * step;
             }
+            componentsOf(rows, normal);
+            const Floats columns = Floats{0, 1, 2, 3, 4, 5, 6, 7} + float(from);
+            for (int axis = 0; axis < 3; ++axis) direction[axis] = first[axis] + columns * float(shading.step[axis]);
             Numbers colours;
-            shadeEight<Lanes>(shading, values, colours);
-            uint32_t* to = rgba + chunk + block;
-            if (block + 8 <= pixels) {
-                Numbers shown;
-                load(shown, items + chunk + block);
-                store<Numbers>(to, shown == 0u ? Numbers{} + shading.background : colours);
+            shadeEight<Lanes>(shading, direction, normal, colours);
+            if (from + 8 <= block.columns) {
+                Numbers item;
+                load(item, items + from);
+                store<Numbers>(rgba + from, item == 0u ? Numbers{} + shading.background : colours);
             } else {
-                for (int32_t i = 0; i < pixels - block; ++i)
-                    to[i] = items[chunk + block + i] == 0 ? shading.background : colours[i];
+                for (int32_t i = 0; from + i < block.columns; ++i)
+                    rgba[from + i] = items[from + i] == 0 ? shading.background : colours[i];
             }
         }
-        start[0] = start[run];
-        step[0] = step[run];
-        beginOf[0] = beginOf[run];
     }
 }
 

@@ -1,7 +1,6 @@
 #include "core/raster/triangle_setup.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace cullscope {
 namespace {
@@ -9,96 +8,167 @@ namespace {
 /// The first row or column whose centre lies at, or after, a place on the raster.
 int32_t centreFrom(int32_t place) { return (place + kSubPixels - 1) >> 8; }
 
-/// A polygon in clip space: a triangle gets one corner more at each limit, and where rounding makes a sliver concave two.
+/// A polygon in clip space: a convex one gets at most one corner more at each plane, and where rounding makes a sliver concave
+/// two.
 struct ClipPolygon {
-    std::array<Clip, 3 + 2 * Projection::kLimits> corners;
+    struct Corner {
+        Clip clip;
+        bool made;  ///< by clipping
+    };
+    std::array<Corner, kMostPieces + 2> corners;
     size_t count = 0;
 
-    void add(const Clip& corner) {
+    void add(const Corner& corner) {
         if (count < corners.size()) corners[count++] = corner;
     }
 };
 
-/// The part of a polygon within a limit. A new corner is computed from the edge's inner to its outer end, so that two triangles
-/// that share the edge get the same one.
-ClipPolygon clippedAt(const Projection& projection, int limit, const ClipPolygon& polygon) {
+/// How far a point lies within the plane of a bit of Beyond. Its sign is that of beyond().
+float within(int plane, const Clip& clip) {
+    const float x = clip[0], y = clip[1], z = clip[2], w = clip[3];
+    switch (1u << plane) {
+        case Beyond::Right:
+            return w - x;
+        case Beyond::Left:
+            return x + w;
+        case Beyond::Top:
+            return w - y;
+        case Beyond::Bottom:
+            return y + w;
+        case Beyond::Far:
+            return z;
+        default:
+            return w - z;
+    }
+}
+
+/// The part of a polygon within a plane. A new corner is computed from the end of the edge that is nearer to the plane: so two
+/// triangles that share the edge get the same one.
+ClipPolygon clippedAt(int plane, const ClipPolygon& polygon) {
     ClipPolygon result;
     for (size_t i = 0; i < polygon.count; ++i) {
-        const Clip &here = polygon.corners[i], &next = polygon.corners[(i + 1) % polygon.count];
-        const double d = projection.within(limit, here), e = projection.within(limit, next);
-        if (d >= 0.0) result.add(here);
-        if ((d >= 0.0) == (e >= 0.0)) continue;
-        const Clip &inner = d >= 0.0 ? here : next, &outer = d >= 0.0 ? next : here;
-        const double share = std::max(d, e) / (std::max(d, e) - std::min(d, e));
-        Clip corner{};
-        for (int axis = 0; axis < 4; ++axis)
-            corner[axis] = float(double(inner[axis]) + share * (double(outer[axis]) - double(inner[axis])));
-        if (limit == 0) corner[2] = corner[3];
-        result.add(corner);
+        const ClipPolygon::Corner &here = polygon.corners[i], &next = polygon.corners[(i + 1) % polygon.count];
+        const float d = within(plane, here.clip), e = within(plane, next.clip);
+        if (d >= 0.0f) result.add(here);
+        if ((d >= 0.0f) == (e >= 0.0f)) continue;
+        const bool fromNext = e < 0.0f ? -e < d : !(-d < e);
+        const Clip &from = fromNext ? next.clip : here.clip, &to = fromNext ? here.clip : next.clip;
+        const float share = (fromNext ? e : -d) / (e - d);
+        result.add({from + share * (to - from), true});
     }
     return result;
 }
 
 }  // namespace
 
+RasterProjection Projection::forKernels() const {
+    RasterProjection result{};
+    for (size_t column = 0; column < 4; ++column)
+        for (int axis = 0; axis < 4; ++axis) result.columns[column][axis] = m_columns[column][axis];
+    result.halfWidth = m_halfWidth;
+    result.halfHeight = m_halfHeight;
+    result.right = Beyond::Right;
+    result.left = Beyond::Left;
+    result.top = Beyond::Top;
+    result.bottom = Beyond::Bottom;
+    result.far = Beyond::Far;
+    result.near = Beyond::Near;
+    result.nowhere = Beyond::Nowhere;
+    return result;
+}
+
+uint32_t Projection::beyond(const Clip& clip) {
+    const float x = clip[0], y = clip[1], z = clip[2], w = clip[3];
+    // The comparison is false for what is not a number.
+    if (!(std::abs(x) + std::abs(y) + std::abs(z) + std::abs(w) < 0x1p100f)) return Beyond::Nowhere;
+    const uint32_t result = (x > w ? Beyond::Right : 0u) | (x < -w ? Beyond::Left : 0u) | (y > w ? Beyond::Top : 0u) |
+                            (y < -w ? Beyond::Bottom : 0u) | (z < 0.0f ? Beyond::Far : 0u) | (z > w ? Beyond::Near : 0u);
+    return result == 0 && !(w > 0.0f) ? uint32_t(Beyond::Nowhere) : result;
+}
+
+RasterVertex Projection::vertex(const Clip& clip) const {
+    const float inverse = 1.0f / clip[3];
+    return {std::fma(clip[0] * inverse, m_halfWidth, m_halfWidth), std::fma(clip[1] * inverse, m_halfHeight, m_halfHeight),
+            clip[2] * inverse, beyond(clip)};
+}
+
+RasterVertex Projection::clippedVertex(const Clip& clip) const {
+    const float inverse = 1.0f / clip[3];
+    // Within the picture, but for rounding; where that is large, of triangles of a million times the near distance, still on the
+    // raster.
+    const auto pixels = [inverse](float coordinate, float half) {
+        const float place = coordinate * inverse * half + half;
+        return std::isnan(place) ? half : std::clamp(place, -half, 3.0f * half);
+    };
+    return {pixels(clip[0], m_halfWidth), pixels(clip[1], m_halfHeight), clip[2] * inverse, 0};
+}
+
 std::optional<ScreenTriangle> screenTriangle(const RasterCorners& c, int64_t area, uint32_t number, const Viewport& size) {
     static_assert(kSubPixels == 1 << 8);
     ScreenTriangle t;
-    t.firstColumn = std::max(0, centreFrom(std::min({c[0].x, c[1].x, c[2].x})));
-    t.endColumn = std::min(size.width, (std::max({c[0].x, c[1].x, c[2].x}) >> 8) + 1);
+    t.firstColumn = std::max(0, centreFrom(std::min({c.x[0], c.x[1], c.x[2]})));
+    t.endColumn = std::min(size.width, (std::max({c.x[0], c.x[1], c.x[2]}) >> 8) + 1);
     if (t.firstColumn >= t.endColumn) return std::nullopt;
-    t.firstRow = std::max(0, centreFrom(std::min({c[0].y, c[1].y, c[2].y})));
-    t.endRow = std::min(size.height, (std::max({c[0].y, c[1].y, c[2].y}) >> 8) + 1);
+    t.firstRow = std::max(0, centreFrom(std::min({c.y[0], c.y[1], c.y[2]})));
+    t.endRow = std::min(size.height, (std::max({c.y[0], c.y[1], c.y[2]}) >> 8) + 1);
     if (t.firstRow >= t.endRow) return std::nullopt;
-    const size_t second = area > 0 ? 1 : 2;
-    const std::array<const RasterVertex*, 3> ordered{&c[0], &c[second], &c[3 - second]};
+    const size_t second = area > 0 ? 1 : 2, order[3] = {0, second, 3 - second};
     for (size_t i = 0; i < 3; ++i) {
-        t.x[i] = ordered[i]->x;
-        t.y[i] = ordered[i]->y;
+        t.x[i] = c.x[order[i]];
+        t.y[i] = c.y[order[i]];
     }
     t.number = number;
-    const double depths[2] = {double(ordered[1]->depth) - double(ordered[0]->depth),
-                              double(ordered[2]->depth) - double(ordered[0]->depth)};
-    const double toPixels = double(kSubPixels) / double(std::abs(area));
-    t.depthPerColumn = (depths[0] * (t.y[2] - t.y[0]) - depths[1] * (t.y[1] - t.y[0])) * toPixels;
-    t.depthPerRow = (depths[1] * (t.x[1] - t.x[0]) - depths[0] * (t.x[2] - t.x[0])) * toPixels;
-    t.depth = double(ordered[0]->depth) + t.depthPerColumn * (t.firstColumn - t.x[0] / double(kSubPixels)) +
-              t.depthPerRow * (t.firstRow - t.y[0] / double(kSubPixels));
+    // The plane, from the corners in clockwise order. The kernels do the same for small triangles.
+    const RasterVertex &p = c.vertices[area > 0 ? 1 : 0], &q = c.vertices[area > 0 ? 0 : 1], &r = c.vertices[2];
+    const float xToP = p.x - q.x, yToP = p.y - q.y, xToR = r.x - p.x, yToR = r.y - p.y;
+    const float toPlane = 1.0f / (xToP * yToR - yToP * xToR);
+    const float xToPScaled = xToP * toPlane, yToPScaled = yToP * toPlane, xToRScaled = xToR * toPlane,
+                yToRScaled = yToR * toPlane;
+    const float depthToP = p.depth - q.depth, depthToR = r.depth - p.depth;
+    t.depthPerColumn = depthToP * yToRScaled - depthToR * yToPScaled;
+    t.depthPerRow = depthToR * xToPScaled - depthToP * xToRScaled;
+    t.depth = p.depth - (t.depthPerColumn * (p.x - 0.5f) + t.depthPerRow * (p.y - 0.5f));
+    if (!std::isfinite(std::abs(t.depth) + std::abs(t.depthPerColumn) + std::abs(t.depthPerRow))) t.depth = NAN;
     return t;
+}
+
+bool coversCentre(const ScreenTriangle& triangle, int column, int row) {
+    for (int i = 0; i < 3; ++i) {
+        const int next = (i + 1) % 3;
+        const int64_t dx = triangle.x[next] - triangle.x[i], dy = triangle.y[next] - triangle.y[i];
+        const int64_t inside =
+            dx * (int64_t(row) * kSubPixels - triangle.y[i]) - dy * (int64_t(column) * kSubPixels - triangle.x[i]);
+        // A left edge goes down, one at the top goes to the left: these own the centres on them.
+        if (inside < 0 || (inside == 0 && !(dy < 0 || (dy == 0 && dx < 0)))) return false;
+    }
+    return true;
 }
 
 RasterFacing::RasterFacing(const Scene& scene, size_t instance, Facing facing)
     : front(facing == Facing::Front), mirrored(glm::determinant(Mat3(scene.instances()[instance].worldFromMesh)) < 0.0) {}
 
-RasterVertex Projection::clippedVertex(Clip clip) const {
-    clip[3] = std::max(clip[3], std::numeric_limits<float>::min());
-    RasterVertex moved = vertex(clip);
-    if ((moved.beyond & (Beyond::kNeedsClipping | Beyond::Nowhere)) == 0) return moved;
-    clip[2] = std::min(clip[2], clip[3]);
-    for (int axis = 0; axis < 2; ++axis) {
-        // One rounding of a float within the range.
-        const double reach = within(axis == 0 ? 1 : 3, Clip{0, 0, 0, clip[3]}) * (1.0 - 0x1p-23);
-        clip[axis] = float(std::clamp(double(clip[axis]), -reach, reach));
-    }
-    return vertex(clip);
-}
-
 RasterFate addClipped(const Projection& projection, const std::array<Clip, 3>& corners, const RasterFacing& facing,
                       uint32_t number, const Viewport& size, std::vector<ScreenTriangle>& triangles) {
     ClipPolygon polygon;
-    for (const Clip& corner : corners) polygon.add(corner);
-    for (int limit = 0; limit < Projection::kLimits && polygon.count >= 3; ++limit)
-        polygon = clippedAt(projection, limit, polygon);
-    std::array<RasterVertex, 3 + 2 * Projection::kLimits> vertices;
-    for (size_t i = 0; i < polygon.count; ++i) vertices[i] = projection.clippedVertex(polygon.corners[i]);
+    uint32_t beyond = 0;
+    for (const Clip& corner : corners) {
+        polygon.add({corner, false});
+        beyond |= Projection::beyond(corner);
+    }
+    for (int plane = 0; plane < Beyond::kPlanes && polygon.count >= 3; ++plane)
+        if ((beyond & 1u << plane) != 0) polygon = clippedAt(plane, polygon);
+    const auto vertex = [&](size_t i) {
+        const ClipPolygon::Corner& corner = polygon.corners[i];
+        return corner.made ? projection.clippedVertex(corner.clip) : projection.vertex(corner.clip);
+    };
     RasterFate fate = RasterFate::WithoutSample;
     for (size_t i = 2; i < polygon.count; ++i) {
-        const RasterCorners part{vertices[0], vertices[i - 1], vertices[i]};
-        const int64_t area = twiceArea(part[0], part[1], part[2]);
+        const RasterCorners piece(vertex(i - 1), vertex(i), vertex(0));
+        const int64_t area = piece.twiceArea();
         if (area == 0) continue;
         if (facing.drops(area)) {
             if (fate != RasterFate::OnRaster) fate = RasterFate::FacingAway;
-        } else if (const std::optional<ScreenTriangle> triangle = screenTriangle(part, area, number, size)) {
+        } else if (const std::optional<ScreenTriangle> triangle = screenTriangle(piece, area, number, size)) {
             triangles.push_back(*triangle);
             fate = RasterFate::OnRaster;
         }

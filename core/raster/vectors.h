@@ -9,7 +9,8 @@
 namespace cullscope {
 namespace {
 
-// Eight pixels of a row. The compiler splits them where a register holds fewer.
+// Eight pixels of a tile or a row. The compiler splits them where a register holds fewer.
+inline constexpr int kLanes = 8;
 using Floats = float __attribute__((vector_size(32)));
 using Ints = int32_t __attribute__((vector_size(32)));
 using Numbers = uint32_t __attribute__((vector_size(32)));

@@ -13,7 +13,9 @@ namespace {
 
 constexpr const char* kParallel = "parallel";
 /// A recorded scan line says every span up to this number of them, and beyond it only its rows.
-constexpr size_t kMostSpansSaid = 5000;
+constexpr size_t kMostSpansSaid = 25'000;
+/// A recorded depth buffer says every triangle up to this number of them, and beyond it only its bands of rows.
+constexpr size_t kMostTrianglesSaid = 2000;
 
 struct NoStructure : Structure {
     using Structure::Structure;
@@ -37,6 +39,7 @@ public:
                      std::vector<WhyStep>& steps) const override {
         for (const Decision& decision : log.decisions) {
             if (decision.subject.kind != Subject::Kind::Cell || decision.subject.object != instance) continue;
+            if (decision.outcome != Decision::Outcome::Culled) continue;
             if (triangle - decision.places.first < decision.places.count)
                 steps.push_back({{decision.sentence, {}}, {}, {}, {}, Containment::Outside});
         }
@@ -50,16 +53,18 @@ protected:
     void decide(FrameContext& frame, const NoStructure& /*structure*/, ViewState& /*state*/,
                 const ParameterSet& parameters) const override {
         const bool parallel = parameters.boolean(kParallel);
+        const Progress progress{nullptr, frame.stop()};
         SceneOnRaster raster;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("triangles to the raster"));
-            raster = trianglesOnRaster(frame.scene(), frame.view(), frame.facing(), parallel);
+            raster =
+                trianglesOnRaster(frame.scene(), frame.view(), frame.facing(), parallel, availableRasterSimd().back(), progress);
         }
         if (frame.recording()) sayTriangles(frame, countFates(frame.scene(), raster.fates));
         RasterPicture drawn;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("rasterising"));
-            drawn = rasterise(frame, raster, parallel);
+            drawn = rasterise(frame, raster, parallel, progress);
         }
         const RowCounts total = drawn.total();
         FrameCounters& counters = frame.counters();
@@ -81,7 +86,8 @@ protected:
     }
 
     /// Makes the picture, and says how where the frame is recorded.
-    [[nodiscard]] virtual RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel) const = 0;
+    [[nodiscard]] virtual RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel,
+                                                  const Progress& progress) const = 0;
     /// The lines of the listing at which an object's triangles come to the raster, and at which they are shown.
     struct ObjectLines {
         uint8_t triangles, shown;
@@ -134,11 +140,11 @@ PlaceRun pixelsOf(const FrameContext& frame, int firstRow, int endRow, int begin
     return {first, last - first + 1};
 }
 
-/// Sums of an operand over the decisions that fell at a line.
-uint64_t sumAtLine(const FrameLog& log, uint8_t line, size_t operand) {
+/// Sums of an operand over the decisions about such subjects that fell at a line.
+uint64_t sumAtLine(const FrameLog& log, Subject::Kind kind, uint8_t line, size_t operand) {
     double sum = 0.0;
     for (const Decision& decision : log.decisions)
-        if (decision.line == line) sum += decision.operands[operand];
+        if (decision.line == line && decision.subject.kind == kind) sum += decision.operands[operand];
     return uint64_t(sum);
 }
 
@@ -147,17 +153,54 @@ public:
     enum class Line : uint8_t { Clear = 1, Triangles, Transform, Samples, Depth, Compare, Store, Shown };
 
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
-        const auto sum = [&](size_t operand) { return sumAtLine(log, uint8_t(Line::Compare), operand); };
+        const auto sum = [&](size_t ofBand, Line line, size_t ofTriangle) {
+            return sumAtLine(log, Subject::Kind::Tile, uint8_t(Line::Compare), ofBand) +
+                   sumAtLine(log, Subject::Kind::Cell, uint8_t(line), ofTriangle);
+        };
         return {{},
-                {{CULLSCOPE_TR("depth comparisons"), sum(0)},
-                 {CULLSCOPE_TR("samples written"), sum(1)},
-                 {CULLSCOPE_TR("pixels that show a surface"), sum(2)}}};
+                {{CULLSCOPE_TR("depth comparisons"), sum(0, Line::Depth, 0)},
+                 {CULLSCOPE_TR("samples written"), sum(1, Line::Store, 0)},
+                 {CULLSCOPE_TR("pixels that show a surface"), sum(2, Line::Store, 1)}}};
     }
 
 protected:
-    [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel) const override {
-        RasterPicture drawn = drawDepthBuffer(raster, parallel);
+    [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel,
+                                          const Progress& progress) const override {
+        RasterPicture drawn = drawDepthBuffer(raster, parallel, availableRasterSimd().back(), progress);
         if (!frame.recording()) return drawn;
+        std::vector<FollowedTriangle> followed;
+        if (raster.triangleCount() <= kMostTrianglesSaid) followed = followDepthBuffer(raster);
+        for (const FollowedTriangle& triangle : followed) say(frame, triangle);
+        if (followed.empty()) sayBands(frame, drawn);
+        return drawn;
+    }
+    [[nodiscard]] ObjectLines objectLines() const override { return {uint8_t(Line::Transform), uint8_t(Line::Shown)}; }
+
+private:
+    static void say(FrameContext& frame, const FollowedTriangle& of) {
+        const auto object = uint32_t(frame.scene().instanceOf(of.triangle));
+        const auto number = uint32_t(of.triangle - frame.scene().firstTriangle(object));
+        const auto sayAt = [&](Line line, Decision::Outcome outcome, const char* sentence,
+                               const std::array<double, Decision::kOperands>& operands, uint8_t count) {
+            Decision decision = said(Subject::ofCell(number, object), outcome, sentence, operands);
+            decision.operandCount = count;
+            decision.places = {number, 1};
+            frame.say(atLine(line, decision));
+        };
+        const auto open = Decision::Outcome::Open;
+        sayAt(Line::Depth, open, CULLSCOPE_TR("The triangle covers %1 samples. At column %2 of row %3 its depth is %4."),
+              {double(of.samples), double(of.column), double(of.row), of.depth}, 4);
+        if (of.written == 0)
+            return sayAt(Line::Compare, open,
+                         CULLSCOPE_TR("Its depth %1 there does not exceed the stored %2. It is nearer at none of its samples."),
+                         {of.depth, of.stored}, 2);
+        sayAt(Line::Store, Decision::Outcome::Drawn,
+              CULLSCOPE_TR("At %1 samples it is nearer, at %2 of them the first surface. There its depth %3 exceeds the stored "
+                           "%4: drawn."),
+              {double(of.written), double(of.first), of.depth, of.stored}, 4);
+    }
+
+    static void sayBands(FrameContext& frame, const RasterPicture& drawn) {
         for (uint32_t tile = 0; tile < drawn.rows.size(); ++tile) {
             const RowCounts& counts = drawn.rows[tile];
             Decision stored = said({Subject::Kind::Tile, tile, Subject::kNoObject}, Decision::Outcome::Open,
@@ -167,9 +210,7 @@ protected:
             stored.places = pixelsOf(frame, counts.firstRow, counts.endRow, 0, frame.view().viewport().width);
             frame.say(atLine(Line::Compare, stored));
         }
-        return drawn;
     }
-    [[nodiscard]] ObjectLines objectLines() const override { return {uint8_t(Line::Transform), uint8_t(Line::Shown)}; }
 };
 
 class ScanLine final : public SoftwareRaster {
@@ -177,7 +218,7 @@ public:
     enum class Line : uint8_t { Table = 1, Row, Alone, Begins, Ends, Crosses, Fill, Done, Shown };
 
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
-        const auto sum = [&](size_t operand) { return sumAtLine(log, uint8_t(Line::Done), operand); };
+        const auto sum = [&](size_t operand) { return sumAtLine(log, Subject::Kind::Tile, uint8_t(Line::Done), operand); };
         return {{},
                 {{CULLSCOPE_TR("depth comparisons"), sum(0)},
                  {CULLSCOPE_TR("comparisons of a depth buffer"), sum(1)},
@@ -185,8 +226,9 @@ public:
     }
 
 protected:
-    [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel) const override {
-        ScanLinePicture drawn = drawScanLine(raster, frame.recording(), parallel);
+    [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel,
+                                          const Progress& progress) const override {
+        ScanLinePicture drawn = drawScanLine(raster, frame.recording(), parallel, progress);
         if (frame.recording()) say(frame, drawn);
         return drawn;
     }
@@ -198,6 +240,10 @@ private:
         size_t next = 0;
         for (uint32_t row = 0; row < drawn.rows.size(); ++row) {
             const RowCounts& counts = drawn.rows[row];
+            if (spansToo && counts.triangles > 0)
+                frame.say(atLine(Line::Row, said({Subject::Kind::Tile, row, Subject::kNoObject}, Decision::Outcome::Open,
+                                                 CULLSCOPE_TR("In row %1 there are %2 active edges, of %3 surfaces."),
+                                                 {double(row), double(counts.edges), double(counts.triangles)})));
             for (; spansToo && next < drawn.spans.size() && drawn.spans[next].row == int(row); ++next)
                 sayPart(frame, drawn.spans[next], uint32_t(next));
             Decision done = said({Subject::Kind::Tile, row, Subject::kNoObject}, Decision::Outcome::Open,
@@ -210,13 +256,16 @@ private:
     }
 
     static void sayPart(FrameContext& frame, const RowSpan& span, uint32_t number) {
-        Decision filled = decisionOf(span, number);
+        const Subject subject{Subject::Kind::Span, number, uint32_t(frame.scene().instanceOf(span.triangle))};
+        frame.say(decisionOf(span, subject));
+        Decision filled = said(subject, Decision::Outcome::Open, CULLSCOPE_TR("Columns %1 to %2 are filled with it."),
+                               {double(span.begin), double(span.end - 1)});
+        filled.operandCount = 2;
         filled.places = pixelsOf(frame, span.row, span.row + 1, span.begin, span.end);
-        frame.say(filled);
+        frame.say(atLine(Line::Fill, filled));
     }
 
-    static Decision decisionOf(const RowSpan& span, uint32_t number) {
-        const Subject subject{Subject::Kind::Span, number, Subject::kNoObject};
+    static Decision decisionOf(const RowSpan& span, const Subject& subject) {
         const auto open = Decision::Outcome::Open;
         const std::array<double, Decision::kOperands> operands{double(span.begin), span.depth, span.otherDepth};
         switch (span.start) {

@@ -29,12 +29,12 @@ const char* sentenceOf(uint8_t fate) {
 void markShown(const FinishedPicture& picture, std::vector<uint8_t>& fates, bool parallel) {
     const auto width = size_t(picture.size.width);
     forEachOf(size_t(picture.size.height), parallel, [&](size_t row) {
-        uint32_t before = 0;
+        // Whether a pixel shows the triangle of the one before it is chance: nothing branches on it.
+        uint8_t background = 0;
         for (size_t pixel = row * width; pixel < (row + 1) * width; ++pixel) {
             const uint32_t number = picture.triangle[pixel];
-            if (number != before && number != 0)
-                std::atomic_ref(fates[number - 1]).store(uint8_t{kShown}, std::memory_order_relaxed);
-            before = number;
+            uint8_t& fate = number == 0 ? background : fates[number - 1];
+            std::atomic_ref(fate).store(uint8_t{kShown}, std::memory_order_relaxed);
         }
     });
 }

@@ -5,7 +5,9 @@
 #include <bit>
 
 #include "core/mesh/parametric.h"
+#include "tests/support/cut_scenes.h"
 #include "tests/support/random_polygons.h"
+#include "tests/support/stopped_work.h"
 
 namespace cullscope::test::scan_line_test {
 namespace {
@@ -115,6 +117,36 @@ TEST(ScanLine, hiddenSurfaceCostsAComparisonARowAndNoMore) {
     EXPECT_LE(compared.scanLine.comparisons, 5u * 300);
     EXPECT_GT(compared.depthBuffer.comparisons, 100'000u);
     EXPECT_EQ(compared.scanLine.crossings, 0u);
+}
+
+TEST(ScanLine, stopsAtTheNextLookWhereverItIs) {
+    const ScenePointer scenes[] = {sceneOf({randomTriangles(1, 10'000, 2.0)}), coplanarTriangles(howMany(1'000'000, 60'000))};
+    for (const ScenePointer& scene : scenes) {
+        const View view({{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(40), 0.1, 100}, {640, 480});
+        const SceneOnRaster raster = trianglesOnRaster(*scene, view, Facing::TwoSided);
+        for (const uint64_t steps : {uint64_t(1), uint64_t(20'000)}) {
+            const StoppedWork stopped =
+                stoppedAfter(steps, [&](const Progress& progress) { (void)drawScanLine(raster, true, false, progress); });
+            EXPECT_TRUE(stopped.interrupted) << steps;
+            EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
+        }
+        // In parallel too, and the other stages of such a frame.
+        std::stop_source stop;
+        stop.request_stop();
+        const Progress stopped{nullptr, stop.get_token()};
+        EXPECT_THROW((void)drawScanLine(raster, true, true, stopped), Error);
+        EXPECT_THROW((void)drawDepthBuffer(raster, true, availableRasterSimd().back(), stopped), Error);
+        EXPECT_THROW((void)trianglesOnRaster(*scene, view, Facing::TwoSided, true, availableRasterSimd().back(), stopped), Error);
+    }
+}
+
+TEST(ScanLine, looksForAStopRequestEveryFewMilliseconds) {
+    const ScenePointer scene = coplanarTriangles(howMany(1'000'000, 60'000));
+    const View view({{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(40), 0.1, 100}, {640, 480});
+    const SceneOnRaster raster = trianglesOnRaster(*scene, view, Facing::TwoSided);
+    const WatchedWork watched;
+    (void)drawScanLine(raster, true, false);
+    EXPECT_LT(watched.longestGap(), 100.0) << "milliseconds";
 }
 
 }  // namespace

@@ -34,10 +34,6 @@ constexpr WithoutDecision kWithoutDecision[] = {
     {"depth-buffer", 1},
     {"frustum-select", 1},
     {"frustum-query", 1},
-    // Decisions are about rows and tiles: the lines for single samples are said together.
-    {"depth-buffer", 5},
-    {"depth-buffer", 7},
-    {"scan-line", 7},
     // A grid over the picture finds these Q beforehand.
     {"painter", 4},
 };

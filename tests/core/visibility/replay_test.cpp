@@ -48,29 +48,59 @@ TEST(Replay, ofOwnTrianglesHasThoseThatWereNamedSoFarInTheirOrder) {
 }
 
 TEST(Replay, ofAFinishedPictureHasThePixelsThatWereNamedSoFar) {
-    for (const char* id : {"depth-buffer", "scan-line"}) {
-        SCOPED_TRACE(id);
-        const FrameLog log = recordedQuiz(id);
-        ASSERT_EQ(log.commands.size(), 1u);
-        const FinishedPicture& all = *std::get<FinishedPicturePointer>(log.commands.front());
-        size_t before = 0, steps = 0;
-        for (size_t k = 0; k < log.entries(); ++k) {
-            const FrameLog part = replayUpTo(log, k);
-            if (part.commands.empty()) continue;
-            const FinishedPicture& shown = *std::get<FinishedPicturePointer>(part.commands.front());
-            for (size_t pixel = 0; pixel < all.triangle.size(); ++pixel) {
-                if (shown.triangle[pixel] == 0) continue;
-                ASSERT_EQ(shown.triangle[pixel], all.triangle[pixel]);
-                ASSERT_EQ(shown.depth[pixel], all.depth[pixel]);
-            }
-            const size_t now = pixelsOf(shown);
-            EXPECT_GE(now, before);
-            steps += now > before ? 1 : 0;
-            before = now;
+    const FrameLog log = recordedQuiz("scan-line");
+    ASSERT_EQ(log.commands.size(), 1u);
+    const FinishedPicture& all = *std::get<FinishedPicturePointer>(log.commands.front());
+    size_t before = 0, steps = 0;
+    for (size_t k = 0; k < log.entries(); ++k) {
+        const FrameLog part = replayUpTo(log, k);
+        if (part.commands.empty()) continue;
+        const FinishedPicture& shown = *std::get<FinishedPicturePointer>(part.commands.front());
+        for (size_t pixel = 0; pixel < all.triangle.size(); ++pixel) {
+            if (shown.triangle[pixel] == 0) continue;
+            ASSERT_EQ(shown.triangle[pixel], all.triangle[pixel]);
+            ASSERT_EQ(shown.depth[pixel], all.depth[pixel]);
         }
-        EXPECT_EQ(before, pixelsOf(all)) << "every pixel was named before the command";
-        EXPECT_GT(steps, 1u) << "the picture comes in parts";
+        const size_t now = pixelsOf(shown);
+        EXPECT_GE(now, before);
+        steps += now > before ? 1 : 0;
+        before = now;
     }
+    EXPECT_EQ(before, pixelsOf(all)) << "every pixel was named before the command";
+    EXPECT_GT(steps, 1u) << "the picture comes in parts";
+}
+
+TEST(Replay, ofADepthBufferDrawsTheTrianglesThatWereDrawnSoFar) {
+    const ScenePointer scene = openScene("quiz").scene;
+    const FrameLog log = recordedQuiz("depth-buffer");
+    const FinishedPicture& all = *std::get<FinishedPicturePointer>(log.commands.front());
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const View view(log.camera, log.size);
+    std::vector<float> before(all.depth.size(), 0.0f);
+    uint64_t named = 0;
+    for (size_t k = 0; k < log.decisions.size(); ++k) {
+        const Decision& decision = log.decisions[k];
+        if (decision.subject.kind != Subject::Kind::Cell || decision.outcome != Decision::Outcome::Drawn) continue;
+        const FrameLog part = replayUpTo(log, k + 1);
+        EXPECT_EQ(std::get<DrawList>(part.commands.at(0)).triangleCount(), ++named);
+        const Renderer::ItemBuffer items = GlEnvironment::renderer().drawItemBuffer(buffers, view, part, {0, 0, log.size});
+        // Where it is nearer, and at no other sample, its depth is stored, as the decision counts it.
+        const auto number = uint32_t(scene->firstTriangle(decision.subject.object) + decision.places.first) + 1;
+        uint64_t written = 0, first = 0;
+        for (size_t pixel = 0; pixel < before.size(); ++pixel) {
+            if (items.depth[pixel] == before[pixel]) continue;
+            EXPECT_EQ(items.triangle[pixel], number);
+            EXPECT_GT(items.depth[pixel], before[pixel]);
+            ++written;
+            first += before[pixel] == 0.0f ? 1 : 0;
+        }
+        EXPECT_EQ(written, uint64_t(decision.operands[0]));
+        EXPECT_EQ(first, uint64_t(decision.operands[1]));
+        EXPECT_GT(decision.operands[2], decision.operands[3]);
+        before = items.depth;
+    }
+    EXPECT_GE(named, 6u);
+    EXPECT_EQ(before, all.depth) << "the last step shows the frame";
 }
 
 }  // namespace
