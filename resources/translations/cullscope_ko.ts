@@ -3044,14 +3044,6 @@
         <translation>띠 %1</translation>
     </message>
     <message>
-        <source>Part %1 of a triangle of %2</source>
-        <translation>%2의 삼각형 조각 %1</translation>
-    </message>
-    <message>
-        <source>Part %1 of a triangle</source>
-        <translation>삼각형 조각 %1</translation>
-    </message>
-    <message>
         <source>Tile %1 of the picture</source>
         <translation>그림의 타일 %1</translation>
     </message>
@@ -3787,6 +3779,34 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>이 삼각형은 전략이 만든 그림에 없습니다.</translation>
     </message>
+    <message>
+        <source>Part %1</source>
+        <translation>조각 %1</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1 of %2</source>
+        <translation>%2의 삼각형 %1의 조각</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1</source>
+        <translation>삼각형 %1의 조각</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 다각형이 %2개를 넘게 필요합니다. 삼각형이 %3개입니다. 삼각형 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 다각형이 %2개를 넘게 필요합니다. 삼각형 %3개가 %4번 잘렸고 다각형 %5개가 아직 나뉘지 않았습니다. 삼각형 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 화가 순서에는 다각형이 %2개를 넘게 필요합니다. 삼각형이 %3개입니다. 삼각형 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Triangle %1, which waited, is taken again; its farthest depth is %2.</source>
+        <translation>기다리던 삼각형 %1을(를) 다시 잡는다. 가장 먼 깊이는 %2이다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4281,6 +4301,14 @@ OpenGL %2
     <message>
         <source>question first: name what you expect, then reveal</source>
         <translation>먼저 질문: 예상을 지정한 뒤 공개</translation>
+    </message>
+    <message>
+        <source>Ctrl + left drag</source>
+        <translation>Ctrl + 왼쪽 버튼 끌기</translation>
+    </message>
+    <message>
+        <source>in an open question: name all within the rectangle</source>
+        <translation>열린 질문에서: 사각형 안의 모든 것을 지정</translation>
     </message>
 </context>
 <context>
@@ -5045,10 +5073,6 @@ OpenGL %2
         <translation>예상하는 것을 클릭하십시오. 다시 클릭하면 취소됩니다. 지정: %1</translation>
     </message>
     <message>
-        <source>What vanishes?</source>
-        <translation>무엇이 사라집니까?</translation>
-    </message>
-    <message>
         <source>In which order is it drawn?</source>
         <translation>어떤 순서로 그려집니까?</translation>
     </message>
@@ -5069,10 +5093,6 @@ OpenGL %2
         <translation>활성 뷰의 전략에는 지정할 잎이 없습니다. 다른 전략, 다른 매개변수 또는 다른 질문을 고르십시오.</translation>
     </message>
     <message>
-        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
-        <translation>조각을 클릭한 다음 그것이 있는 잎을 고르십시오. 지정: %1</translation>
-    </message>
-    <message>
         <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
         <translation>%1은(는) 어느 잎에 있습니까? 그런 다음 다음 조각을 클릭하십시오. 지정: %2</translation>
     </message>
@@ -5083,6 +5103,38 @@ OpenGL %2
     <message>
         <source>Leaf</source>
         <translation>잎</translation>
+    </message>
+    <message>
+        <source>Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1</source>
+        <translation>예상하는 것을 뷰나 트리에서 클릭하거나 Ctrl을 누른 채 끌어 둘러싸십시오. 다시 하면 취소됩니다. 지정: %1</translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies, here or in the tree. Named: %1</source>
+        <translation>조각을 클릭한 다음 그것이 있는 잎을 여기나 트리에서 고르십시오. 지정: %1</translation>
+    </message>
+    <message>
+        <source>Which objects vanish?</source>
+        <translation>어느 물체가 사라집니까?</translation>
+    </message>
+    <message>
+        <source>Which triangles vanish?</source>
+        <translation>어느 삼각형이 사라집니까?</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionTree</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a strategy&apos;s tree</comment>
+        <translation>노드 %1</translation>
+    </message>
+    <message>
+        <source>A click on a row answers, too.</source>
+        <translation>행을 클릭해도 답이 됩니다.</translation>
+    </message>
+    <message>
+        <source>Tree to answer by</source>
+        <translation>답을 고르는 트리</translation>
     </message>
 </context>
 <context>

@@ -3044,14 +3044,6 @@
         <translation>带 %1</translation>
     </message>
     <message>
-        <source>Part %1 of a triangle of %2</source>
-        <translation>%2 的三角形部分 %1</translation>
-    </message>
-    <message>
-        <source>Part %1 of a triangle</source>
-        <translation>三角形部分 %1</translation>
-    </message>
-    <message>
         <source>Tile %1 of the picture</source>
         <translation>图像的块 %1</translation>
     </message>
@@ -3787,6 +3779,34 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>该三角形不在此策略生成的图像中。</translation>
     </message>
+    <message>
+        <source>Part %1</source>
+        <translation>部分 %1</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1 of %2</source>
+        <translation>%2 的三角形 %1 的部分</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1</source>
+        <translation>三角形 %1 的部分</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个多边形：它有 %3 个三角形。请减少三角形，或提高上限。</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, or a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个多边形：其 %3 个三角形已被切割 %4 次，还有 %5 个多边形未划分。请减少三角形，或提高上限。</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>“%1”的画家顺序需要超过 %2 个多边形：它有 %3 个三角形。请减少三角形，或提高上限。</translation>
+    </message>
+    <message>
+        <source>Triangle %1, which waited, is taken again; its farthest depth is %2.</source>
+        <translation>等待中的三角形 %1 再次被取出，其最远深度为 %2。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4281,6 +4301,14 @@ OpenGL %2
     <message>
         <source>question first: name what you expect, then reveal</source>
         <translation>先提问：指出预期，再揭示</translation>
+    </message>
+    <message>
+        <source>Ctrl + left drag</source>
+        <translation>Ctrl + 左键拖动</translation>
+    </message>
+    <message>
+        <source>in an open question: name all within the rectangle</source>
+        <translation>有未答的问题时：指出矩形内的全部对象</translation>
     </message>
 </context>
 <context>
@@ -5045,10 +5073,6 @@ OpenGL %2
         <translation>点击您预期的对象；再次点击可取消。已指出：%1</translation>
     </message>
     <message>
-        <source>What vanishes?</source>
-        <translation>什么会消失？</translation>
-    </message>
-    <message>
         <source>In which order is it drawn?</source>
         <translation>按什么顺序绘制？</translation>
     </message>
@@ -5069,10 +5093,6 @@ OpenGL %2
         <translation>活动视图的策略没有可指出的叶。请选择其他策略、其他参数或其他问题。</translation>
     </message>
     <message>
-        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
-        <translation>点击一个部分，再选择它所在的叶。已指出：%1</translation>
-    </message>
-    <message>
         <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
         <translation>%1 在哪个叶中？然后点击下一个部分。已指出：%2</translation>
     </message>
@@ -5083,6 +5103,38 @@ OpenGL %2
     <message>
         <source>Leaf</source>
         <translation>叶</translation>
+    </message>
+    <message>
+        <source>Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1</source>
+        <translation>在视图或树中点击您预期的对象，或按住 Ctrl 拖动框选；再做一次可取消。已指出：%1</translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies, here or in the tree. Named: %1</source>
+        <translation>点击一个部分，再在此处或树中选择它所在的叶。已指出：%1</translation>
+    </message>
+    <message>
+        <source>Which objects vanish?</source>
+        <translation>哪些物体会消失？</translation>
+    </message>
+    <message>
+        <source>Which triangles vanish?</source>
+        <translation>哪些三角形会消失？</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionTree</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a strategy&apos;s tree</comment>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>A click on a row answers, too.</source>
+        <translation>点击一行也可以作答。</translation>
+    </message>
+    <message>
+        <source>Tree to answer by</source>
+        <translation>用来作答的树</translation>
     </message>
 </context>
 <context>
