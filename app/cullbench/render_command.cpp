@@ -13,6 +13,7 @@
 #include "core/image/cell_map_picture.h"
 #include "core/image/picture_file.h"
 #include "core/image/picture_metadata.h"
+#include "core/visibility/subject_shape.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -139,13 +140,14 @@ FrameLog frameOf(Renderer& renderer, const SceneBuffers& buffers, const BuiltStr
 }
 
 /// The entries of a frame's log: number, line of the listing, sentence.
-void printSteps(std::FILE* words, const Scene& scene, const FrameLog& log) {
+void printSteps(std::FILE* words, const BuiltStrategy& strategy, const FrameLog& log) {
     const FrameEntries entries(log);
+    const StructureSnapshot snapshot = strategy.snapshot(log);
     for (size_t i = 0; i < entries.size(); ++i) {
         const FrameEntry entry = entries.at(i);
         const bool lined = entry.decision != nullptr && entry.decision->line > 0;
         fmt::print(words, "{:>8}  {:<7}  {}\n", i + 1, lined ? fmt::format("line {}", entry.decision->line) : "",
-                   entryLine(scene, entry));
+                   entryLine(strategy.scene(), entry, entryNames(snapshot, entry)));
     }
 }
 
@@ -204,7 +206,7 @@ void run(const RenderOptions& options, const Context& context) {
     fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, log.consideredTriangles(),
                opened.scene->triangleCount(), gl.info().renderer, gl.platform());
     if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
-    if (options.steps) printSteps(words, *opened.scene, log);
+    if (options.steps) printSteps(words, *strategy, log);
     if (!line.empty()) fmt::print(words, "{}: {}\n", options.output, line);
 }
 

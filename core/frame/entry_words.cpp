@@ -54,18 +54,20 @@ struct CommandWords {
 
 }  // namespace
 
-std::vector<Term> decisionTerms(const Decision& decision) {
+std::vector<Term> decisionTerms(const Decision& decision, const EntryNames& names) {
     std::vector<Term> terms;
     if (decision.plane) terms.push_back(Term::marked(planeName(*decision.plane)));
-    for (size_t i = 0; i < decision.operandCount; ++i)
-        terms.push_back(Term::name(sixDigits(decision.plane ? std::abs(decision.operands[i]) : decision.operands[i])));
+    for (size_t i = 0; i < decision.operandCount; ++i) {
+        const double value = decision.plane ? std::abs(decision.operands[i]) : decision.operands[i];
+        terms.push_back(Term::name(names.operands[i].empty() ? sixDigits(value) : names.operands[i]));
+    }
     return terms;
 }
 
-Words subjectWords(const Scene& scene, const Subject& subject) {
+Words subjectWords(const Scene& scene, const Subject& subject, const EntryNames& names) {
     const auto named = [&](uint32_t instance) { return Term::name(scene.instances()[instance].name); };
     const bool ofObject = subject.object < scene.instances().size();
-    const Term number = Term::plain(subject.number);
+    const Term number = names.subject.empty() ? Term::plain(subject.number) : Term::name(names.subject);
     switch (subject.kind) {
         case Subject::Kind::Object:
             if (ofObject) return {CULLSCOPE_TR("Object %1"), {named(subject.object)}};
@@ -82,8 +84,9 @@ Words subjectWords(const Scene& scene, const Subject& subject) {
             if (ofObject) return {CULLSCOPE_TR("Band %1 of %2"), {number, named(subject.object)}};
             return {CULLSCOPE_TR("Band %1"), {number}};
         case Subject::Kind::Fragment:
-            if (ofObject) return {CULLSCOPE_TR("Part %1 of a triangle of %2"), {number, named(subject.object)}};
-            return {CULLSCOPE_TR("Part %1 of a triangle"), {number}};
+            if (!names.subject.empty()) return {CULLSCOPE_TR("Part %1"), {number}};
+            if (ofObject) return {CULLSCOPE_TR("Part of triangle %1 of %2"), {number, named(subject.object)}};
+            return {CULLSCOPE_TR("Part of triangle %1"), {number}};
         case Subject::Kind::Cells:
             if (ofObject) return {CULLSCOPE_TR("Cells of %1"), {named(subject.object)}};
             return {CULLSCOPE_TR("Several cells"), {}};
@@ -96,15 +99,15 @@ Words subjectWords(const Scene& scene, const Subject& subject) {
     return {CULLSCOPE_TR("Piece %1 of a row"), {number}};
 }
 
-Words entryWords(const FrameEntry& entry) {
+Words entryWords(const FrameEntry& entry, const EntryNames& names) {
     if (entry.command != nullptr) return std::visit(CommandWords{}, *entry.command);
     if (entry.decision->sentence == nullptr) return outcomeWords(*entry.decision);
-    return {entry.decision->sentence, decisionTerms(*entry.decision)};
+    return {entry.decision->sentence, decisionTerms(*entry.decision, names)};
 }
 
-std::string entryLine(const Scene& scene, const FrameEntry& entry) {
-    const std::string words = entryWords(entry).english();
-    return entry.decision == nullptr ? words : subjectWords(scene, entry.decision->subject).english() + ": " + words;
+std::string entryLine(const Scene& scene, const FrameEntry& entry, const EntryNames& names) {
+    const std::string words = entryWords(entry, names).english();
+    return entry.decision == nullptr ? words : subjectWords(scene, entry.decision->subject, names).english() + ": " + words;
 }
 
 }  // namespace cullscope

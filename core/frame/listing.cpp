@@ -17,7 +17,7 @@ void addTo(ListingState& state, const Decision& decision) {
 class SubjectsAround {
 public:
     SubjectsAround(const Scene& scene, const FrameLog& log, uint64_t triangle)
-        : m_log(log), m_instance(uint32_t(scene.instanceOf(triangle))) {
+        : m_log(log), m_triangle(triangle), m_instance(uint32_t(scene.instanceOf(triangle))) {
         const uint32_t mesh = scene.instances()[m_instance].mesh;
         const uint64_t own = triangle - scene.firstTriangle(m_instance);
         while (m_place < scene.meshOf(m_instance).triangleCount() && triangleAt(log.order.get(), mesh, m_place) != own) ++m_place;
@@ -47,12 +47,14 @@ private:
         if (decision.subject.kind == Subject::Kind::Object) return decision.subject.number == m_instance;
         if (decision.subject.kind == Subject::Kind::Node)
             return std::ranges::find(m_log.objectsOf(decision), m_instance) != m_log.objectsOf(decision).end();
+        if (decision.subject.kind == Subject::Kind::Fragment) return decision.subject.number == m_triangle;
         const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
         return cells && decision.subject.object == m_instance && m_place >= decision.places.first &&
                m_place - decision.places.first < decision.places.count;
     }
 
     const FrameLog& m_log;
+    uint64_t m_triangle;
     uint32_t m_instance;
     uint64_t m_place = 0;                        ///< of the triangle, in the order FrameLog::order
     std::vector<std::optional<Subject>> m_open;  ///< by depth: the last subject; none: no decision was said about it

@@ -29,8 +29,8 @@ struct ListingState {
 /// The state of a listing of so many lines after all decisions of a log.
 [[nodiscard]] ListingState listingState(const FrameLog& log, size_t lines);
 /// The same of the decisions about one triangle alone (its number in the scene): those about its object, about the nodes that
-/// contain the object, and, of the object's cells, about those that contain the triangle. `current` is the line that decided what
-/// became of it. The log is of a whole frame of the scene.
+/// contain the object, and, of the object's cells and of parts of triangles, about those that contain the triangle or are of it,
+/// with the nodes around these. `current` is the line that decided what became of it. The log is of a whole frame of the scene.
 [[nodiscard]] ListingState listingState(const Scene& scene, const FrameLog& log, size_t lines, uint64_t triangle);
 
 }  // namespace cullscope

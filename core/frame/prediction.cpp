@@ -1,8 +1,11 @@
 #include "core/frame/prediction.h"
 
 #include <algorithm>
-#include <map>
 #include <numeric>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "core/scene/eye_triangle.h"
 
 namespace cullscope {
 namespace {
@@ -10,7 +13,8 @@ namespace {
 /// Numbers items by when the frame first drew one of their triangles.
 class FirstDrawn {
 public:
-    FirstDrawn(const Scene& scene, const Prediction& prediction) : m_scene(scene), m_prediction(prediction) {}
+    FirstDrawn(const Scene& scene, const Prediction& prediction, const Vec3& eye)
+        : m_scene(scene), m_prediction(prediction), m_eye(eye), m_named(prediction.items.begin(), prediction.items.end()) {}
 
     void operator()(const DrawList& list) {
         for (const DrawRange& range : list.ranges) {
@@ -21,16 +25,21 @@ public:
             }
             const uint32_t mesh = m_scene.instances()[range.instance].mesh;
             for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
-                add(m_scene.firstTriangle(range.instance) + list.triangleAt(mesh, place));
+                addTriangle(m_scene.firstTriangle(range.instance) + list.triangleAt(mesh, place), list.facing);
         }
     }
     void operator()(const OwnTrianglesPointer& own) {
-        for (const uint32_t triangle : own->triangles) add(itemOf(triangle));
+        for (const uint32_t triangle : own->triangles) {
+            if (m_prediction.of == Prediction::Items::Triangles)
+                addTriangle(triangle, own->facing);
+            else
+                add(itemOf(triangle));
+        }
     }
     void operator()(const FinishedPicturePointer& picture) {
         if (m_prediction.question == Prediction::Question::Order) return;
         for (const uint32_t item : picture->triangle)
-            if (item != 0) add(itemOf(item - 1));
+            if (item != 0) addShown(item - 1);
     }
     void operator()(const AskedBoxes&) {}
 
@@ -45,17 +54,28 @@ private:
         return m_prediction.of == Prediction::Items::Triangles ? triangle : m_scene.instanceOf(triangle);
     }
 
-    void add(uint64_t item) {
-        // Of triangles, only the named ones are asked about.
-        if (m_prediction.of == Prediction::Items::Triangles &&
-            std::ranges::find(m_prediction.items, item) == m_prediction.items.end())
-            return;
-        m_places.try_emplace(item, m_places.size() + 1);
+    void addShown(uint64_t triangle) {
+        if (m_prediction.of != Prediction::Items::Triangles || m_named.contains(triangle)) add(itemOf(triangle));
     }
+
+    /// Of triangles, only the named ones are asked about. Of front sides alone, OpenGL drops a triangle whose back the eye sees.
+    void addTriangle(uint64_t triangle, Facing facing) {
+        if (!m_named.contains(triangle)) return;
+        if (facing == Facing::Front) {
+            const size_t instance = m_scene.instanceOf(triangle);
+            const InstanceFromEye seen(m_scene, instance, m_eye);
+            if (seen.facesAway(triangle - m_scene.firstTriangle(instance))) return;
+        }
+        add(triangle);
+    }
+
+    void add(uint64_t item) { m_places.try_emplace(item, m_places.size() + 1); }
 
     const Scene& m_scene;
     const Prediction& m_prediction;
-    std::map<uint64_t, size_t> m_places;
+    Vec3 m_eye;
+    std::unordered_set<uint64_t> m_named;
+    std::unordered_map<uint64_t, size_t> m_places;
 };
 
 /// The same of parts: each part's place in the order, from 1.
@@ -105,6 +125,27 @@ void Prediction::toggle(uint64_t item) {
     if (question != Question::Place) places.clear();
 }
 
+void Prediction::toggle(std::span<const uint64_t> some) {
+    const std::unordered_set<uint64_t> asked(some.begin(), some.end());
+    std::unordered_set<uint64_t> named(items.begin(), items.end());
+    const bool all = std::ranges::all_of(asked, [&](uint64_t item) { return named.contains(item); });
+    if (!all) {
+        for (const uint64_t item : some)
+            if (named.insert(item).second) items.push_back(item);
+        places.resize(question == Question::Place ? items.size() : 0);
+        return;
+    }
+    places.resize(items.size());
+    size_t kept = 0;
+    for (size_t i = 0; i < items.size(); ++i) {
+        if (asked.contains(items[i])) continue;
+        items[kept] = items[i];
+        places[kept++] = places[i];
+    }
+    items.resize(kept);
+    places.resize(question == Question::Place ? kept : 0);
+}
+
 void Prediction::place(size_t place) {
     places.resize(items.size());
     if (!places.empty()) places.back() = place;
@@ -113,7 +154,7 @@ void Prediction::place(size_t place) {
 std::vector<PredictionRow> answerTo(const Prediction& prediction, const Scene& scene, const FrameLog& log,
                                     const NamedParts& parts) {
     if (prediction.of == Prediction::Items::Parts) return answerOfParts(prediction, parts);
-    FirstDrawn drawn(scene, prediction);
+    FirstDrawn drawn(scene, prediction, log.camera.eye);
     for (const Command& command : log.commands) std::visit(drawn, command);
     std::vector<uint64_t> asked = prediction.items;
     if (prediction.of == Prediction::Items::Objects) {
@@ -121,15 +162,17 @@ std::vector<PredictionRow> answerTo(const Prediction& prediction, const Scene& s
         for (uint64_t instance = 0; instance < scene.instances().size(); ++instance)
             if (scene.meshOf(instance).triangleCount() > 0) asked.push_back(instance);
     }
+    std::unordered_map<uint64_t, size_t> named;  // by item: its place among the named ones
+    for (size_t i = 0; i < prediction.items.size(); ++i) named.try_emplace(prediction.items[i], i);
     std::vector<PredictionRow> rows;
     for (const uint64_t item : asked) {
-        const auto named = std::ranges::find(prediction.items, item);
-        const bool isNamed = named != prediction.items.end();
+        const auto found = named.find(item);
+        const bool isNamed = found != named.end();
         const std::optional<size_t> place = drawn.placeOf(item);
         PredictionRow row{item, isNamed ? 1 : 0, place ? 0 : 1};
         if (prediction.question == Prediction::Question::Order) {
             row.actual = place;
-            row.expected = isNamed ? std::optional(size_t(named - prediction.items.begin()) + 1) : std::nullopt;
+            row.expected = isNamed ? std::optional(found->second + 1) : std::nullopt;
         }
         rows.push_back(row);
     }

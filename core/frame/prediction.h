@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/frame/named_parts.h"
@@ -10,7 +11,7 @@ namespace cullscope {
 /// What an audience expects of a frame before it sees it.
 struct Prediction {
     enum class Question {
-        Vanish,  ///< of which items nothing is drawn
+        Vanish,  ///< of which items nothing is drawn; of triangles, neither those whose back OpenGL drops
         Order,   ///< in which order the items are drawn, by their first triangle
         Place    ///< in which of the strategy's places, such as the leaves of a tree, the items lie
     };
@@ -23,6 +24,8 @@ struct Prediction {
 
     /// Names an item, or takes it back if it was named.
     void toggle(uint64_t item);
+    /// Names those of some items that are not named yet, or takes all of them back if they all were named.
+    void toggle(std::span<const uint64_t> some);
     /// Says where the item that was named last is expected.
     void place(size_t place);
     bool operator==(const Prediction&) const = default;

@@ -124,7 +124,10 @@ constexpr double kTwoRoundings = 0x1p-22;
 PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel) {
     const float truth = reference.depth[pixel], depth = shown.depth[pixel];
     if (shown.triangle.empty()) return pixelDifference(truth, depth);
-    const uint32_t should = reference.triangle[pixel], is = shown.triangle[pixel];
+    return pixelDifference(truth, reference.triangle[pixel], depth, shown.triangle[pixel]);
+}
+
+PixelDifference pixelDifference(float truth, uint32_t should, float depth, uint32_t is) {
     if (is == should) return PixelDifference::None;
     const bool unresolved =
         is != 0 && should != 0 && std::abs(double(truth) - double(depth)) <= kTwoRoundings * double(std::max(truth, depth));

@@ -49,6 +49,9 @@ struct ShownPixels {
 /// counts. Where the frame shows the scene's own surfaces by OpenGL, its depths have the reference's bits, and every difference
 /// counts.
 [[nodiscard]] PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel);
+/// The same of a surface beside the true one (`should`), where the frame shows others than the scene's own: depths, and scene
+/// triangle numbers + 1, 0 where there is nothing.
+[[nodiscard]] PixelDifference pixelDifference(float truth, uint32_t should, float depth, uint32_t is);
 
 /// Compares what a frame of the scene shows with the truth for its culling view; `drawn` is what it drew (drawnTriangles).
 [[nodiscard]] Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene);

@@ -72,8 +72,14 @@ bool hasSizeOfBinaryStl(ByteSource& source) {
     return source.size() == 84 + uint64_t{50} * triangles;
 }
 
+void skipByteOrderMark(ByteSource& source) {
+    constexpr std::string_view kMark = "\xEF\xBB\xBF";
+    if (source.position() == 0 && source.peek(kMark.size()).starts_with(kMark)) source.skip(kMark.size());
+}
+
 MeshFormat formatOf(const std::filesystem::path& path, ByteSource& source) {
     const std::string extension = extensionOf(path);
+    if (!hasSizeOfBinaryStl(source)) skipByteOrderMark(source);
     const std::string_view start = source.peek(1024).substr(0, 1024);
     refuseWrapped(extension, start, source.name());
     if (isUtf16(start)) throwInput(CULLSCOPE_TR("%1 is UTF-16 text. Save it as UTF-8 or ASCII."), {source.name()});

@@ -8,7 +8,11 @@ namespace cullscope {
 
 enum class MeshFormat { Obj, Ply, Stl, Off, Om };
 
-/// The format of a file: by its first bytes where they are unambiguous, else by the extension. Throws Error(Input), with what to
+/// Passes over the byte-order mark that some editors write before UTF-8 text, at the begin of a file.
+void skipByteOrderMark(ByteSource& source);
+
+/// The format of a file: by its first bytes where they are unambiguous, else by the extension. A byte-order mark before text is
+/// passed over. Throws Error(Input), with what to
 /// do, for compressed files, UTF-16 text, Git LFS pointers and all other files that are no mesh.
 [[nodiscard]] MeshFormat formatOf(const std::filesystem::path& path, ByteSource& source);
 

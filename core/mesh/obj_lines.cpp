@@ -65,7 +65,6 @@ bool ObjLines::readLogicalLine() {
     std::string_view line;
     if (!m_source.line(line)) return false;
     m_firstLine = m_source.lineNumber();
-    if (m_firstLine == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
     line.remove_prefix(std::min(line.size(), line.find_first_not_of(" \t")));
     m_line.assign(line);
     while (!m_line.empty() && m_line.back() == '\\' && m_line.front() != '#' && m_source.line(line)) {

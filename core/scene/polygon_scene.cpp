@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/error.h"
-#include "core/mesh/byte_source.h"
+#include "core/mesh/file_format.h"
 #include "core/mesh/mesh_assembler.h"
 #include "core/mesh/numbers_in_text.h"
 #include "core/mesh/polygon.h"
@@ -169,6 +169,7 @@ bool isPolygonFile(const std::filesystem::path& path) {
 
 PolygonScene readPolygonFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress) {
     ByteSource source(path, progress, false);
+    skipByteOrderMark(source);
     PolygonReader reader(source.name(), options, progress);
     for (std::string_view line; source.line(line);) reader.line(source.lineNumber(), line);
     return reader.finish(path.filename().string());

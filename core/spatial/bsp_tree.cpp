@@ -137,11 +137,24 @@ private:
     /// For the polygons that there are and some more.
     void requireRoom(uint64_t more) const {
         if (m_scene.triangleCount() + m_cut.cuts() + more <= m_options.limit) return;
+        const std::string limit = std::to_string(m_options.limit), triangles = std::to_string(m_scene.triangleCount());
+        if (more == 0)
+            throwUsage(
+                CULLSCOPE_TR("The BSP tree of \"%1\" needs more than %2 polygons: it has %3 triangles. Take fewer triangles, "
+                             "or a higher limit."),
+                {m_scene.name(), limit, triangles});
+        const std::vector<std::string> found{m_scene.name(), limit, triangles, std::to_string(m_cut.cuts()),
+                                             std::to_string(m_waiting)};
+        // Below given planes the fewest cuts are chosen already.
+        if (m_options.plane == BspPlane::Fewest || m_options.plane == BspPlane::Given)
+            throwUsage(
+                CULLSCOPE_TR("The BSP tree of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 "
+                             "polygons are not divided yet. Take fewer triangles, or a higher limit."),
+                found);
         throwUsage(CULLSCOPE_TR("The BSP tree of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 "
                                 "polygons are not divided yet. Take fewer triangles, another choice of plane (plane=fewest), or "
                                 "a higher limit."),
-                   {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_scene.triangleCount()),
-                    std::to_string(m_cut.cuts()), std::to_string(m_waiting)});
+                   found);
     }
 
     [[noreturn]] void tooManyNodes() const {

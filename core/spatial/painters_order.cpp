@@ -5,6 +5,7 @@
 #include <numeric>
 #include <optional>
 #include <queue>
+#include <utility>
 
 #include "core/base/error.h"
 #include "core/base/work_check.h"
@@ -77,8 +78,7 @@ private:
         }
         if (piece.screen.points.empty()) {
             ++m_result.unordered;
-            m_result.polygons.push_back(polygon);
-            return;
+            return drawNow(polygon);
         }
         m_pieces.push_back(std::move(piece));
     }
@@ -103,7 +103,7 @@ private:
             order.emplace_back(glm::length(middle) / double(corners.size()), i);
         }
         std::ranges::sort(order, m_work.counting(std::greater<>()));
-        for (const auto& [distance, piece] : order) m_result.polygons.push_back(m_pieces[piece].polygon);
+        for (const auto& [distance, piece] : order) drawNow(m_pieces[piece].polygon);
     }
 
     void drawAll() {
@@ -112,16 +112,25 @@ private:
             const uint32_t farthest = m_heap.top().piece;
             m_heap.pop();
             if (m_pieces[farthest].state != PieceState::Waiting) continue;
-            if (m_options.watch) {
-                const uint32_t triangle = triangleOf(m_pieces[farthest]);
-                m_options.watch({{}, triangle, triangle, m_pieces[farthest].screen.far});
-            }
+            tellTaken(NewellStep::Kind::Taken, farthest);
             mark(farthest);
             while (!m_waiting.empty()) advance();
         }
     }
 
+    /// The next polygon of the order.
+    void drawNow(uint32_t polygon) {
+        m_result.polygons.push_back(polygon);
+        if (m_options.watch) m_options.watch({NewellStep::Kind::Drawn, {}, polygon, polygon});
+    }
+
+    void tellTaken(NewellStep::Kind kind, uint32_t piece) {
+        const uint32_t polygon = m_pieces[piece].polygon;
+        if (watchesAll()) m_options.watch({kind, {}, polygon, polygon, m_pieces[piece].screen.far});
+    }
+
     void mark(uint32_t piece) {
+        m_inHand = piece;
         m_pieces[piece].state = PieceState::Marked;
         m_waiting.push_back(begun(piece));
     }
@@ -133,14 +142,10 @@ private:
 
     /// The search of the last piece on the stack: draws it, or goes on with one that has to be drawn before.
     void advance() {
-        const std::optional<uint32_t> before = nextBefore(m_waiting.back());
         const uint32_t p = m_waiting.back().piece;
-        if (!before) {
-            m_pieces[p].state = PieceState::Done;
-            m_result.polygons.push_back(m_pieces[p].polygon);
-            m_waiting.pop_back();
-            return;
-        }
+        if (p != std::exchange(m_inHand, p)) tellTaken(NewellStep::Kind::Again, p);
+        const std::optional<uint32_t> before = nextBefore(m_waiting.back());
+        if (!before) return drawLast();
         if (m_lastTest == NewellTest::Pierce) {
             if (!cutPiece(p, *before) && !cutPiece(*before, p)) giveUp();
         } else if (m_pieces[*before].state == PieceState::Marked) {
@@ -204,12 +209,12 @@ private:
         return false;
     }
 
-    [[nodiscard]] uint32_t triangleOf(const Piece& piece) const { return m_triangles.polygons()[piece.polygon].triangle; }
+    [[nodiscard]] bool watchesAll() const { return m_options.watch && !m_options.watchDrawnOnly; }
 
     void found(NewellTest test, const Piece& p, const Piece& q, double first, double second) {
         m_lastTest = test;
         ++m_result.tests[size_t(test)];
-        if (m_options.watch) m_options.watch({test, triangleOf(p), triangleOf(q), first, second});
+        if (watchesAll()) m_options.watch({NewellStep::Kind::Compared, test, p.polygon, q.polygon, first, second});
     }
 
     /// How far a piece reaches to both sides of a plane.
@@ -251,9 +256,13 @@ private:
     /// Draws the last piece on the stack where rounding alone lets it wait.
     void giveUp() {
         ++m_result.unresolved;
+        drawLast();
+    }
+
+    void drawLast() {
         const uint32_t last = m_waiting.back().piece;
         m_pieces[last].state = PieceState::Done;
-        m_result.polygons.push_back(m_pieces[last].polygon);
+        drawNow(m_pieces[last].polygon);
         m_waiting.pop_back();
     }
 
@@ -284,6 +293,11 @@ private:
     /// For the polygons that there are and some more.
     void requireRoom(uint64_t more) const {
         if (m_triangles.polygons().size() - m_triangles.cuts() + more <= m_options.limit) return;
+        // Before the first cut every way of sorting has too many polygons.
+        if (m_triangles.cuts() == 0 && more == 0)
+            throwUsage(CULLSCOPE_TR("The painter's order of \"%1\" needs more than %2 polygons: it has %3 triangles. Take fewer "
+                                    "triangles, or a higher limit."),
+                       {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_scene.triangleCount())});
         throwUsage(CULLSCOPE_TR("The painter's order of \"%1\" needs more than %2 polygons: its %3 triangles were cut %4 times. "
                                 "Take fewer triangles, sort=centroid, or a higher limit."),
                    {m_scene.name(), std::to_string(m_options.limit), std::to_string(m_scene.triangleCount()),
@@ -301,6 +315,7 @@ private:
     std::optional<PieceGrid> m_grid;
     std::priority_queue<FarFirst> m_heap;
     std::vector<Waiting> m_waiting;
+    uint32_t m_inHand = 0;  ///< the piece that the last step was about, while some wait
     NewellTest m_lastTest = NewellTest::Depth;
     uint64_t m_firstTriangle = 0, m_endTriangle = 0;  ///< of the instance last asked about
     bool m_mirrored = false;

@@ -26,19 +26,26 @@ enum class NewellTest : uint8_t {
 };
 inline constexpr size_t kNewellTests = 9;
 
-/// One step of the order, while it is watched: what a comparison of two polygons found, or that P was taken.
+/// One step of the order, while it is watched. Steps come in the order of the algorithm.
 struct NewellStep {
-    std::optional<NewellTest> test;  ///< none: P is the farthest one left, and is compared now
-    uint32_t p = 0, q = 0;           ///< scene triangle numbers; without a test both P
-    double first = 0, second = 0;    ///< what was compared: depths, pixels or distances from a plane
+    enum class Kind : uint8_t {
+        Taken,     ///< P is the farthest one left, and is compared now
+        Again,     ///< P waited for others, and is compared on
+        Compared,  ///< a comparison of P and Q, by `test`
+        Drawn      ///< nothing is left that has to come before P: it is the next one of PaintersOrder::polygons
+    };
+    Kind kind = Kind::Taken;
+    NewellTest test = NewellTest::Depth;  ///< of a comparison
+    uint32_t p = 0, q = 0;                ///< polygons of the CutTriangles; without a comparison both P
+    double first = 0, second = 0;  ///< what was compared: depths, pixels or distances from a plane; else P's farthest depth
 };
 
 struct PaintersOptions {
     Facing facing = Facing::TwoSided;
-    bool byCentroid = false;     ///< sorted by the distance of the centroids alone
-    uint64_t limit = 1'000'000;  ///< of polygons, whole and cut
-    /// Called for each P that is taken and for each comparison; may be empty.
-    std::function<void(const NewellStep&)> watch{};
+    bool byCentroid = false;                         ///< sorted by the distance of the centroids alone
+    uint64_t limit = 1'000'000;                      ///< of polygons, whole and cut
+    std::function<void(const NewellStep&)> watch{};  ///< called for each step; may be empty
+    bool watchDrawnOnly = false;                     ///< called for what is drawn alone
 };
 
 /// Polygons in the order in which a painter draws them, as seen from an eye.

@@ -8,6 +8,15 @@
 namespace cullscope {
 namespace {
 
+/// Null: the snapshot has no group of this number.
+const SnapshotNode* groupOf(const StructureSnapshot& snapshot, uint32_t number) {
+    const auto is = [&](const SnapshotNode& node) { return node.isGroup() && node.number == number; };
+    // Many strategies list their groups by number.
+    if (number < snapshot.nodes.size() && is(snapshot.nodes[number])) return &snapshot.nodes[number];
+    const auto found = std::ranges::find_if(snapshot.nodes, is);
+    return found == snapshot.nodes.end() ? nullptr : &*found;
+}
+
 class ShapeMaker {
 public:
     ShapeMaker(const Scene& scene, const FrameLog& log) : m_scene(scene), m_log(log) {}
@@ -19,9 +28,7 @@ public:
     }
 
     void addNode(const StructureSnapshot& snapshot, const Decision& decision) {
-        const auto found = std::ranges::find_if(
-            snapshot.nodes, [&](const SnapshotNode& node) { return node.isGroup() && node.number == decision.subject.number; });
-        if (found != snapshot.nodes.end()) {
+        if (const SnapshotNode* found = groupOf(snapshot, decision.subject.number)) {
             m_shape.node = found->number;
             m_shape.boxes.push_back(found->box);
             return;
@@ -59,16 +66,18 @@ public:
     }
 
     /// What the strategy itself tells of the subject, in place of its object's box.
-    void addPlace(const StructureSnapshot& snapshot, const Decision& decision) {
+    void addPlace(const StructureSnapshot& snapshot, const Decision& decision, size_t number) {
         const uint32_t instance = decision.subject.object;
         if (!snapshot.places || instance >= m_scene.instances().size()) return;
-        std::optional<SubjectPlace> place = snapshot.places->of(m_scene, decision);
+        std::optional<SubjectPlace> place = snapshot.places->at(m_scene, decision, number);
         if (!place) return;
         m_shape.object = instance;
         if (m_shape.triangles.empty() && !place->lines.empty()) m_shape.boxes.clear();
         m_shape.lines = std::move(place->lines);
+        m_shape.compared = std::move(place->compared);
         m_shape.mapLines = std::move(place->mapLines);
         m_shape.onCurve = place->onCurve;
+        if (place->node) m_shape.node = place->node;
         if (!place->triangle) return;
         m_shape.triangle = m_scene.firstTriangle(instance) + *place->triangle;
         m_shape.triangles.push_back(InstanceFromEye(m_scene, instance, Vec3(0.0)).corners(*place->triangle));
@@ -200,8 +209,17 @@ SubjectShape subjectShape(const Scene& scene, const FrameLog& log, const Structu
             maker.addPixels(decision);
             break;
     }
-    maker.addPlace(snapshot, decision);
+    maker.addPlace(snapshot, decision, entry.number);
     return maker.take();
+}
+
+EntryNames entryNames(const StructureSnapshot& snapshot, const FrameEntry& entry) {
+    if (entry.decision == nullptr) return {};
+    const Decision& decision = *entry.decision;
+    EntryNames names = snapshot.places ? snapshot.places->names(snapshot, decision, entry.number) : EntryNames();
+    if (names.subject.empty() && decision.subject.kind == Subject::Kind::Node)
+        if (const SnapshotNode* node = groupOf(snapshot, decision.subject.number)) names.subject = node->name;
+    return names;
 }
 
 }  // namespace cullscope

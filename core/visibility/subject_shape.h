@@ -19,6 +19,7 @@ struct SubjectShape {
     std::vector<std::vector<Vec3>> polygons;     ///< outlines in world coordinates, as of planes that divide space
     std::vector<std::array<Vec3, 3>> triangles;  ///< corners in world coordinates; in place of more there is their box
     std::vector<std::vector<Vec3>> lines;        ///< through points in world coordinates
+    std::vector<std::vector<Vec3>> compared;     ///< the same of what the subject is compared with
     std::optional<std::array<Vec2, 2>> pixels;   ///< lower left and upper right corner in the culling view's picture
     /// Of `pixels`, for pictures of other views: what the culling eye sees through them, as far as the scene reaches.
     std::vector<std::vector<Vec3>> sight;
@@ -32,5 +33,8 @@ struct SubjectShape {
 /// `log`: the whole frame's. `snapshot`: of that frame. Of a command: what it draws, or the boxes that it asks about.
 [[nodiscard]] SubjectShape subjectShape(const Scene& scene, const FrameLog& log, const StructureSnapshot& snapshot,
                                         const FrameEntry& entry);
+
+/// What sentences call what an entry speaks of: a node as the snapshot names it, other subjects as the strategy does.
+[[nodiscard]] EntryNames entryNames(const StructureSnapshot& snapshot, const FrameEntry& entry);
 
 }  // namespace cullscope

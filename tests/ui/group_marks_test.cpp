@@ -130,5 +130,66 @@ TEST_F(GroupMarks, steppedNodeHasItsPlane) {
     EXPECT_EQ(session.groupOf(0), nullptr);
 }
 
+TEST_F(GroupMarks, steppedPartIsLitWithThePlaneOfItsNodeAndCalledAsInTheTree) {
+    show("quiz", "bsp", "plane", "balance");
+    window.actions().stepThrough->trigger();
+    ASSERT_TRUE(waitUntil([&] { return window.stepper().place() && session.step(); }));
+    bool drawn = false;
+    for (size_t step = 1; step <= window.stepper().place()->count(); ++step) {
+        window.stepper().jump(step);
+        const std::optional<FrameEntry> entry = window.stepper().place()->current();
+        if (entry->decision == nullptr || entry->decision->subject.kind == Subject::Kind::Object) continue;
+        const SubjectShape& shape = session.step()->shape;
+        ASSERT_TRUE(shape.node);
+        EXPECT_EQ(shape.polygons.size(), 1u) << "the plane";
+        EXPECT_FALSE(shape.triangles.empty()) << "the polygons in it";
+        const bool isPart = entry->decision->subject.kind == Subject::Kind::Fragment;
+        EXPECT_EQ(shape.boxes.empty(), isPart);
+        drawn = drawn || isPart;
+    }
+    EXPECT_TRUE(drawn);
+}
+
+TEST_F(GroupMarks, comparedPolygonsAreMarkedInTheViewAndInItsObserver) {
+    openAndWait(session, QStringLiteral("quiz"));
+    session.slot(0).choose("painter");
+    ASSERT_TRUE(waitUntil([&] {
+        return session.buffers() && !session.slot(0).building() && session.metricsSettled() && !session.pictures()->busy();
+    }));
+    session.observe(1, 0);
+    window.actions().stepThrough->trigger();
+    ASSERT_TRUE(waitUntil([&] { return window.stepper().place() && session.step(); }));
+    const auto jumpTo = [&](bool compares) {
+        for (size_t step = window.stepper().place()->step() + 1; step < window.stepper().place()->count(); ++step) {
+            window.stepper().jump(step);
+            if (session.step()->shape.compared.empty() != compares) break;
+        }
+        ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && session.pictures()->isCurrent(1); }));
+        QApplication::processEvents();
+    };
+    ASSERT_NO_FATAL_FAILURE(jumpTo(true));
+    ASSERT_EQ(session.step()->shape.compared.size(), 1u);
+    ASSERT_EQ(session.step()->shape.lines.size(), 1u);
+    EXPECT_TRUE(session.step()->shape.boxes.empty());
+    // The same picture of the scene without Q.
+    const SubjectShape shape = session.step()->shape;
+    SubjectShape alone = shape;
+    alone.compared.clear();
+    for (const int view : {0, 1}) {
+        const ViewPicturePointer shown = session.picture(view);
+        const View viewing(shown->request.viewing, shown->request.size);
+        const auto painted = [&](const SubjectShape& marked) {
+            QImage image(int(viewing.viewport().width), int(viewing.viewport().height), QImage::Format_ARGB32);
+            image.fill(Qt::gray);
+            QPainter painter(&image);
+            paintSubject(painter, marked, viewing, PictureLayout(image.size(), 1.0, viewing.viewport()), view == 0);
+            return image;
+        };
+        QImage none(painted({}));
+        EXPECT_GT(changed(painted(alone), none), 0.0005) << "P in view " << view;
+        EXPECT_GT(changed(painted(shape), painted(alone)), 0.0005) << "Q in view " << view;
+    }
+}
+
 }  // namespace
 }  // namespace cullscope::ui::group_marks_test

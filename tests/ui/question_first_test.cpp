@@ -29,8 +29,12 @@ struct QuestionAboutParts : Window {
 
     void ask(Prediction::Question question) {
         window.actions().questionFirst->trigger();
-        window.questionBar().question().setCurrentIndex(int(question));
-        emit window.questionBar().question().activated(int(question));
+        choose(QuestionBar::entryOf(question, Prediction::Items::Objects));
+    }
+
+    void choose(int entry) {
+        window.questionBar().question().setCurrentIndex(entry);
+        emit window.questionBar().question().activated(entry);
     }
 
     /// Clicks a place of the scene in the first view's picture, and waits until so many items are named.
@@ -125,15 +129,130 @@ TEST_F(QuestionAboutParts, strategyWithoutLeavesSaysSo) {
     EXPECT_FALSE(session.question() && session.question()->of == Prediction::Items::Parts);
 }
 
-TEST_F(QuestionAboutParts, anotherStrategyAsksAboutItsOwnParts) {
+TEST_F(QuestionAboutParts, partsThatWereNamedStayWhenTheEyeMoves) {
     ask(Prediction::Question::Order);
     ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));
     click(inOrder[1], 1);
+    const NamedPartsPointer before = session.questionParts();
     Camera camera = session.camera();
     camera.eye += Vec3(0.1, 0.0, 0.0);
     session.setCamera(camera);
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.pictures()->busy(); }));
-    EXPECT_EQ(session.question()->items.size(), 1u) << "the parts of a tree stay when the eye moves";
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() != before; })) << "those of the new frame";
+    EXPECT_EQ(session.question()->items.size(), 1u) << "a tree's parts are the same";
+}
+
+TEST_F(QuestionAboutParts, anotherStrategyAsksAboutItsOwnParts) {
+    ask(Prediction::Question::Order);
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));
+    click(inOrder[1], 1);
+    // The painter cuts nothing here: the question is about objects, and what was named is none of them.
+    choose("painter", "sort", "newell");
+    ASSERT_TRUE(waitUntil([&] { return session.question()->of == Prediction::Items::Objects; }));
+    EXPECT_TRUE(session.question()->items.empty());
+    EXPECT_EQ(session.questionParts(), nullptr);
+    click(inOrder[1], 1);
+    choose("bsp", "plane", "given");
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));
+    EXPECT_EQ(session.question()->of, Prediction::Items::Parts);
+    EXPECT_TRUE(session.question()->items.empty()) << "an object is no part";
+}
+
+/// The row of the tree with a text.
+QModelIndex rowOf(QuestionTree& tree, const QString& text) {
+    const QModelIndexList found =
+        tree.model().match(tree.model().index(0, 0), Qt::DisplayRole, text, 1, Qt::MatchExactly | Qt::MatchRecursive);
+    return found.isEmpty() ? QModelIndex() : found.front();
+}
+
+TEST_F(QuestionAboutParts, rowsOfTheTreeAnswerAsPlacesInTheViewDo) {
+    ask(Prediction::Question::Place);
+    QuestionTree& tree = window.questionTree();
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() && rowOf(tree, QStringLiteral("C8")).isValid(); }));
+    EXPECT_TRUE(tree.isVisibleTo(&window));
+    EXPECT_FALSE(window.structurePanel().isVisible()) << "its counts would answer the question";
+    const std::vector<QString> planes{QStringLiteral("P1"), QStringLiteral("P2"), QStringLiteral("P3")};
+    for (const QString& plane : planes) EXPECT_TRUE(rowOf(tree, plane).isValid()) << plane.toStdString();
+    const auto clickRow = [&](const char* text) { emit tree.view().clicked(rowOf(tree, QString::fromLatin1(text))); };
+    clickRow("C1");
+    EXPECT_TRUE(session.question()->items.empty()) << "no part is named yet";
+    click(inOrder[0], 1);  // B
+    clickRow("C1");
+    EXPECT_EQ(session.question()->places.back(), std::optional<size_t>(0));
+    clickRow("P1");
+    EXPECT_EQ(session.question()->places.back(), std::optional<size_t>(0)) << "a plane is no leaf";
+    clickRow("C3");
+    EXPECT_EQ(session.question()->places.back(), std::optional<size_t>(2));
+    // In an order a row stands for what lies there.
+    ask(Prediction::Question::Order);
+    ask(Prediction::Question::Order);
+    ASSERT_TRUE(waitUntil([&] { return session.question() && session.questionParts(); }));
+    for (const char* leaf : {"C1", "C2", "C4", "C6", "C8"}) clickRow(leaf);
+    AnswerDialog* answer = reveal();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_EQ(answer->model().score(), QStringLiteral("Right: 5 of 5"));
+    answer->close();
+    EXPECT_FALSE(tree.isVisible());
+    EXPECT_TRUE(window.structurePanel().isVisible());
+}
+
+TEST_F(QuestionAboutParts, trianglesThatVanishAreNamedByClicksRegionsAndRows) {
+    session.slot(0).choose("backface");
+    ASSERT_TRUE(
+        waitUntil([&] { return !session.slot(0).building() && session.metricsSettled() && !session.pictures()->busy(); }));
+    window.actions().questionFirst->trigger();
+    EXPECT_EQ(session.question()->of, Prediction::Items::Objects) << "of several objects";
+    choose(QuestionBar::entryOf(Prediction::Question::Vanish, Prediction::Items::Triangles));
+    ASSERT_EQ(session.question()->of, Prediction::Items::Triangles);
+    click(inOrder[0], 1);
+    const uint64_t clicked = session.question()->items.front();
+    EXPECT_EQ(session.scene()->instanceOf(clicked), 1u) << "a triangle of B";
+    // All that the view shows.
+    ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
+    const Viewport size = session.viewRequest(0)->size;
+    session.nameIn(0, {0, 0, size});
+    ASSERT_TRUE(waitUntil([&] { return session.question()->items.size() > 1; }));
+    const size_t shown = session.question()->items.size();
+    EXPECT_EQ(session.question()->items.front(), clicked) << "named before";
+    EXPECT_LE(shown, session.scene()->triangleCount());
+    session.nameIn(0, {0, 0, size});
+    ASSERT_TRUE(waitUntil([&] { return session.question()->items.empty(); })) << "again takes all of it back";
+    // A strategy without boxes: the rows are the objects.
+    QuestionTree& tree = window.questionTree();
+    ASSERT_TRUE(waitUntil([&] { return rowOf(tree, QStringLiteral("A")).isValid(); }));
+    emit tree.view().clicked(rowOf(tree, QStringLiteral("A")));
+    EXPECT_EQ(session.question()->items.size(), session.scene()->meshOf(0).triangleCount());
+    AnswerDialog* answer = reveal();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_EQ(answer->model().rowCount(), int(session.scene()->meshOf(0).triangleCount()));
+    EXPECT_TRUE(cell(*answer, 0, PredictionModel::Item).contains(QStringLiteral("(A)")));
+    answer->close();
+}
+
+TEST_F(QuestionAboutParts, dragWithControlNamesWhatLiesInTheRectangle) {
+    session.slot(0).choose("backface");
+    ASSERT_TRUE(
+        waitUntil([&] { return !session.slot(0).building() && session.metricsSettled() && !session.pictures()->busy(); }));
+    SceneView& view = window.views().pane(0).picture();
+    const QRectF picture = view.pictureLayout().rect();
+    const auto drag = [&] {
+        const QPoint from = (picture.topLeft() + QPointF(2, 2)).toPoint(), to = (picture.bottomRight() - QPointF(2, 2)).toPoint();
+        QTest::mousePress(&view, Qt::LeftButton, Qt::ControlModifier, from);
+        for (const QPoint& at : {(from + to) / 2, to}) {
+            QMouseEvent move(QEvent::MouseMove, at, view.mapToGlobal(at), Qt::NoButton, Qt::LeftButton, Qt::ControlModifier);
+            QApplication::sendEvent(&view, &move);
+        }
+        QTest::mouseRelease(&view, Qt::LeftButton, Qt::ControlModifier, to);
+    };
+    window.actions().questionFirst->trigger();
+    ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.pictures()->busy(); }));
+    const Camera before = session.camera();
+    drag();
+    ASSERT_TRUE(waitUntil([&] { return session.question()->items.size() == 3; })) << "A, B and C";
+    EXPECT_EQ(session.camera().eye, before.eye) << "the camera stays";
+    window.actions().questionFirst->trigger();
+    drag();
+    EXPECT_NE(session.camera().eye, before.eye) << "without a question it turns the camera";
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ KeysDialog::KeysDialog(QWidget* parent) : QDialog(parent) {
                         {{tr("Left drag"), tr("turn about the centre of rotation")},
                          {tr("Wheel"), tr("zoom to the pointer")},
                          {tr("Middle drag, or Shift + left drag"), tr("pan")},
+                         {tr("Ctrl + left drag"), tr("in an open question: name all within the rectangle")},
                          {tr("Click"), tr("select triangle and object; on an axis' end: look from there")},
                          {tr("Double click"), tr("set the centre of rotation")},
                          {tr("Right drag"), tr("look around")},

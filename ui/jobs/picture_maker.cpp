@@ -149,6 +149,20 @@ void PictureMaker::pick(const ViewRequest& request, int x, int y,
     m_picks.start(m_gpu, lookUp, {.buffers = {request.buffers}, .urgency = Urgency::Picture});
 }
 
+void PictureMaker::pickIn(const ViewRequest& request, const PictureTile& within,
+                          std::function<void(const std::vector<uint64_t>&)> found) {
+    const auto lookUp = [request, within, found = std::move(found), drawer = m_drawer](GpuJobs::Step& step) {
+        std::vector<uint64_t> triangles;
+        Message failure;  // as above
+        (void)guarded(failure, [&]() -> ViewPicturePointer {
+            triangles = drawer->trianglesIn(request, within);
+            return nullptr;
+        });
+        step.deliver([found, triangles = std::move(triangles)] { found(triangles); });
+    };
+    m_picks.start(m_gpu, lookUp, {.buffers = {request.buffers}, .urgency = Urgency::Picture});
+}
+
 ViewPicturePointer PictureMaker::drawNow(const ViewRequest& request) {
     ViewPicturePointer picture;
     std::exception_ptr failure;

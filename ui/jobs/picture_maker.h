@@ -43,6 +43,8 @@ public:
     /// all where the thread lost its context, another pick was asked for, or this one was cancelled.
     void pick(const ViewRequest& request, int x, int y,
               std::function<void(const std::optional<ViewPictureDrawer::Picked>&)> found);
+    /// The same of all triangles that it shows within a rectangle (y upward).
+    void pickIn(const ViewRequest& request, const PictureTile& within, std::function<void(const std::vector<uint64_t>&)> found);
     void cancelPick() { m_picks.cancel(); }
 
 signals:

@@ -1,6 +1,7 @@
 #include "ui/jobs/view_picture.h"
 
 #include <QRgb>
+#include <set>
 
 #include "core/frame/decided_ahead.h"
 #include "core/image/spherical_model.h"
@@ -126,20 +127,20 @@ void PictureDrawing::drawBeside(Renderer& renderer, Framebuffer& target) {
     const std::vector<float> other = target.readDepth();
     std::vector<PixelDifference> differences(mine.size());
     for (size_t i = 0; i < mine.size(); ++i) differences[i] = pixelDifference(other[i], mine[i]);
-    if (!log().drawsScene() || (m_other && !m_other->log.drawsScene())) forgetSameTriangles(differences, renderer, target.tile());
+    if (!log().drawsScene() || (m_other && !m_other->log.drawsScene()))
+        compareTriangles(differences, mine, other, renderer, target.tile());
     copyTile(differences, target.tile(), m_differences, request.size.width);
 }
 
-/// Surfaces that a strategy made itself have depths that are rounded otherwise: where both show the same triangle, there is no
-/// difference, as in measure/accuracy.h.
-void PictureDrawing::forgetSameTriangles(std::vector<PixelDifference>& differences, Renderer& renderer,
-                                         const PictureTile& tile) const {
+/// Surfaces that a strategy made itself have depths that are rounded otherwise: the triangles tell, too, as in
+/// measure/accuracy.h.
+void PictureDrawing::compareTriangles(std::vector<PixelDifference>& differences, const std::vector<float>& mine,
+                                      const std::vector<float>& other, Renderer& renderer, const PictureTile& tile) const {
     const SceneBuffers& buffers = *m_picture->request.buffers;
-    const std::vector<uint32_t> mine = renderer.drawItemBuffer(buffers, m_viewing, log(), tile).triangle;
-    const std::vector<uint32_t> other = m_truth ? renderer.drawItemBuffer(buffers, m_viewing, *m_truth, tile).triangle
-                                                : renderer.drawItemBuffer(buffers, m_viewing, m_other->log, tile).triangle;
-    for (size_t i = 0; i < differences.size(); ++i)
-        if (mine[i] == other[i]) differences[i] = PixelDifference::None;
+    const std::vector<uint32_t> is = renderer.drawItemBuffer(buffers, m_viewing, log(), tile).triangle;
+    const std::vector<uint32_t> should = m_truth ? renderer.drawItemBuffer(buffers, m_viewing, *m_truth, tile).triangle
+                                                 : renderer.drawItemBuffer(buffers, m_viewing, m_other->log, tile).triangle;
+    for (size_t i = 0; i < differences.size(); ++i) differences[i] = pixelDifference(other[i], should[i], mine[i], is[i]);
 }
 
 std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
@@ -170,6 +171,15 @@ std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewReque
             : renderer().pick(*request.buffers, viewing, frame->log, x, y);
     if (!picked) return std::nullopt;
     return Picked{picked->triangle, pointUnder(viewing, Vec2(x + 0.5, y + 0.5), picked->depth)};
+}
+
+std::vector<uint64_t> ViewPictureDrawer::trianglesIn(const ViewRequest& request, const PictureTile& within) {
+    const ViewFramePointer frame = shownFrame(request, m_frames->of(request.frame(), renderer()));
+    const View viewing(request.viewing, request.size);
+    std::set<uint64_t> shown;
+    for (const uint32_t item : renderer().drawItemBuffer(*request.buffers, viewing, frame->log, within).triangle)
+        if (item != 0) shown.insert(item - 1);
+    return {shown.begin(), shown.end()};
 }
 
 }  // namespace cullscope::ui

@@ -80,7 +80,8 @@ public:
 private:
     void drawAhead(Renderer& renderer, Framebuffer& target);
     void drawBeside(Renderer& renderer, Framebuffer& target);
-    void forgetSameTriangles(std::vector<PixelDifference>& differences, Renderer& renderer, const PictureTile& tile) const;
+    void compareTriangles(std::vector<PixelDifference>& differences, const std::vector<float>& mine,
+                          const std::vector<float>& other, Renderer& renderer, const PictureTile& tile) const;
 
     std::shared_ptr<ViewPicture> m_picture;
     View m_viewing;
@@ -104,6 +105,9 @@ public:
     [[nodiscard]] ViewPicturePointer draw(const ViewRequest& request);
     /// The triangle and point that the request's picture shows at a pixel (y upward); none: background.
     [[nodiscard]] std::optional<Picked> pick(const ViewRequest& request, int x, int y);
+
+    /// The triangles that it shows within a rectangle (y upward), ascending, each once.
+    [[nodiscard]] std::vector<uint64_t> trianglesIn(const ViewRequest& request, const PictureTile& within);
 
     /// Releases what was made in the thread's context, and the frames, whose answers may come from a lost one.
     void letGo();

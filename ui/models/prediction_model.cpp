@@ -22,7 +22,12 @@ PredictionModel::PredictionModel(ScenePointer scene, Prediction prediction, std:
 int PredictionModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : int(m_rows.size()); }
 
 QString PredictionModel::itemText(uint64_t item) const {
-    if (m_prediction.of == Prediction::Items::Triangles) return tr("triangle %1").arg(countText(item));
+    if (m_prediction.of == Prediction::Items::Triangles) {
+        // As in the sentences of steps.
+        const QString object = QString::fromStdString(m_scene->instances()[m_scene->instanceOf(item)].name);
+        const bool several = m_scene->instances().size() > 1;
+        return tr("triangle %1").arg(several ? countText(item) + QStringLiteral(" (%1)").arg(object) : countText(item));
+    }
     if (m_prediction.of == Prediction::Items::Parts) return QString::fromStdString(m_parts->parts[item].name);
     return QString::fromStdString(m_scene->instances()[item].name);
 }

@@ -2,11 +2,27 @@
 
 #include <QEvent>
 #include <QHBoxLayout>
+#include <algorithm>
+#include <array>
 
 #include "ui/look/wheel_guard.h"
 #include "ui/text/wording.h"
 
 namespace cullscope::ui {
+
+namespace {
+
+/// What an entry of the list of questions asks.
+struct Entry {
+    Prediction::Question question;
+    std::optional<Prediction::Items> of;
+};
+const std::array<Entry, 4> kEntries{{{Prediction::Question::Vanish, Prediction::Items::Objects},
+                                     {Prediction::Question::Vanish, Prediction::Items::Triangles},
+                                     {Prediction::Question::Order, {}},
+                                     {Prediction::Question::Place, {}}}};
+
+}  // namespace
 
 QuestionBar::QuestionBar(Session& session, QuestionFirst& questions, QWidget* parent)
     : QWidget(parent),
@@ -17,7 +33,7 @@ QuestionBar::QuestionBar(Session& session, QuestionFirst& questions, QWidget* pa
       m_place(new QComboBox(this)),
       m_reveal(new QPushButton(this)),
       m_withdraw(new QPushButton(this)) {
-    m_question->addItems({QString(), QString(), QString()});
+    for (size_t entry = 0; entry < kEntries.size(); ++entry) m_question->addItem(QString());
     leaveWheelUnlessFocused(*m_question);
     leaveWheelUnlessFocused(*m_place);
     m_words->setWordWrap(true);
@@ -28,7 +44,8 @@ QuestionBar::QuestionBar(Session& session, QuestionFirst& questions, QWidget* pa
     row->addWidget(m_place);
     row->addWidget(m_reveal);
     row->addWidget(m_withdraw);
-    connect(m_question, &QComboBox::activated, this, [this](int chosen) { m_questions.ask(Prediction::Question(chosen)); });
+    connect(m_question, &QComboBox::activated, this,
+            [this](int chosen) { m_questions.ask(kEntries[size_t(chosen)].question, kEntries[size_t(chosen)].of); });
     connect(m_place, &QComboBox::activated, this, [this](int chosen) {
         if (chosen > 0) m_questions.place(size_t(chosen - 1));
     });
@@ -42,15 +59,24 @@ void QuestionBar::refresh() {
     const std::optional<Prediction>& question = m_session.question();
     setVisible(question.has_value());
     if (!question) return;
-    m_question->setCurrentIndex(int(question->question));
+    m_question->setCurrentIndex(entryOf(question->question, question->of));
     m_words->setText(words());
     refreshPlaces();
+}
+
+int QuestionBar::entryOf(Prediction::Question question, Prediction::Items of) {
+    const auto found = std::ranges::find_if(
+        kEntries, [&](const Entry& entry) { return entry.question == question && entry.of.value_or(of) == of; });
+    return int(found - kEntries.begin());
 }
 
 QString QuestionBar::words() const {
     const Prediction& question = *m_session.question();
     const QString named = countText(question.items.size());
     const NamedParts* parts = m_session.questionParts().get();
+    if (question.question == Prediction::Question::Vanish)
+        return tr("Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1")
+            .arg(named);
     if (question.question != Prediction::Question::Place)
         return tr("Click what you expect; a second click takes it back. Named: %1").arg(named);
     if (!parts) return {};
@@ -58,7 +84,8 @@ QString QuestionBar::words() const {
         return tr(
             "The active view's strategy has no leaves that could be named. Choose another strategy, other parameters, or "
             "another question.");
-    if (question.items.empty()) return tr("Click a part, then choose the leaf in which it lies. Named: %1").arg(named);
+    if (question.items.empty())
+        return tr("Click a part, then choose the leaf in which it lies, here or in the tree. Named: %1").arg(named);
     return tr("In which leaf does %1 lie? Then click the next part. Named: %2")
         .arg(QString::fromStdString(parts->parts[question.items.back()].name), named);
 }
@@ -79,9 +106,9 @@ void QuestionBar::refreshPlaces() {
 }
 
 void QuestionBar::retranslate() {
-    m_question->setItemText(int(Prediction::Question::Vanish), tr("What vanishes?"));
-    m_question->setItemText(int(Prediction::Question::Order), tr("In which order is it drawn?"));
-    m_question->setItemText(int(Prediction::Question::Place), tr("In which leaf does it lie?"));
+    const QStringList texts{tr("Which objects vanish?"), tr("Which triangles vanish?"), tr("In which order is it drawn?"),
+                            tr("In which leaf does it lie?")};
+    for (int entry = 0; entry < int(texts.size()); ++entry) m_question->setItemText(entry, texts[entry]);
     m_question->setAccessibleName(tr("Question"));
     m_place->setAccessibleName(tr("Leaf"));
     m_reveal->setText(tr("Reveal"));

@@ -17,6 +17,8 @@ public:
     QuestionBar(Session& session, QuestionFirst& questions, QWidget* parent = nullptr);
 
     [[nodiscard]] QComboBox& question() { return *m_question; }
+    /// The entry of that list which asks about such items.
+    [[nodiscard]] static int entryOf(Prediction::Question question, Prediction::Items of);
     /// The places of a question about them, after an entry without a place.
     [[nodiscard]] QComboBox& place() { return *m_place; }
     /// What is to be done; only while a question is open.

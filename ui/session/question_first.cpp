@@ -2,8 +2,10 @@
 
 #include <QCoreApplication>
 #include <algorithm>
+#include <set>
 
 #include "core/base/error.h"
+#include "core/scene/eye_triangle.h"
 
 namespace cullscope::ui {
 
@@ -18,11 +20,73 @@ QuestionFirst::QuestionFirst(Session& session, QObject* parent) : QObject(parent
         connect(&session, signal, this, &QuestionFirst::readParts);
 }
 
-void QuestionFirst::ask(Prediction::Question question) {
+void QuestionFirst::ask(Prediction::Question question, const std::optional<Prediction::Items>& of) {
     if (!m_session.scene() || !m_session.gpu()) return;
-    const bool one = m_session.scene()->instances().size() == 1;
-    m_session.setQuestion(Prediction{question, one ? Prediction::Items::Triangles : Prediction::Items::Objects});
+    const bool vanish = question == Prediction::Question::Vanish;
+    m_session.setQuestion(Prediction{question, vanish ? of.value_or(usualItems()) : usualItems()});
     readParts();
+}
+
+Prediction::Items QuestionFirst::usualItems() const {
+    return m_session.scene()->instances().size() == 1 ? Prediction::Items::Triangles : Prediction::Items::Objects;
+}
+
+void QuestionFirst::answerBy(const BuiltStrategy& strategy, const StructureSnapshot& snapshot, size_t node) {
+    if (!m_session.question()) return;
+    if (m_session.question()->question == Prediction::Question::Place) {
+        if (!m_session.questionParts() || m_session.question()->items.empty()) return;
+        const std::vector<std::string>& places = m_session.questionParts()->places;
+        const auto found = std::ranges::find(places, snapshot.nodes[node].name);
+        if (found != places.end()) place(size_t(found - places.begin()));
+        return;
+    }
+    const std::vector<uint64_t> items = itemsBelow(strategy, snapshot, node);
+    Prediction named = *m_session.question();
+    if (!items.empty()) named.toggle(items);
+    m_session.setQuestion(named);
+}
+
+std::vector<uint64_t> QuestionFirst::itemsBelow(const BuiltStrategy& strategy, const StructureSnapshot& snapshot,
+                                                size_t node) const {
+    const Scene& scene = *m_session.scene();
+    std::set<uint32_t> objects, groups;
+    for (size_t i = 0; i < snapshot.nodes.size(); ++i) {
+        size_t above = i;
+        while (above != node && snapshot.nodes[above].parent >= 0) above = size_t(snapshot.nodes[above].parent);
+        if (above != node) continue;
+        const SnapshotNode& below = snapshot.nodes[i];
+        (below.isGroup() ? groups : objects).insert(below.isGroup() ? below.number : below.instance);
+    }
+    // Of a tree that holds triangles or parts of them.
+    const auto holds = [&](uint64_t triangle, const std::array<Vec3, 3>& corners) {
+        const std::optional<uint32_t> group = strategy.groupAt(triangle, (corners[0] + corners[1] + corners[2]) / 3.0);
+        return group && groups.contains(*group);
+    };
+    std::vector<uint64_t> items;
+    switch (m_session.question()->of) {
+        case Prediction::Items::Objects:
+            items.assign(objects.begin(), objects.end());
+            break;
+        case Prediction::Items::Triangles:
+            for (uint32_t object = 0; object < scene.instances().size(); ++object) {
+                const InstanceFromEye corners(scene, object, Vec3(0.0));
+                for (uint64_t i = 0; i < scene.meshOf(object).triangleCount() && items.size() < kMostTriangles; ++i) {
+                    const uint64_t triangle = scene.firstTriangle(object) + i;
+                    const bool searched = objects.empty() && scene.triangleCount() <= kMostSearched;
+                    if (objects.contains(object) || (searched && holds(triangle, corners.corners(i)))) items.push_back(triangle);
+                }
+            }
+            break;
+        case Prediction::Items::Parts:
+            const NamedPartsPointer& parts = m_session.questionParts();
+            for (uint64_t i = 0; parts && i < parts->parts.size(); ++i) {
+                const NamedParts::Part& part = parts->parts[i];
+                const uint32_t first = part.drawn.front().first;
+                const bool held = holds(parts->own->triangles[first], worldCorners(*parts->own, first, scene, part.object));
+                if (held || objects.contains(part.object)) items.push_back(i);
+            }
+    }
+    return items;
 }
 
 void QuestionFirst::place(size_t place) {
@@ -52,8 +116,12 @@ void QuestionFirst::readParts() {
 void QuestionFirst::take(const NamedPartsPointer& parts) {
     if (!m_session.question() || m_session.question()->question == Prediction::Question::Vanish) return;
     const bool byPlace = m_session.question()->question == Prediction::Question::Place;
-    if (!byPlace && !(parts->divides() && parts->parts.size() <= kMostParts)) return;
     Prediction question = *m_session.question();
+    if (!byPlace && !(parts->divides() && parts->parts.size() <= kMostParts)) {
+        // Another strategy had parts before.
+        if (question.of == Prediction::Items::Parts) m_session.setQuestion(Prediction{question.question, usualItems()});
+        return;
+    }
     const NamedPartsPointer& before = m_session.questionParts();
     const bool same =
         before && std::ranges::equal(before->parts, parts->parts, {}, &NamedParts::Part::name, &NamedParts::Part::name);

@@ -18,10 +18,14 @@ public:
     explicit QuestionFirst(Session& session, QObject* parent = nullptr);
 
     /// Opens a question without anything named. What is named are the parts of a frame that cuts objects, or triangles in a
-    /// scene of one object, else objects; a question about places is always about parts.
-    void ask(Prediction::Question question);
+    /// scene of one object, else objects; a question about places is always about parts. `of`: what is named where something may
+    /// vanish.
+    void ask(Prediction::Question question, const std::optional<Prediction::Items>& of = {});
     /// Says where what was named last is expected, as a number of NamedParts::places.
     void place(size_t place);
+    /// Answers by a node of the strategy's tree (StructureSnapshot::nodes): a place says where what was named last is expected;
+    /// in other questions all that lies at or below the node is named, or taken back. Both are of the shown scene.
+    void answerBy(const BuiltStrategy& strategy, const StructureSnapshot& snapshot, size_t node);
     /// Closes it without an answer.
     void withdraw();
     /// Reads the frame, closes the question and emits `answered`. Does nothing where no question is open.
@@ -35,10 +39,16 @@ signals:
 private:
     /// Of more parts, only objects are asked about in an order.
     static constexpr size_t kMostParts = 200;
+    /// So many triangles are named at once by a row of the tree; groups that hold triangles are searched in smaller scenes.
+    static constexpr size_t kMostTriangles = 100'000, kMostSearched = 5'000;
 
     /// Reads the parts of the active view's frame, where the open question may be about them.
     void readParts();
     void take(const NamedPartsPointer& parts);
+    [[nodiscard]] Prediction::Items usualItems() const;
+    /// The question's items that lie at or below a node.
+    [[nodiscard]] std::vector<uint64_t> itemsBelow(const BuiltStrategy& strategy, const StructureSnapshot& snapshot,
+                                                   size_t node) const;
 
     Session& m_session;
     GpuJobs m_jobs, m_reading;

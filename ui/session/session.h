@@ -171,6 +171,9 @@ public:
     /// tells what its strategy decided: all show all triangles, and a click names what is clicked.
     [[nodiscard]] const std::optional<Prediction>& question() const { return m_question; }
     void setQuestion(const std::optional<Prediction>& question);
+    /// Names in the open question what a view shows within a rectangle of its picture (y upward): triangles or objects. What is
+    /// all named already is taken back. Does nothing in a question about parts.
+    void nameIn(int view, const PictureTile& within);
     /// The parts that a question about parts names; null: it is about objects or triangles, or there is none.
     [[nodiscard]] const NamedPartsPointer& questionParts() const { return m_questionParts; }
     /// Opens a question about parts. `question` numbers them as `parts` does.

@@ -68,6 +68,24 @@ void Session::nameInQuestion(uint64_t triangle, const Vec3& point) {
     setQuestion(named);
 }
 
+void Session::nameIn(int view, const PictureTile& within) {
+    const std::optional<ViewRequest> request = viewRequest(view);
+    if (!request || !m_question || m_question->of == Prediction::Items::Parts || within.size.width < 1 || within.size.height < 1)
+        return;
+    m_pictures->pickIn(*request, within, [this, request = *request](const std::vector<uint64_t>& shown) {
+        // As where a single place is looked up.
+        if (m_scene != request.buffers->scenePointer() || !m_question || m_question->of == Prediction::Items::Parts) return;
+        std::vector<uint64_t> items = shown;
+        if (m_question->of == Prediction::Items::Objects) {
+            for (uint64_t& item : items) item = m_scene->instanceOf(item);
+            items.erase(std::unique(items.begin(), items.end()), items.end());
+        }
+        Prediction named = *m_question;
+        if (!items.empty()) named.toggle(items);
+        setQuestion(named);
+    });
+}
+
 void Session::setGroup(const std::optional<ChosenGroup>& group) {
     if (group == m_group) return;
     m_group = group;

@@ -102,7 +102,11 @@ void Stepper::show() {
                    {}};
     if (const std::optional<FrameEntry> entry = m_stepper->current())
         step.shape = subjectShape(m_frame->request.strategy->scene(), m_frame->log, m_snapshot, *entry);
-    if (step.shape.node) step.shape.polygons = m_frame->request.strategy->groupShape(m_snapshot, *step.shape.node).polygons;
+    if (step.shape.node) {
+        SubjectShape group = m_frame->request.strategy->groupShape(m_snapshot, *step.shape.node);
+        step.shape.polygons = std::move(group.polygons);
+        if (step.shape.triangles.empty()) step.shape.triangles = std::move(group.triangles);
+    }
     const bool same = m_session.step() && *m_session.step() == step;
     m_session.setStep(step);
     if (same) emit changed();
@@ -177,9 +181,10 @@ QString Stepper::sentence() const {
     if (!m_stepper) return {};
     const std::optional<FrameEntry> entry = m_stepper->current();
     if (!entry) return tr("Nothing was decided and nothing was drawn yet.");
-    const QString words = translated(entryWords(*entry));
+    const EntryNames names = entryNames(m_snapshot, *entry);
+    const QString words = translated(entryWords(*entry, names));
     if (!entry->decision) return words;
-    const QString subject = translated(subjectWords(m_frame->request.strategy->scene(), entry->decision->subject));
+    const QString subject = translated(subjectWords(m_frame->request.strategy->scene(), entry->decision->subject, names));
     return tr("%1: %2", "subject of a decision, what was found").arg(subject, words);
 }
 

@@ -1,5 +1,7 @@
 #include "ui/views/pick_painter.h"
 
+#include <utility>
+
 #include "core/scene/eye_triangle.h"
 #include "ui/look/in_hand.h"
 
@@ -12,8 +14,10 @@ constexpr double kRing = 8.0;
 constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind the eye plane, are clipped
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
-constexpr double kNamedSize = 1.6;  // of a mark in a question, in lines of text
-constexpr int kPlaneOpacity = 56;   // of 255
+constexpr double kNamedSize = 1.6;    // of a mark in a question, in lines of text
+constexpr size_t kMostMarks = 40;     // of triangles; more are only filled
+constexpr size_t kMostFilled = 5000;  // triangles
+constexpr int kPlaneOpacity = 56;     // of 255
 constexpr int kOwnOpacity = 112;
 
 /// Draws a line that is visible on any background: light with a dark edge.
@@ -101,6 +105,19 @@ std::optional<Vec3> middleOf(const Scene& scene, const Prediction& prediction, c
     return (corners[0] + corners[1] + corners[2]) / 3.0;
 }
 
+/// Fills triangles of the scene, by their numbers.
+void fillTriangles(QPainter& painter, const Projection& projection, const Scene& scene, const std::vector<uint64_t>& triangles,
+                   const Vec3& eye) {
+    painter.setPen(QPen(kInHandEdge, 0.5));
+    painter.setBrush(QColor(kInHandColour.red(), kInHandColour.green(), kInHandColour.blue(), kOwnOpacity));
+    for (size_t i = 0; i < std::min(triangles.size(), kMostFilled); ++i) {
+        const size_t instance = scene.instanceOf(triangles[i]);
+        const std::array<Vec3, 3> corners =
+            InstanceFromEye(scene, instance, eye).corners(triangles[i] - scene.firstTriangle(instance));
+        painter.drawPolygon(projection.polygon({corners.begin(), corners.end()}));
+    }
+}
+
 /// What the mark of a named item says.
 QString markText(const Prediction& prediction, const NamedParts* parts, size_t place) {
     if (prediction.question == Prediction::Question::Order) return QString::number(place + 1);
@@ -159,9 +176,15 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
     };
     addLines(shape.lines);
     if (!ownPicture) addLines(shape.sight);
+    const QVector<QLineF> own = std::exchange(lines, {});
+    addLines(shape.compared);
     const auto draw = [&](const QColor& colour, double width) {
+        if (!lines.isEmpty()) {
+            painter.setPen(QPen(colour, width, colour == kInHandColour ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
+            painter.drawLines(lines);
+        }
         painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
-        painter.drawLines(lines);
+        painter.drawLines(own);
         if (!shape.pixels || !ownPicture) return;
         painter.drawRect(QRectF(layout.positionOf((*shape.pixels)[0]), layout.positionOf((*shape.pixels)[1])).normalized());
     };
@@ -202,7 +225,12 @@ void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& pr
     painter.setClipRect(layout.rect(), Qt::IntersectClip);
     painter.setRenderHint(QPainter::Antialiasing);
     const double height = QFontMetricsF(painter.font(), painter.device()).height() * kNamedSize;
-    for (size_t i = 0; i < prediction.items.size(); ++i) {
+    size_t marks = prediction.items.size();
+    if (prediction.of == Prediction::Items::Triangles && prediction.question == Prediction::Question::Vanish) {
+        fillTriangles(painter, projection, scene, prediction.items, viewing.eye());
+        if (marks > kMostMarks) marks = 0;
+    }
+    for (size_t i = 0; i < marks; ++i) {
         const std::optional<Vec3> middle = middleOf(scene, prediction, parts, i, viewing.eye());
         const std::optional<QLineF> place = middle ? projection.line(*middle, *middle) : std::nullopt;
         if (!place) continue;
@@ -215,6 +243,17 @@ void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& pr
         painter.drawRoundedRect(disc, height / 2.0, height / 2.0);
         painter.drawText(disc, Qt::AlignCenter, text);
     }
+    painter.restore();
+}
+
+void paintRegion(QPainter& painter, const QRectF& region, const PictureLayout& layout) {
+    painter.save();
+    painter.setClipRect(layout.rect(), Qt::IntersectClip);
+    painter.setBrush(QColor(kInHandColour.red(), kInHandColour.green(), kInHandColour.blue(), kPlaneOpacity));
+    painter.setPen(QPen(kInHandEdge, kInHandEdgeWidth));
+    painter.drawRect(region);
+    painter.setPen(QPen(kInHandColour, kInHandWidth, Qt::DashLine));
+    painter.drawRect(region);
     painter.restore();
 }
 

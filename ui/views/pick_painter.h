@@ -11,17 +11,21 @@ namespace cullscope::ui {
 /// object if the scene has several. Drawn on top of the picture, so that hidden and culled objects are marked too.
 void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const View& viewing, const PictureLayout& layout);
 
-/// Marks the subject in hand of a stepped view: its boxes, triangles and lines; its rectangle of the picture where the picture is
-/// the culling view's (`ownPicture`), elsewhere what the culling eye sees through it.
+/// Marks the subject in hand of a stepped view: its boxes, triangles and lines, and with dashes what it is compared with; its
+/// rectangle of the picture where the picture is the culling view's (`ownPicture`), elsewhere what the culling eye sees through
+/// it.
 void paintSubject(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout,
                   bool ownPicture);
 
 /// Marks a group of what a strategy built: its box with dashes, what divides it and its triangles filled.
 void paintGroup(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout);
 
-/// Marks what was named in an open question: with its place in an order, or the name of its place, else with a cross. `parts`: of
-/// a question about parts, else null.
+/// Marks what was named in an open question: with its place in an order, or the name of its place, else with a cross; triangles
+/// that are expected to vanish are filled as well, and of many only that. `parts`: of a question about parts, else null.
 void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const NamedParts* parts,
                      const View& viewing, const PictureLayout& layout);
+
+/// A rectangle of the window that is being dragged.
+void paintRegion(QPainter& painter, const QRectF& region, const PictureLayout& layout);
 
 }  // namespace cullscope::ui

@@ -221,6 +221,13 @@ void SceneView::paintGL() {
         shown && opened && m_session.pick() && !m_session.question() && !shown->request.look.sphericalModel)
         paintPick(painter, *opened->scene, *m_session.pick(), View(shown->request.viewing, shown->request.size), layout);
     if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
+    if (m_region) paintRegion(painter, *m_region, layout);
+}
+
+void SceneView::setRegion(const std::optional<QRectF>& region) {
+    if (region == m_region) return;
+    m_region = region;
+    update();
 }
 
 void SceneView::paintStep(QPainter& painter, const PictureLayout& layout) const {

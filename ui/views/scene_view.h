@@ -58,6 +58,8 @@ public:
     /// Removes the mark, and switches the wipe off if goToNextLoss() had switched it on. Returns false if there was no mark and
     /// no such wipe.
     bool leaveLosses();
+    /// Shows a rectangle that is being dragged, in the widget; none: there is none.
+    void setRegion(const std::optional<QRectF>& region);
     /// Shows or hides the scene's axes in a corner, whose ends can be clicked.
     void setAxes(bool on);
     /// The scene's axes; none: they are not shown.
@@ -102,6 +104,7 @@ private:
     bool m_loupe = false;
     bool m_axes = true;
     std::optional<QPointF> m_loupePlace;
+    std::optional<QRectF> m_region;
     std::optional<size_t> m_loss;
     bool m_lossesShown = false;  ///< goToNextLoss() has switched the wipe on
 };

@@ -71,6 +71,7 @@ void ViewInput::press(const QMouseEvent& event) {
     switch (event.button()) {
         case Qt::LeftButton:
             m_drag = shift ? Drag::Pan : Drag::Turn;
+            if (m_session.question() && event.modifiers().testFlag(Qt::ControlModifier)) m_drag = Drag::Region;
             break;
         case Qt::MiddleButton:
             m_drag = Drag::Pan;
@@ -131,6 +132,9 @@ void ViewInput::move(const QMouseEvent& event) {
             m_session.setViewingCamera(m_view.view(), panned(m_view.camera(), m_grabbedDistance, m_view.pixelAt(m_last),
                                                              m_view.pixelAt(event.position())));
             break;
+        case Drag::Region:
+            m_view.setRegion(QRectF(m_pressed, event.position()).normalized());
+            break;
         case Drag::None:
         case Drag::Wipe:
             break;
@@ -140,9 +144,21 @@ void ViewInput::move(const QMouseEvent& event) {
 
 bool ViewInput::release(const QMouseEvent& event) {
     const bool menu = event.button() == Qt::RightButton && m_drag == Drag::Look && !m_moved && !m_flown;
-    if (event.button() == Qt::LeftButton && m_drag == Drag::Turn && !m_moved) click(event.position());
+    const bool clicks = m_drag == Drag::Turn || m_drag == Drag::Region;
+    if (event.button() == Qt::LeftButton && clicks && !m_moved) click(event.position());
+    if (m_drag == Drag::Region && m_moved) nameRegion(event.position());
+    m_view.setRegion(std::nullopt);
     m_drag = Drag::None;
     return menu;
+}
+
+void ViewInput::nameRegion(const QPointF& position) {
+    const Vec2 from = m_view.pixelAt(m_pressed), to = m_view.pixelAt(position);
+    const Viewport size = m_view.renderSize();
+    const auto pixel = [](double at, int end) { return int(std::clamp(std::floor(at), 0.0, double(end - 1))); };
+    const int left = pixel(std::min(from.x, to.x), size.width), right = pixel(std::max(from.x, to.x), size.width);
+    const int low = pixel(std::min(from.y, to.y), size.height), high = pixel(std::max(from.y, to.y), size.height);
+    m_session.nameIn(m_view.view(), {left, low, {right - left + 1, high - low + 1}});
 }
 
 std::optional<Vec3> ViewInput::axisAt(const QPointF& position) const {
@@ -248,6 +264,7 @@ bool ViewInput::keyRelease(const QKeyEvent& event) {
 void ViewInput::stop() {
     m_keys.clear();
     m_flight.stop();
+    m_view.setRegion(std::nullopt);
     m_drag = Drag::None;
 }
 

@@ -18,8 +18,8 @@ class SceneView;
 
 /// Turns mouse and key events on a view into moves of its viewing camera, with the usual assignments: left drag turns, middle
 /// drag or Shift+left pans, right drag looks around while W A S D Q E fly, the wheel zooms to the pointer, Ctrl+wheel moves the
-/// near plane, Shift+wheel the field of view, a double click sets the centre of rotation, a click picks, and a drag moves the
-/// wipe's line.
+/// near plane, Shift+wheel the field of view, a double click sets the centre of rotation, a click picks, a drag moves the
+/// wipe's line, and in an open question Ctrl+left drag names all within a rectangle.
 class ViewInput : public QObject {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] static bool wantsKey(const QKeyEvent& event);
 
 private:
-    enum class Drag { None, Turn, Pan, Look, Wipe };
+    enum class Drag { None, Turn, Pan, Look, Wipe, Region };
 
     void beginDrag();
     void fly();
@@ -50,6 +50,8 @@ private:
     [[nodiscard]] std::optional<Vec3> axisAt(const QPointF& position) const;
     [[nodiscard]] bool overWipeLine(const QPointF& position) const;
     void moveWipe(const QPointF& position);
+    /// Names what lies between where the button was pressed and here.
+    void nameRegion(const QPointF& position);
 
     Session& m_session;
     SceneView& m_view;

@@ -137,8 +137,13 @@ void MainWindow::makeDocks() {
     m_tabs->insertTab(0, m_figures, QString());
     m_tabs->setCurrentIndex(0);
     m_legend = new LegendPanel(m_session, content);
-    layout->addWidget(m_structure, 1);
-    layout->addWidget(m_legend);
+    m_answers = new QWidget(content);
+    auto* answers = new QVBoxLayout(m_answers);
+    answers->setContentsMargins(0, 0, 0, 0);
+    answers->addWidget(m_structure, 1);
+    answers->addWidget(m_legend);
+    layout->addWidget(m_answers, 1);
+    layout->addWidget(m_questionTree = new QuestionTree(m_session, *m_reader, m_steps->questions(), content), 1);
     m_dockScroll->setWidget(content);
     m_dockScroll->setMinimumWidth(kNarrowestDock);
     m_dock->setWidget(m_dockScroll);
@@ -231,7 +236,7 @@ void MainWindow::wireSession() {
     connect(&m_session, &Session::pickedInPicture, m_structure, &StructurePanel::showWhy);
     // What the panels show would answer an open question.
     connect(&m_session, &Session::questionChanged, this, [this] {
-        m_dockScroll->widget()->setVisible(!m_session.question());
+        m_answers->setVisible(!m_session.question());
         m_statistics->widget()->setVisible(!m_session.question());
     });
     connect(&m_session, &Session::messageRaised, m_message, &MessageBar::show);

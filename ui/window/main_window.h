@@ -12,6 +12,7 @@
 #include "ui/panels/message_bar.h"
 #include "ui/panels/metrics_panel.h"
 #include "ui/panels/question_bar.h"
+#include "ui/panels/question_tree.h"
 #include "ui/panels/scene_panel.h"
 #include "ui/panels/step_bar.h"
 #include "ui/panels/strategy_panel.h"
@@ -65,6 +66,7 @@ public:
     [[nodiscard]] Stepper& stepper() { return m_steps->stepper(); }
     [[nodiscard]] StepBar& stepBar() { return *m_stepBar; }
     [[nodiscard]] QuestionBar& questionBar() { return *m_questionBar; }
+    [[nodiscard]] QuestionTree& questionTree() { return *m_questionTree; }
     [[nodiscard]] PaperCommands& papers() { return *m_papers; }
 
     /// Restores geometry, panels and, if `viewCount`, the number of views from the last start. Returns false if none are stored.
@@ -118,6 +120,8 @@ private:
     StepCommands* m_steps;
     StepBar* m_stepBar;
     QuestionBar* m_questionBar;
+    QuestionTree* m_questionTree;
+    QWidget* m_answers;  ///< what a question hides
     SidePanel* m_side;
     LectureWindow* m_lecture = nullptr;
     QWidget* m_rightRail;

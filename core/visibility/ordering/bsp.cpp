@@ -1,9 +1,11 @@
 #include <array>
+#include <cmath>
+#include <map>
 
-#include "core/frame/named_parts.h"
 #include "core/spatial/bsp_cells.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 #include "core/visibility/overlay.h"
 #include "core/visibility/subject_shape.h"
@@ -14,6 +16,8 @@ namespace {
 
 constexpr const char* kPlanes = "bsp-planes";
 constexpr const char* kSides = "bsp-sides";
+/// Values of `plane`, in the order of BspPlane.
+constexpr std::array<std::string_view, 4> kPlaneChoices{"first", "fewest", "balance", "given"};
 /// The first nodes, level by level, that a recorded frame and the tree panel speak of one by one.
 constexpr uint32_t kRecordedNodes = 20'000;
 /// The first nodes whose planes the overlay draws; deeper cells are too small to tell apart.
@@ -30,14 +34,18 @@ struct TreeOfScene : Structure {
 
 BspOptions optionsOf(const ParameterSet& parameters) {
     BspOptions options;
-    const std::string& plane = parameters.choice("plane");
-    options.plane = plane == "first"     ? BspPlane::First
-                    : plane == "fewest"  ? BspPlane::Fewest
-                    : plane == "balance" ? BspPlane::Balance
-                                         : BspPlane::Given;
+    options.plane = BspPlane(std::ranges::find(kPlaneChoices, parameters.choice("plane")) - kPlaneChoices.begin());
     options.candidates = int(parameters.integer("candidates"));
     options.limit = uint64_t(parameters.integer("limit"));
     return options;
+}
+
+OperandRole roleInWalk(const Decision& decision, size_t operand) {
+    if (decision.subject.kind == Subject::Kind::Fragment)
+        return operand == 2 ? OperandRole::Node : operand == 1 ? OperandRole::Triangle : OperandRole::Number;
+    const bool goesOn = decision.line == uint8_t(BspLine::FarSide) || decision.line == uint8_t(BspLine::NearSide);
+    const bool node = goesOn || (decision.line == uint8_t(BspLine::Side) && operand == 1);
+    return node ? OperandRole::Node : OperandRole::Number;
 }
 
 /// Collects a frame's triangles in the order of the walk.
@@ -64,21 +72,26 @@ public:
 private:
     [[nodiscard]] bool records(uint32_t node) const { return m_frame.recording() && node < kRecordedNodes; }
 
+    /// Very deep nodes count as siblings: then they are left out where a listing is about one triangle.
+    static Decision withNumbers(Decision decision, uint32_t depth, std::initializer_list<double> operands) {
+        std::ranges::copy(operands, decision.operands.begin());
+        decision.operandCount = uint8_t(operands.size());
+        decision.nesting = uint8_t(std::min(depth, 255u));
+        return decision;
+    }
+
     void visit(uint32_t number, int side) {
         ++m_frame.counters().nodesVisited;
         if (!records(number)) return;
         const BspTree::Node& node = m_tree.nodes()[number];
         if (node.parent != BspTree::kNone) arrive(number, uint32_t(node.parent));
         if (node.leaf) return;
-        Decision test;
-        test.subject = Subject::ofNode(number);
+        Decision test = withNumbers(ending(Subject::ofNode(number), Decision::Outcome::Open), node.depth,
+                                    {std::abs(node.plane.distance(m_frame.view().eye())), double(number)});
         test.containment = side > 0 ? Containment::Inside : side < 0 ? Containment::Outside : Containment::Straddles;
-        test.sentence = side > 0 ? CULLSCOPE_TR("The eye lies %1 before the plane of node %2.")
-                        : side < 0
-                            ? CULLSCOPE_TR("The eye lies %1 behind the plane of node %2.")
-                            : CULLSCOPE_TR("The eye lies in the plane of node %2, at %1: its sides may come in any order.");
-        test.operands = {node.plane.distance(m_frame.view().eye()), double(number)};
-        test.operandCount = 2;
+        test.sentence = CULLSCOPE_TR("The eye lies in the plane of node %2, at %1: its sides may come in any order.");
+        if (side > 0) test.sentence = CULLSCOPE_TR("The eye lies %1 before the plane of node %2.");
+        if (side < 0) test.sentence = CULLSCOPE_TR("The eye lies %1 behind the plane of node %2.");
         m_frame.say(atLine(BspLine::Side, test));
     }
 
@@ -87,12 +100,10 @@ private:
         const BspTree::Node& parent = m_tree.nodes()[above];
         const bool front = parent.front == int32_t(number);
         const bool near = (BspTree::sideOf(parent, m_frame.view().eye()) >= 0) == front;
-        Decision goesOn;
-        goesOn.subject = Subject::ofNode(number);
+        Decision goesOn = withNumbers(ending(Subject::ofNode(number), Decision::Outcome::Open), m_tree.nodes()[number].depth,
+                                      {double(number), double(above)});
         goesOn.sentence = near ? CULLSCOPE_TR("The walk comes to node %1, on the eye's side of the plane of node %2.")
                                : CULLSCOPE_TR("The walk comes to node %1, beyond the plane of node %2.");
-        goesOn.operands = {double(number), double(above)};
-        goesOn.operandCount = 2;
         m_frame.say(atLine(near ? BspLine::NearSide : BspLine::FarSide, goesOn));
     }
 
@@ -107,19 +118,17 @@ private:
             if (!records(number)) continue;
             Decision drawn = ending({Subject::Kind::Fragment, part.triangle, uint32_t(m_instance)},
                                     part.share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
+            drawn = withNumbers(drawn, node.depth + 1, {part.share, double(part.triangle), double(number)});
             drawn.cause = Cause::Hidden;
             drawn.sentence = CULLSCOPE_TR("A part with %1 of the area of triangle %2 is drawn, with node %3.");
             drawn.places = {first, part.count};
-            drawn.operands = {part.share, double(part.triangle), double(number)};
-            drawn.operandCount = 3;
             m_frame.say(atLine(BspLine::OnPlane, drawn));
         }
     }
 
     void add(const BspTree::Part& part) {
         const Scene& scene = m_frame.scene();
-        const bool same = part.triangle >= m_begin && part.triangle < m_end;
-        if (!same) {
+        if (part.triangle < m_begin || part.triangle >= m_end) {
             endRun();
             m_instance = scene.instanceOf(part.triangle);
             m_begin = scene.firstTriangle(m_instance);
@@ -173,28 +182,23 @@ public:
 
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
         Bars result;
-        std::array<uint64_t, 3> counts{};
+        std::map<Containment, uint64_t> counts;
         for (const Decision& decision : log.decisions)
-            if (decision.line == uint8_t(BspLine::Side)) ++counts[size_t(decision.containment)];
-        result.bars = {{CULLSCOPE_TR("the eye is before the plane"), counts[size_t(Containment::Inside)]},
-                       {CULLSCOPE_TR("the eye is behind the plane"), counts[size_t(Containment::Outside)]},
-                       {CULLSCOPE_TR("the eye is in the plane"), counts[size_t(Containment::Straddles)]}};
+            if (decision.line == uint8_t(BspLine::Side)) ++counts[decision.containment];
+        result.bars = {{CULLSCOPE_TR("the eye is before the plane"), counts[Containment::Inside]},
+                       {CULLSCOPE_TR("the eye is behind the plane"), counts[Containment::Outside]},
+                       {CULLSCOPE_TR("the eye is in the plane"), counts[Containment::Straddles]}};
         return result;
     }
 
     void addWhySteps(const Structure& structure, const FrameLog& /*log*/, uint32_t instance, uint32_t triangle,
                      std::vector<WhyStep>& steps) const override {
-        const Scene& scene = structure.scene();
-        const auto number = double(scene.firstTriangle(instance) + triangle);
-        size_t parts = 0;
-        const BspTree& tree = *own(structure).tree;
-        for (const BspTree::Part& part : tree.parts()) parts += double(part.triangle) == number ? 1 : 0;
-        steps.push_back({{CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it."),
-                          {std::to_string(parts)}},
-                         {},
-                         {},
-                         {},
-                         Containment::Straddles});
+        const uint64_t number = structure.scene().firstTriangle(instance) + triangle;
+        const auto parts = std::ranges::count(own(structure).tree->parts(), number, &BspTree::Part::triangle);
+        WhyStep step{{}, {}, {}, {}, Containment::Straddles};
+        step.sentence = {CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it."),
+                         {std::to_string(parts)}};
+        steps.push_back(std::move(step));
     }
 
     /// Its plane within its cell, its own polygons, and the box of all below it.
@@ -268,8 +272,10 @@ protected:
     }
 
     /// The tree that the panel "Tree" shows: a box around what each node has below it.
-    [[nodiscard]] StructureSnapshot snapshotOf(const TreeOfScene& structure, const FrameLog& /*log*/) const override {
+    [[nodiscard]] StructureSnapshot snapshotOf(const TreeOfScene& structure, const FrameLog& log) const override {
         StructureSnapshot snapshot;
+        const NamedParts named = NamedSubjects::namesPartsOf(log) ? parts(structure, log) : NamedParts();
+        snapshot.places = std::make_shared<NamedSubjects>(structure.scene(), log, named, roleInWalk);
         const BspTree& tree = *structure.tree;
         const BspCells cells = cellsOf(tree, structure.planes);
         snapshot.groupName = CULLSCOPE_TR("%1: %2 polygons");
@@ -283,7 +289,6 @@ protected:
             node.objects = from.polygons;
             node.box = from.box.empty() ? Box3{Vec3(0.0), Vec3(0.0)} : from.box;
             node.triangles = from.polygons;
-            node.containment = Containment::Straddles;
             snapshot.nodes.push_back(node);
         }
         return snapshot;
@@ -314,22 +319,22 @@ Show bspListing() {
 }
 
 std::vector<ParameterDeclaration> bspParameters() {
-    const auto building = [](ParameterDeclaration declaration) { return readWhenBuilding(std::move(declaration)); };
     const auto number = [](const char* key, int64_t value, double most, const char* sentence) {
         return readWhenBuilding({key, ParameterType::Integer, value, 1.0, most, "", sentence, {}});
     };
-    return {facingParameter(),
-            choiceParameter("order", "back-to-front", CULLSCOPE_TR("In which order the tree is walked."),
-                            {{"back-to-front", CULLSCOPE_TR("far to near, without depth test")},
-                             {"front-to-back", CULLSCOPE_TR("near to far, with depth test")}}),
-            building(choiceParameter("plane", "balance", CULLSCOPE_TR("Which plane divides the polygons of a node."),
-                                     {{"first", CULLSCOPE_TR("that of its first polygon")},
-                                      {"fewest", CULLSCOPE_TR("of some candidates the one that cuts the fewest polygons")},
-                                      {"balance", CULLSCOPE_TR("of some candidates the one that divides them best")},
-                                      {"given", CULLSCOPE_TR("the planes that the scene names, one for each level")}})),
-            number("candidates", 8, 1000.0, CULLSCOPE_TR("How many planes are tried at a node (plane=fewest and balance).")),
-            number("limit", 1'000'000, 1e8,
-                   CULLSCOPE_TR("How many polygons the tree may have, the cut ones among them, and how many nodes."))};
+    return {
+        facingParameter(),
+        choiceParameter("order", "back-to-front", CULLSCOPE_TR("In which order the tree is walked."),
+                        {{"back-to-front", CULLSCOPE_TR("far to near, without depth test")},
+                         {"front-to-back", CULLSCOPE_TR("near to far, with depth test")}}),
+        readWhenBuilding(choiceParameter("plane", "balance", CULLSCOPE_TR("Which plane divides the polygons of a node."),
+                                         {{"first", CULLSCOPE_TR("that of its first polygon")},
+                                          {"fewest", CULLSCOPE_TR("of some candidates the one that cuts the fewest polygons")},
+                                          {"balance", CULLSCOPE_TR("of some candidates the one that divides them best")},
+                                          {"given", CULLSCOPE_TR("the planes that the scene names, one for each level")}})),
+        number("candidates", 8, 1000.0, CULLSCOPE_TR("How many planes are tried at a node (plane=fewest and balance).")),
+        number("limit", 1'000'000, 1e8,
+               CULLSCOPE_TR("How many polygons the tree may have, the cut ones among them, and how many nodes."))};
 }
 
 }  // namespace

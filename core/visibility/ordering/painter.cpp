@@ -2,19 +2,20 @@
 #include "core/spatial/painters_order.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
+#include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
 
 namespace cullscope::ordering {
 namespace {
 
 constexpr const char* kTests = "newell-tests";
-/// A recorded frame says every comparison of two polygons in scenes of at most so many triangles; of larger ones only what is
-/// drawn.
+/// A recorded frame says every comparison of two polygons, and lights them, in scenes of at most so many triangles; of larger
+/// ones only what is drawn.
 constexpr uint64_t kComparedTriangles = 5'000;
 constexpr size_t kMostComparisons = 100'000;
 /// Comparisons that their depths, or tests 1 and 2, decide are many: they are said in scenes of at most so many triangles.
 constexpr uint64_t kExtentTriangles = 1'000;
-/// So many polygons of a frame are said to be drawn one by one.
+/// So many polygons of a frame are said to be taken, and as many to be drawn, one by one.
 constexpr size_t kRecordedPolygons = 100'000;
 
 /// Lines of the listing.
@@ -62,6 +63,14 @@ ToldTest toldTest(NewellTest test) {
             CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.")};
 }
 
+/// Of all lines but the last the first operands are triangles; that one begins with the share that is drawn.
+OperandRole roleInComparison(const Decision& decision, size_t operand) {
+    if (decision.subject.kind != Subject::Kind::Fragment) return OperandRole::Number;
+    const size_t first = decision.line == uint8_t(PainterLine::Draw) ? 1 : 0;
+    const bool alone = decision.line == uint8_t(PainterLine::Draw) || decision.line == uint8_t(PainterLine::Farthest);
+    return operand == first || (operand == 1 && !alone) ? OperandRole::Triangle : OperandRole::Number;
+}
+
 class PaintersFrame {
 public:
     PaintersFrame(FrameContext& frame, const CutTriangles& triangles, const ParameterSet& parameters)
@@ -69,8 +78,9 @@ public:
         m_options.facing = frame.facing();
         m_options.byCentroid = parameters.choice("sort") == "centroid";
         m_options.limit = uint64_t(parameters.integer("limit"));
-        if (frame.recording() && frame.scene().triangleCount() <= kComparedTriangles)
-            m_options.watch = [this](const NewellStep& step) { compared(step); };
+        if (!frame.recording()) return;
+        m_options.watch = [this](const NewellStep& step) { keep(step); };
+        m_options.watchDrawnOnly = frame.scene().triangleCount() > kComparedTriangles;
     }
 
     OwnTrianglesPointer order() {
@@ -82,54 +92,91 @@ public:
         m_own->triangles.reserve(order.polygons.size());
         WorkCheck work(m_progress);
         for (const uint32_t triangle : m_triangles.flat()) add(triangle, [&] { m_triangles.drawWhole(triangle, *m_own); });
-        size_t said = 0;
+        m_inHand->drawn.resize(m_frame.recording() ? m_triangles.polygons().size() : 0);
         for (const uint32_t polygon : order.polygons) {
             work.step();
-            const uint32_t triangle = m_triangles.polygons()[polygon].triangle;
             const auto first = uint32_t(m_own->triangles.size());
-            add(triangle, [&] { m_triangles.draw(polygon, *m_own); });
-            if (m_frame.recording() && ++said <= kRecordedPolygons) drawn(triangle, m_triangles.share(polygon), first);
+            add(triangleOf(polygon), [&] { m_triangles.draw(polygon, *m_own); });
+            if (m_frame.recording()) m_inHand->drawn[polygon] = {first, uint32_t(m_own->triangles.size()) - first};
         }
+        if (m_frame.recording()) tell(work);
         count(order);
         return m_own;
     }
 
 private:
+    [[nodiscard]] uint32_t triangleOf(uint32_t polygon) const { return m_triangles.polygons()[polygon].triangle; }
+    [[nodiscard]] Subject subjectOf(uint32_t polygon) const {
+        const uint32_t triangle = triangleOf(polygon);
+        return {Subject::Kind::Fragment, triangle, uint32_t(m_frame.scene().instanceOf(triangle))};
+    }
+
+    /// Keeps a step: where the triangles of a polygon lie among the own ones is known when the last cut is made.
+    void keep(const NewellStep& step) {
+        const NewellTest test = step.test;
+        const bool compares = step.kind == NewellStep::Kind::Compared;
+        const bool byExtent = test == NewellTest::Depth || test == NewellTest::ExtentX || test == NewellTest::ExtentY;
+        if (compares && byExtent && m_frame.scene().triangleCount() > kExtentTriangles) return;
+        const bool draws = step.kind == NewellStep::Kind::Drawn;
+        size_t& kept = compares ? m_compared : draws ? m_drawn : m_taken;
+        if (++kept <= (compares ? kMostComparisons : kRecordedPolygons)) m_steps.push_back(step);
+    }
+
+    /// Says the steps in the order of the algorithm.
+    void tell(WorkCheck& work) {
+        if (!m_options.watchDrawnOnly) {
+            for (uint32_t polygon = 0; polygon < m_triangles.polygons().size(); ++polygon) {
+                work.step();
+                std::vector<Vec3>& corners = m_inHand->corners.emplace_back();
+                for (const CutTriangles::Corner& corner : m_triangles.cornersOf(polygon))
+                    corners.push_back(m_triangles.position(corner.vertex));
+            }
+            m_inHand->first = m_frame.said();
+            m_frame.attach(m_inHand);
+        }
+        for (const NewellStep& step : m_steps) {
+            work.step();
+            if (!m_options.watchDrawnOnly) m_inHand->pairs.push_back({step.p, step.q});
+            if (step.kind == NewellStep::Kind::Drawn)
+                drawn(step.p);
+            else if (step.kind == NewellStep::Kind::Compared)
+                compared(step);
+            else
+                taken(step);
+        }
+    }
+
     void compared(const NewellStep& step) {
-        if (!step.test) return taken(step);
-        const bool byExtent =
-            step.test == NewellTest::Depth || step.test == NewellTest::ExtentX || step.test == NewellTest::ExtentY;
-        if (byExtent && m_frame.scene().triangleCount() > kExtentTriangles) return;
-        if (++m_comparisons > kMostComparisons) return;
-        const ToldTest told = toldTest(*step.test);
+        const ToldTest told = toldTest(step.test);
         Decision test;
-        test.subject = {Subject::Kind::Fragment, step.p, uint32_t(m_frame.scene().instanceOf(step.p))};
+        test.subject = subjectOf(step.p);
         const bool later = step.test == NewellTest::Swap || step.test == NewellTest::Cycle || step.test == NewellTest::Pierce;
         test.containment = later ? Containment::Straddles : Containment::Inside;
         test.sentence = told.sentence;
         const double value = std::abs(step.first) > std::abs(step.second) || later ? step.first : step.second;
-        test.operands = {double(step.p), double(step.q), value};
+        test.operands = {double(triangleOf(step.p)), double(triangleOf(step.q)), value};
         test.operandCount = 3;
         m_frame.say(atLine(told.line, test));
     }
 
     void taken(const NewellStep& step) {
         Decision farthest;
-        farthest.subject = {Subject::Kind::Fragment, step.p, uint32_t(m_frame.scene().instanceOf(step.p))};
-        farthest.sentence = CULLSCOPE_TR("Triangle %1 is the farthest one left, with the farthest depth %2.");
-        farthest.operands = {double(step.p), step.first};
+        farthest.subject = subjectOf(step.p);
+        farthest.sentence = step.kind == NewellStep::Kind::Taken
+                                ? CULLSCOPE_TR("Triangle %1 is the farthest one left, with the farthest depth %2.")
+                                : CULLSCOPE_TR("Triangle %1, which waited, is taken again; its farthest depth is %2.");
+        farthest.operands = {double(triangleOf(step.p)), step.first};
         farthest.operandCount = 2;
         m_frame.say(atLine(PainterLine::Farthest, farthest));
     }
 
-    /// `first`: of its triangles among those drawn; they are the last ones so far.
-    void drawn(uint32_t triangle, double share, uint32_t first) {
-        Decision end = ending({Subject::Kind::Fragment, triangle, uint32_t(m_instance)},
-                              share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
+    void drawn(uint32_t polygon) {
+        const double share = m_triangles.share(polygon);
+        Decision end = ending(subjectOf(polygon), share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
         end.cause = Cause::Hidden;
         end.sentence = CULLSCOPE_TR("Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.");
-        end.places = {first, uint32_t(m_own->triangles.size()) - first};
-        end.operands = {share, double(triangle)};
+        end.places = m_inHand->drawn[polygon];
+        end.operands = {share, double(triangleOf(polygon))};
         end.operandCount = 2;
         m_frame.say(atLine(PainterLine::Draw, end));
     }
@@ -165,7 +212,10 @@ private:
     std::shared_ptr<OwnTriangles> m_own = std::make_shared<OwnTriangles>();
     size_t m_instance = 0;
     uint64_t m_begin = 0, m_end = 0;  ///< the scene triangle numbers of that instance
-    size_t m_comparisons = 0;
+    // While recording.
+    std::vector<NewellStep> m_steps;
+    size_t m_taken = 0, m_compared = 0, m_drawn = 0;
+    std::shared_ptr<PolygonsInHand> m_inHand = std::make_shared<PolygonsInHand>();
 };
 
 class PaintersAlgorithm final : public StrategyWith<TrianglesOfScene> {
@@ -207,6 +257,14 @@ protected:
     [[nodiscard]] Promise promiseOf(const TrianglesOfScene& /*structure*/, const ParameterSet& parameters,
                                     Facing /*facing*/) const override {
         return parameters.choice("sort") == "newell" ? Promise::Conservative : Promise::Approximate;
+    }
+
+    [[nodiscard]] StructureSnapshot snapshotOf(const TrianglesOfScene& structure, const FrameLog& log) const override {
+        const Scene& scene = structure.scene();
+        const NamedParts parts = NamedSubjects::namesPartsOf(log) ? namedParts(scene, log) : NamedParts();
+        StructureSnapshot snapshot;
+        snapshot.places = std::make_shared<NamedSubjects>(scene, log, parts, roleInComparison);
+        return snapshot;
     }
 };
 

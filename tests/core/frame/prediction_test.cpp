@@ -49,6 +49,37 @@ TEST_F(PredictionTest, trianglesAreAskedAboutOnlyWhereTheyWereNamed) {
     EXPECT_THAT(rows, ElementsAre(PredictionRow{first + 11, 1, 0}, PredictionRow{first + 12, 1, 1}));
 }
 
+TEST_F(PredictionTest, trianglesWhoseBackTheEyeSeesVanishFromFrontSidesAlone) {
+    const auto all = [&](Facing facing) {
+        log.camera.eye = scene->instanceBox(0).centre() + Vec3(0, 0, 50);
+        log.commands = {DrawList{facing, {{0, 0, uint32_t(3 * scene->meshOf(0).triangleCount())}}}};
+        Prediction prediction{Question::Vanish, Prediction::Items::Triangles};
+        std::vector<uint64_t> items;
+        for (uint64_t i = 0; i < scene->meshOf(0).triangleCount(); ++i) items.push_back(scene->firstTriangle(0) + i);
+        prediction.toggle(items);
+        return rightRows(answerTo(prediction, *scene, log));
+    };
+    EXPECT_EQ(all(Facing::TwoSided), 0u);
+    EXPECT_GT(all(Facing::Front), 30u);
+    EXPECT_LT(all(Facing::Front), 50u) << "about half of 80";
+}
+
+TEST_F(PredictionTest, severalItemsAreNamedOrTakenBackTogether) {
+    Prediction prediction{Question::Order};
+    prediction.toggle(uint64_t{2});
+    prediction.toggle(std::vector<uint64_t>{0, 2, 3});
+    EXPECT_THAT(prediction.items, ElementsAre(2, 0, 3)) << "what was named keeps its place";
+    prediction.toggle(std::vector<uint64_t>{0, 2});
+    EXPECT_THAT(prediction.items, ElementsAre(3));
+    Prediction placed{Question::Place, Prediction::Items::Parts};
+    placed.toggle(uint64_t{1});
+    placed.place(4);
+    placed.toggle(std::vector<uint64_t>{5, 6});
+    placed.toggle(std::vector<uint64_t>{5});
+    EXPECT_THAT(placed.items, ElementsAre(1, 6));
+    EXPECT_THAT(placed.places, ElementsAre(std::optional<size_t>(4), std::nullopt));
+}
+
 TEST_F(PredictionTest, ofAFinishedPictureSomeVanishAndNoneHasAnOrder) {
     auto picture = std::make_shared<FinishedPicture>();
     picture->triangle = {0, uint32_t(scene->firstTriangle(1)) + 1};

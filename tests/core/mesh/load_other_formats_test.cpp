@@ -80,6 +80,18 @@ TEST_F(LoadOff, claimsOfBillionsAndOtherDimensionsAreRefused) {
     EXPECT_THAT(refusal("a.off", "4OFF\n1 1 0\n"), testing::HasSubstr("number of dimensions"));
 }
 
+TEST_F(LoadOff, byteOrderMarkBeforeTextIsPassedOver) {
+    const std::string mark = "\xEF\xBB\xBF";
+    EXPECT_EQ(load("a.off", mark + "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n").report.trianglesMade, 1U);
+    EXPECT_EQ(load("a.stl", mark + "solid one\n" + facet("0 0 0", "1 0 0", "0 1 0") + "endsolid one\n").report.trianglesMade, 1U);
+    EXPECT_EQ(load("a.ply", mark + "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                                   "property float z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n"
+                                   "0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n")
+                  .report.trianglesMade,
+              1U);
+    EXPECT_EQ(load("b.stl", binaryStl(mark + "a header that begins like text", 2, 2)).report.facesRead, 2U);
+}
+
 TEST_F(LoadOm, filesOfOpenMeshAreReadWithTheirNormalsAndInDouble) {
     const std::filesystem::path data = CULLSCOPE_SOURCE_DIR "/tests/core/mesh/data";
     const LoadedFile quad = loadMeshFile(data / "quad.om");

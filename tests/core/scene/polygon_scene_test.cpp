@@ -71,7 +71,9 @@ TEST(PolygonScene, badLinesAreNamedWithWhatIsWrong) {
 
 TEST(PolygonScene, fileIsOpenedLikeAnyScene) {
     const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "own.polygons";
-    std::ofstream(file) << "polygon A 0 0 0 1 0 0 0 1 0\r\nplane P1 1 0 0 -0.5\r\n";
+    // As some editors save it: with a byte-order mark and lines of Windows.
+    std::ofstream(file) << "\xEF\xBB\xBF"
+                        << "polygon A 0 0 0 1 0 0 0 1 0\r\nplane P1 1 0 0 -0.5\r\n";
     const OpenedScene opened = openScene(file.string());
     EXPECT_EQ(opened.scene->triangleCount(), 1u);
     EXPECT_EQ(opened.scene->planes().size(), 1u);

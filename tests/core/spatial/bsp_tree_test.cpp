@@ -171,13 +171,17 @@ TEST(BspTree, sliversOfAspectABillionKeepTheirAreas) {
 
 TEST(BspTree, limitStopsItWithASentence) {
     const ScenePointer scene = sceneOf({randomTriangles(1, 2'000, 2.0)});
-    try {
-        const BspTree tree(*scene, {.limit = 20'000});
-        FAIL() << tree.parts().size();
-    } catch (const Error& error) {
-        EXPECT_EQ(error.kind(), ErrorKind::Usage);
-        EXPECT_NE(std::string(error.what()).find("more than 20000 polygons: its 2000 triangles were cut"), std::string::npos)
-            << error.what();
+    for (const BspPlane plane : {BspPlane::Balance, BspPlane::First, BspPlane::Fewest}) {
+        try {
+            const BspTree tree(*scene, {.plane = plane, .limit = 20'000});
+            FAIL() << tree.parts().size();
+        } catch (const Error& error) {
+            const std::string sentence = error.what();
+            EXPECT_EQ(error.kind(), ErrorKind::Usage);
+            EXPECT_NE(sentence.find("more than 20000 polygons: its 2000 triangles were cut"), std::string::npos) << sentence;
+            EXPECT_EQ(sentence.find("plane=fewest") == std::string::npos, plane == BspPlane::Fewest)
+                << "no advice to take what was taken: " << sentence;
+        }
     }
 }
 
@@ -191,7 +195,7 @@ TEST(BspTree, limitCountsWholeTrianglesAndNodes) {
         }
     };
     const ScenePointer box = sceneOf({boxMesh({-1, -2, -3}, {1, 2, 3})});
-    EXPECT_NE(refusal(*box, {.limit = 11}).find("more than 11 polygons: its 12 triangles were cut 0 times"), std::string::npos);
+    EXPECT_NE(refusal(*box, {.limit = 11}).find("more than 11 polygons: it has 12 triangles. Take fewer"), std::string::npos);
     EXPECT_EQ(refusal(*box, {.limit = 12}), "built: 6");
     // Each given plane doubles the cells: sixty of them would never end.
     std::string text = "polygon A 0 0 0  1 0 0  0 1 0\n";

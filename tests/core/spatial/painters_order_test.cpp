@@ -13,7 +13,6 @@ namespace cullscope::test::painters_order_test {
 namespace {
 
 using testing::ElementsAre;
-using testing::Optional;
 
 View front(Viewport size = {100, 100}) { return {{{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, size}; }
 
@@ -107,12 +106,17 @@ TEST(PaintersOrder, eachOfNewellsTestsDecidesOnce) {
             EXPECT_THAT(result.triangles, ElementsAre(0, 1));
             EXPECT_EQ(result.comparisons(), 1u);
             EXPECT_EQ(result.count(pair.decides), 1u);
-            ASSERT_EQ(result.steps.size(), 3u) << "P, what decided, and the other one";
-            EXPECT_FALSE(result.steps[0].test);
+            using Kind = NewellStep::Kind;
+            ASSERT_EQ(result.steps.size(), 5u) << "P, what decided, P is drawn, and the other one";
+            EXPECT_EQ(result.steps[0].kind, Kind::Taken);
             EXPECT_EQ(result.steps[0].p, 0u);
             EXPECT_NEAR(result.steps[0].first, 7.0, 1e-9) << "the farthest depth";
-            EXPECT_THAT(result.steps[1].test, Optional(pair.decides));
-            EXPECT_FALSE(result.steps[2].test);
+            EXPECT_EQ(result.steps[1].kind, Kind::Compared);
+            EXPECT_EQ(result.steps[1].test, pair.decides);
+            EXPECT_EQ(result.steps[2].kind, Kind::Drawn);
+            EXPECT_EQ(result.steps[2].p, 0u);
+            EXPECT_EQ(result.steps[3].kind, Kind::Taken);
+            EXPECT_EQ(result.steps[4].kind, Kind::Drawn);
         }
     }
 }
@@ -162,17 +166,23 @@ TEST(PaintersOrder, centroidsAloneAreSortedByTheirDistance) {
 }
 
 TEST(PaintersOrder, limitCountsWholeTrianglesAndStopsWithASentence) {
-    const auto refusal = [](const ScenePointer& scene, uint64_t limit) -> std::string {
+    const auto refusal = [](const ScenePointer& scene, uint64_t limit, bool byCentroid = false) -> std::string {
         try {
-            return "ordered: " + std::to_string(ordered(scene, {.limit = limit}).triangles.size());
+            return "ordered: " + std::to_string(ordered(scene, {.byCentroid = byCentroid, .limit = limit}).triangles.size());
         } catch (const Error& error) {
             EXPECT_EQ(error.kind(), ErrorKind::Usage);
             return error.what();
         }
     };
-    EXPECT_NE(refusal(layers({0, 1, 2}), 2).find("more than 2 polygons: its 3 triangles were cut 0 times"), std::string::npos);
+    EXPECT_NE(refusal(layers({0, 1, 2}), 2).find("it has 3 triangles. Take fewer triangles, or a higher limit."),
+              std::string::npos)
+        << "no other way of sorting helps";
+    EXPECT_EQ(refusal(layers({0, 1, 2}), 2, true), refusal(layers({0, 1, 2}), 2));
     EXPECT_EQ(refusal(layers({0, 1, 2}), 3), "ordered: 3");
-    EXPECT_NE(refusal(sceneOf({randomTriangles(1, 300, 2.0)}), 1'000).find("more than 1000 polygons"), std::string::npos);
+    const ScenePointer meeting = sceneOf({randomTriangles(1, 300, 2.0)});
+    EXPECT_NE(refusal(meeting, 1'000).find("more than 1000 polygons"), std::string::npos);
+    EXPECT_NE(refusal(meeting, 1'000).find("sort=centroid"), std::string::npos);
+    EXPECT_EQ(refusal(meeting, 1'000, true), "ordered: 300") << "what the sentence advises helps";
 }
 
 TEST(PaintersOrder, stopsAtTheNextLookWhereverTheSortIs) {

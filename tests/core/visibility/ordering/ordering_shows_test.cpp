@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <set>
+
 #include "core/frame/prediction.h"
 #include "core/scene/scene_source.h"
 #include "core/visibility/subject_shape.h"
@@ -149,19 +151,86 @@ TEST_F(OrderingShows, nodesAreNamedAndKnowTheirPlaneAndTheirPolygons) {
     EXPECT_EQ(shape.node, leaf);
 }
 
-TEST(OrderingGroups, everyTriangleIsFoundAtTheNodeThatKeepsIt) {
+TEST(OrderingGroups, everyPartIsFoundAtTheNodeThatKeepsIt) {
     const ScenePointer scene = hardScene(5);
     const CullerPointer tree = strategy("bsp");
     tree->build(*scene);
     const StructureSnapshot snapshot = tree->snapshot({});
+    const View view({{0.3, 0.2, 3}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(50), 0.05, 100}, kSize);
+    const FrameLog log = tree->cull(view, Recording::On).log;
     for (uint32_t node = 0; node < snapshot.nodes.size(); ++node) {
         const SubjectShape shape = tree->built()->groupShape(snapshot, node);
         ASSERT_FALSE(shape.triangles.empty());
         EXPECT_EQ(snapshot.nodes[node].name, std::to_string(node));
         ASSERT_EQ(shape.polygons.size(), 1u);
     }
-    for (uint32_t triangle = 0; triangle < scene->triangleCount(); ++triangle)
-        EXPECT_TRUE(tree->built()->groupAt(triangle, Vec3(0.0)));
+    const OwnTriangles& own = *std::get<OwnTrianglesPointer>(log.commands.front());
+    std::set<uint32_t> triangles, nodes;
+    size_t found = 0;
+    for (const Decision& decision : log.decisions) {
+        if (decision.subject.kind != Subject::Kind::Fragment) continue;
+        const auto node = uint32_t(decision.operands[2]);
+        for (uint32_t i = decision.places.first; i < decision.places.first + decision.places.count; ++i) {
+            const auto [a, b, c] = worldCorners(own, i, *scene, decision.subject.object);
+            // The middle of a sliver may be rounded into its neighbour.
+            const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
+            if (glm::length(glm::cross(b - a, c - a)) < 1e-5 * longest) continue;
+            ++found;
+            EXPECT_EQ(tree->built()->groupAt(own.triangles[i], (a + b + c) / 3.0), node) << "triangle " << own.triangles[i];
+        }
+        triangles.insert(decision.subject.number);
+        nodes.insert(node);
+    }
+    EXPECT_EQ(triangles.size(), scene->triangleCount());
+    EXPECT_EQ(nodes.size(), snapshot.nodes.size());
+    EXPECT_GT(found, own.triangles.size() / 2);
+}
+
+TEST_F(OrderingShows, partsAndNodesAreCalledAsInTheTree) {
+    const StructureSnapshot snapshot = tree->snapshot(log);
+    std::vector<std::string> drawn;
+    for (size_t i = 0; i < log.decisions.size(); ++i) {
+        const FrameEntry entry{nullptr, &log.decisions[i], i};
+        const EntryNames names = entryNames(snapshot, entry);
+        if (entry.decision->subject.kind == Subject::Kind::Node) {
+            EXPECT_EQ(names.subject, snapshot.nodes[entry.decision->subject.number].name);
+        }
+        if (entry.decision->subject.kind != Subject::Kind::Fragment) continue;
+        const std::string words = names.subject + " in " + names.operands[2];
+        if (drawn.empty() || drawn.back() != words) drawn.push_back(words);
+        const SubjectShape shape = subjectShape(*scene, log, snapshot, entry);
+        EXPECT_EQ(shape.node, uint32_t(entry.decision->operands[2])) << "lit with its node";
+        EXPECT_EQ(shape.triangles.size(), entry.decision->places.count);
+        EXPECT_TRUE(shape.boxes.empty());
+    }
+    EXPECT_THAT(drawn, ElementsAre("B in C1", "A2 in C2", "A1 in C4", "C2 in C6", "C1 in C8"));
+    const auto sentence = [&](size_t decision) {
+        const FrameEntry entry{nullptr, &log.decisions[decision], decision};
+        return entryLine(*scene, entry, entryNames(snapshot, entry));
+    };
+    EXPECT_EQ(sentence(1).substr(0, 9), "Node P1: ");
+    EXPECT_NE(sentence(1).find("the plane of node P1"), std::string::npos) << sentence(1);
+    EXPECT_EQ(entryLine(*scene, {nullptr, &log.decisions[1], 1}).substr(0, 8), "Node 0: ") << "without names by number";
+}
+
+TEST_F(OrderingShows, linesOfATriangleAreThoseOfItsPartsAndTheNodesAroundThem) {
+    // The first triangle of B lies in one part, in the leaf behind all planes: its path has the root and two more nodes.
+    const ListingState b = *tree->built()->listing(log, scene->firstTriangle(1));
+    EXPECT_EQ(b.current, 4) << "drawn where it lies";
+    EXPECT_EQ(b.decisions[1], 3u) << "the sides of P1, P2 and P3";
+    EXPECT_EQ(b.decisions[2] + b.decisions[4], 3u) << "the ways to its leaf";
+    EXPECT_EQ(b.decisions[3], 1u);
+    const CullerPointer painter = strategy("painter");
+    painter->build(*scene);
+    const FrameLog painted = painter->cull(view, Recording::On).log;
+    uint64_t sum = 0;
+    for (uint64_t triangle = 0; triangle < scene->triangleCount(); ++triangle) {
+        const ListingState own = *painter->built()->listing(painted, triangle);
+        EXPECT_EQ(own.current, 10) << "drawn at last";
+        EXPECT_EQ(own.decisions[1], own.decisions[9]) << "taken once, drawn once";
+        sum += own.total();
+    }
+    EXPECT_EQ(sum, painter->built()->listing(painted)->total() - 1) << "all but the sorting are about one triangle each";
 }
 
 TEST(OrderingGroups, groupOfAnOctreeIsItsBox) {

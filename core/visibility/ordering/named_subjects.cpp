@@ -1,0 +1,93 @@
+#include "core/visibility/ordering/named_subjects.h"
+
+#include <algorithm>
+
+namespace cullscope::ordering {
+namespace {
+
+/// Closed, as a line.
+std::vector<Vec3> outlineOf(std::vector<Vec3> corners) {
+    if (!corners.empty()) corners.push_back(corners.front());
+    return corners;
+}
+
+}  // namespace
+
+bool NamedSubjects::namesPartsOf(const FrameLog& log) {
+    const auto few = [](const Command& command) {
+        const auto* own = std::get_if<OwnTrianglesPointer>(&command);
+        return own != nullptr && (*own)->triangles.size() <= kMostTriangles;
+    };
+    return log.recorded && std::ranges::any_of(log.commands, few);
+}
+
+NamedSubjects::NamedSubjects(const Scene& scene, const FrameLog& log, const NamedParts& parts, RoleOfOperand role)
+    : m_role(role) {
+    for (const LoggedDetail& logged : log.details)
+        if (auto polygons = std::dynamic_pointer_cast<const PolygonsInHand>(logged.detail)) m_inHand = std::move(polygons);
+    if (!parts.own || parts.parts.empty()) return;
+    m_partNames.resize(parts.own->triangles.size());
+    for (const NamedParts::Part& part : parts.parts)
+        for (const PlaceRun& run : part.drawn)
+            for (uint32_t place = run.first; place < run.first + run.count; ++place) m_partNames[place] = part.name;
+    for (uint32_t instance = 0; instance < scene.instances().size(); ++instance) {
+        m_objects.push_back(scene.instances()[instance].name);
+        m_firstTriangles.push_back(scene.firstTriangle(instance));
+    }
+}
+
+const PolygonsInHand::Pair* NamedSubjects::pairOf(size_t number) const {
+    const bool has = m_inHand && number >= m_inHand->first && number - m_inHand->first < m_inHand->pairs.size();
+    return has ? &m_inHand->pairs[number - m_inHand->first] : nullptr;
+}
+
+std::optional<SubjectPlace> NamedSubjects::of(const Scene& /*scene*/, const Decision& decision) const {
+    if (decision.subject.kind != Subject::Kind::Fragment) return std::nullopt;
+    SubjectPlace place;
+    for (size_t i = 0; i < decision.operandCount; ++i)
+        if (m_role(decision, i) == OperandRole::Node) place.node = uint32_t(decision.operands[i]);
+    return place;
+}
+
+std::optional<SubjectPlace> NamedSubjects::at(const Scene& scene, const Decision& decision, size_t number) const {
+    std::optional<SubjectPlace> place = of(scene, decision);
+    const PolygonsInHand::Pair* pair = pairOf(number);
+    if (!place || pair == nullptr) return place;
+    // What is drawn is lit by its own triangles.
+    if (decision.places.count == 0) place->lines.push_back(outlineOf(m_inHand->corners[pair->p]));
+    if (pair->q != pair->p) place->compared.push_back(outlineOf(m_inHand->corners[pair->q]));
+    return place;
+}
+
+PlaceRun NamedSubjects::drawnOf(const Decision& decision, size_t number, bool second) const {
+    if (decision.places.count > 0 && !second) return decision.places;
+    const PolygonsInHand::Pair* pair = pairOf(number);
+    return pair == nullptr ? PlaceRun() : m_inHand->drawn[second ? pair->q : pair->p];
+}
+
+std::string NamedSubjects::partName(const PlaceRun& drawn) const {
+    return drawn.count > 0 && drawn.first < m_partNames.size() ? m_partNames[drawn.first] : std::string();
+}
+
+EntryNames NamedSubjects::names(const StructureSnapshot& snapshot, const Decision& decision, size_t number) const {
+    EntryNames names;
+    const bool ofPart = decision.subject.kind == Subject::Kind::Fragment && !m_partNames.empty();
+    if (ofPart) names.subject = partName(drawnOf(decision, number, false));
+    bool second = false;
+    for (size_t i = 0; i < decision.operandCount; ++i) {
+        const OperandRole role = m_role(decision, i);
+        if (role == OperandRole::Node && decision.operands[i] < double(snapshot.nodes.size()))
+            names.operands[i] = snapshot.nodes[size_t(decision.operands[i])].name;
+        if (role != OperandRole::Triangle || !ofPart) continue;
+        std::string called = partName(drawnOf(decision, number, second));
+        if (called.empty()) {
+            const auto after = std::ranges::upper_bound(m_firstTriangles, uint64_t(decision.operands[i]));
+            called = m_objects[size_t(after - m_firstTriangles.begin()) - 1];
+        }
+        names.operands[i] = std::to_string(uint64_t(decision.operands[i])) + " (" + called + ")";
+        second = true;
+    }
+    return names;
+}
+
+}  // namespace cullscope::ordering
