@@ -364,6 +364,10 @@
         <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
         <translation>backface 대비 %1, 괄호 안은 95 % 구간</translation>
     </message>
+    <message>
+        <source>Submitted in %1 fragments that the strategy made of them</source>
+        <translation>전략이 만든 삼각형 조각 %1개로 제출</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -3787,6 +3791,14 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>이 삼각형은 전략이 만든 그림에 없습니다.</translation>
     </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot; here, and no other one.</source>
+        <translation>여기에는 매개변수 &quot;%1&quot;이(가) 없으며, 다른 매개변수도 없습니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. α = 90° 너머는 가려지고, 그 안쪽은 그립니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4642,10 +4654,6 @@ OpenGL %2
         <translation>전략이 무엇을 그릴지 정하는 데 걸린 시간</translation>
     </message>
     <message>
-        <source>Triangles given to OpenGL</source>
-        <translation>OpenGL에 넘긴 삼각형</translation>
-    </message>
-    <message>
         <source>Triangles that truly show in at least one pixel</source>
         <translation>적어도 한 픽셀에서 실제로 보이는 삼각형</translation>
     </message>
@@ -4666,16 +4674,28 @@ OpenGL %2
         <translation>참값에 면이 있는 픽셀</translation>
     </message>
     <message>
-        <source>– beyond snapping</source>
-        <translation>– 맞춤을 넘는 것</translation>
-    </message>
-    <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
-    </message>
-    <message>
         <source>Submitted in vain</source>
         <translation>헛되이 제출</translation>
+    </message>
+    <message>
+        <source>– in fragments</source>
+        <translation>– 조각으로</translation>
+    </message>
+    <message>
+        <source>– not from snapping</source>
+        <translation>– 맞춤 때문이 아닌 것</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene of which anything is drawn, each counted once</source>
+        <translation>일부라도 그린 장면의 삼각형. 각각 한 번만 셉니다</translation>
+    </message>
+    <message>
+        <source>Parts of triangles that the strategy drew in place of them, because it cuts or orders them itself</source>
+        <translation>전략이 삼각형을 직접 자르거나 정렬하여 그 대신 그린 조각</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
     </message>
 </context>
 <context>

@@ -364,6 +364,10 @@
         <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
         <translation>相对 backface 为 %1，括号内为 95 % 区间</translation>
     </message>
+    <message>
+        <source>Submitted in %1 fragments that the strategy made of them</source>
+        <translation>以策略生成的 %1 个三角形碎片提交</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -3787,6 +3791,14 @@
         <source>The triangle is not in the picture that the strategy made.</source>
         <translation>该三角形不在此策略生成的图像中。</translation>
     </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot; here, and no other one.</source>
+        <translation>这里没有参数“%1”，也没有其他参数。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4642,10 +4654,6 @@ OpenGL %2
         <translation>策略决定绘制内容所用的时间</translation>
     </message>
     <message>
-        <source>Triangles given to OpenGL</source>
-        <translation>交给 OpenGL 的三角形</translation>
-    </message>
-    <message>
         <source>Triangles that truly show in at least one pixel</source>
         <translation>至少在一个像素中真实可见的三角形</translation>
     </message>
@@ -4666,16 +4674,28 @@ OpenGL %2
         <translation>真实结果中有表面的像素</translation>
     </message>
     <message>
-        <source>– beyond snapping</source>
-        <translation>– 超出对齐误差</translation>
-    </message>
-    <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
-    </message>
-    <message>
         <source>Submitted in vain</source>
         <translation>徒劳提交</translation>
+    </message>
+    <message>
+        <source>– in fragments</source>
+        <translation>– 其碎片数</translation>
+    </message>
+    <message>
+        <source>– not from snapping</source>
+        <translation>– 非对齐所致</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene of which anything is drawn, each counted once</source>
+        <translation>场景中至少绘制了一部分的三角形，每个只计一次</translation>
+    </message>
+    <message>
+        <source>Parts of triangles that the strategy drew in place of them, because it cuts or orders them itself</source>
+        <translation>策略自行切割或排序三角形时，代替它们绘制的碎片</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在真值与策略绘制的面不同，或策略自行生成面或图像时统计</translation>
     </message>
 </context>
 <context>
