@@ -21,7 +21,7 @@ ViewMetrics someFigures() {
     figures.state = ViewMetrics::State::Ready;
     figures.speedup = RatioEstimate{3.14, {2.9, 3.3}};
     figures.frameMilliseconds = 4.0;
-    figures.consideredTriangles = 15;
+    figures.submitted.triangles = 15;
     figures.sceneTriangles = 100;
     return figures;
 }
@@ -80,10 +80,10 @@ TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
                 return model.index(row, 0).data().toString();
         return QStringLiteral("no such row");
     };
-    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("–"));
+    EXPECT_EQ(valueOf(QStringLiteral("– not from snapping")), QStringLiteral("–"));
     figures.missedBeyondSnapping = 2;
     model.setFigures(0, figures);
-    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("2"));
+    EXPECT_EQ(valueOf(QStringLiteral("– not from snapping")), QStringLiteral("2"));
     EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
 }
 

@@ -32,6 +32,8 @@ QString MetricsModel::title(int row) {
             return tr("Culling");
         case Submitted:
             return tr("Submitted triangles");
+        case Fragments:
+            return tr("– in fragments");
         case Visible:
             return tr("Visible triangles");
         case InVain:
@@ -39,7 +41,7 @@ QString MetricsModel::title(int row) {
         case Missed:
             return tr("Missed pixels");
         case Beyond:
-            return tr("– beyond snapping");
+            return tr("– not from snapping");
         case Hole:
             return tr("Largest hole");
         case Covered:
@@ -61,7 +63,9 @@ QString MetricsModel::explanation(int row) {
         case Cull:
             return tr("Time in which the strategy decides what to draw");
         case Submitted:
-            return tr("Triangles given to OpenGL");
+            return tr("Triangles of the scene of which anything is drawn, each counted once");
+        case Fragments:
+            return tr("Parts of triangles that the strategy drew in place of them, because it cuts or orders them itself");
         case Visible:
             return tr("Triangles that truly show in at least one pixel");
         case InVain:
@@ -71,8 +75,7 @@ QString MetricsModel::explanation(int row) {
         case Beyond:
             return tr(
                 "Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the "
-                "strategy "
-                "draws front faces only and the truth both sides");
+                "truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself");
         case Hole:
             return tr("Pixels of the largest connected group of missed pixels");
         case Covered:
@@ -101,7 +104,9 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
         case Cull:
             return millisecondsText(figures.cullMilliseconds);
         case Submitted:
-            return countText(figures.consideredTriangles);
+            return countText(figures.submitted.triangles);
+        case Fragments:
+            return figures.submitted.fragments > 0 ? countText(figures.submitted.fragments) : QStringLiteral("–");
         case Visible:
             return countText(accuracy.visibleTriangles);
         case InVain:
