@@ -4678,20 +4678,12 @@ OpenGL %2
         <translation>헛되이 제출</translation>
     </message>
     <message>
-        <source>– in fragments</source>
-        <translation>– 조각으로</translation>
-    </message>
-    <message>
-        <source>– not from snapping</source>
-        <translation>– 맞춤 때문이 아닌 것</translation>
+        <source>– beyond snapping</source>
+        <translation>– 맞춤을 넘는 것</translation>
     </message>
     <message>
         <source>Triangles of the scene of which anything is drawn, each counted once</source>
         <translation>일부라도 그린 장면의 삼각형. 각각 한 번만 셉니다</translation>
-    </message>
-    <message>
-        <source>Parts of triangles that the strategy drew in place of them, because it cuts or orders them itself</source>
-        <translation>전략이 삼각형을 직접 자르거나 정렬하여 그 대신 그린 조각</translation>
     </message>
     <message>
         <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>

@@ -4678,20 +4678,12 @@ OpenGL %2
         <translation>徒劳提交</translation>
     </message>
     <message>
-        <source>– in fragments</source>
-        <translation>– 其碎片数</translation>
-    </message>
-    <message>
-        <source>– not from snapping</source>
-        <translation>– 非对齐所致</translation>
+        <source>– beyond snapping</source>
+        <translation>– 超出对齐误差</translation>
     </message>
     <message>
         <source>Triangles of the scene of which anything is drawn, each counted once</source>
         <translation>场景中至少绘制了一部分的三角形，每个只计一次</translation>
-    </message>
-    <message>
-        <source>Parts of triangles that the strategy drew in place of them, because it cuts or orders them itself</source>
-        <translation>策略自行切割或排序三角形时，代替它们绘制的碎片</translation>
     </message>
     <message>
         <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>

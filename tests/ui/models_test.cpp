@@ -80,11 +80,25 @@ TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
                 return model.index(row, 0).data().toString();
         return QStringLiteral("no such row");
     };
-    EXPECT_EQ(valueOf(QStringLiteral("– not from snapping")), QStringLiteral("–"));
+    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("–"));
     figures.missedBeyondSnapping = 2;
     model.setFigures(0, figures);
-    EXPECT_EQ(valueOf(QStringLiteral("– not from snapping")), QStringLiteral("2"));
+    EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("2"));
     EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
+}
+
+TEST(Models, fragmentsAreCountedApartFromTheTrianglesThatAreSubmitted) {
+    MetricsModel model;
+    ViewMetrics figures = someFigures();
+    figures.submitted = {15, 157};
+    model.setColumns({{0, figures}});
+    for (int row = 0; row < model.rowCount(); ++row) {
+        if (model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString() != QStringLiteral("Submitted triangles")) continue;
+        EXPECT_EQ(model.index(row, 0).data().toString(), QStringLiteral("15"));
+        EXPECT_TRUE(model.index(row, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("157")));
+    }
+    EXPECT_TRUE(metricsLine(figures).contains(QStringLiteral("15 %"))) << metricsLine(figures).toStdString();
+    EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("Submitted in 157 fragments")));
 }
 
 TEST(Models, figuresAreColumnsOfTheShownViews) {

@@ -32,8 +32,6 @@ QString MetricsModel::title(int row) {
             return tr("Culling");
         case Submitted:
             return tr("Submitted triangles");
-        case Fragments:
-            return tr("– in fragments");
         case Visible:
             return tr("Visible triangles");
         case InVain:
@@ -41,7 +39,7 @@ QString MetricsModel::title(int row) {
         case Missed:
             return tr("Missed pixels");
         case Beyond:
-            return tr("– not from snapping");
+            return tr("– beyond snapping");
         case Hole:
             return tr("Largest hole");
         case Covered:
@@ -64,8 +62,6 @@ QString MetricsModel::explanation(int row) {
             return tr("Time in which the strategy decides what to draw");
         case Submitted:
             return tr("Triangles of the scene of which anything is drawn, each counted once");
-        case Fragments:
-            return tr("Parts of triangles that the strategy drew in place of them, because it cuts or orders them itself");
         case Visible:
             return tr("Triangles that truly show in at least one pixel");
         case InVain:
@@ -86,7 +82,10 @@ QString MetricsModel::explanation(int row) {
 }
 
 QString MetricsModel::explanation(const ViewMetrics& figures, int row) {
-    if (row != Speedup || figures.state != ViewMetrics::State::Ready || !figures.speedup) return explanation(row);
+    const bool ready = figures.state == ViewMetrics::State::Ready;
+    if (row == Submitted && ready && figures.submitted.fragments > 0)
+        return fragmentsSentence(figures.submitted) + QLatin1Char('\n') + explanation(row);
+    if (row != Speedup || !ready || !figures.speedup) return explanation(row);
     return speedSentence(*figures.speedup) + QLatin1Char('\n') + explanation(row);
 }
 
@@ -105,8 +104,6 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
             return millisecondsText(figures.cullMilliseconds);
         case Submitted:
             return countText(figures.submitted.triangles);
-        case Fragments:
-            return figures.submitted.fragments > 0 ? countText(figures.submitted.fragments) : QStringLiteral("–");
         case Visible:
             return countText(accuracy.visibleTriangles);
         case InVain:

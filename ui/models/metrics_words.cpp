@@ -32,6 +32,11 @@ QString speedSentence(const RatioEstimate& speed) {
     return QCoreApplication::translate("Wording", "%1 against backface, with its 95 % interval").arg(speedWithInterval(speed));
 }
 
+QString fragmentsSentence(const Submitted& submitted) {
+    return QCoreApplication::translate("Wording", "Submitted in %1 fragments that the strategy made of them")
+        .arg(countText(submitted.fragments));
+}
+
 QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
     if (figures.state == ViewMetrics::State::Failed) return translated(figures.failure);
     QStringList lines;
@@ -46,9 +51,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
               << QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
                      .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
                           countText(figures.accuracy.largestHolePixels));
-        if (figures.submitted.fragments > 0)
-            lines << QCoreApplication::translate("Wording", "Submitted in %1 fragments that the strategy made of them")
-                         .arg(countText(figures.submitted.fragments));
+        if (figures.submitted.fragments > 0) lines << fragmentsSentence(figures.submitted);
         if (figures.missedBeyondSnapping)
             lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")
                          .arg(countText(*figures.missedBeyondSnapping));
