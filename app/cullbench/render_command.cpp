@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/frame/decided_ahead.h"
 #include "core/frame/entry_words.h"
+#include "core/frame/submitted.h"
 #include "core/gpu/colour.h"
 #include "core/gpu/gpu_frame.h"
 #include "core/image/cell_map_picture.h"
@@ -64,7 +65,7 @@ Vec3f colourFromText(const std::string& option, const std::string& text, const V
 
 /// The content of the picture, for its metadata.
 PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& strategy, const OverlayChoice& choice,
-                         const View& viewing, const DrawStyle& style, const FrameLog& log) {
+                         const View& viewing, const DrawStyle& style, const FrameLog& log, const Submitted& submitted) {
     PictureSubject subject;
     subject.scene = options.scene.specification;
     subject.hidden = options.scene.hide;
@@ -78,7 +79,7 @@ PictureSubject subjectOf(const RenderOptions& options, const StrategyRequest& st
     subject.style = style;
     subject.picture = choice.picture;
     subject.pictureColouring = choice.colouring;
-    subject.submittedTriangles = log.consideredTriangles();
+    subject.submittedTriangles = submitted.triangles;
     return subject;
 }
 
@@ -196,15 +197,17 @@ void run(const RenderOptions& options, const Context& context) {
     }
     const auto& [states, rgba, line] = drawn;
     const Viewport whole{size.width, below ? 2 * size.height : size.height};
-    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, viewingView, style, log));
+    const Submitted submitted = submittedBy(*opened.scene, log);
+    PictureMetadata metadata = subjectMetadata(subjectOf(options, request, choice, viewingView, style, log, submitted));
     std::ranges::move(programMetadata(gl.info().renderer), std::back_inserter(metadata));
     Picture picture{whole, rgba, std::move(metadata)};
     if (keepsDepth(options.output) && !choice.replacesScene() && !below) addDepth(renderer, picture, buffers, viewingView, log);
     writePicture(options.output, picture);
     // Where the picture goes to standard output, the text goes to standard error.
     std::FILE* words = options.output == "-" ? stderr : stdout;
-    fmt::print(words, "{}: {} of {} triangles submitted; {} on {}\n", options.output, log.consideredTriangles(),
-               opened.scene->triangleCount(), gl.info().renderer, gl.platform());
+    const std::string parts = submitted.fragments > 0 ? fmt::format(" in {} fragments", submitted.fragments) : "";
+    fmt::print(words, "{}: {} of {} triangles submitted{}; {} on {}\n", options.output, submitted.triangles,
+               opened.scene->triangleCount(), parts, gl.info().renderer, gl.platform());
     if (states.againstTruth) fmt::print(words, "{}: {}\n", options.output, described(states));
     if (options.steps) printSteps(words, *strategy, log);
     if (!line.empty()) fmt::print(words, "{}: {}\n", options.output, line);

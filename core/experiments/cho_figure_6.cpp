@@ -113,9 +113,9 @@ double largestSpeedup(const RunMeasurement& run, const RunMeasurement& all) {
 
 /// The largest share of the scene's triangles that a run culled in one view.
 double largestCulledFraction(const RunMeasurement& run, const Scene& scene) {
-    uint64_t least = scene.triangleCount();
-    for (const FrameMeasurement& frame : run.frames) least = std::min(least, frame.consideredTriangles);
-    return 1.0 - double(least) / double(scene.triangleCount());
+    double least = 1.0;
+    for (const FrameMeasurement& frame : run.frames) least = std::min(least, frame.submitted.share(scene.triangleCount()));
+    return 1.0 - least;
 }
 
 Rows cullingRows(const Setting& setting, const MeasureResult& result) {

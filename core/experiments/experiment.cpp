@@ -61,7 +61,8 @@ void addMeasured(ResultTable& table, const Experiment& experiment, const Setting
     addRows(table, experiment, rows);
 }
 
-/// The stage of a program without windows. It keeps the newest scene: consecutive settings often use the same one.
+/// The stage of a program without windows. It keeps the newest scene, its upload and its structures: consecutive settings often
+/// use the same one.
 ExperimentStage ownStage(const Experiment& experiment, const SceneSourceOptions& source) {
     ExperimentStage stage;
     stage.scene = [&, specification = std::string(), kept = ScenePointer()](size_t number, const Progress& progress) mutable {
@@ -70,7 +71,9 @@ ExperimentStage ownStage(const Experiment& experiment, const SceneSourceOptions&
         specification = wanted;
         return kept;
     };
-    stage.measure = [](const MeasureRequest& request, const Progress& progress) { return measure(request, progress); };
+    stage.measure = [shared = std::make_shared<MeasuredScene>()](const MeasureRequest& request, const Progress& progress) {
+        return measure(request, progress, {}, shared.get());
+    };
     return stage;
 }
 

@@ -6,8 +6,8 @@
 #include "core/base/error.h"
 #include "core/experiments/run_rows.h"
 #include "core/measure/accuracy.h"
-#include "core/measure/render_frame.h"
 #include "core/measure/statistics.h"
+#include "core/measure/timed_rounds.h"
 #include "core/visibility/strategy_request.h"
 
 namespace cullscope {
@@ -67,34 +67,38 @@ const char* agreement(bool recommended, bool anyRecommended, double times) {
 class Entrant {
 public:
     Entrant(const Method& method, const ScenePointer& scene, StructureStore& structures, const Progress& progress)
-        : m_method(method), m_stop(progress.stop) {
-        guarded([&] {
+        : m_method(method) {
+        try {
             const StrategyRequest request = strategyFromText(method.id);
             requireAvailable(strategyOf(request).info, requireOpenGl45());
             m_built = buildStrategy(strategyOf(request), request.parameters, scene, structures, progress);
-            m_state = m_built->begin();
-        });
+            m_memories.push_back(m_built->begin());
+        } catch (const Error& error) {
+            fail(error);
+        }
     }
 
     [[nodiscard]] const Method& method() const { return m_method; }
     [[nodiscard]] const BuiltStrategyPointer& built() const { return m_built; }
     /// Why it cannot serve the setting; empty: it can.
     [[nodiscard]] const std::string& failure() const { return m_failure; }
+    /// The newest frame that was timed.
     [[nodiscard]] const FrameLog& log() const { return m_log; }
 
-    /// Draws a view once, and adds its time to `times` where it is not null.
-    void draw(Renderer& renderer, const SceneBuffers& buffers, const View& view, Framebuffer& target,
-              std::vector<double>* times) {
-        guarded([&] {
-            FrameResult frame = renderFrame(renderer, buffers, *m_built, *m_state, view, target, {}, m_stop);
-            m_log = std::move(frame.log);
-            m_drawingMilliseconds += frame.frameMilliseconds;
-            if (times != nullptr) times->push_back(frame.frameMilliseconds);
-        });
+    /// What a method refuses, such as more fragments than its limit, is what its cells say.
+    void fail(const Error& error) {
+        if (error.kind() == ErrorKind::Interrupted) throw;
+        m_failure = error.message().english();
     }
-    /// The times of the repetitions of one more view.
-    void addView(const std::vector<double>& times) {
-        m_viewsMilliseconds += quantile(times, 0.5);
+    [[nodiscard]] TimedFrames at(const View& view, const SceneBuffers& buffers) {
+        return {&buffers, m_built, view, std::move(m_memories)};
+    }
+    /// What was timed at one more view.
+    void add(TimedFrames timed) {
+        m_memories = timed.takeMemories();
+        m_viewsMilliseconds += quantile(timed.frameMilliseconds, 0.5);
+        for (const double milliseconds : timed.frameMilliseconds) m_drawingMilliseconds += milliseconds;
+        m_log = std::move(timed.log);
         ++m_views;
     }
     void giveUpAfter(double seconds, size_t views) {
@@ -110,60 +114,64 @@ public:
     }
 
 private:
-    /// What a method refuses, such as more fragments than its limit, is what its cells say.
-    template <typename Work>
-    void guarded(const Work& work) {
-        if (!m_failure.empty()) return;
-        try {
-            work();
-        } catch (const Error& error) {
-            if (error.kind() == ErrorKind::Interrupted) throw;
-            m_failure = error.message().english();
-        }
-    }
-
     const Method& m_method;
-    std::stop_token m_stop;
     BuiltStrategyPointer m_built;
-    ViewStatePointer m_state;
+    std::vector<ViewStatePointer> m_memories;
     std::string m_failure;
     FrameLog m_log;
     double m_drawingMilliseconds = 0.0, m_viewsMilliseconds = 0.0;
     size_t m_views = 0;
 };
 
-/// The missed pixels of the last frame that a method drew, beyond the raster's snapping where the frame was rasterised otherwise
-/// than the reference.
-double missedPixels(Renderer& renderer, const SceneBuffers& buffers, const Entrant& entrant, Framebuffer& target) {
-    const FrameLog& log = entrant.log();
-    const Reference truth =
-        itemBufferReference(renderer, buffers, View(log.camera, log.size), entrant.built()->referenceFacing());
-    return double(judge(renderer, buffers, log, truth, target).lostPixels());
+/// Times the methods at one view by the one protocol; every other view in reverse order. `missed`: gets, by method, the missed
+/// pixels of the frames that were timed, beyond the raster's snapping where they were rasterised otherwise than the reference;
+/// null: they are not counted.
+void timeView(Renderer& renderer, Framebuffer& target, std::vector<Entrant>& entrants, const View& view,
+              const SceneBuffers& buffers, const TimingProtocol& protocol, bool reverse, const Progress& progress,
+              std::vector<double>* missed) {
+    std::vector<size_t> numbers;
+    for (size_t i = 0; i < entrants.size(); ++i)
+        if (entrants[i].failure().empty()) numbers.push_back(i);
+    if (reverse) std::ranges::reverse(numbers);
+    std::vector<TimedFrames> frames;
+    for (const size_t number : numbers) frames.push_back(entrants[number].at(view, buffers));
+    TimedRounds rounds(std::move(frames), protocol);
+    while (!rounds.complete()) {
+        progress.check();
+        try {
+            rounds.step(
+                renderer, [&](const Viewport&, size_t) -> Framebuffer& { return target; }, progress.stop);
+        } catch (const Error& error) {
+            entrants[numbers[rounds.next()]].fail(error);
+            rounds.dropNext();
+        }
+    }
+    References references;
+    for (size_t i = 0; i < numbers.size(); ++i) {
+        TimedFrames& timed = rounds.entrants()[i];
+        if (timed.dropped) continue;
+        if (missed != nullptr) {
+            const auto truth = references.of(renderer, buffers, view, timed.strategy->referenceFacing());
+            (*missed)[numbers[i]] = double(judge(renderer, buffers, timed.log, *truth, target).lostPixels());
+        }
+        entrants[numbers[i]].add(std::move(timed));
+    }
 }
 
-/// Draws all views, the methods in turns, every other turn in reverse order.
-void drawInTurns(std::vector<Entrant>& entrants, const SceneBuffers& buffers, const CameraPath& path,
-                 const LectureTableSize& size, const Progress& progress, std::vector<double>& missed) {
+/// Times all views.
+void timeViews(std::vector<Entrant>& entrants, const SceneBuffers& buffers, const CameraPath& path, const LectureTableSize& size,
+               const Progress& progress, std::vector<double>& missed) {
+    const size_t views = path.poses.size();
     Renderer renderer;
     Framebuffer target(size.size);
-    const size_t views = path.poses.size();
-    const int repetitions = views > 1 ? 1 : size.repetitions;
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = views > 1 ? 1 : size.repetitions;
     for (size_t pose = 0; pose < views; ++pose) {
-        const View view(path.camera(pose), size.size);
-        std::vector<std::vector<double>> times(entrants.size());
-        // The first view is drawn once more, untimed: meshes are uploaded and programs compiled when they are first used.
-        for (int turn = pose == 0 ? -1 : 0; turn < repetitions; ++turn)
-            for (size_t i = 0; i < entrants.size(); ++i) {
-                progress.check();
-                const size_t place = (size_t(turn + 1) + pose) % 2 == 0 ? i : entrants.size() - 1 - i;
-                entrants[place].draw(renderer, buffers, view, target, turn < 0 ? nullptr : &times[place]);
-            }
-        for (size_t i = 0; i < entrants.size(); ++i) {
-            if (!entrants[i].failure().empty()) continue;
-            entrants[i].addView(times[i]);
-            if (pose == 0) missed[i] = missedPixels(renderer, buffers, entrants[i], target);
-            entrants[i].giveUpAfter(size.secondsOfAMethod, views);
-        }
+        // Meshes are uploaded and programs compiled when they are first used.
+        protocol.warmUp = pose == 0 ? 1 : 0;
+        timeView(renderer, target, entrants, View(path.camera(pose), size.size), buffers, protocol, pose % 2 != 0, progress,
+                 pose == 0 ? &missed : nullptr);
+        for (Entrant& entrant : entrants) entrant.giveUpAfter(size.secondsOfAMethod, views);
         progress.tell(double(pose + 1) / double(views), CULLSCOPE_TR("measuring"));
     }
 }
@@ -180,7 +188,7 @@ Rows methodRows(const Setting& setting, const ScenePointer& scene, const Lecture
     const SceneBuffers buffers(scene, Upload::Vbo);
     const CameraPath path = cameraPath("front:" + std::to_string(int(setting.number(kViews))), *scene);
     std::vector<double> missed(entrants.size(), 0.0);
-    drawInTurns(entrants, buffers, path, size, progress.part(kBuilt, 1.0), missed);
+    timeViews(entrants, buffers, path, size, progress.part(kBuilt, 1.0), missed);
 
     std::optional<double> least;
     bool anyRecommended = false;

@@ -34,7 +34,9 @@ Json frameJson(const FrameMeasurement& frame) {
               {"frame_ms", frame.frameMilliseconds},
               {"cull_ms", frame.cullMilliseconds},
               {"repetitions", frame.repetitions},
-              {"considered_triangles", frame.consideredTriangles}};
+              {"considered_triangles", frame.consideredTriangles},
+              {"submitted_triangles", frame.submitted.triangles},
+              {"submitted_fragments", frame.submitted.fragments}};
     for (size_t cause = 0; cause < kCauseCount; ++cause) json[kCulledFields[cause]] = frame.culledTriangles[cause];
     const auto figure = [&](uint64_t Accuracy::*member) {
         return frame.accuracy ? Json((*frame.accuracy).*member) : Json(nullptr);

@@ -7,40 +7,12 @@
 #include <optional>
 #include <utility>
 
+#include "core/frame/submitted.h"
+
 namespace cullscope {
 namespace {
 
-/// Ranges of triangle numbers [first, end), ascending and disjoint.
-using Intervals = std::vector<std::pair<uint64_t, uint64_t>>;
-
-Intervals submitted(const DrawList& list, const Scene& scene) {
-    Intervals runs;
-    runs.reserve(list.ranges.size());
-    for (const DrawRange& range : list.ranges) {
-        const uint32_t mesh = scene.instances()[range.instance].mesh;
-        const uint64_t first = scene.firstTriangle(range.instance);
-        const uint64_t begin = range.firstIndex / 3, end = begin + range.indexCount / 3;
-        if (list.orderOf(mesh).triangles.empty()) {
-            if (begin < end) runs.emplace_back(first + begin, first + end);
-            continue;
-        }
-        for (uint64_t place = begin; place < end; ++place) {
-            const uint64_t triangle = first + list.triangleAt(mesh, place);
-            runs.emplace_back(triangle, triangle + 1);
-        }
-    }
-    std::sort(runs.begin(), runs.end());
-    Intervals merged;
-    for (const auto& run : runs) {
-        if (!merged.empty() && run.first <= merged.back().second)
-            merged.back().second = std::max(merged.back().second, run.second);
-        else
-            merged.push_back(run);
-    }
-    return merged;
-}
-
-uint64_t countMembers(const std::vector<uint32_t>& ascending, const Intervals& intervals) {
+uint64_t countMembers(const std::vector<uint32_t>& ascending, const TriangleIntervals& intervals) {
     uint64_t members = 0;
     auto interval = intervals.begin();
     for (const uint32_t triangle : ascending) {
@@ -146,8 +118,8 @@ Accuracy compare(const Reference& reference, const ShownPixels& shown, const Dra
     accuracy.missedPixels = static_cast<uint64_t>(std::count(mask.begin(), mask.end(), uint8_t{1}));
     if (accuracy.missedPixels > 0) accuracy.largestHolePixels = holes(std::move(mask), reference.size).front().pixels;
 
-    const Intervals given = submitted(drawn, scene);
-    for (const auto& [first, end] : given) accuracy.submittedTriangles += end - first;
+    const TriangleIntervals given = submittedIntervals(scene, drawn);
+    accuracy.submittedTriangles = triangleCount(given);
     accuracy.visibleTriangles = reference.visibleTriangles.size();
     const uint64_t visibleAndDrawn = countMembers(reference.visibleTriangles, given);
     accuracy.falselyCulledTriangles = accuracy.visibleTriangles - visibleAndDrawn;

@@ -11,6 +11,7 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.frameTimes = timed.frameMilliseconds;
     figures.repetitions = static_cast<int>(timed.frameMilliseconds.size());
     figures.stages = timed.log.stages;
+    figures.submitted = submittedBy(timed.strategy->scene(), timed.log);
     figures.consideredTriangles = timed.log.consideredTriangles();
     figures.culledTriangles = timed.log.counters.culledTriangles;
     figures.parts = timed.log.counters.parts;

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/frame/submitted.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/statistics.h"
 #include "core/measure/timed_rounds.h"
@@ -20,7 +21,8 @@ struct FrameMeasurement {
     std::vector<Stage> stages;       ///< of one cull
     std::vector<double> frameTimes;  ///< milliseconds, by repetition; in files only as their median
     int repetitions = 0;
-    uint64_t consideredTriangles = 0;                     ///< of one window
+    Submitted submitted;                                  ///< of one window
+    uint64_t consideredTriangles = 0;                     ///< of one window; given to OpenGL, whole triangles and fragments alike
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (FrameCounters)
     std::vector<CullPart> parts;                          ///< of one window (FrameCounters)
     std::vector<NamedFigure> figures;                     ///< of one window (FrameCounters)

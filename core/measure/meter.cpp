@@ -168,12 +168,38 @@ bool Meter::complete() const { return m_experiment->complete(); }
 size_t Meter::poses() const { return m_experiment->poses(); }
 MeasureResult Meter::resultSoFar() const { return m_experiment->resultSoFar(); }
 
-MeasureResult measure(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose) {
+void MeasuredScene::show(const ScenePointer& scene) {
+    if (m_scene == scene) return;
+    m_buffers.clear();
+    m_kept.clear();
+    m_scene = scene;
+}
+
+std::shared_ptr<const SceneBuffers> MeasuredScene::buffers(const ScenePointer& scene, Upload upload) {
+    show(scene);
+    std::shared_ptr<const SceneBuffers>& buffers = m_buffers[upload];
+    if (!buffers) {
+        buffers = std::make_shared<const SceneBuffers>(scene, upload);
+        ++m_uploads;
+    }
+    return buffers;
+}
+
+Contestants MeasuredScene::contestants(const MeasureRequest& request, const GlInfo& gl, const Progress& progress) {
+    show(request.scene);
+    Contestants built = buildContestants(request, gl, m_structures, progress);
+    for (const Contestant& contestant : built.strategies) m_kept.insert(contestant.strategy->structure());
+    return built;
+}
+
+MeasureResult measure(const MeasureRequest& request, const Progress& progress, const PoseObserver& afterPose,
+                      MeasuredScene* shared) {
     requireSomething(request);
     const GlInfo gl = requireOpenGl45();
-    auto buffers = std::make_shared<const SceneBuffers>(request.scene, request.upload);
-    StructureStore structures;
-    Meter meter(request, buildContestants(request, gl, structures, progress.part(0.0, kBuilding)), gl, std::move(buffers));
+    MeasuredScene own;
+    MeasuredScene& measured = shared != nullptr ? *shared : own;
+    const std::shared_ptr<const SceneBuffers> buffers = measured.buffers(request.scene, request.upload);
+    Meter meter(request, measured.contestants(request, gl, progress.part(0.0, kBuilding)), gl, buffers);
     const Progress measuring = progress.part(kBuilding, 1.0);
     while (!meter.complete()) {
         const size_t pose = meter.poses();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -42,7 +44,7 @@ struct Summary {
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
     double cullShare = 0.0;                         ///< of the frame time
-    double culledFraction = 0.0;                    ///< of the scene's triangles those of which nothing is drawn, mean over poses
+    double culledFraction = 0.0;                    ///< 1 less the share of the scene's triangles submitted, mean over poses
     std::optional<double> missedPixelRate;          ///< missed / covered, over all poses
     RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOver the poses: what "×" says everywhere
     RatioEstimate speedupVsAll, speedupVsBackface;  ///< meanOfRatios over the poses, which papers quote
@@ -115,12 +117,36 @@ private:
     std::unique_ptr<Experiment> m_experiment;
 };
 
+/// What the measurements of one scene have in common, one after the other: its upload, and each structure that one of them built.
+/// Another scene takes their place. Needs the same current context, or one of its share group, while it lives.
+class MeasuredScene {
+public:
+    /// The scene's buffers, uploaded here if there are none yet.
+    [[nodiscard]] std::shared_ptr<const SceneBuffers> buffers(const ScenePointer& scene, Upload upload);
+    /// The strategies of a request, built here if no measurement built them (buildContestants).
+    [[nodiscard]] Contestants contestants(const MeasureRequest& request, const GlInfo& gl, const Progress& progress);
+
+    /// How many uploads were made and structures were built so far. For tests: neither is made twice.
+    [[nodiscard]] size_t uploads() const { return m_uploads; }
+    [[nodiscard]] size_t built() const { return m_structures.built(); }
+
+private:
+    void show(const ScenePointer& scene);
+
+    ScenePointer m_scene;
+    std::map<Upload, std::shared_ptr<const SceneBuffers>> m_buffers;
+    StructureStore m_structures;
+    std::set<StructurePointer> m_kept;
+    size_t m_uploads = 0;
+};
+
 /// Called with a function that makes a result of the poses measured so far; to be called only before the observer returns.
 using PoseObserver = std::function<void(const std::function<MeasureResult()>& resultSoFar)>;
 
 /// Builds, uploads and runs a Meter to its end. Needs a current context. A stop request ends it at the next frame, and the poses
 /// measured until then are returned; errors are thrown. `afterPose` is called on the measuring thread after every complete pose.
+/// `shared`: of several measurements one after the other, each of which uploads and builds only what is new.
 [[nodiscard]] MeasureResult measure(const MeasureRequest& request, const Progress& progress = {},
-                                    const PoseObserver& afterPose = {});
+                                    const PoseObserver& afterPose = {}, MeasuredScene* shared = nullptr);
 
 }  // namespace cullscope

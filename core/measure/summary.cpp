@@ -21,12 +21,6 @@ void compareTo(BaselineRole role, const RunMeasurement& run, const std::vector<R
     ofTotals = ratioOver(found->frames, run.frames);
 }
 
-/// How many of the scene's triangles a frame drew anything of: parts of one count once. Where the frame was not judged, and it
-/// may have drawn parts, at most.
-uint64_t drawnOnce(const FrameMeasurement& frame, const Scene& scene) {
-    return frame.accuracy ? frame.accuracy->submittedTriangles : std::min(frame.consideredTriangles, scene.triangleCount());
-}
-
 }  // namespace
 
 Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& runs, const Scene& scene) {
@@ -34,11 +28,11 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     Summary summary;
     if (frames.empty()) return summary;
     std::vector<double> times;
-    double cull = 0.0, drawn = 0.0;
+    double cull = 0.0, submitted = 0.0;
     for (const FrameMeasurement& frame : frames) {
         times.push_back(frame.frameMilliseconds);
         cull += frame.cullMilliseconds;
-        drawn += double(drawnOnce(frame, scene));
+        submitted += frame.submitted.share(scene.triangleCount());
         summary.fpsMean += 1000.0 / frame.frameMilliseconds / double(frames.size());
     }
     const double total = std::accumulate(times.begin(), times.end(), 0.0);
@@ -49,8 +43,7 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     summary.frameMillisecondsP95 = quantile(times, 0.95);
     summary.frameMillisecondsP99 = quantile(times, 0.99);
     summary.cullShare = cull / total;
-    const double triangles = double(scene.triangleCount());
-    summary.culledFraction = triangles > 0 ? 1.0 - drawn / double(frames.size()) / triangles : 0.0;
+    summary.culledFraction = scene.triangleCount() > 0 ? 1.0 - submitted / double(frames.size()) : 0.0;
     if (const std::optional<Losses> lost = run.losses())
         summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
     compareTo(BaselineRole::Triangles, run, runs, summary.ratioToAll, summary.speedupVsAll);

@@ -26,7 +26,7 @@ TimedRounds::TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol
 
 void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::stop_token& stop) {
     if (m_complete) return;
-    TimedFrames& entrant = m_entrants[m_round % 2 == 0 ? m_place : m_entrants.size() - 1 - m_place];
+    TimedFrames& entrant = m_entrants[next()];
     std::vector<ViewStatePointer> cloned;
     if (entrant.strategy->info().remembers)
         for (const ViewStatePointer& memory : entrant.memories) cloned.push_back(memory->clone());
@@ -44,10 +44,24 @@ void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::
         entrant.frameMilliseconds.push_back(frame.frameMilliseconds);
         entrant.cullMilliseconds.push_back(frame.cullMilliseconds);
     }
-    if (++m_place < m_entrants.size()) return;
-    m_place = 0;
-    ++m_round;
-    m_complete = enough();
+    goOn();
+}
+
+size_t TimedRounds::next() const { return m_round % 2 == 0 ? m_place : m_entrants.size() - 1 - m_place; }
+
+void TimedRounds::dropNext() {
+    m_entrants[next()].dropped = true;
+    m_complete = std::ranges::all_of(m_entrants, &TimedFrames::dropped);
+    goOn();
+}
+
+void TimedRounds::goOn() {
+    do {
+        if (++m_place < m_entrants.size()) continue;
+        m_place = 0;
+        ++m_round;
+        m_complete = m_complete || enough();
+    } while (!m_complete && m_entrants[next()].dropped);
 }
 
 bool TimedRounds::enough() const {
@@ -57,8 +71,8 @@ bool TimedRounds::enough() const {
     if (m_round >= m_protocol.leastRepetitions && m_seconds >= m_protocol.budgetSeconds) return true;
     // The median is compared with that of two rounds ago, so at least three rounds are needed.
     if (m_round < std::max(3, m_protocol.leastRepetitions)) return false;
-    return std::ranges::all_of(m_entrants,
-                               [&](const TimedFrames& entrant) { return steady(entrant.frameMilliseconds, m_protocol); });
+    return std::ranges::all_of(
+        m_entrants, [&](const TimedFrames& entrant) { return entrant.dropped || steady(entrant.frameMilliseconds, m_protocol); });
 }
 
 }  // namespace cullscope

@@ -32,6 +32,7 @@ struct TimedFrames {
     std::vector<double> frameMilliseconds{}, cullMilliseconds{};  ///< of the counted frames, cull + draw and cull of all pictures
     FrameLog log{};                        ///< of the first counted frame's first picture: of that frame the errors are counted
     std::vector<ViewStatePointer> left{};  ///< the memories after that frame, of a strategy that remembers
+    bool dropped = false;                  ///< takes no part any more: its times and its log are not whole
 
     /// The memories with which the next view begins.
     [[nodiscard]] std::vector<ViewStatePointer> takeMemories() { return std::move(left.empty() ? memories : left); }
@@ -51,6 +52,10 @@ public:
     /// Times the next frame; it ends when the GPU has finished. Needs a current context. Nothing happens once complete. Throws
     /// Error(Interrupted) where the strategy ended its frame on the stop request; the frame does not count then.
     void step(Renderer& renderer, const TargetOf& targetOf, const std::stop_token& stop = {});
+    /// The number of the entrant that the next step draws; of that one, where a step threw.
+    [[nodiscard]] size_t next() const;
+    /// Goes on without that entrant, whose strategy refuses the view. Not once complete.
+    void dropNext();
     /// Whether a frame of each is counted: then their errors can be counted, too.
     [[nodiscard]] bool counted() const { return m_round > 0; }
     /// Whether no more frames are needed.
@@ -60,6 +65,8 @@ public:
 
 private:
     [[nodiscard]] bool enough() const;
+    /// To the next frame of an entrant that takes part.
+    void goOn();
 
     std::vector<TimedFrames> m_entrants;
     TimingProtocol m_protocol;

@@ -135,7 +135,8 @@ const ParameterDeclaration& ParameterSet::declaration(std::string_view key) cons
         if (each.key == key) return each;
         known += (known.empty() ? "" : ", ") + each.key;
     }
-    throwUsage(CULLSCOPE_TR("There is no parameter \"%1\" here. Known: %2."), {std::string(key), known.empty() ? "-" : known});
+    if (known.empty()) throwUsage(CULLSCOPE_TR("There is no parameter \"%1\" here, and no other one."), {std::string(key)});
+    throwUsage(CULLSCOPE_TR("There is no parameter \"%1\" here. Known: %2."), {std::string(key), known});
 }
 
 std::string toText(const ParameterValue& value) {

@@ -3,7 +3,9 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <sstream>
 
+#include "core/experiments/lecture_table.h"
 #include "tests/benchmark/experiments.h"
 #include "tests/benchmark/in_turns.h"
 #include "tests/benchmark/run_experiment.h"
@@ -251,6 +253,39 @@ TEST(BenchmarkPrograms, stepsAreTimedInTheWindow) {
     EXPECT_THAT(result.out, testing::HasSubstr("slowest step"));
 }
 #endif
+
+/// The keys in a CSV's first line; the ends of an interval belong to the column before them.
+std::vector<std::string> keysOf(std::istream& csv) {
+    std::string line, key;
+    std::getline(csv, line);
+    std::vector<std::string> keys;
+    for (std::istringstream in(line); std::getline(in, key, ',');)
+        if (!key.ends_with("_low") && !key.ends_with("_high")) keys.push_back(key);
+    return keys;
+}
+
+TEST(KeptRuns, haveTheColumnsOfTheirExperimentsOrThoseThatTheDocsSay) {
+    struct Kept {
+        Experiment experiment;
+        std::vector<std::string> lacks{}, has{};  ///< beside today's columns
+    };
+    const std::vector<Kept> kept{{sphericalMapsGrowth()},
+                                 {losslessGrowth()},
+                                 {losslessCull()},
+                                 {octreeQueryBesideBackface("layers:count=2,triangles=8", {})},
+                                 {lectureTable()},
+                                 {frustumTests(1000), {"in_view"}},
+                                 {losslessLayouts({"bunny"}), {"scene", "ratio_to_backface"}, {"frame_to_backface"}}};
+    for (const auto& [experiment, lacks, has] : kept) {
+        std::ifstream file(std::filesystem::path(CULLSCOPE_SOURCE_DIR) / "tests" / "benchmark" / (experiment.id + ".csv"));
+        ASSERT_TRUE(file.is_open()) << experiment.id;
+        std::istringstream now(rowsCsv(emptyTable(experiment)));
+        std::vector<std::string> expected = keysOf(now);
+        std::erase_if(expected, [&](const std::string& key) { return std::ranges::find(lacks, key) != lacks.end(); });
+        expected.insert(expected.end(), has.begin(), has.end());
+        EXPECT_THAT(keysOf(file), testing::UnorderedElementsAreArray(expected)) << experiment.id;
+    }
+}
 
 }  // namespace
 }  // namespace cullscope::benchmark::benchmark_test

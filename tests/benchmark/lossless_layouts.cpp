@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/measure/render_frame.h"
+#include "core/measure/frame_measurement.h"
 #include "core/spatial/cell_tree.h"
 #include "tests/benchmark/experiments.h"
 #include "tests/benchmark/in_turns.h"
@@ -29,10 +29,16 @@ struct Racer {
     double cellRatio = 1.0;  ///< largest : smallest solid angle of a leaf's cell
 };
 
-/// The means of a racer over one path's views; times are medians, the ratio is of frames of the same view.
+/// A racer over one path's views: what the meter says of each, and the sums of what it counts besides.
 struct Means {
-    double visited = 0.0, cullMilliseconds = 0.0, considered = 0.0, framesOfBackface = 0.0;
-    std::array<double, kCauseCount> culled{};
+    std::vector<FrameMeasurement> frames{};
+    double visited = 0.0;
+
+    [[nodiscard]] double mean(const std::function<double(const FrameMeasurement&)>& of) const {
+        double sum = 0.0;
+        for (const FrameMeasurement& frame : frames) sum += of(frame);
+        return sum / double(frames.size());
+    }
 };
 
 double ratioOfLeaves(const CellTree& tree) {
@@ -69,80 +75,66 @@ std::vector<Racer> racersOf(const ScenePointer& scene) {
     return all;
 }
 
-void addCounts(Means& means, const FrameLog& frame, double faces, double share) {
-    means.visited += double(frame.counters.nodesVisited) * share;
-    means.considered += double(frame.consideredTriangles()) / faces * share;
-    for (size_t cause = 0; cause < kCauseCount; ++cause)
-        means.culled[cause] += double(frame.counters.culledTriangles[cause]) / faces * share;
-}
-
-/// Draws the frames of the racers and of backface in turns.
-class FrameRace {
-public:
-    explicit FrameRace(const ScenePointer& scene) : m_buffers(scene, Upload::Vbo), m_backface(test::makeCuller("backface")) {
-        m_backface->build(*scene);
-    }
-
-    void addView(const View& view, std::vector<Racer>& racers, std::vector<Means>& means, double share) {
-        std::vector<std::vector<double>> culls(racers.size());
-        std::vector<std::function<double()>> draws{[&] { return draw(*m_backface, view).frameMilliseconds; }};
-        for (size_t i = 0; i < racers.size(); ++i)
-            draws.emplace_back([&, i] {
-                const FrameResult frame = draw(*racers[i].strategy, view);
-                // The first is of the warm-up.
-                if (culls[i].empty()) addCounts(means[i], frame.log, double(m_buffers.scene().triangleCount()), share);
-                culls[i].push_back(frame.log.cullMilliseconds);
-                return frame.frameMilliseconds;
-            });
-        const std::vector<std::vector<double>> frames = inTurns(draws, kLayoutRounds, 1);
-        for (size_t i = 0; i < racers.size(); ++i) {
-            culls[i].erase(culls[i].begin());
-            means[i].cullMilliseconds += medianOf(culls[i]) * share;
-            means[i].framesOfBackface += medianOf(frames[i + 1]) / medianOf(frames[0]) * share;
+/// Times the frames of the racers beside `backface`, which is the last of `means`.
+std::vector<Means> measured(const SceneBuffers& buffers, const std::vector<Racer>& racers, const BuiltStrategyPointer& backface,
+                            const std::vector<View>& views) {
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = kLayoutRounds;
+    Renderer renderer;
+    Framebuffer target(views.front().viewport());
+    std::vector<Means> means(racers.size() + 1);
+    for (const View& view : views) {
+        std::vector<TimedFrames> entrants;
+        for (size_t i = 0; i < means.size(); ++i) {
+            const BuiltStrategyPointer& strategy = i < racers.size() ? racers[i].strategy->built() : backface;
+            entrants.push_back({&buffers, strategy, view, {}});
+            entrants.back().memories.push_back(strategy->begin());
+        }
+        TimedRounds rounds(std::move(entrants), protocol);
+        while (!rounds.complete()) rounds.step(renderer, [&](const Viewport&, size_t) -> Framebuffer& { return target; });
+        for (size_t i = 0; i < means.size(); ++i) {
+            means[i].frames.push_back(measurementOf(rounds.entrants()[i]));
+            means[i].visited += double(rounds.entrants()[i].log.counters.nodesVisited);
         }
     }
-
-private:
-    FrameResult draw(test::Culler& strategy, const View& view) {
-        return renderFrame(m_renderer, m_buffers, *strategy.built(), strategy.state(), view, m_target);
-    }
-
-    Renderer m_renderer;
-    SceneBuffers m_buffers;
-    Framebuffer m_target{Viewport{320, 240}};
-    test::CullerPointer m_backface;
-};
+    return means;
+}
 
 std::string levelText(uint32_t level) { return level == 0 ? "auto" : std::to_string(level); }
 
-Row cellsOf(const Racer& racer, const Means& means) {
-    return {{"facing", std::string(racer.strategy->facing() == Facing::Front ? "front" : "two-sided")},
-            {"layout", std::string(mapLayoutId(racer.layout))},
-            {"level", levelText(racer.level)},
-            {"build_ms", racer.buildMilliseconds},
-            {"bytes", double(racer.strategy->structure().bytes)},
-            {"nodes", double(racer.nodes)},
-            {"leaves", double(racer.leaves)},
-            {"largest_to_smallest_cell", racer.cellRatio},
-            {"nodes_visited", means.visited},
-            {"cull_ms", means.cullMilliseconds},
-            {"considered_share", means.considered},
-            {"outside_share", means.culled[size_t(Cause::OutsideFrustum)]},
-            {"back_facing_share", means.culled[size_t(Cause::BackFacing)]},
-            {"hidden_share", means.culled[size_t(Cause::Hidden)]},
-            {"frame_to_backface", means.framesOfBackface}};
+Row cellsOf(const Racer& racer, const Means& means, const Means& backface, double faces) {
+    const auto share = [&](Cause cause) {
+        return means.mean([&](const FrameMeasurement& frame) { return double(frame.culledTriangles[size_t(cause)]) / faces; });
+    };
+    return {
+        {"facing", std::string(racer.strategy->facing() == Facing::Front ? "front" : "two-sided")},
+        {"layout", std::string(mapLayoutId(racer.layout))},
+        {"level", levelText(racer.level)},
+        {"build_ms", racer.buildMilliseconds},
+        {"bytes", double(racer.strategy->structure().bytes)},
+        {"nodes", double(racer.nodes)},
+        {"leaves", double(racer.leaves)},
+        {"largest_to_smallest_cell", racer.cellRatio},
+        {"nodes_visited", means.visited / double(means.frames.size())},
+        {"cull_ms", means.mean([](const FrameMeasurement& frame) { return frame.cullMilliseconds; })},
+        {"considered_share", means.mean([&](const FrameMeasurement& frame) { return frame.submitted.share(uint64_t(faces)); })},
+        {"outside_share", share(Cause::OutsideFrustum)},
+        {"back_facing_share", share(Cause::BackFacing)},
+        {"hidden_share", share(Cause::Hidden)},
+        {"ratio_to_backface", ratioOver(backface.frames, means.frames)}};
 }
 
 Rows rowsOf(const MeshPointer& mesh) {
     const ScenePointer scene = sceneOf(mesh);
-    std::vector<Racer> racers = racersOf(scene);
-    FrameRace race(scene);
+    const std::vector<Racer> racers = racersOf(scene);
+    const test::CullerPointer backface = test::makeCuller("backface");
+    backface->build(*scene);
+    const SceneBuffers buffers(scene, Upload::Vbo);
     Rows rows;
     for (const Views& path : cutAndWithin(*scene, kLayoutViewsEach)) {
-        std::vector<Means> means(racers.size());
-        for (const View& view : path.views) race.addView(view, racers, means, 1.0 / double(path.views.size()));
+        const std::vector<Means> means = measured(buffers, racers, backface->built(), path.views);
         for (size_t i = 0; i < racers.size(); ++i) {
-            rows.push_back(cellsOf(racers[i], means[i]));
+            rows.push_back(cellsOf(racers[i], means[i], means.back(), double(mesh->triangleCount())));
             rows.back().insert({{"mesh", mesh->name()}, {"path", path.name}});
         }
     }
@@ -189,7 +181,7 @@ Experiment losslessLayouts(const std::vector<std::string>& scenes) {
                                                             {"outside_share", 3},
                                                             {"back_facing_share", 3},
                                                             {"hidden_share", 3},
-                                                            {"frame_to_backface", 2}};
+                                                            {"ratio_to_backface", 2}};
     for (const auto& [key, decimals] : measured) experiment.columns.push_back({key, key, Origin::Measured, decimals});
     experiment.plots = {layoutsPlot()};
     experiment.draws = true;

@@ -55,6 +55,10 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// Includes of Qt in core or in cullbench, of OpenGL outside core/gpu, and of OpenMesh outside core/mesh.
 [[nodiscard]] std::vector<Offence> libraryOffences(const std::filesystem::path& root);
 
+/// Includes of core/measure/render_frame.h, which times one frame, in what measures: core, ui, app and tests/benchmark. Frames
+/// are timed by TimedRounds alone, the one protocol.
+[[nodiscard]] std::vector<Offence> meteringOffences(const std::filesystem::path& root);
+
 /// Violations of the same two rules in the CMakeLists.txt files of core and ui.
 [[nodiscard]] std::vector<Offence> linkOffences(const std::filesystem::path& root);
 

@@ -187,6 +187,18 @@ TEST_F(PlantedTree, includeOfOpenMeshOutsideItsLayerIsReported) {
                 ElementsAre(Offence{"core/scene/scene.cpp", 1, "uses OpenMesh outside core/mesh: OpenMesh/Core/Mesh/Traits.hh"}));
 }
 
+TEST_F(PlantedTree, includeOfWhatTimesAFrameOutsideTheMeterIsReported) {
+    const std::string header = "core/measure/render_frame.h";
+    write("core/measure/timed_rounds.cpp", "#include \"" + header + "\"\n");
+    EXPECT_THAT(meteringOffences(root()), IsEmpty());
+    for (const char* file : {"core/experiments/table.cpp", "ui/session/meter.cpp", "tests/benchmark/race.cpp"})
+        write(file, "#include \"" + header + "\"\n");
+    const std::string what = "times frames outside core/measure: " + header;
+    EXPECT_THAT(meteringOffences(root()),
+                UnorderedElementsAre(Offence{"core/experiments/table.cpp", 1, what}, Offence{"ui/session/meter.cpp", 1, what},
+                                     Offence{"tests/benchmark/race.cpp", 1, what}));
+}
+
 TEST_F(PlantedTree, linksToHigherLayersAndForeignLibrariesAreReported) {
     write("core/mesh/CMakeLists.txt",
           "cullscope_layer(mesh\n  LINKS cullscope::scene cullscope::ui\n  PRIVATE_LINKS Qt6::Core PkgConfig::epoxy)\n");
@@ -285,6 +297,7 @@ TEST(SourceRules, whatStrategiesShowIsNamedWhereItIsDeclared) {
     EXPECT_THAT(words, IsSupersetOf({"index-map", "index map", "Contour bands"}));
     EXPECT_THAT(showWordOffences(project(), words), IsEmpty());
 }
+TEST(SourceRules, framesAreTimedByTheOneMeter) { EXPECT_THAT(meteringOffences(project()), IsEmpty()); }
 TEST(SourceRules, librariesStayInTheirLayers) { EXPECT_THAT(libraryOffences(project()), IsEmpty()); }
 TEST(SourceRules, targetsLinkUpTheList) { EXPECT_THAT(linkOffences(project()), IsEmpty()); }
 TEST(SourceRules, topLevelIsAsDesigned) { EXPECT_THAT(topLevelOffences(project()), IsEmpty()); }

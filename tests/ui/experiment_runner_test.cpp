@@ -40,7 +40,8 @@ protected:
     }
 
     GpuThread gpu;
-    ExperimentRunner runner{&gpu, std::make_shared<StructureStore>()};
+    std::shared_ptr<StructureStore> structures = std::make_shared<StructureStore>();
+    ExperimentRunner runner{&gpu, structures};
     std::vector<MeasureResult> partials, results;
     std::vector<Message> failures;
     int cancellations = 0;
@@ -69,6 +70,23 @@ TEST_F(Runner, baselineThatIsAskedForIsNotMeasuredTwice) {
     runner.start(request("walk:2", {"backface", "frustum", "all"}));
     ASSERT_TRUE(waitUntil([this] { return !results.empty(); }));
     EXPECT_EQ(results.front().runs.size(), 3u);
+}
+
+TEST_F(Runner, experimentsOfOneSceneShareItsStructuresUntilTheyAreLeft) {
+    MeasureRequest experiment = request("walk:2", {"frustum"});
+    const auto built = [&] {
+        const size_t before = results.size();
+        runner.start(experiment);
+        EXPECT_TRUE(waitUntil([&] { return results.size() > before; }));
+        return structures->built();
+    };
+    EXPECT_EQ(built(), 3u);
+    experiment.windows = 2;
+    EXPECT_EQ(built(), 3u);
+    runner.leaveStructures();
+    EXPECT_EQ(built(), 6u);
+    experiment = request("walk:2", {"frustum"});
+    EXPECT_EQ(built(), 9u) << "another scene";
 }
 
 TEST_F(Runner, showsThePosesMeasuredSoFarAtMostTenTimesASecond) {

@@ -12,7 +12,7 @@ inline FrameMeasurement frame(size_t pose, double milliseconds, uint64_t missed)
     measured.frameMilliseconds = milliseconds;
     measured.cullMilliseconds = milliseconds / 4;
     measured.repetitions = 3;
-    measured.consideredTriangles = 100;
+    measured.consideredTriangles = measured.submitted.triangles = 100;
     measured.accuracy = Accuracy{};
     measured.accuracy->coveredPixels = 1'000'000;
     measured.accuracy->missedPixels = missed;

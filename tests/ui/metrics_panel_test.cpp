@@ -23,7 +23,7 @@ struct FiguresOfViews : ::testing::Test {
     void fill() {
         ViewMetrics figures;
         figures.state = ViewMetrics::State::Ready;
-        figures.consideredTriangles = 12'345'678;
+        figures.submitted.triangles = 12'345'678;
         figures.frameMilliseconds = 1234.567;
         figures.cullMilliseconds = 0.00712;
         figures.accuracy.coveredPixels = 9'876'543;

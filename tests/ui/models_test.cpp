@@ -21,7 +21,7 @@ ViewMetrics someFigures() {
     figures.state = ViewMetrics::State::Ready;
     figures.speedup = RatioEstimate{3.14, {2.9, 3.3}};
     figures.frameMilliseconds = 4.0;
-    figures.consideredTriangles = 15;
+    figures.submitted.triangles = 15;
     figures.sceneTriangles = 100;
     return figures;
 }
@@ -85,6 +85,20 @@ TEST(Models, missedEdgePixelsOfBackfaceAreExplained) {
     model.setFigures(0, figures);
     EXPECT_EQ(valueOf(QStringLiteral("– beyond snapping")), QStringLiteral("2"));
     EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("snapping to 1/256 pixel: 2")));
+}
+
+TEST(Models, fragmentsAreCountedApartFromTheTrianglesThatAreSubmitted) {
+    MetricsModel model;
+    ViewMetrics figures = someFigures();
+    figures.submitted = {15, 157};
+    model.setColumns({{0, figures}});
+    for (int row = 0; row < model.rowCount(); ++row) {
+        if (model.headerData(row, Qt::Vertical, Qt::DisplayRole).toString() != QStringLiteral("Submitted triangles")) continue;
+        EXPECT_EQ(model.index(row, 0).data().toString(), QStringLiteral("15"));
+        EXPECT_TRUE(model.index(row, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("157")));
+    }
+    EXPECT_TRUE(metricsLine(figures).contains(QStringLiteral("15 %"))) << metricsLine(figures).toStdString();
+    EXPECT_TRUE(metricsDetails(figures, {}).contains(QStringLiteral("Submitted in 157 fragments")));
 }
 
 TEST(Models, figuresAreColumnsOfTheShownViews) {

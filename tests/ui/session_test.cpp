@@ -265,6 +265,32 @@ TEST(Session, truthIsComputedOnceForViewsThatShareIt) {
     EXPECT_EQ(session.meter()->referencesComputed(), before + 1);
 }
 
+TEST(Session, viewsOfOneCameraHaveTimesOfOneMomentSoThatTheirRatiosAndFpsAgree) {
+    Session session(sessionOptions(true));
+    session.slot(0).choose("all");
+    session.slot(1).choose("frustum");
+    session.setViewport(0, {160, 120});
+    session.setViewport(1, {160, 120});
+    openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=320,n=4"));
+    ASSERT_TRUE(waitUntil([&] { return session.buffers() && session.metricsSettled(); }));
+    const size_t references = session.meter()->referencesComputed();
+    for (const char* id : {"frustum-octree", "backface", "spherical"}) {
+        size_t untimed = 0;
+        QObject guard;
+        QObject::connect(&session, &Session::metricsChanged, &guard,
+                         [&](int view) { untimed += view == 0 && !session.figures(0).timed ? 1 : 0; });
+        session.slot(1).choose(id);
+        ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->id() == id && session.metricsSettled(); })) << id;
+        // What the baseline took is the same by both views' figures.
+        const auto baseline = [&](int view) {
+            return session.figures(view).speedup->ratio * session.figures(view).frameMilliseconds;
+        };
+        EXPECT_NEAR(baseline(0), baseline(1), 1e-9 * baseline(0)) << id;
+        EXPECT_EQ(untimed, 0u) << "the other view's figures stayed until its new times were there";
+    }
+    EXPECT_LE(session.meter()->referencesComputed(), references + 1) << "losses that are known are not counted anew";
+}
+
 TEST(Session, movingTheCameraMakesFiguresStale) {
     Session::Options options = sessionOptions(true);
     options.restBeforeMeasuring = 200;  // between two moves nothing is measured

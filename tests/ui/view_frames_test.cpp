@@ -1,5 +1,7 @@
 #include "ui/jobs/view_frames.h"
 
+#include <malloc.h>
+
 #include "core/scene/camera_moves.h"
 #include "tests/ui/test_scene.h"
 #include "ui/panels/structure_panel.h"
@@ -90,6 +92,54 @@ TEST_F(ViewFramesTest, anObserverReplaysTheFrameOfItsView) {
     EXPECT_EQ(decided(0), before);
 }
 
+/// The first view's picture beside the second one's strategy.
+void compare(Session& session) {
+    ViewSetup setup = session.setup(0);
+    setup.wipe = {Wipe::Mode::OtherView, 1};
+    session.setSetup(0, setup);
+}
+
+TEST_F(ViewFramesTest, aFrameBesideAnotherViewsPictureIsDecidedOnceWithItsViewsMemory) {
+    openAndWait(session, QStringLiteral("layers:count=8,triangles=200"));
+    ParameterSet late(findStrategy("octree-query").info.parameters);
+    late.setFromText("latency", "1");
+    session.slot(1).choose("octree-query");
+    session.slot(1).setParameters(late);
+    settle();
+    ASSERT_EQ(session.slot(1).built()->parameters(), late);
+    compare(session);
+    settle();
+    Camera front = session.camera();
+    front.up = {0, 1, 0};
+    front.eye = front.target + Vec3(0, 0, 0.6 * session.scene()->bounds().diagonal());
+    for (int move = 1; move <= 4; ++move) {
+        const size_t before = decided(1);
+        session.setActiveView(move % 2);  // whose picture is drawn first
+        session.setCamera(zoomed(front, front.target, 1.0 - 0.001 * move, 1.0));
+        settle();
+        EXPECT_EQ(decided(1), before + 1) << move;
+        ASSERT_TRUE(session.picture(0)->otherFrame);
+        EXPECT_EQ(session.picture(0)->otherFrame, session.picture(1)->frame) << move;
+        EXPECT_EQ(pixelsAlone(session.picture(0)->other), pixelsAlone(session.picture(1)->colour)) << move;
+    }
+    EXPECT_LT(session.picture(1)->consideredTriangles, session.scene()->triangleCount()) << "the answers hide something";
+    // Without the second view on screen, its memory goes on with the frames beside the first one's picture.
+    session.setViewCount(1);
+    for (int move = 1; move <= 3; ++move) {
+        const size_t before = decided(1);
+        session.setCamera(zoomed(front, front.target, 1.0 - 0.001 * move, 1.0));
+        ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.pictures()->busy(); }));
+        EXPECT_EQ(decided(1), before + 1) << move;
+        const uint64_t drawn = session.picture(0)->otherFrame->log.consideredTriangles();
+        EXPECT_LT(drawn, session.scene()->triangleCount()) << move;
+        ViewSetup setup = session.setup(0);
+        setup.look.frustum = !setup.look.frustum;
+        session.setSetup(0, setup);
+        ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.pictures()->busy(); }));
+        EXPECT_EQ(decided(1), before + 1) << "another look of the same frames";
+    }
+}
+
 TEST_F(ViewFramesTest, viewsOfOneStrategyShareItsStructure) {
     // The hidden views build, too.
     ASSERT_TRUE(waitUntil([&] {
@@ -121,6 +171,42 @@ TEST_F(ViewFramesTest, viewsOfOneStrategyShareItsStructure) {
     ASSERT_TRUE(waitUntil([&] { return session.slot(1).built()->parameters() == parameters; }));
     settle();
     EXPECT_EQ(session.structures()->built(), before + 2);
+}
+
+/// Bytes that the program has allocated. Freed memory is not counted.
+double allocated() {
+    const struct mallinfo2 info = mallinfo2();
+    return double(info.uordblks) + double(info.hblkhd);
+}
+
+TEST_F(ViewFramesTest, eightViewsOfOneStrategyTakeNoMoreThanOneStructureAndTheirPictures) {
+    for (int view = 0; view < Session::kMostViews; ++view) {
+        session.setViewport(view, {160, 120});
+        session.slot(view).choose("spherical-lossless");
+    }
+    openAndWait(session, QStringLiteral("star:seed=7,triangles=60000"));
+    const auto shown = [&](int views) {
+        session.setViewCount(views);
+        EXPECT_TRUE(waitUntil([&] {
+            for (int view = 0; view < Session::kMostViews; ++view)
+                if (!session.slot(view).built() || session.slot(view).building()) return false;
+            for (const int view : session.shownViews())
+                if (!session.pictures()->isCurrent(view)) return false;
+            return !session.pictures()->busy() && session.metricsSettled();
+        }));
+        return allocated();
+    };
+    const double one = shown(1), eight = shown(8);
+    const BuiltStrategyPointer& built = session.slot(0).built();
+    const ViewPicture& picture = *session.picture(0);
+    const double pixels = 160 * 120, structure = double(built->report().bytes);
+    // Of each view more: colours and depths, the frame's decisions, and the triangles' states.
+    const double ofAView = pixels * (sizeof(uint32_t) + sizeof(float)) +
+                           double(picture.frame->log.decisions.size()) * sizeof(Decision) +
+                           double(session.scene()->triangleCount());
+    RecordProperty("bytes_of_one_view", std::to_string(one));
+    RecordProperty("bytes_of_eight_views", std::to_string(eight));
+    EXPECT_LE(eight - 7.0 * 1.5 * ofAView, one + 0.15 * structure);
 }
 
 TEST_F(ViewFramesTest, aScreenshotOfTheSameSizeReplaysTheFrame) {

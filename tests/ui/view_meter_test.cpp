@@ -8,7 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "core/experiments/result_file.h"
+#include "tests/support/cut_scenes.h"
 #include "tests/support/small_experiment.h"
+#include "ui/models/metrics_words.h"
 #include "ui/statistics/result_table_model.h"
 
 namespace cullscope::ui::view_meter_test {
@@ -138,7 +140,8 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
         EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_backface"], header.speedup->ratio);
         EXPECT_EQ(json["runs"][0]["summary"]["ratio_to_backface_ci95"], header.speedup->ci95);
         EXPECT_EQ(header.accuracy.missedPixels, table.runs[0].frames[0].accuracy->missedPixels);
-        EXPECT_EQ(header.consideredTriangles, table.runs[0].frames[0].consideredTriangles);
+        EXPECT_EQ(header.submitted, table.runs[0].frames[0].submitted);
+        EXPECT_DOUBLE_EQ(header.submittedShare(), 1.0 - table.runs[0].summary.culledFraction);
         // The better a strategy's × is, the more frames it draws in a second beside the same baseline.
         EXPECT_GT(header.speedup->ratio, 1.0);
         EXPECT_LT(header.speedup->ci95[0], header.speedup->ci95[1]);
@@ -149,6 +152,26 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
     const double all = measuredOnPath().runs[0].summary.ratioToBackface.ratio;
     EXPECT_GE(all, *std::ranges::min_element(ratios) - 0.1);
     EXPECT_LE(all, *std::ranges::max_element(ratios) + 0.1);
+}
+
+TEST_F(ViewMeterTest, headersSubmittedShareIsThatOfATableAndOfAResultFileThoughTrianglesAreCut) {
+    experiment.scene = test::copiesOf(test::threeBars(), {test::translation({-2, 0, 0}), test::translation({2, 0, 0})});
+    gpu.run([&] { buffers = gpu.upload(experiment.scene); });
+    experiment.strategies = {test::request("bsp")};
+    experiment.path = cameraPath("fibonacci:1", *experiment.scene);
+    experiment.timing = madeUpTimes();
+    const BuiltStrategyPointer strategy =
+        buildStrategy("bsp", ParameterSet(findStrategy("bsp").info.parameters), experiment.scene, *structures);
+    const ViewMetrics header = measured(subject(strategy, 0), madeUpTimes()).back();
+    const MeasureResult table = measuredOnPath();
+    EXPECT_GT(header.submitted.fragments, header.sceneTriangles);
+    EXPECT_EQ(header.submittedShare(), 1.0);
+    EXPECT_TRUE(metricsLine(header).contains(QStringLiteral("100"))) << metricsLine(header).toStdString();
+    EXPECT_EQ(header.submitted, table.runs[0].frames[0].submitted);
+    EXPECT_EQ(resultRows(table).front().submittedShare, header.submittedShare());
+    const auto frame = nlohmann::json::parse(resultJson(table))["runs"][0]["frames"][0];
+    EXPECT_EQ(frame["submitted_triangles"], header.submitted.triangles);
+    EXPECT_EQ(frame["submitted_fragments"], header.submitted.fragments);
 }
 
 }  // namespace

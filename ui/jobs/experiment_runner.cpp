@@ -160,7 +160,19 @@ void ExperimentRunner::start(const MeasureRequest& request, const SceneBuffersPo
     emit started();
 }
 
+void ExperimentRunner::leaveStructures() {
+    m_kept.clear();
+    m_scene = nullptr;
+}
+
+void ExperimentRunner::keepStructures(const Ready& ready) {
+    if (m_scene != ready.request.scene) leaveStructures();
+    m_scene = ready.request.scene;
+    for (const Contestant& contestant : ready.contestants.strategies) m_kept.insert(contestant.strategy->structure());
+}
+
 void ExperimentRunner::measure(const std::shared_ptr<Ready>& ready) {
+    keepStructures(*ready);
     m_jobs.start(*m_gpu, [this, &gpu = *m_gpu, bench = m_bench, ready](GpuJobs::Step& step) {
         std::optional<Outcome> outcome;
         try {

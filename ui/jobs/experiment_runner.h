@@ -5,6 +5,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stop_token>
 
 #include "core/base/message.h"
@@ -37,6 +38,8 @@ public:
     void cancel();
     /// Whether an experiment runs that was not cancelled.
     [[nodiscard]] bool running() const { return m_running; }
+    /// Leaves the structures that experiments built. Until then those of the newest scene stay for the next one.
+    void leaveStructures();
 
 signals:
     void started();
@@ -76,11 +79,14 @@ private:
     };
 
     void measure(const std::shared_ptr<Ready>& ready);
+    void keepStructures(const Ready& ready);
     void showBoard();
     void deliver(const Outcome& outcome);
 
     GpuThread* m_gpu;
     std::shared_ptr<StructureStore> m_structures;
+    ScenePointer m_scene;  ///< of `m_kept`
+    std::set<StructurePointer> m_kept;
     std::shared_ptr<Bench> m_bench;
     bool m_running = false;
     std::stop_source m_stop;

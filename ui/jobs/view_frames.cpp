@@ -1,13 +1,35 @@
 #include "ui/jobs/view_frames.h"
 
+#include <algorithm>
+
 #include "core/frame/decided_ahead.h"
 #include "core/frame/frame_steps.h"
 
 namespace cullscope::ui {
 
+std::vector<ViewFrames::Compared>::iterator ViewFrames::Memory::find(const FrameRequest& request) {
+    std::erase_if(compared, [](const Compared& one) { return one.frame.expired(); });
+    return std::ranges::find_if(compared, [&](const Compared& one) { return one.frame.lock()->request.sameFrame(request); });
+}
+
+const ViewFrames::Compared* ViewFrames::Memory::newest(const BuiltStrategyPointer& strategy) const {
+    for (auto one = compared.rbegin(); one != compared.rend(); ++one) {
+        const ViewFramePointer decided = one->frame.lock();
+        if (decided && decided->request.strategy == strategy && follows(*one)) return &*one;
+    }
+    return nullptr;
+}
+
 ViewFramePointer ViewFrames::of(const FrameRequest& request, Renderer& renderer) {
     Memory& memory = m_views[request.view];
     if (memory.frame && memory.frame->request.sameFrame(request)) return memory.frame;
+    if (const auto known = memory.find(request); known != memory.compared.end() && memory.follows(*known)) {
+        memory.frame = known->frame.lock();
+        memory.before = std::move(known->before);
+        memory.after = std::move(known->after);
+        memory.compared.erase(known);
+        return memory.frame;
+    }
     const bool goesOn = memory.frame && memory.frame->request.strategy == request.strategy;
     memory.before = goesOn ? std::move(memory.after) : request.strategy->begin();
     memory.after = memory.before->clone();
@@ -16,12 +38,38 @@ ViewFramePointer ViewFrames::of(const FrameRequest& request, Renderer& renderer)
     return memory.frame;
 }
 
+ViewFramePointer ViewFrames::ofOther(const FrameRequest& request, Renderer& renderer) {
+    Memory& memory = m_views[request.view];
+    if (memory.frame && memory.frame->request.sameFrame(request)) return memory.frame;
+    if (const auto known = memory.find(request); known != memory.compared.end()) return known->frame.lock();
+    const Compared* newest = memory.newest(request.strategy);
+    Compared next;
+    next.follows = memory.frame;
+    if (newest != nullptr)
+        next.before = newest->after->clone();
+    else if (memory.frame && memory.frame->request.strategy == request.strategy)
+        next.before = memory.after->clone();
+    else
+        next.before = request.strategy->begin();
+    next.after = next.before->clone();
+    const ViewFramePointer frame = decide(request, *next.after, renderer);
+    next.frame = frame;
+    memory.compared.push_back(std::move(next));
+    return frame;
+}
+
 ViewFramePointer ViewFrames::beside(const FrameRequest& request, Renderer& renderer) {
-    const auto found = m_views.find(request.view);
-    const ViewFramePointer shown = found == m_views.end() ? nullptr : found->second.frame;
-    if (shown && shown->request.sameFrame(request)) return shown;
-    const bool sameStrategy = shown && shown->request.strategy == request.strategy;
-    const ViewStatePointer state = sameStrategy ? found->second.before->clone() : request.strategy->begin();
+    ViewStatePointer state;
+    if (const auto found = m_views.find(request.view); found != m_views.end()) {
+        Memory& memory = found->second;
+        if (memory.frame && memory.frame->request.sameFrame(request)) return memory.frame;
+        if (const auto known = memory.find(request); known != memory.compared.end()) return known->frame.lock();
+        if (memory.frame && memory.frame->request.strategy == request.strategy)
+            state = memory.before->clone();
+        else if (const Compared* newest = memory.newest(request.strategy))
+            state = newest->before->clone();
+    }
+    if (!state) state = request.strategy->begin();
     return decide(request, *state, renderer);
 }
 
@@ -34,8 +82,10 @@ ViewStatePointer ViewFrames::memoryBefore(const FrameRequest& request) const {
 
 void ViewFrames::forget(int view, const BuiltStrategyPointer& present) {
     const auto found = m_views.find(view);
-    if (found != m_views.end() && (!found->second.frame || found->second.frame->request.strategy != present))
-        m_views.erase(found);
+    if (found == m_views.end()) return;
+    // A view that is not shown has only frames that another view's picture holds.
+    const ViewFramePointer& frame = found->second.frame;
+    if (frame ? frame->request.strategy != present : found->second.newest(present) == nullptr) m_views.erase(found);
 }
 
 size_t ViewFrames::decided(int view) const {

@@ -52,7 +52,11 @@ public:
     /// The view's frame, decided here if its newest one is another. Its decisions are always recorded, so that whatever reads
     /// them later finds them in the frame that is shown. Throws what core throws.
     [[nodiscard]] ViewFramePointer of(const FrameRequest& request, Renderer& renderer);
-    /// The same for a picture that the view does not show, as of another size: with the view's memory, which does not change.
+    /// The frame of a view that the picture of another view is compared with. The view need not be shown, or show that frame yet:
+    /// then it is decided here, with the memory that the view's next frame would have, and it becomes the view's own frame where
+    /// the view asks for it next. It is known as long as its pointer lives.
+    [[nodiscard]] ViewFramePointer ofOther(const FrameRequest& request, Renderer& renderer);
+    /// The same for a picture that the view does not show, as of another size: with the memory with which the shown frame began.
     [[nodiscard]] ViewFramePointer beside(const FrameRequest& request, Renderer& renderer);
     /// The memory with which the view's frame began, if its newest frame is this one; else that of a view without a past.
     [[nodiscard]] ViewStatePointer memoryBefore(const FrameRequest& request) const;
@@ -72,9 +76,21 @@ public:
     [[nodiscard]] size_t decided(int view) const;
 
 private:
+    /// A frame that was decided for another view's picture.
+    struct Compared {
+        std::weak_ptr<const ViewFrame> frame, follows;  ///< `follows`: the view's own frame at that time
+        ViewStatePointer before, after;
+    };
     struct Memory {
         ViewFramePointer frame;
         ViewStatePointer before, after;  ///< the view's memory before and after `frame`
+        std::vector<Compared> compared;  ///< oldest first
+
+        /// The frame if it was decided for another view's picture.
+        [[nodiscard]] std::vector<Compared>::iterator find(const FrameRequest& request);
+        /// The newest of those that follow the view's own frame and have this strategy.
+        [[nodiscard]] const Compared* newest(const BuiltStrategyPointer& strategy) const;
+        [[nodiscard]] bool follows(const Compared& one) const { return one.follows.lock() == frame; }
     };
 
     /// What the frame of a view looks at; `end` follows.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/message.h"
+#include "core/frame/submitted.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/measure/statistics.h"
@@ -46,7 +47,8 @@ struct ViewMetrics {
     double cullMilliseconds = 0.0;         ///< median
     std::optional<RatioEstimate> speedup;  ///< over `backface`: ratioOfTotals of this one view
     bool timed = false;                    ///< false: the errors are known, the speed is still being measured
-    uint64_t consideredTriangles = 0;
+    Submitted submitted;
+    uint64_t consideredTriangles = 0;  ///< given to OpenGL, whole triangles and fragments alike
     uint64_t sceneTriangles = 0;
     Facing truthFacing = Facing::TwoSided;
     Viewport size;
@@ -65,9 +67,7 @@ struct ViewMetrics {
 
     /// Missed pixels that count as a loss.
     [[nodiscard]] uint64_t lostPixels() const { return missedBeyondSnapping.value_or(accuracy.missedPixels); }
-    [[nodiscard]] double submittedShare() const {
-        return sceneTriangles == 0 ? 0.0 : double(consideredTriangles) / double(sceneTriangles);
-    }
+    [[nodiscard]] double submittedShare() const { return submitted.share(sceneTriangles); }
 };
 
 }  // namespace cullscope::ui

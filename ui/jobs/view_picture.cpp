@@ -91,7 +91,7 @@ PictureDrawing::PictureDrawing(const ViewRequest& request, const ViewFramePointe
     if (request.wipe == Wipe::Mode::Truth || request.wipe == Wipe::Mode::Loss)
         m_truth = everything(scene, request.strategy->referenceFacing());
     else if (request.wipe != Wipe::Mode::None)
-        m_other = std::move(other);
+        m_picture->otherFrame = m_other = std::move(other);
     if (!m_truth && !m_other) return;
     m_picture->other = newImage(request.size, QImage::Format_RGBA8888);
     m_differences.resize(pixels);
@@ -150,7 +150,7 @@ std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
 
 ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
     const ViewFramePointer frame = m_frames->of(request.frame(), renderer());
-    const ViewFramePointer other = request.other ? m_frames->beside(request.otherFrame(), renderer()) : nullptr;
+    const ViewFramePointer other = request.other ? m_frames->ofOther(request.otherFrame(), renderer()) : nullptr;
     PictureDrawing drawing(request, frame, other);
     drawing.draw(renderer(), target(request.size));
     return drawing.finish(kMarkReach);

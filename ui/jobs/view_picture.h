@@ -49,6 +49,7 @@ struct ViewPicture {
     QImage colour;
     QImage ahead;                      ///< what the part of the frame decided to draw and did not draw yet; null: nothing
     std::vector<float> depth;          ///< reversed depth of `colour`
+    ViewFramePointer otherFrame{};     ///< that `other` replays, where it is another view's
     QImage other;                      ///< the truth, or the other view's picture; null without a wipe
     QImage marks;                      ///< premultiplied colours of the differing pixels, grown to 5 × 5; null without a wipe
     uint64_t missed = 0, added = 0;    ///< pixels at which `colour` shows a farther or a nearer surface than `other`

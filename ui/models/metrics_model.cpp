@@ -61,7 +61,7 @@ QString MetricsModel::explanation(int row) {
         case Cull:
             return tr("Time in which the strategy decides what to draw");
         case Submitted:
-            return tr("Triangles given to OpenGL");
+            return tr("Triangles of the scene of which anything is drawn, each counted once");
         case Visible:
             return tr("Triangles that truly show in at least one pixel");
         case InVain:
@@ -71,8 +71,7 @@ QString MetricsModel::explanation(int row) {
         case Beyond:
             return tr(
                 "Missed pixels that the raster's snapping of vertices to 1/256 pixel does not explain; counted where the "
-                "strategy "
-                "draws front faces only and the truth both sides");
+                "truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself");
         case Hole:
             return tr("Pixels of the largest connected group of missed pixels");
         case Covered:
@@ -83,7 +82,10 @@ QString MetricsModel::explanation(int row) {
 }
 
 QString MetricsModel::explanation(const ViewMetrics& figures, int row) {
-    if (row != Speedup || figures.state != ViewMetrics::State::Ready || !figures.speedup) return explanation(row);
+    const bool ready = figures.state == ViewMetrics::State::Ready;
+    if (row == Submitted && ready && figures.submitted.fragments > 0)
+        return fragmentsSentence(figures.submitted) + QLatin1Char('\n') + explanation(row);
+    if (row != Speedup || !ready || !figures.speedup) return explanation(row);
     return speedSentence(*figures.speedup) + QLatin1Char('\n') + explanation(row);
 }
 
@@ -101,7 +103,7 @@ QString MetricsModel::value(const ViewMetrics& figures, int row) {
         case Cull:
             return millisecondsText(figures.cullMilliseconds);
         case Submitted:
-            return countText(figures.consideredTriangles);
+            return countText(figures.submitted.triangles);
         case Visible:
             return countText(accuracy.visibleTriangles);
         case InVain:

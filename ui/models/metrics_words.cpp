@@ -32,6 +32,11 @@ QString speedSentence(const RatioEstimate& speed) {
     return QCoreApplication::translate("Wording", "%1 against backface, with its 95 % interval").arg(speedWithInterval(speed));
 }
 
+QString fragmentsSentence(const Submitted& submitted) {
+    return QCoreApplication::translate("Wording", "Submitted in %1 fragments that the strategy made of them")
+        .arg(countText(submitted.fragments));
+}
+
 QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
     if (figures.state == ViewMetrics::State::Failed) return translated(figures.failure);
     QStringList lines;
@@ -41,11 +46,12 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
         lines << QCoreApplication::translate("Wording", "Speed: %1 fps = 1 / (cull + draw), %2 a frame, of which %3 culling")
                      .arg(ratioText(fps), millisecondsText(figures.frameMilliseconds), millisecondsText(figures.cullMilliseconds))
               << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")
-                     .arg(countText(figures.consideredTriangles), countText(figures.sceneTriangles),
+                     .arg(countText(figures.submitted.triangles), countText(figures.sceneTriangles),
                           countText(figures.accuracy.visibleTriangles))
               << QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
                      .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
                           countText(figures.accuracy.largestHolePixels));
+        if (figures.submitted.fragments > 0) lines << fragmentsSentence(figures.submitted);
         if (figures.missedBeyondSnapping)
             lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")
                          .arg(countText(*figures.missedBeyondSnapping));

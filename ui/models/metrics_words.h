@@ -12,6 +12,9 @@ namespace cullscope::ui {
 /// All metrics that the header does not show, in several lines.
 [[nodiscard]] QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl);
 
+/// The fragments that a strategy made and submitted in place of the scene's triangles.
+[[nodiscard]] QString fragmentsSentence(const Submitted& submitted);
+
 /// The speed of a view with its interval.
 [[nodiscard]] QString speedSentence(const RatioEstimate& speed);
 

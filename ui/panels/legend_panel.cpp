@@ -127,7 +127,7 @@ void LegendPanel::wire() {
     connect(&m_session, &Session::metricsChanged, this, [this](int view) {
         showCounts();
         const ViewMetrics& figures = m_session.figures(view);
-        const bool culled = figures.state == ViewMetrics::State::Ready && figures.consideredTriangles < figures.sceneTriangles;
+        const bool culled = figures.state == ViewMetrics::State::Ready && figures.submitted.triangles < figures.sceneTriangles;
         if (culled && m_progress == Progress::Look) advance(Progress::Pick);
     });
     // strategyBuilt too: a refused strategy has no picture, so pictureChanged is not emitted.

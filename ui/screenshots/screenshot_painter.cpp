@@ -1,5 +1,6 @@
 #include "ui/screenshots/screenshot_painter.h"
 
+#include "core/frame/submitted.h"
 #include "core/gpu/colour.h"
 #include "ui/jobs/picture_tiles.h"
 #include "ui/look/verdict_swatch.h"
@@ -82,7 +83,8 @@ Picture screenshotPicture(const ScreenshotPlan& plan, std::vector<TiledPicture::
     result.metadata = plan.metadata;
     for (size_t i = 0; i < plan.parts.size(); ++i) {
         PictureSubject subject = plan.parts[i].subject;
-        subject.submittedTriangles = pictures[i].picture->consideredTriangles;
+        const ViewPicture& picture = *pictures[i].picture;
+        subject.submittedTriangles = submittedBy(picture.request.buffers->scene(), picture.frame->log).triangles;
         // In a grid the letter of the view precedes the names.
         const std::string prefix =
             plan.parts.size() == 1 ? "cullscope:" : "cullscope:view_" + std::string(1, char('A' + plan.parts[i].view)) + ":";

@@ -195,6 +195,7 @@ void PaperRunner::end() {
     m_shown = nullptr;
     m_resultDue = false;
     m_experiment = nullptr;
+    m_runner.leaveStructures();
     restoreSession();
     m_session.setMeasuring(true);
     emit ended();

@@ -272,6 +272,8 @@ private:
     [[nodiscard]] std::optional<MetricsSubject> subject(int view) const;
     void setFigures(int view, const ViewMetrics& figures);
     void measure(bool asked);
+    /// Adds the views, frozen ones aside, whose metrics are known and that have the camera and size of one of the subjects.
+    void addTimedViews(std::vector<ViewMeter::Subject>& subjects) const;
 
     SceneSourceOptions m_sceneSource;
     TimingProtocol m_rounds;

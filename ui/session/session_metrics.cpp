@@ -98,8 +98,23 @@ void Session::measure(bool asked) {
         subjects.push_back({view, *now});
     }
     if (subjects.empty()) return;
+    addTimedViews(subjects);
     m_underWay = subjects;
     m_meter->measure(std::move(subjects));
+}
+
+void Session::addTimedViews(std::vector<ViewMeter::Subject>& subjects) const {
+    const size_t due = subjects.size();
+    for (const int view : measuredViews()) {
+        const std::optional<MetricsSubject> now = subject(view);
+        const ViewMetrics& known = m_views[size_t(view)].figures;
+        // What a frozen view shows stays.
+        if (!now || setup(view).role == Role::Frozen || !known.timed || known.subject != *now) continue;
+        const bool besideOne = std::any_of(subjects.begin(), subjects.begin() + std::ptrdiff_t(due), [&](const auto& other) {
+            return other.view != view && other.what.culling == now->culling && other.what.size == now->size;
+        });
+        if (besideOne) subjects.push_back({view, *now, std::make_shared<const ViewMetrics>(known)});
+    }
 }
 
 bool Session::metricsSettled() const {

@@ -12,11 +12,11 @@ class QWidget;
 
 namespace cullscope::ui {
 
-/// Reads the decisions of the strategy whose verdicts the active view shows. It culls with a trace in the background whenever
-/// strategy, culling camera, render size, scene or pick change: at most ten times a second and one cull at a time. Only a reading
-/// of the present state is delivered. The map of the picked object is made here and not in a paint event. Strategies that require
-/// OpenGL are culled on the session's GPU thread, the others on a thread of this reader. Nothing is read while none of the
-/// registered widgets is visible.
+/// Reads the decisions of the frame whose verdicts the active view shows: the view's recorded frame (ViewFrames), which it
+/// fetches from the GPU thread whenever strategy, culling camera, render size, scene, step or pick change. What panels show of
+/// it, such as the tree, the reasons and the map of the picked object, is made on a thread of this reader and not in a paint
+/// event: one reading at a time, and without steps at most ten a second. Only a reading of the present state is delivered.
+/// Nothing is read while none of the registered widgets is visible.
 class SnapshotReader : public QObject {
     Q_OBJECT
 

@@ -91,6 +91,7 @@ struct ViewMeter::Bench {
         figures.state = ViewMetrics::State::Ready;
         figures.subject = what;
         figures.cullMilliseconds = measured.cullMilliseconds;
+        figures.submitted = measured.submitted;
         figures.consideredTriangles = measured.consideredTriangles;
         figures.sceneTriangles = scene.triangleCount();
         figures.size = what.size;
@@ -211,7 +212,8 @@ void ViewMeter::measure(std::vector<Subject> subjects) {
             const auto* known = dynamic_cast<const Error*>(&error);
             if (known != nullptr && known->kind() == ErrorKind::Interrupted) return;
             const Message message = sentenceOf(error, QT_TRANSLATE_NOOP("core", "This view cannot be measured: %1"));
-            for (const Subject& subject : job->subjects) deliver(step, subject.view, failure(message, subject.what));
+            for (const Subject& subject : job->subjects)
+                if (!subject.known) deliver(step, subject.view, failure(message, subject.what));
         }
     };
     m_jobs.start(m_gpu, work, {.buffers = std::move(buffers)});
@@ -225,10 +227,13 @@ void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
     const std::vector<TimedFrames>& timed = job.rounds->entrants();
     // The errors are those of the first frames that are timed, so they are known before the speeds are steady.
     if (job.rounds->counted() && job.figures.size() < job.subjects.size()) {
-        const size_t next = job.figures.size();
-        job.figures.push_back(
-            m_bench->accuracy(job.subjects[next].view, job.subjects[next].what, timed[job.places[next].subject]));
-        deliver(step, job.subjects[next].view, job.figures.back());
+        const Subject& next = job.subjects[job.figures.size()];
+        if (next.known) {
+            job.figures.push_back(*next.known);
+        } else {
+            job.figures.push_back(m_bench->accuracy(next.view, next.what, timed[job.places[job.figures.size()].subject]));
+            deliver(step, next.view, job.figures.back());
+        }
         return step.again();
     }
     if (!job.rounds->complete()) {

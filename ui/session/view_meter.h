@@ -23,6 +23,9 @@ public:
     struct Subject {
         int view = 0;
         MetricsSubject what;
+        /// Its metrics where they are known: then it is only timed anew, beside the others, so that no two views of one camera
+        /// have times of different moments, whose × and frames per second could contradict each other. Else null.
+        std::shared_ptr<const ViewMetrics> known{};
     };
 
     /// How often frames are drawn for the times of views: few, because views are measured after every change.

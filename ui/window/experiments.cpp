@@ -73,12 +73,13 @@ void Experiments::showScene(StatisticsPanel& panel) const {
 
 void Experiments::start(const ExperimentSettings& settings) {
     if (!m_session.opened() || !m_session.gpu()) return;
-    Setting setting;
-    if (!settings.sweeps.empty()) setting = sweepExperiment(settings.sweeps).settings.front();
+    std::vector<std::string> beside;
+    if (settings.sweeps.empty())
+        for (const StrategyRequest& strategy : shownStrategies()) beside.push_back(strategyText(strategy));
+    Setting setting = sweepExperiment(settings.sweeps, beside).settings.front();
     setting.size = settings.size;
     // Hidden objects are measured too: the result names the scene's file, so it must be of the whole scene.
     MeasureRequest request = measureRequest(setting, m_session.opened()->scene, settings.path, settings.repetitions);
-    if (settings.sweeps.empty()) request.strategies = shownStrategies();
     // The time bars and the table show every strategy beside the baselines.
     request.baselinesToo = true;
     request.leaveOutUnavailable = false;
@@ -105,6 +106,7 @@ std::vector<StrategyRequest> Experiments::shownStrategies() const {
 
 void Experiments::end() {
     m_running = false;
+    m_runner->leaveStructures();
     for (StatisticsPanel* panel : m_panels) panel->setRunning(false);
     m_session.setMeasuring(true);
 }

@@ -72,9 +72,13 @@ public:
         if (frame.recording()) sayTests();
     }
 
-    [[nodiscard]] bool isOutside(uint32_t instance) const { return (m_outside[instance / 64] >> (instance % 64) & 1) != 0; }
+    [[nodiscard]] bool isOutside(uint32_t instance) const { return isSet(m_outside, instance); }
 
 private:
+    [[nodiscard]] static bool isSet(const std::vector<uint64_t>& bits, uint32_t instance) {
+        return !bits.empty() && (bits[instance / 64] >> (instance % 64) & 1) != 0;
+    }
+
     /// Sets the bit of every object that is outside.
     void findOutsideObjects() {
         if (m_test == BoxTest::Length) {
@@ -84,6 +88,7 @@ private:
         }
         findOutside(*m_batches.spheres, m_frustum, bestSimdLevel(), m_outside);
         if (m_test == BoxTest::Oriented) {
+            if (m_frame.recording()) m_outsideBySphere = m_outside;
             addOutside();
             return;
         }
@@ -106,7 +111,8 @@ private:
         return false;
     }
 
-    /// Says the tests of every object, of one that is outside up to the first plane that it lies outside of, and the answer.
+    /// Says the tests of every object, of one that is outside up to the first plane that it lies outside of, and the answer. An
+    /// object that is outside by its sphere has no test of its own box where boxes are tested after spheres.
     void sayTests() const {
         for (uint32_t i = 0; i < m_batches.boxes->size(); ++i) {
             if (scene().meshOf(i).triangleCount() == 0) continue;
@@ -114,13 +120,18 @@ private:
             bool rejected = false;
             for (uint32_t p = 0; p < kFrustumPlaneCount && !rejected; ++p) {
                 const auto plane = static_cast<FrustumPlane>(p);
-                const PlaneTest test = testOf(i, plane);
+                const PlaneTest test = isSet(m_outsideBySphere, i) ? ofSphere(i, plane) : testOf(i, plane);
                 m_frame.say(atLine(FrustumLine::Distance, planeTest(subject, plane, test.inner, test.outer, test.bound)));
                 rejected = test.outside();
             }
             m_frame.say(isOutside(i) ? atLine(FrustumLine::Outside, ending(subject, Decision::Outcome::Culled))
                                      : atLine(FrustumLine::Draw, ending(subject, Decision::Outcome::Drawn)));
         }
+    }
+
+    [[nodiscard]] PlaneTest ofSphere(uint32_t instance, FrustumPlane which) const {
+        const BatchDistances sphere = m_frustum.distances(which, scene().instanceSphere(instance));
+        return {sphere.farthestInside, sphere.farthestOutside, sphere.margin};
     }
 
     /// The test of one object against one plane, as the batches apply it.
@@ -147,6 +158,7 @@ private:
     BoxTest m_test;
     BatchFrustum m_frustum;
     std::vector<uint64_t> m_outside;
+    std::vector<uint64_t> m_outsideBySphere;  ///< while recording, of objects whose boxes are tested after their spheres
 };
 
 class FrustumCulling final : public StrategyWith<ObjectBatches> {

@@ -22,7 +22,7 @@ uint32_t cutOfSector(const ContourBands& bands, uint32_t sector) {
     for (uint32_t band = 0; band < bands.bands; ++band) {
         const BandSector& entry = bands.at(band, sector);
         if (finite(entry.size) <= 0.0) continue;
-        if (entry.drawn) cut = band + 1;
+        if (entry.drawn || entry.within) cut = band + 1;
         hiddenBeyond = !entry.drawn;
     }
     return hiddenBeyond ? cut : 0;
@@ -139,9 +139,16 @@ std::vector<CurveBand> curveBands(const ContourBands& bands, const std::optional
             band.horizon = std::max(band.horizon, finite(entry.horizon));
             // A sector of size 0 holds no triangles: it is neither drawn nor hidden.
             if (finite(entry.size) <= 0.0) continue;
-            (entry.drawn ? band.anyDrawn : band.anyHidden) = true;
-            double& size = entry.drawn ? band.drawn : band.hidden;
-            size = std::max(size, finite(entry.size));
+            const double size = finite(entry.size);
+            // One across 90° may be drawn within and hidden beyond.
+            if (entry.drawn || entry.within) {
+                band.anyDrawn = true;
+                band.drawn = std::max(band.drawn, size);
+            }
+            if (!entry.drawn) {
+                band.anyHidden = true;
+                band.hidden = std::max(band.hidden, size);
+            }
         }
     }
     return result;

@@ -61,7 +61,7 @@ private:
     };
 
     [[nodiscard]] const Vec3f& colourOf(const BandSector& sector) const {
-        return m_context.palette[size_t(sector.drawn ? TriangleState::Visible : TriangleState::Hidden)].colour;
+        return m_context.palette[size_t(sector.drawn || sector.within ? TriangleState::Visible : TriangleState::Hidden)].colour;
     }
 
     /// The circle where a band begins, sector by sector.

@@ -82,8 +82,12 @@ std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands) {
     }
     compareWithNearer(bands);
     RunCollector runs;
-    for (size_t i = 0; i < places.size(); ++i)
-        runs.add(cells.cells[i].number, places[i].alongAxis >= 0.0 || bands.table[places[i].entry].drawn);
+    for (size_t i = 0; i < places.size(); ++i) {
+        BandSector& entry = bands.table[places[i].entry];
+        const bool near = places[i].alongAxis >= 0.0;
+        entry.within = entry.within || (near && !entry.drawn);
+        runs.add(cells.cells[i].number, near || entry.drawn);
+    }
     return runs.take();
 }
 

@@ -28,7 +28,8 @@ struct BandCells {
 /// Area_Sampling and Hidden_Surface_Test of Han & Hong 2008, Appendix 1. S of a cell is the distance of its farthest centroid
 /// from the centre, projected on the perpendicular of the axis in the direction of the cell's middle; S of a band's sector is the
 /// largest of its cells. Cells within 90° of the axis are drawn. Beyond, a sector is drawn as long as each band's S exceeds the
-/// largest S before it; from the first band where it does not, nothing is drawn. Fills the bands and returns the drawn cells in
+/// largest S before it; from the first band where it does not, nothing is drawn. A band across 90° is compared
+/// as one beyond, but its cells within 90° are drawn (BandSector::within). Fills the bands and returns the drawn cells in
 /// runs (which may include empty cells).
 [[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands);
 

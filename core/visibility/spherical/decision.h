@@ -62,6 +62,7 @@ struct BandSector {
                            ///< `spherical-horizon`: the least slope of the surface
     double horizon = 0.0;  ///< the largest size at smaller α in this sector
     bool drawn = true;
+    bool within = false;  ///< of `spherical`, where it is not drawn: it has cells within 90° of the axis, which are drawn
 };
 
 /// The contour bands on the bounding sphere, between circles about the axis from its centre to its point nearest to the eye.

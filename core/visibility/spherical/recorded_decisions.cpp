@@ -81,8 +81,10 @@ private:
 
     static void addBand(Object& object, const Decision& decision) {
         if (!object.decision.bands || decision.subject.number >= object.decision.bands->table.size()) return;
+        // The sectors of slopes are all drawn in part.
+        const bool within = decision.containment == Containment::Straddles && !object.decision.bands->slopes;
         object.decision.bands->table[decision.subject.number] = {decision.operands[0], decision.operands[1],
-                                                                 decision.containment != Containment::Outside};
+                                                                 !within && decision.containment != Containment::Outside, within};
         object.bandsSaid = true;
     }
 

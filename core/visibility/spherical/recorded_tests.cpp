@@ -69,6 +69,9 @@ const char* sizeSentence(const BandSector& entry, bool near) {
     if (entry.drawn)
         return near ? CULLSCOPE_TR("Sector %4, band up to α = %3°, in the near half: S %1, largest before it %2: drawn.")
                     : CULLSCOPE_TR("Sector %4, band up to α = %3°: S %1 > %2, the largest before it: drawn.");
+    if (entry.within)
+        return CULLSCOPE_TR(
+            "Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.");
     return entry.size <= entry.horizon
                ? CULLSCOPE_TR("Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden.")
                : CULLSCOPE_TR(
@@ -116,7 +119,7 @@ void recordBands(const SphericalDecision& decision, FrameContext& frame) {
             const double alpha = (band + 1) * bands.width * 180.0 / std::numbers::pi;
             Decision test = testOf({Subject::Kind::Band, band * bands.sectors + sector, decision.instance},
                                    sizeSentence(entry, alpha <= 90.0 + 1e-9), {entry.size, entry.horizon, alpha, sector + 1.0});
-            test.containment = entry.drawn ? Containment::Inside : Containment::Outside;
+            test.containment = entry.drawn ? Containment::Inside : entry.within ? Containment::Straddles : Containment::Outside;
             frame.say(atLine(BandsLine::Bands, test));
         }
     }

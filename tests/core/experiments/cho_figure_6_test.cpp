@@ -41,7 +41,7 @@ RunMeasurement run(const std::string& strategy, Facing facing, const std::vector
         FrameMeasurement frame;
         frame.pose = pose;
         frame.frameMilliseconds = milliseconds[pose];
-        frame.consideredTriangles = considered[pose];
+        frame.consideredTriangles = frame.submitted.triangles = considered[pose];
         frame.accuracy = Accuracy{};
         measured.frames.push_back(frame);
     }

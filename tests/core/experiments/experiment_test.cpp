@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
+#include <set>
+
 #include "core/base/error.h"
 #include "core/experiments/sweeps.h"
 #include "tests/support/gl_environment.h"
@@ -113,6 +116,27 @@ TEST(RunExperiment, timedStrategiesAreRows) {
     EXPECT_EQ(table.value(11, "scene"), CellValue(std::string("torus:triangles=50")));
     EXPECT_EQ(table.value(11, "strategy"), CellValue(std::string("frustum")));
     EXPECT_EQ(table.value(11, "poses"), CellValue(2.0));
+}
+
+TEST(RunExperiment, settingsOfOneSceneShareItsStructures) {
+    Experiment experiment;
+    Setting common;
+    common.strategies = {"frustum-octree", "backface"};
+    common.size = {32, 24};
+    experiment.axes = {{"scene", "scene", Kind::Scene, words({"field:mesh=sphere:triangles=320,n=6", "torus:triangles=50"})},
+                       {"path", "path", Kind::Path, words({"orbit:1", "orbit:2", "walk:1"})}};
+    experiment.settings = settingsOf(experiment.axes, common);
+    experiment.columns = columnsOf(experiment.axes);
+    experiment.columns.push_back({"strategy", "strategy"});
+    experiment.columns.push_back({"build_ms", "build_ms"});
+    const ResultTable table = runExperiment(experiment, {{}, 1});
+    ASSERT_EQ(table.rows.size(), 2u * 3 * 2);
+    std::map<std::pair<std::string, std::string>, std::set<double>> times;  // each structure's: to the bit
+    for (size_t row = 0; row < table.rows.size(); ++row)
+        times[{std::get<std::string>(table.value(row, "scene")), std::get<std::string>(table.value(row, "strategy"))}].insert(
+            std::get<double>(table.value(row, "build_ms")));
+    ASSERT_EQ(times.size(), 4u);
+    for (const auto& [structure, built] : times) EXPECT_EQ(built.size(), 1u) << structure.first << ", " << structure.second;
 }
 
 TEST(Sweep, rowsAreTheValuesOfEachSweepAndWhatIsMeasuredBeside) {

@@ -1,8 +1,12 @@
 #include "core/experiments/result_file.h"
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/support/cut_scenes.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
 
@@ -14,10 +18,19 @@ using Json = nlohmann::ordered_json;
 // The fields that docs/files.md describes.
 const std::vector<std::string> kRunFields{"strategy", "promise", "facing", "parameters", "width",
                                           "height",   "windows", "upload", "build_ms",   "structure_bytes"};
-const std::vector<std::string> kFrameFields{
-    "pose",          "frame_ms",     "cull_ms",        "considered_triangles", "visible_triangles",
-    "missed_pixels", "extra_pixels", "covered_pixels", "largest_hole_px",      "false_culled_triangles",
-    "case"};
+const std::vector<std::string> kFrameFields{"pose",
+                                            "frame_ms",
+                                            "cull_ms",
+                                            "considered_triangles",
+                                            "visible_triangles",
+                                            "missed_pixels",
+                                            "extra_pixels",
+                                            "covered_pixels",
+                                            "largest_hole_px",
+                                            "false_culled_triangles",
+                                            "case",
+                                            "submitted_triangles",
+                                            "submitted_fragments"};
 const std::vector<std::string> kSummaryFields{"fps_overall",
                                               "fps_mean",
                                               "fps_min",
@@ -102,6 +115,26 @@ TEST(ResultJson, figureThatWasNotMeasuredIsNull) {
     for (const char* field : {"visible_triangles", "missed_pixels", "covered_pixels", "false_culled_triangles"})
         EXPECT_TRUE(json["runs"][0]["frames"][0][field].is_null()) << field;
     EXPECT_TRUE(json["runs"][0]["summary"]["missed_pixel_rate"].is_null());
+}
+
+TEST(ResultJson, fieldsThatAStrategyCountsBesidesStandInTheDocs) {
+    std::ifstream file(std::filesystem::path(CULLSCOPE_SOURCE_DIR) / "docs" / "files.md");
+    const std::string page{std::istreambuf_iterator<char>(file), {}};
+    MeasureRequest experiment = smallExperiment({});
+    experiment.scene = copiesOf(threeBars(), {translation({-2, 0, 0}), translation({2, 0, 0})});
+    experiment.path = cameraPath("fibonacci:2", *experiment.scene);
+    experiment.leaveOutUnavailable = true;
+    for (const RegisteredStrategy& strategy : strategies()) experiment.strategies.push_back(request(strategy.info.id));
+    size_t fields = 0;
+    for (const RunMeasurement& run : measure(experiment).runs)
+        for (const NamedFigure& figure : run.frames.front().figures) {
+            // Those of Newell's tests are named by the first and the last one.
+            const bool between = figure.name.starts_with("test_");
+            EXPECT_TRUE(between || page.find('`' + figure.name + '`') != std::string::npos)
+                << run.strategy.id << ": " << figure.name;
+            ++fields;
+        }
+    EXPECT_GT(fields, 10u);
 }
 
 TEST(ResultJson, caseIsKept) {

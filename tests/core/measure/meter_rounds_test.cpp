@@ -54,14 +54,16 @@ protected:
     /// Runs the rounds to their end; `order` and `pictures` say whose frames were drawn, and into which pictures of them.
     TimedRounds run(const TimingProtocol& protocol) {
         TimedRounds rounds(std::move(entrants), protocol);
-        while (!rounds.complete())
-            rounds.step(GlEnvironment::renderer(), [this](const Viewport& size, size_t picture) -> Framebuffer& {
-                order += char('A' + size.width / 8 - 1);
-                pictures.push_back(picture);
-                targets.push_back(std::make_unique<Framebuffer>(size));
-                return *targets.back();
-            });
+        while (!rounds.complete()) step(rounds);
         return rounds;
+    }
+    void step(TimedRounds& rounds) {
+        rounds.step(GlEnvironment::renderer(), [this](const Viewport& size, size_t picture) -> Framebuffer& {
+            order += char('A' + size.width / 8 - 1);
+            pictures.push_back(picture);
+            targets.push_back(std::make_unique<Framebuffer>(size));
+            return *targets.back();
+        });
     }
 
     MeasureRequest experiment;
@@ -88,6 +90,26 @@ TEST_F(Rounds, everyOtherRoundRunsBackwards) {
         EXPECT_EQ(entrant.cullMilliseconds.size(), 3u);
     }
     rounds.step(GlEnvironment::renderer(), [](const Viewport&, size_t) -> Framebuffer& { throw std::logic_error("drawn"); });
+}
+
+TEST_F(Rounds, goOnWithoutAnEntrantThatIsDropped) {
+    for (int i = 0; i < 3; ++i) add(counting(experiment.scene, false));
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = 2;
+    TimedRounds rounds(std::move(entrants), protocol);
+    step(rounds);
+    EXPECT_EQ(rounds.next(), 1u);
+    rounds.dropNext();
+    while (!rounds.complete()) step(rounds);
+    EXPECT_EQ(order, "CAACCA") << "the warm-up begins with the last one";
+    EXPECT_TRUE(rounds.entrants()[1].dropped);
+    EXPECT_EQ(rounds.entrants()[0].frameMilliseconds.size(), 2u);
+    EXPECT_TRUE(rounds.entrants()[1].frameMilliseconds.empty());
+    entrants.clear();
+    add(counting(experiment.scene, false));
+    TimedRounds alone(std::move(entrants), protocol);
+    alone.dropNext();
+    EXPECT_TRUE(alone.complete()) << "nothing is left";
 }
 
 TEST_F(Rounds, nothingToTimeIsComplete) { EXPECT_TRUE(run({}).entrants().empty()); }

@@ -3,6 +3,7 @@
 #include "core/base/error.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/summary.h"
+#include "tests/support/cut_scenes.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
 
@@ -28,7 +29,8 @@ TEST(Measure, fieldsFitTogether) {
             EXPECT_LE(frame.cullMilliseconds, frame.frameMilliseconds);
             ASSERT_TRUE(frame.accuracy.has_value());
             EXPECT_GT(frame.accuracy->coveredPixels, 0u);
-            EXPECT_EQ(frame.accuracy->submittedTriangles, frame.consideredTriangles);
+            EXPECT_EQ(frame.accuracy->submittedTriangles, frame.submitted.triangles);
+            EXPECT_EQ(frame.submitted, (Submitted{frame.consideredTriangles, 0}));
             EXPECT_EQ(frame.missedBeyondSnapping, 0u);
             EXPECT_TRUE(run.facing != run.referenceFacing || frame.accuracy->missedPixels == 0);
         }
@@ -192,13 +194,55 @@ TEST(Summary, partsOfATriangleAreCulledOnceAndNeverMoreThanAll) {
     for (FrameMeasurement& frame : run.frames) frame.frameMilliseconds = 1.0;
     // Cut into more parts than the scene has triangles, of half of which nothing is drawn.
     run.frames[0].consideredTriangles = run.frames[1].consideredTriangles = 3 * triangles;
-    run.frames[0].accuracy.emplace().submittedTriangles = triangles / 2;
-    run.frames[1].accuracy.emplace().submittedTriangles = triangles / 2;
+    run.frames[0].submitted = run.frames[1].submitted = {triangles / 2, 3 * triangles};
     EXPECT_NEAR(summaryOf(run, {run}, *scene).culledFraction, 0.5, 1.0 / double(triangles));
-    // Not judged: how many of them were drawn is not known.
-    run.frames[0].accuracy.reset();
-    run.frames[1].accuracy.reset();
-    EXPECT_EQ(summaryOf(run, {run}, *scene).culledFraction, 0.0);
+}
+
+TEST(Measure, cutTrianglesAreSubmittedOnceAndTheirPartsAreCountedApart) {
+    MeasureRequest experiment = smallExperiment({"bsp", "painter", "frustum"});
+    experiment.scene = copiesOf(threeBars(), {translation({-2, 0, 0}), translation({2, 0, 0})});
+    experiment.path = cameraPath("fibonacci:2", *experiment.scene);
+    const uint64_t triangles = experiment.scene->triangleCount();
+    const MeasureResult result = measure(experiment);
+    for (const RunMeasurement& run : result.runs) {
+        SCOPED_TRACE(run.strategy.id);
+        const bool cuts = run.strategy.id != "frustum";
+        for (const FrameMeasurement& frame : run.frames) {
+            EXPECT_EQ(frame.submitted.triangles, triangles) << "all is in view";
+            EXPECT_EQ(frame.submitted.triangles, frame.accuracy->submittedTriangles);
+            EXPECT_EQ(frame.submitted.fragments, cuts ? frame.consideredTriangles : 0);
+            if (cuts) {
+                EXPECT_GT(frame.submitted.fragments, triangles);
+            }
+        }
+        EXPECT_EQ(run.summary.culledFraction, 0.0);
+    }
+}
+
+TEST(Measure, measurementsOfOneSceneShareItsUploadAndItsStructures) {
+    MeasuredScene shared;
+    MeasureRequest experiment = smallExperiment({"spherical-lossless", "frustum-octree"});
+    const MeasureResult first = measure(experiment, {}, {}, &shared);
+    EXPECT_EQ(shared.uploads(), 1u);
+    EXPECT_EQ(shared.built(), 4u) << "the baselines among them";
+    experiment.windows = 2;
+    experiment.strategies.pop_back();
+    experiment.strategies.front().parameters.set("cones", false);
+    const MeasureResult second = measure(experiment, {}, {}, &shared);
+    EXPECT_EQ(shared.uploads(), 1u);
+    EXPECT_EQ(shared.built(), 4u) << "another parameter that is read when culling";
+    EXPECT_EQ(first.runs[0].structure.buildMilliseconds, second.runs[0].structure.buildMilliseconds);
+    experiment.strategies = {request("frustum-octree")};
+    (void)measure(experiment, {}, {}, &shared);
+    EXPECT_EQ(shared.built(), 4u) << "kept between measurements";
+    experiment.upload = Upload::VertexArray;
+    experiment.strategies = {request("all")};
+    (void)measure(experiment, {}, {}, &shared);
+    EXPECT_EQ(shared.uploads(), 2u) << "another format";
+    experiment = smallExperiment({"all"});
+    (void)measure(experiment, {}, {}, &shared);
+    EXPECT_EQ(shared.uploads(), 3u) << "another scene";
+    EXPECT_EQ(shared.built(), 6u);
 }
 
 TEST(Measure, resultSoFarHasEveryPoseAndASummary) {

@@ -69,6 +69,9 @@ TEST(ParameterSet, textOutOfRangeOrOfAnotherTypeIsRefused) {
 
 TEST(ParameterSet, unknownKeyIsRefused) {
     EXPECT_EQ(refusal("dept", "4"), "There is no parameter \"dept\" here. Known: flag, depth, share, box.");
+    EXPECT_EQ(
+        test::refusalOf([] { ParameterSet(std::vector<ParameterDeclaration>{}).setFromText("dept", "4"); }, ErrorKind::Usage),
+        "There is no parameter \"dept\" here, and no other one.");
     EXPECT_THROW((void)ParameterSet().value("depth"), Error);
 }
 

@@ -1,6 +1,8 @@
 // What the shows of the spherical strategies are made of: read from the stream of decisions, as far as it has been said.
 #include "core/visibility/spherical/recorded_decisions.h"
 
+#include <map>
+
 #include "core/frame/curve.h"
 #include "core/visibility/spherical/map_details.h"
 #include "core/visibility/spherical/object_space_view.h"
@@ -81,6 +83,49 @@ TEST(RecordedDecisions, bandsAreThoseOfTheStreamAndThoseThatDecided) {
     // What the stream does not say is not shown.
     const spherical::SphericalDecision mute = spherical::decisionsOf(without(recorded.frame.log, Subject::Kind::Band)).at(0);
     for (const spherical::BandSector& entry : mute.bands->table) EXPECT_EQ(entry.size, 0.0);
+}
+
+TEST(RecordedDecisions, whatASectorOfABandSaysIsWhatIsDrawnOfItsCells) {
+    // Also of bands across 90°, where cells within 90° are drawn whatever their band's S says.
+    const ScenePointer scene = sceneOf({bumpyMesh(3, 4'000, 0.5)}, {Mat4(1.0)});
+    size_t partly = 0, hidden = 0;
+    for (const char* width : {"3", "5", "7", "11", "13", "20", "25", "40", "45"}) {
+        SCOPED_TRACE(width);
+        const CullerPointer culler = strategyWith("spherical", {{"band", width}, {"sectors", "8"}});
+        culler->build(*scene);
+        Random random(7);
+        for (int i = 0; i < 5; ++i) {
+            const View view({5.0 * random.direction(), Vec3(0.0), {0, 0, 1}, Angle::fromDegrees(60), 0.05, 60}, {160, 120});
+            const FrameLog log = culler->cull(view, Recording::On).log;
+            const spherical::MapSnapshot map = *spherical::mapOf(culler->snapshot(log), 0);
+            const spherical::ContourBands& bands = *map.decision.bands;
+            std::map<uint32_t, Decision> said;
+            for (const Decision& band : about(log, Subject::Kind::Band)) said[band.subject.number] = band;
+            const std::vector<spherical::CellState> states = cellStates(map);
+            for (uint32_t cell = 0; cell < states.size(); ++cell) {
+                if (states[cell] == spherical::CellState::Empty) continue;
+                const SphericalGrid& grid = map.maps->grid();
+                const Vec3 middle = spherical::CellDirections(grid).middle(grid.cell(cell));
+                const Vec2 angles = bands.anglesOf(middle);
+                // The angles that decide have an error: cells at an edge may lie on its other side.
+                const auto nearEdge = [](double part) { return std::abs(part - std::round(part)) < 0.02; };
+                if (nearEdge(angles.x / bands.width) || nearEdge(angles.y / (2.0 * std::numbers::pi) * bands.sectors)) continue;
+                const uint32_t number = bands.bandOf(angles.x) * bands.sectors + bands.sectorOf(angles.y);
+                const bool isDrawn = states[cell] == spherical::CellState::Drawn;
+                const bool isWithin = glm::dot(middle, bands.axis) >= 0.0;
+                ASSERT_TRUE(said.contains(number));
+                const Containment told = said.at(number).containment;
+                EXPECT_EQ(isDrawn, told == Containment::Inside || (told == Containment::Straddles && isWithin))
+                    << "view " << i << " sector " << number;
+            }
+            for (const auto& [number, band] : said) {
+                partly += band.containment == Containment::Straddles ? 1 : 0;
+                hidden += band.containment == Containment::Outside ? 1 : 0;
+            }
+        }
+    }
+    EXPECT_GT(partly, 10u) << "sectors across 90 degrees whose rest is hidden";
+    EXPECT_GT(hidden, 100u);
 }
 
 TEST(RecordedDecisions, curveGrowsBandByBand) {
