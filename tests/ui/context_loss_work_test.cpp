@@ -160,7 +160,7 @@ TEST(ViewPane, keepsItsPictureOnTheWayToAnotherWindow) {
     settle(session);
     const auto shown = [&] {
         QApplication::processEvents();
-        return pixelsAlone(pane->picture().grabFramebuffer());
+        return pixelsAlone(pane->picture().grab().toImage());
     };
     const QImage before = shown();
     const QImage picture = session.picture(0)->colour;

@@ -11,16 +11,16 @@ TEST_F(EightViews, aPickIsMarkedInEveryLinkedPicture) {
     open(kObjects);
     session.setLinked(1);
     settle();
-    const QImage before[2] = {picture(0).grabFramebuffer(), picture(1).grabFramebuffer()};
+    const QImage before[2] = {picture(0).grab().toImage(), picture(1).grab().toImage()};
     QTest::mouseClick(&picture(0), Qt::LeftButton, {}, QPoint(picture(0).width() / 2, picture(0).height() / 2));
     ASSERT_TRUE(waitUntil([&] { return session.pick().has_value(); }));
     EXPECT_EQ(window.structurePanel().tabs().currentWidget(), &window.structurePanel().why());
-    for (const int view : {0, 1}) EXPECT_NE(picture(view).grabFramebuffer(), before[view]) << view;
+    for (const int view : {0, 1}) EXPECT_NE(picture(view).grab().toImage(), before[view]) << view;
     // A pick in the tree or in a list is marked too, and does not change the tab.
     window.structurePanel().tabs().setCurrentIndex(0);
-    const QImage marked = picture(1).grabFramebuffer();
+    const QImage marked = picture(1).grab().toImage();
     pickObject(session, session.pick()->object == 0 ? 1 : 0);
-    EXPECT_NE(picture(1).grabFramebuffer(), marked);
+    EXPECT_NE(picture(1).grab().toImage(), marked);
     EXPECT_EQ(window.structurePanel().tabs().currentIndex(), 0) << "walking through the tree jumped to Why at every row";
 }
 

@@ -44,7 +44,7 @@ struct GroupMarks : Window {
         const QModelIndexList rows = tree().view().selectionModel()->selectedRows();
         return rows.isEmpty() ? QString() : rows.front().data().toString();
     }
-    [[nodiscard]] QImage shown() { return picture(0).grabFramebuffer(); }
+    [[nodiscard]] QImage shown() { return picture(0).grab().toImage(); }
 
     /// The part of a view's pixels that another picture of it has in other colours.
     static double changed(const QImage& a, const QImage& b) {

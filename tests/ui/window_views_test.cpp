@@ -5,6 +5,7 @@
 #include <QProcess>
 #include <QStackedWidget>
 #include <QTemporaryDir>
+#include <QWindow>
 
 #include "tests/ui/shown_window.h"
 #include "ui/session/cullbench_command.h"
@@ -32,9 +33,14 @@ TEST_F(Window, viewsHaveTheSameSize) {
     }
 }
 
+TEST_F(Window, isPaintedPartByPartAndNotComposedByOpenGl) {
+    // A window of another surface is drawn and swapped as a whole for each changed label and each step.
+    EXPECT_EQ(window.windowHandle()->surfaceType(), QSurface::RasterSurface);
+}
+
 TEST_F(Window, picturesAreTheFramebuffersPixels) {
     window.actions().axes->trigger();  // off: the axes are painted over the picture
-    const QImage shown = picture(0).grabFramebuffer().convertToFormat(QImage::Format_RGB888);
+    const QImage shown = picture(0).grab().toImage().convertToFormat(QImage::Format_RGB888);
     const QImage drawn = picture(0).picture().convertToFormat(QImage::Format_RGB888);
     ASSERT_EQ(shown.size(), drawn.size());
     EXPECT_EQ(shown, drawn);

@@ -34,10 +34,12 @@ DrawStyle pictureStyle(const QPalette& palette) {
 }
 
 SceneView::SceneView(Session& session, int view, QWidget* parent)
-    : QOpenGLWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
+    : QWidget(parent), m_session(session), m_view(view), m_input(std::make_unique<ViewInput>(session, *this)) {
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(160, 120);
     setMouseTracking(true);
+    // All of it is painted: what lies under it need not be.
+    setAttribute(Qt::WA_OpaquePaintEvent);
     m_session.setDrawStyle(pictureStyle(palette()));
     connect(&session, &Session::pictureChanged, this, [this](int changed) {
         if (changed == m_view) update();
@@ -206,7 +208,7 @@ bool SceneView::leaveLosses() {
     return true;
 }
 
-void SceneView::paintGL() {
+void SceneView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.fillRect(rect(), palette().color(QPalette::Window));
     const PictureLayout layout = pictureLayout();
@@ -259,19 +261,19 @@ void SceneView::tellSize() {
 
 void SceneView::resizeEvent(QResizeEvent* event) {
     tellSize();
-    QOpenGLWidget::resizeEvent(event);
+    QWidget::resizeEvent(event);
 }
 
 void SceneView::changeEvent(QEvent* event) {
     if (event->type() == QEvent::PaletteChange) m_session.setDrawStyle(pictureStyle(palette()));
-    QOpenGLWidget::changeEvent(event);
+    QWidget::changeEvent(event);
 }
 
 bool SceneView::event(QEvent* event) {
     if (event->type() == QEvent::ScreenChangeInternal) tellSize();
     // Accepting ShortcutOverride keeps the flight keys from triggering shortcuts of the window.
     if (event->type() == QEvent::ShortcutOverride && ViewInput::wantsKey(*static_cast<QKeyEvent*>(event))) event->accept();
-    return QOpenGLWidget::event(event);
+    return QWidget::event(event);
 }
 
 void SceneView::mousePressEvent(QMouseEvent* event) { m_input->press(*event); }
@@ -289,7 +291,7 @@ void SceneView::wheelEvent(QWheelEvent* event) { m_input->wheel(*event); }
 
 void SceneView::leaveEvent(QEvent* event) {
     if (m_loupe) endLoupe();
-    QOpenGLWidget::leaveEvent(event);
+    QWidget::leaveEvent(event);
 }
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
@@ -299,21 +301,21 @@ void SceneView::keyPressEvent(QKeyEvent* event) {
     else if (event->key() == Qt::Key_Escape && leaveLosses())
         event->accept();
     else if (!m_input->keyPress(*event))
-        QOpenGLWidget::keyPressEvent(event);
+        QWidget::keyPressEvent(event);
 }
 
 void SceneView::keyReleaseEvent(QKeyEvent* event) {
-    if (!m_input->keyRelease(*event)) QOpenGLWidget::keyReleaseEvent(event);
+    if (!m_input->keyRelease(*event)) QWidget::keyReleaseEvent(event);
 }
 
 void SceneView::focusInEvent(QFocusEvent* event) {
     m_session.setActiveView(m_view);
-    QOpenGLWidget::focusInEvent(event);
+    QWidget::focusInEvent(event);
 }
 
 void SceneView::focusOutEvent(QFocusEvent* event) {
     m_input->stop();
-    QOpenGLWidget::focusOutEvent(event);
+    QWidget::focusOutEvent(event);
 }
 
 }  // namespace cullscope::ui

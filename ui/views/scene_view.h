@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QOpenGLWidget>
+#include <QWidget>
 #include <memory>
 #include <optional>
 
@@ -14,9 +14,11 @@ namespace cullscope::ui {
 
 class ViewInput;
 
-/// Shows the newest picture of one view and handles its mouse and key events. The session's GPU thread draws the picture; this
-/// widget only paints it, so that neither a slow strategy nor a loss of the window's context affects the shown picture.
-class SceneView : public QOpenGLWidget {
+/// Shows the newest picture of one view and handles its mouse and key events. The session's GPU thread draws the picture and
+/// reads it back; this widget only paints it, so that neither a slow strategy nor a lost OpenGL context affects the shown
+/// picture. It has no OpenGL of its own: a window with a QOpenGLWidget is composed and swapped as a whole for each change of any
+/// part of it.
+class SceneView : public QWidget {
     Q_OBJECT
 
 public:
@@ -75,7 +77,7 @@ signals:
     void loupeMoved(int view, const std::optional<QPointF>& place);
 
 protected:
-    void paintGL() override;
+    void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
     void changeEvent(QEvent* event) override;
     bool event(QEvent* event) override;
