@@ -24,7 +24,10 @@ inline constexpr Floats kFloatRows[2]{{0, 0, 0, 0, 1, 1, 1, 1}, {2, 2, 2, 2, 3, 
 template <typename Lanes>
 inline void depthsIn(float depth, float perColumn, float perRow, int32_t column, int32_t row, TileFloats& depths) {
     const Floats along = Lanes::fused(eightOf(perColumn), kFloatColumns + float(column), eightOf(depth));
-    for (int half = 0; half < 2; ++half) depths[half] = Lanes::fused(eightOf(perRow), kFloatRows[half] + float(row), along);
+    for (int half = 0; half < 2; ++half) {
+        const Floats unlimited = Lanes::fused(eightOf(perRow), kFloatRows[half] + float(row), along);
+        depths[half] = unlimited > 1.0f ? Floats{} + 1.0f : unlimited;
+    }
 }
 
 /// Compares a triangle's depths where `covered` is −1 (and not 0), and writes those that are nearer.
