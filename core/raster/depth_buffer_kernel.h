@@ -1,7 +1,6 @@
 #pragma once
 
-#include "core/raster/screen_triangle.h"
-#include "core/raster/vectors.h"
+#include "core/raster/projection_kernel.h"
 
 // The inner loops of the depth buffer, compiled once for every instruction set. Every instruction set does the same operations in
 // the same order, so that the pictures are bit-identical. Each has one source file that includes this, hence the anonymous
@@ -25,7 +24,10 @@ inline constexpr Floats kFloatRows[2]{{0, 0, 0, 0, 1, 1, 1, 1}, {2, 2, 2, 2, 3, 
 template <typename Lanes>
 inline void depthsIn(float depth, float perColumn, float perRow, int32_t column, int32_t row, TileFloats& depths) {
     const Floats along = Lanes::fused(eightOf(perColumn), kFloatColumns + float(column), eightOf(depth));
-    for (int half = 0; half < 2; ++half) depths[half] = Lanes::fused(eightOf(perRow), kFloatRows[half] + float(row), along);
+    for (int half = 0; half < 2; ++half) {
+        const Floats unlimited = Lanes::fused(eightOf(perRow), kFloatRows[half] + float(row), along);
+        depths[half] = unlimited > 1.0f ? Floats{} + 1.0f : unlimited;
+    }
 }
 
 /// Compares a triangle's depths where `covered` is −1 (and not 0), and writes those that are nearer.
@@ -153,29 +155,6 @@ using AlignedFloats = float __attribute__((vector_size(32), may_alias));
 
 inline AlignedInts& eight(int32_t* values) { return *reinterpret_cast<AlignedInts*>(values); }
 inline AlignedFloats& eight(float* values) { return *reinterpret_cast<AlignedFloats*>(values); }
-inline Ints lower(const Ints& a, const Ints& b) { return a < b ? a : b; }
-inline Ints higher(const Ints& a, const Ints& b) { return a > b ? a : b; }
-
-/// One corner each of eight triangles.
-struct EightCorners {
-    Floats x, y, depth, beyond;  ///< the last one has the bits of whole numbers
-};
-template <typename Part>
-inline void loadCorners(const Part& part, const uint16_t* places, size_t corner, EightCorners& corners) {
-    HalfFloats of[8];
-    for (size_t i = 0; i < 8; ++i) load(of[i], part.vertices + part.indices[3 * size_t(places[i]) + corner]);
-    Floats pairs[4];
-    for (size_t i = 0; i < 4; ++i) pairs[i] = __builtin_shufflevector(of[i], of[i + 4], 0, 1, 2, 3, 4, 5, 6, 7);
-    const Floats xyOfEven = __builtin_shufflevector(pairs[0], pairs[2], 0, 8, 1, 9, 4, 12, 5, 13);
-    const Floats xyOfOdd = __builtin_shufflevector(pairs[1], pairs[3], 0, 8, 1, 9, 4, 12, 5, 13);
-    const Floats zOfEven = __builtin_shufflevector(pairs[0], pairs[2], 2, 10, 3, 11, 6, 14, 7, 15);
-    const Floats zOfOdd = __builtin_shufflevector(pairs[1], pairs[3], 2, 10, 3, 11, 6, 14, 7, 15);
-    corners.x = __builtin_shufflevector(xyOfEven, xyOfOdd, 0, 8, 1, 9, 4, 12, 5, 13);
-    corners.y = __builtin_shufflevector(xyOfEven, xyOfOdd, 2, 10, 3, 11, 6, 14, 7, 15);
-    corners.depth = __builtin_shufflevector(zOfEven, zOfOdd, 0, 8, 1, 9, 4, 12, 5, 13);
-    corners.beyond = __builtin_shufflevector(zOfEven, zOfOdd, 2, 10, 3, 11, 6, 14, 7, 15);
-}
-
 /// Their depths as functions of column and row, by the operations of screenTriangle in the same order.
 inline void setUpDepths(const EightCorners (&corners)[3], const Ints& clockwise, size_t first, Batch& batch) {
     const auto chosen = [&clockwise](const Floats& one, const Floats& other) -> Floats { return clockwise ? one : other; };
@@ -195,52 +174,6 @@ inline void setUpDepths(const EightCorners (&corners)[3], const Ints& clockwise,
     eight(&batch.depth[first]) = finite ? depth : eightOf(__builtin_nanf(""));
     eight(&batch.depthPerColumn[first]) = perColumn;
     eight(&batch.depthPerRow[first]) = perRow;
-}
-
-/// Of corners: the places on the raster.
-template <typename Lanes>
-inline void snapCorners(const EightCorners (&corners)[3], Ints (&x)[3], Ints (&y)[3]) {
-    for (int i = 0; i < 3; ++i) {
-        x[i] = Lanes::rounded((corners[i].x - 0.5f) * float(kSubPixels));
-        y[i] = Lanes::rounded((corners[i].y - 0.5f) * float(kSubPixels));
-    }
-}
-
-template <typename Lanes>
-void placeTriangles(const RasterPlacing& placing, uint32_t* places) {
-    const Ints none{};
-    int32_t bandShift = 0;
-    while (1 << bandShift < placing.bandRows) ++bandShift;
-    for (size_t first = 0; first < placing.count; first += 8) {
-        uint16_t of[8];
-        // The last ones are placed several times.
-        for (size_t i = 0; i < 8; ++i) of[i] = uint16_t(first + i < placing.count ? first + i : placing.count - 1);
-        EightCorners corners[3];
-        for (size_t i = 0; i < 3; ++i) loadCorners(placing, of, i, corners[i]);
-        Ints beyond[3], x[3], y[3];
-        for (int i = 0; i < 3; ++i) load(beyond[i], &corners[i].beyond);
-        const Ints any = beyond[0] | beyond[1] | beyond[2], all = beyond[0] & beyond[1] & beyond[2];
-        snapCorners<Lanes>(corners, x, y);
-        const Ints lowX = lower(lower(x[0], x[1]), x[2]), highX = higher(higher(x[0], x[1]), x[2]);
-        const Ints lowY = lower(lower(y[0], y[1]), y[2]), highY = higher(higher(y[0], y[1]), y[2]);
-        const Ints firstColumn = higher((lowX + (kSubPixels - 1)) >> 8, none),
-                   firstRow = higher((lowY + (kSubPixels - 1)) >> 8, none);
-        const Ints endColumn = lower((highX >> 8) + 1, none + placing.width),
-                   endRow = lower((highY >> 8) + 1, none + placing.height);
-        const Ints small = (highX - lowX <= kSmall) & (highY - lowY <= kSmall);
-        const Ints area = (x[1] - x[0]) * (y[2] - y[0]) - (x[2] - x[0]) * (y[1] - y[0]);
-        const Ints clockwise = area < 0;
-        const Ints away = placing.front ? (placing.mirrored ? ~clockwise : clockwise) : none;
-        const auto number = [&](uint32_t place) -> Ints { return none + int32_t(place); };
-        Ints result = (firstRow >> bandShift) << int(kFirstBandShift) | ((endRow - 1) >> bandShift) << int(kLastBandShift);
-        result = ((firstColumn >= endColumn) | (firstRow >= endRow)) ? number(kPlacedWithoutSample) : result;
-        result = away ? number(kPlacedFacingAway) : result;
-        result = area == 0 ? number(kPlacedWithoutSample) : result;
-        result = small ? result : number(kPlacedLarge);
-        result = any != 0 ? number(kPlacedBeyond) : result;
-        result = ((all != 0) | ((any & placing.nowhere) != 0)) ? number(kPlacedOutside) : result;
-        store<Ints>(places + first, result);
-    }
 }
 
 /// Sets up eight triangles of the batch: counter-clockwise corners, boxes, edges and depths.

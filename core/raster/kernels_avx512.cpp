@@ -51,8 +51,10 @@ struct Avx512Lanes {
                 const __m512 along = _mm512_fmadd_ps(allFloats(batch.depthPerColumn[i]),
                                                      _mm512_add_ps(_mm512_cvtepi32_ps(columnOf), allFloats(float(column))),
                                                      allFloats(batch.depth[i]));
-                const __m512 depth = _mm512_fmadd_ps(allFloats(batch.depthPerRow[i]),
-                                                     _mm512_add_ps(_mm512_cvtepi32_ps(rowOf), allFloats(float(row))), along);
+                const __m512 unlimited = _mm512_fmadd_ps(allFloats(batch.depthPerRow[i]),
+                                                         _mm512_add_ps(_mm512_cvtepi32_ps(rowOf), allFloats(float(row))), along);
+                // What is no number stays none.
+                const __m512 depth = _mm512_min_ps(allFloats(1.0f), unlimited);
                 // Which tiles a triangle covers, and where it is nearer, is chance: nothing branches on it.
                 RasterTile& tile = tiles[column / kTile];
                 const __m512 before = _mm512_load_ps(tile.depth);

@@ -162,6 +162,8 @@ private:
         const UnroundedDepth f0 = unroundedAt(front, row, from), f1 = unroundedAt(front, row, last);
         // Errors are largest at one of the ends.
         const double margin = std::max(s0.error, s1.error) + std::max(f0.error, f1.error);
+        // Where depths are limited to 1 they do not change evenly.
+        if (std::max(s0.depth, s1.depth) + margin >= 1.0) return from;
         const double atFrom = s0.depth - f0.depth, atLast = s1.depth - f1.depth;
         if (atFrom >= -margin) return from;
         if (atLast < -margin) return kNever;

@@ -23,8 +23,9 @@ struct ScreenTriangle {
     int32_t firstColumn, endColumn;
     int32_t firstRow, endRow;
     /// The reversed depth at the picture's lower left pixel, and its change from one column or row to the next. The depth of a
-    /// pixel is fma(depthPerRow, row, fma(depthPerColumn, column, depth)), where fma rounds once: so every rasteriser gets the
-    /// same bits, and the same as llvmpipe. Not a number where the plane is none: such a triangle is nowhere the nearest.
+    /// pixel is fma(depthPerRow, row, fma(depthPerColumn, column, depth)), where fma rounds once, and at most 1: so every
+    /// rasteriser gets the same bits, and the same as llvmpipe. Not a number where the plane is none: such a triangle is nowhere
+    /// the nearest.
     float depth, depthPerColumn, depthPerRow;
 };
 

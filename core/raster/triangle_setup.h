@@ -70,7 +70,9 @@ struct RasterCorners {
 
 /// A triangle's depth at a pixel.
 [[nodiscard]] inline float depthOf(const ScreenTriangle& triangle, int column, int row) {
-    return std::fma(triangle.depthPerRow, float(row), std::fma(triangle.depthPerColumn, float(column), triangle.depth));
+    const float depth =
+        std::fma(triangle.depthPerRow, float(row), std::fma(triangle.depthPerColumn, float(column), triangle.depth));
+    return depth > 1.0f ? 1.0f : depth;
 }
 /// Whether a pixel belongs to a triangle.
 [[nodiscard]] bool coversCentre(const ScreenTriangle& triangle, int column, int row);

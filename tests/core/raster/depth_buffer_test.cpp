@@ -138,8 +138,8 @@ TEST(DepthBuffer, randomPolygonsAreAsOpenGlDrawsThem) {
         // Mesa's llvmpipe does the same operations: there depths are equal to the bit, and with them which of two triangles in
         // one plane is seen.
         if (GlEnvironment::info().renderer.find("llvmpipe") == std::string::npos) continue;
-        EXPECT_LE(double(of.differing), 1e-6 * double(of.pixels)) << numbers;
-        EXPECT_LE(double(of.depths), 1e-5 * double(of.pixels)) << numbers;
+        EXPECT_EQ(of.differing, 0u) << numbers;
+        EXPECT_EQ(of.depths, 0u) << numbers;
     }
 }
 
