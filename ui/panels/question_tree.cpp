@@ -1,9 +1,12 @@
 #include "ui/panels/question_tree.h"
 
+#include <QHeaderView>
 #include <QKeyEvent>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 namespace cullscope::ui {
 
@@ -26,6 +29,7 @@ QuestionTree::QuestionTree(Session& session, SnapshotReader& reader, QuestionFir
       m_words(new QLabel(this)) {
     m_view->setModel(m_model);
     m_view->setHeaderHidden(true);
+    m_view->header()->setStretchLastSection(true);
     m_view->setIndentation(kRowSpacing);
     m_view->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_words->setWordWrap(true);
@@ -61,14 +65,17 @@ QString QuestionTree::nameOf(const Scene& scene, const StructureSnapshot& snapsh
 void QuestionTree::refresh() {
     setVisible(m_session.question().has_value());
     m_words->setText(tr("A click on a row answers, too."));
+    m_view->setAccessibleName(tr("Tree to answer by"));
     const SnapshotReadingPointer& reading = m_reader.reading();
     if (!m_session.question() || reading == m_shown) return;
-    const bool same =
-        m_shown && reading && reading->strategy == m_shown->strategy && treeOf(*reading)->nodes.size() == m_tree->nodes.size();
+    // Another frame may list the same boxes in another order, and then a row is another one of them.
+    const auto boxes = [](const SnapshotNode& node) { return std::tuple(node.parent, node.instance, node.number); };
+    const std::shared_ptr<const StructureSnapshot> before = std::exchange(m_tree, reading ? treeOf(*reading) : nullptr);
+    const bool same = m_shown && before && m_tree && reading->strategy == m_shown->strategy &&
+                      std::ranges::equal(before->nodes, m_tree->nodes, {}, boxes, boxes);
     m_shown = reading;
-    if (same) return void(m_tree = treeOf(*reading));
+    if (same) return;
     m_model->clear();
-    m_tree = reading ? treeOf(*reading) : nullptr;
     const bool any = m_tree && !m_tree->nodes.empty() && m_tree->nodes.size() <= kMostRows;
     m_view->setVisible(any);
     m_words->setVisible(any);
@@ -106,7 +113,6 @@ std::shared_ptr<const StructureSnapshot> QuestionTree::treeOf(const SnapshotRead
 
 void QuestionTree::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange) {
-        m_view->setAccessibleName(tr("Tree to answer by"));
         m_shown = nullptr;
         refresh();
     }

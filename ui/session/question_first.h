@@ -40,7 +40,7 @@ private:
     /// Of more parts, only objects are asked about in an order.
     static constexpr size_t kMostParts = 200;
     /// So many triangles are named at once by a row of the tree; groups that hold triangles are searched in smaller scenes.
-    static constexpr size_t kMostTriangles = 100'000, kMostSearched = 5'000;
+    static constexpr size_t kMostTriangles = 100'000, kMostSearched = 2'000;
 
     /// Reads the parts of the active view's frame, where the open question may be about them.
     void readParts();

@@ -183,7 +183,9 @@ QString Stepper::sentence() const {
     if (!entry) return tr("Nothing was decided and nothing was drawn yet.");
     const EntryNames names = entryNames(m_snapshot, *entry);
     const QString words = translated(entryWords(*entry, names));
-    if (!entry->decision) return words;
+    // A frame of a strategy without nodes begins with none of them.
+    const bool nodeless = entry->decision && entry->decision->subject.kind == Subject::Kind::Node && m_snapshot.nodes.empty();
+    if (!entry->decision || nodeless) return words;
     const QString subject = translated(subjectWords(m_frame->request.strategy->scene(), entry->decision->subject, names));
     return tr("%1: %2", "subject of a decision, what was found").arg(subject, words);
 }

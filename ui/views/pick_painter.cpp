@@ -14,10 +14,11 @@ constexpr double kRing = 8.0;
 constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind the eye plane, are clipped
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
-constexpr double kNamedSize = 1.6;    // of a mark in a question, in lines of text
-constexpr size_t kMostMarks = 40;     // of triangles; more are only filled
-constexpr size_t kMostFilled = 5000;  // triangles
-constexpr int kPlaneOpacity = 56;     // of 255
+constexpr double kNamedSize = 1.6;                         // of a mark in a question, in lines of text
+constexpr size_t kMostMarks = 40;                          // of triangles; more are only filled
+constexpr size_t kMostOutlined = 200, kMostFilled = 2000;  // triangles; more are marked by a dot each
+constexpr double kDot = 3.0;
+constexpr int kPlaneOpacity = 56;  // of 255
 constexpr int kOwnOpacity = 112;
 
 /// Draws a line that is visible on any background: light with a dark edge.
@@ -108,14 +109,20 @@ std::optional<Vec3> middleOf(const Scene& scene, const Prediction& prediction, c
 /// Fills triangles of the scene, by their numbers.
 void fillTriangles(QPainter& painter, const Projection& projection, const Scene& scene, const std::vector<uint64_t>& triangles,
                    const Vec3& eye) {
-    painter.setPen(QPen(kInHandEdge, 0.5));
+    QPolygonF dots;
+    painter.setPen(triangles.size() > kMostOutlined ? QPen(Qt::NoPen) : QPen(kInHandEdge, 0.5));
     painter.setBrush(QColor(kInHandColour.red(), kInHandColour.green(), kInHandColour.blue(), kOwnOpacity));
-    for (size_t i = 0; i < std::min(triangles.size(), kMostFilled); ++i) {
-        const size_t instance = scene.instanceOf(triangles[i]);
-        const std::array<Vec3, 3> corners =
-            InstanceFromEye(scene, instance, eye).corners(triangles[i] - scene.firstTriangle(instance));
-        painter.drawPolygon(projection.polygon({corners.begin(), corners.end()}));
+    for (const uint64_t triangle : triangles) {
+        const size_t instance = scene.instanceOf(triangle);
+        const auto [a, b, c] = InstanceFromEye(scene, instance, eye).corners(triangle - scene.firstTriangle(instance));
+        const Vec3 middle = (a + b + c) / 3.0;
+        if (triangles.size() <= kMostFilled)
+            painter.drawPolygon(projection.polygon({a, b, c}));
+        else if (const std::optional<QLineF> place = projection.line(middle, middle))
+            dots << place->p1();
     }
+    painter.setPen(QPen(kInHandColour, kDot));
+    painter.drawPoints(dots);
 }
 
 /// What the mark of a named item says.
@@ -252,6 +259,7 @@ void paintRegion(QPainter& painter, const QRectF& region, const PictureLayout& l
     painter.setBrush(QColor(kInHandColour.red(), kInHandColour.green(), kInHandColour.blue(), kPlaneOpacity));
     painter.setPen(QPen(kInHandEdge, kInHandEdgeWidth));
     painter.drawRect(region);
+    painter.setBrush(Qt::NoBrush);
     painter.setPen(QPen(kInHandColour, kInHandWidth, Qt::DashLine));
     painter.drawRect(region);
     painter.restore();

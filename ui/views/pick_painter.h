@@ -21,7 +21,8 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
 void paintGroup(QPainter& painter, const SubjectShape& shape, const View& viewing, const PictureLayout& layout);
 
 /// Marks what was named in an open question: with its place in an order, or the name of its place, else with a cross; triangles
-/// that are expected to vanish are filled as well, and of many only that. `parts`: of a question about parts, else null.
+/// that are expected to vanish are filled as well, of many only that, and of very many only a dot each. `parts`: of a question
+/// about parts, else null.
 void paintPrediction(QPainter& painter, const Scene& scene, const Prediction& prediction, const NamedParts* parts,
                      const View& viewing, const PictureLayout& layout);
 
