@@ -160,7 +160,8 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
     addLines(shape.lines);
     if (!ownPicture) addLines(shape.sight);
     const auto draw = [&](const QColor& colour, double width) {
-        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+        // With round ends Qt strokes 1,500 lines nine times as long.
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap));
         painter.drawLines(lines);
         if (!shape.pixels || !ownPicture) return;
         painter.drawRect(QRectF(layout.positionOf((*shape.pixels)[0]), layout.positionOf((*shape.pixels)[1])).normalized());
