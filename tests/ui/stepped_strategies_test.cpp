@@ -192,5 +192,30 @@ TEST_F(SteppedBands, mapMarksWhatIsInHandAndTheObserverSeesItToo) {
     }
 }
 
+/// Notes which widgets are painted, in their order.
+struct Painted : QObject {
+    explicit Painted(const std::vector<QWidget*>& watched) {
+        for (QWidget* widget : watched) widget->installEventFilter(this);
+    }
+    bool eventFilter(QObject* watched, QEvent* event) override {
+        if (event->type() == QEvent::Paint) order.push_back(watched);
+        return false;
+    }
+    std::vector<QObject*> order;
+};
+
+TEST_F(SteppedBands, pictureOfAStepIsPaintedBeforeThePanelsThatFollowIt) {
+    MapWidget& map = window.structurePanel().findChild<MapPanel*>()->map();
+    begin();
+    ASSERT_NO_FATAL_FAILURE(goTo(Subject::Kind::Cells));
+    for (int i = 0; i < 3; ++i) {
+        QTest::qWait(150);  // for the panels of the step before
+        Painted painted({&picture(0), &map});
+        i == 1 ? stepper().back() : stepper().forward();
+        ASSERT_TRUE(waitUntil([&] { return std::ranges::find(painted.order, &map) != painted.order.end(); }));
+        EXPECT_EQ(painted.order.front(), &picture(0));
+    }
+}
+
 }  // namespace
 }  // namespace cullscope::ui::stepped_strategies_test

@@ -163,6 +163,8 @@ public:
     // Stepping (stepper.h)
     [[nodiscard]] const std::optional<ShownStep>& step() const { return m_step; }
     void setStep(const std::optional<ShownStep>& step);
+    /// Whether a new step's picture is awaited: until it is painted, panels show the former step.
+    [[nodiscard]] bool stepAwaitsPicture() const;
     /// The step of the frame that a view shows; null: it is not stepped.
     [[nodiscard]] const ShownStep* stepOf(int view) const {
         return m_step && m_step->view == culledBy(view) ? &*m_step : nullptr;

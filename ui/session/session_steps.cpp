@@ -8,6 +8,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr int kLongestWait = 100;  // ms for a step's picture, before panels show the step without it
+constexpr int kPainting = 1;       // ms of a timer that elapses once the window was painted
 constexpr const char* kWaitingStep = "waiting step";
 
 }  // namespace
@@ -25,7 +26,7 @@ void Session::setStep(const std::optional<ShownStep>& step) {
         emit stepChanged();
         return;
     }
-    // Panels follow the picture: painted before it, the window would be composed twice, and the picture would wait for it.
+    // Panels follow the picture, which would wait for them: to paint a map takes longer than the picture.
     auto* waiting = new QObject(this);
     waiting->setObjectName(QLatin1String(kWaitingStep));
     const auto tell = [this, waiting] {
@@ -35,10 +36,14 @@ void Session::setStep(const std::optional<ShownStep>& step) {
         emit stepChanged();
     };
     connect(this, &Session::pictureChanged, waiting, [this, waiting, tell](int view) {
-        // After the events of painting, which are posted by now.
-        if (stepOf(view) != nullptr && pictures()->isCurrent(view)) QTimer::singleShot(0, waiting, tell);
+        // Events of painting are posted by now and come before timers. With 0 ms it would be an event that comes before them.
+        if (stepOf(view) != nullptr && pictures()->isCurrent(view)) QTimer::singleShot(kPainting, waiting, tell);
     });
     QTimer::singleShot(kLongestWait, waiting, tell);
+}
+
+bool Session::stepAwaitsPicture() const {
+    return findChild<QObject*>(QLatin1String(kWaitingStep), Qt::FindDirectChildrenOnly) != nullptr;
 }
 
 void Session::setQuestion(const std::optional<Prediction>& question) {

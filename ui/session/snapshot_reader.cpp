@@ -132,6 +132,8 @@ void SnapshotReader::check() {
     const bool refused = m_session.slot(m_session.culledBy(m_session.activeView())).refused();
     const bool outdated = m_reading && (refused || m_reading->strategy->scenePointer() != m_session.scene());
     if (outdated) m_reading = nullptr;
+    // A step is read for the panels once its picture is painted; stepChanged follows.
+    if (m_session.stepAwaitsPicture() && !outdated) return;
     const bool fresh = this->fresh();
     if (fresh != std::exchange(m_wasFresh, fresh) || outdated) emit changed();
     // A step is short, and what panels show of it is asked for at once.

