@@ -364,6 +364,10 @@
         <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
         <translation>backface 대비 %1, 괄호 안은 95 % 구간</translation>
     </message>
+    <message>
+        <source>Submitted in %1 fragments that the strategy made of them</source>
+        <translation>전략이 만든 삼각형 조각 %1개로 제출</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -3044,14 +3048,6 @@
         <translation>띠 %1</translation>
     </message>
     <message>
-        <source>Part %1 of a triangle of %2</source>
-        <translation>%2의 삼각형 조각 %1</translation>
-    </message>
-    <message>
-        <source>Part %1 of a triangle</source>
-        <translation>삼각형 조각 %1</translation>
-    </message>
-    <message>
         <source>Tile %1 of the picture</source>
         <translation>그림의 타일 %1</translation>
     </message>
@@ -3791,6 +3787,62 @@
         <source>%1, which writes and reads pictures, cannot be opened: %2. Install or build Cullscope again.</source>
         <translation>그림을 쓰고 읽는 %1을(를) 열 수 없습니다: %2. Cullscope를 다시 설치하거나 빌드하십시오.</translation>
     </message>
+    <message>
+        <source>Part %1</source>
+        <translation>조각 %1</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1 of %2</source>
+        <translation>%2의 삼각형 %1의 조각</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1</source>
+        <translation>삼각형 %1의 조각</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 다각형이 %2개를 넘게 필요합니다. 삼각형이 %3개입니다. 삼각형 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 BSP 트리에는 다각형이 %2개를 넘게 필요합니다. 삼각형 %3개가 %4번 잘렸고 다각형 %5개가 아직 나뉘지 않았습니다. 삼각형 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>&quot;%1&quot;의 화가 순서에는 다각형이 %2개를 넘게 필요합니다. 삼각형이 %3개입니다. 삼각형 수를 줄이거나 더 큰 한도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Triangle %1, which waited, is taken again; its farthest depth is %2.</source>
+        <translation>기다리던 삼각형 %1을(를) 다시 잡는다. 가장 먼 깊이는 %2이다.</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot; here, and no other one.</source>
+        <translation>여기에는 매개변수 &quot;%1&quot;이(가) 없으며, 다른 매개변수도 없습니다.</translation>
+    </message>
+    <message>
+        <source>The triangle covers %1 samples. At column %2 of row %3 its depth is %4.</source>
+        <translation>삼각형이 표본 %1개를 덮습니다. %3행 %2열에서 깊이는 %4입니다.</translation>
+    </message>
+    <message>
+        <source>Its depth %1 there does not exceed the stored %2. It is nearer at none of its samples.</source>
+        <translation>거기서 깊이 %1은(는) 저장된 %2보다 크지 않습니다. 어느 표본에서도 더 가깝지 않습니다.</translation>
+    </message>
+    <message>
+        <source>At %1 samples it is nearer, at %2 of them the first surface. There its depth %3 exceeds the stored %4: drawn.</source>
+        <translation>표본 %1개에서 더 가깝고, 그중 %2개에서는 첫 번째 면입니다. 거기서 깊이 %3이(가) 저장된 %4보다 큽니다: 그립니다.</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces.</source>
+        <translation>%1행에는 면 %3개의 활성 모서리가 %2개 있습니다.</translation>
+    </message>
+    <message>
+        <source>Columns %1 to %2 are filled with it.</source>
+        <translation>%1열부터 %2열까지 이 면으로 채웁니다.</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
+        <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. α = 90° 너머는 가려지고, 그 안쪽은 그립니다.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4286,6 +4338,14 @@ OpenGL %2
         <source>question first: name what you expect, then reveal</source>
         <translation>먼저 질문: 예상을 지정한 뒤 공개</translation>
     </message>
+    <message>
+        <source>Ctrl + left drag</source>
+        <translation>Ctrl + 왼쪽 버튼 끌기</translation>
+    </message>
+    <message>
+        <source>in an open question: name all within the rectangle</source>
+        <translation>열린 질문에서: 사각형 안의 모든 것을 지정</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -4646,10 +4706,6 @@ OpenGL %2
         <translation>전략이 무엇을 그릴지 정하는 데 걸린 시간</translation>
     </message>
     <message>
-        <source>Triangles given to OpenGL</source>
-        <translation>OpenGL에 넘긴 삼각형</translation>
-    </message>
-    <message>
         <source>Triangles that truly show in at least one pixel</source>
         <translation>적어도 한 픽셀에서 실제로 보이는 삼각형</translation>
     </message>
@@ -4674,12 +4730,16 @@ OpenGL %2
         <translation>– 맞춤을 넘는 것</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
-    </message>
-    <message>
         <source>Submitted in vain</source>
         <translation>헛되이 제출</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene of which anything is drawn, each counted once</source>
+        <translation>일부라도 그린 장면의 삼각형. 각각 한 번만 셉니다</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
     </message>
 </context>
 <context>
@@ -5049,10 +5109,6 @@ OpenGL %2
         <translation>예상하는 것을 클릭하십시오. 다시 클릭하면 취소됩니다. 지정: %1</translation>
     </message>
     <message>
-        <source>What vanishes?</source>
-        <translation>무엇이 사라집니까?</translation>
-    </message>
-    <message>
         <source>In which order is it drawn?</source>
         <translation>어떤 순서로 그려집니까?</translation>
     </message>
@@ -5073,10 +5129,6 @@ OpenGL %2
         <translation>활성 뷰의 전략에는 지정할 잎이 없습니다. 다른 전략, 다른 매개변수 또는 다른 질문을 고르십시오.</translation>
     </message>
     <message>
-        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
-        <translation>조각을 클릭한 다음 그것이 있는 잎을 고르십시오. 지정: %1</translation>
-    </message>
-    <message>
         <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
         <translation>%1은(는) 어느 잎에 있습니까? 그런 다음 다음 조각을 클릭하십시오. 지정: %2</translation>
     </message>
@@ -5087,6 +5139,38 @@ OpenGL %2
     <message>
         <source>Leaf</source>
         <translation>잎</translation>
+    </message>
+    <message>
+        <source>Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1</source>
+        <translation>예상하는 것을 뷰나 트리에서 클릭하거나 Ctrl을 누른 채 끌어 둘러싸십시오. 다시 하면 취소됩니다. 지정: %1</translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies, here or in the tree. Named: %1</source>
+        <translation>조각을 클릭한 다음 그것이 있는 잎을 여기나 트리에서 고르십시오. 지정: %1</translation>
+    </message>
+    <message>
+        <source>Which objects vanish?</source>
+        <translation>어느 물체가 사라집니까?</translation>
+    </message>
+    <message>
+        <source>Which triangles vanish?</source>
+        <translation>어느 삼각형이 사라집니까?</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionTree</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a strategy&apos;s tree</comment>
+        <translation>노드 %1</translation>
+    </message>
+    <message>
+        <source>A click on a row answers, too.</source>
+        <translation>행을 클릭해도 답이 됩니다.</translation>
+    </message>
+    <message>
+        <source>Tree to answer by</source>
+        <translation>답을 고르는 트리</translation>
     </message>
 </context>
 <context>

@@ -364,6 +364,10 @@
         <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
         <translation>相对 backface 为 %1，括号内为 95 % 区间</translation>
     </message>
+    <message>
+        <source>Submitted in %1 fragments that the strategy made of them</source>
+        <translation>以策略生成的 %1 个三角形碎片提交</translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -3044,14 +3048,6 @@
         <translation>带 %1</translation>
     </message>
     <message>
-        <source>Part %1 of a triangle of %2</source>
-        <translation>%2 的三角形部分 %1</translation>
-    </message>
-    <message>
-        <source>Part %1 of a triangle</source>
-        <translation>三角形部分 %1</translation>
-    </message>
-    <message>
         <source>Tile %1 of the picture</source>
         <translation>图像的块 %1</translation>
     </message>
@@ -3791,6 +3787,62 @@
         <source>%1, which writes and reads pictures, cannot be opened: %2. Install or build Cullscope again.</source>
         <translation>无法打开负责读写图像的 %1：%2。请重新安装或构建 Cullscope。</translation>
     </message>
+    <message>
+        <source>Part %1</source>
+        <translation>部分 %1</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1 of %2</source>
+        <translation>%2 的三角形 %1 的部分</translation>
+    </message>
+    <message>
+        <source>Part of triangle %1</source>
+        <translation>三角形 %1 的部分</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个多边形：它有 %3 个三角形。请减少三角形，或提高上限。</translation>
+    </message>
+    <message>
+        <source>The BSP tree of &quot;%1&quot; needs more than %2 polygons: its %3 triangles were cut %4 times, and %5 polygons are not divided yet. Take fewer triangles, or a higher limit.</source>
+        <translation>“%1”的 BSP 树需要超过 %2 个多边形：其 %3 个三角形已被切割 %4 次，还有 %5 个多边形未划分。请减少三角形，或提高上限。</translation>
+    </message>
+    <message>
+        <source>The painter&apos;s order of &quot;%1&quot; needs more than %2 polygons: it has %3 triangles. Take fewer triangles, or a higher limit.</source>
+        <translation>“%1”的画家顺序需要超过 %2 个多边形：它有 %3 个三角形。请减少三角形，或提高上限。</translation>
+    </message>
+    <message>
+        <source>Triangle %1, which waited, is taken again; its farthest depth is %2.</source>
+        <translation>等待中的三角形 %1 再次被取出，其最远深度为 %2。</translation>
+    </message>
+    <message>
+        <source>There is no parameter &quot;%1&quot; here, and no other one.</source>
+        <translation>这里没有参数“%1”，也没有其他参数。</translation>
+    </message>
+    <message>
+        <source>The triangle covers %1 samples. At column %2 of row %3 its depth is %4.</source>
+        <translation>三角形覆盖 %1 个样本。在第 %3 行第 %2 列，其深度为 %4。</translation>
+    </message>
+    <message>
+        <source>Its depth %1 there does not exceed the stored %2. It is nearer at none of its samples.</source>
+        <translation>其深度 %1 在该处不大于已存的 %2。它在任何样本上都不更近。</translation>
+    </message>
+    <message>
+        <source>At %1 samples it is nearer, at %2 of them the first surface. There its depth %3 exceeds the stored %4: drawn.</source>
+        <translation>它在 %1 个样本上更近，其中 %2 个此前没有表面。该处其深度 %3 大于已存的 %4：绘制。</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces.</source>
+        <translation>第 %1 行有 %3 个表面的 %2 条活动边。</translation>
+    </message>
+    <message>
+        <source>Columns %1 to %2 are filled with it.</source>
+        <translation>用它填充第 %1 列到第 %2 列。</translation>
+    </message>
+    <message>
+        <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
+        <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -4286,6 +4338,14 @@ OpenGL %2
         <source>question first: name what you expect, then reveal</source>
         <translation>先提问：指出预期，再揭示</translation>
     </message>
+    <message>
+        <source>Ctrl + left drag</source>
+        <translation>Ctrl + 左键拖动</translation>
+    </message>
+    <message>
+        <source>in an open question: name all within the rectangle</source>
+        <translation>有未答的问题时：指出矩形内的全部对象</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::LectureWindow</name>
@@ -4646,10 +4706,6 @@ OpenGL %2
         <translation>策略决定绘制内容所用的时间</translation>
     </message>
     <message>
-        <source>Triangles given to OpenGL</source>
-        <translation>交给 OpenGL 的三角形</translation>
-    </message>
-    <message>
         <source>Triangles that truly show in at least one pixel</source>
         <translation>至少在一个像素中真实可见的三角形</translation>
     </message>
@@ -4674,12 +4730,16 @@ OpenGL %2
         <translation>– 超出对齐误差</translation>
     </message>
     <message>
-        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the strategy draws front faces only and the truth both sides</source>
-        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
-    </message>
-    <message>
         <source>Submitted in vain</source>
         <translation>徒劳提交</translation>
+    </message>
+    <message>
+        <source>Triangles of the scene of which anything is drawn, each counted once</source>
+        <translation>场景中至少绘制了一部分的三角形，每个只计一次</translation>
+    </message>
+    <message>
+        <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
+        <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在真值与策略绘制的面不同，或策略自行生成面或图像时统计</translation>
     </message>
 </context>
 <context>
@@ -5049,10 +5109,6 @@ OpenGL %2
         <translation>点击您预期的对象；再次点击可取消。已指出：%1</translation>
     </message>
     <message>
-        <source>What vanishes?</source>
-        <translation>什么会消失？</translation>
-    </message>
-    <message>
         <source>In which order is it drawn?</source>
         <translation>按什么顺序绘制？</translation>
     </message>
@@ -5073,10 +5129,6 @@ OpenGL %2
         <translation>活动视图的策略没有可指出的叶。请选择其他策略、其他参数或其他问题。</translation>
     </message>
     <message>
-        <source>Click a part, then choose the leaf in which it lies. Named: %1</source>
-        <translation>点击一个部分，再选择它所在的叶。已指出：%1</translation>
-    </message>
-    <message>
         <source>In which leaf does %1 lie? Then click the next part. Named: %2</source>
         <translation>%1 在哪个叶中？然后点击下一个部分。已指出：%2</translation>
     </message>
@@ -5087,6 +5139,38 @@ OpenGL %2
     <message>
         <source>Leaf</source>
         <translation>叶</translation>
+    </message>
+    <message>
+        <source>Click what you expect, in a view or in the tree, or drag over it with Ctrl; again takes it back. Named: %1</source>
+        <translation>在视图或树中点击您预期的对象，或按住 Ctrl 拖动框选；再做一次可取消。已指出：%1</translation>
+    </message>
+    <message>
+        <source>Click a part, then choose the leaf in which it lies, here or in the tree. Named: %1</source>
+        <translation>点击一个部分，再在此处或树中选择它所在的叶。已指出：%1</translation>
+    </message>
+    <message>
+        <source>Which objects vanish?</source>
+        <translation>哪些物体会消失？</translation>
+    </message>
+    <message>
+        <source>Which triangles vanish?</source>
+        <translation>哪些三角形会消失？</translation>
+    </message>
+</context>
+<context>
+    <name>cullscope::ui::QuestionTree</name>
+    <message>
+        <source>Node %1</source>
+        <comment>of a strategy&apos;s tree</comment>
+        <translation>节点 %1</translation>
+    </message>
+    <message>
+        <source>A click on a row answers, too.</source>
+        <translation>点击一行也可以作答。</translation>
+    </message>
+    <message>
+        <source>Tree to answer by</source>
+        <translation>用来作答的树</translation>
     </message>
 </context>
 <context>
