@@ -84,7 +84,8 @@ NamedParts namedParts(const Scene& scene, const FrameLog& log, const PartOf& par
         const uint32_t object = decision.subject.object;
         cut[object] = cut[object] || decision.outcome == Decision::Outcome::PartlyDrawn;
         const auto [area, sum] = weighed(result, scene, object, decision.places);
-        fragments[object].push_back({decision.places, partOf ? partOf(decision) : PartKey{result.own->triangles[decision.places.first], {}},
+        fragments[object].push_back({decision.places,
+                                     partOf ? partOf(decision) : PartKey{result.own->triangles[decision.places.first], {}},
                                      area > 0.0 ? sum / area : Vec3(0.0)});
     }
     for (auto& [object, own] : fragments) {
