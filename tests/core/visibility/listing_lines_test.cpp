@@ -1,6 +1,5 @@
 // Every strategy that is registered can be stepped with a listing, and no line of a listing is dead.
 
-#include <ranges>
 #include <set>
 
 #include "core/mesh/parametric.h"
@@ -99,8 +98,9 @@ std::set<int> linesReached(const RegisteredStrategy& strategy, const std::vector
             for (int frame = 0; frame < 2; ++frame)
                 for (const Decision& decision : culler.cull(view, Recording::On, &GlEnvironment::renderer()).log.decisions)
                     reached.insert(decision.line);
-        const auto all = std::views::iota(size_t{0}, lines.size());
-        if (std::ranges::all_of(all, [&](size_t line) { return isReached(lines, line, reached); })) break;
+        size_t line = 0;
+        while (line < lines.size() && isReached(lines, line, reached)) ++line;
+        if (line == lines.size()) break;
     }
     return reached;
 }

@@ -153,7 +153,7 @@ TEST(OrderingPicture, treeIsTheSameWhereverTheEyeIsAndOnlyItsOrderChanges) {
 }
 
 TEST(OrderingPicture, treeOfTheBunnyIsDrawnRightFromAnyEye) {
-    const ScenePointer scene = openScene(fewSamples() ? "mesh:bunny,triangles=5000" : "mesh:bunny").scene;
+    const ScenePointer scene = fewSamples() ? sceneOf({bumpyMesh(3, 5'000, 0.4)}) : openScene("mesh:bunny").scene;
     const SceneBuffers buffers(scene, Upload::Vbo);
     const CullerPointer culler = strategy("bsp", {{"plane", "fewest"}});
     culler->build(*scene);
