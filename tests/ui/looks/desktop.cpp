@@ -71,8 +71,11 @@ Desktop::Desktop() : Desktop(Start()) {}
 Desktop::Desktop(const Start& start) : window(begun(*this, start), language, appearance) {
     window.resize(start.size);
     window.show();
-    window.activateWindow();
-    EXPECT_TRUE(QTest::qWaitForWindowActive(&window, kPatience));
+    // Asked again: another program on the screen may take the keyboard's focus before this window was seen to have it.
+    EXPECT_TRUE(waitUntil([this] {
+        window.activateWindow();
+        return window.isActiveWindow();
+    }));
     if (!start.open) return;
     session.open(start.scene.isEmpty() ? QString::fromStdString(defaultSceneSpecification(session.sceneSource())) : start.scene);
     settle();
