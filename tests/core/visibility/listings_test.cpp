@@ -72,7 +72,7 @@ TEST(Listings, stateIsThatOfTheDecisionsSoFar) {
         std::vector<uint64_t> counts(lines, 0);
         uint8_t current = 0;
         size_t decisions = 0, named = 0;
-        const size_t step = std::max<size_t>(log.entries() / howMany(40, 40), 1);
+        const size_t step = std::max<size_t>(log.entries() / howMany(40, 20), 1);
         for (size_t k = 0; k <= log.entries(); k += k < log.entries() ? std::min(step, log.entries() - k) : 1) {
             const FrameLog part = log.upTo(k);
             for (; decisions < part.decisions.size(); ++decisions) {

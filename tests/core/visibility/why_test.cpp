@@ -226,7 +226,7 @@ std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& 
 }
 
 TEST(Decisions, everyTriangleNotSubmittedHasACause) {
-    for (uint64_t seed = 1; seed <= howMany(20, 20); ++seed) {
+    for (uint64_t seed = 1; seed <= howMany(20, 8); ++seed) {
         const ScenePointer scene = randomScene(seed);
         std::vector<CullerPointer> built;
         for (const RegisteredStrategy& registered : strategies()) {
