@@ -214,7 +214,7 @@ TEST_F(Papers, lectureTableIsMeasuredInTheWindow) {
     runner.start(experiment);
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
     EXPECT_EQ(runner.table().rows.size(), 2 * lectureMethods().size());
-    EXPECT_EQ(shown, (std::set<std::string>{experiment.settings[0].scene + " backface"}));
+    EXPECT_TRUE(shown.contains(experiment.settings[0].scene + " backface"));
     for (size_t row = 0; row < runner.table().rows.size(); ++row)
         EXPECT_EQ(numberOf(runner.table().value(row, "missed_pixels")), 0.0);
     expectSessionIsBack();
