@@ -47,7 +47,11 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
     if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));
-    if (subject.ratioToBackface) add("ratio_to_backface", text(*subject.ratioToBackface));
+    if (subject.ratioToBackface) {
+        const auto& [ratio, interval] = *subject.ratioToBackface;
+        add("ratio_to_backface", text(ratio));
+        add("ratio_to_backface_ci95", text(interval[0]) + "," + text(interval[1]));
+    }
     if (subject.figuresSize) add("figures_size", sizeText(*subject.figuresSize));
     return pairs;
 }

@@ -9,6 +9,7 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.frameMilliseconds = quantile(timed.frameMilliseconds, 0.5);
     figures.cullMilliseconds = quantile(timed.cullMilliseconds, 0.5);
     figures.frameTimes = timed.frameMilliseconds;
+    figures.cullTimes = timed.cullMilliseconds;
     figures.repetitions = static_cast<int>(timed.frameMilliseconds.size());
     figures.stages = timed.log.stages;
     figures.submitted = submittedBy(timed.strategy->scene(), timed.log);
@@ -16,6 +17,8 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.culledTriangles = timed.log.counters.culledTriangles;
     figures.parts = timed.log.counters.parts;
     figures.figures = timed.log.counters.figures;
+    figures.nodesVisited = timed.log.counters.nodesVisited;
+    figures.frameBytes = timed.log.frameBytes();
     return figures;
 }
 

@@ -16,6 +16,11 @@ void requireSomething(const MeasureRequest& request) {
     if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
 }
 
+/// Whether the measurement goes on after an error of one strategy.
+bool isRefusal(const Error& error, const MeasureRequest& request) {
+    return request.refusalsAreResults && error.kind() != ErrorKind::Interrupted;
+}
+
 }  // namespace
 
 std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
@@ -36,14 +41,19 @@ Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, St
     const double step = 1.0 / double(std::max<size_t>(1, request.strategies.size()));
     for (const StrategyRequest& strategy : request.strategies) {
         const std::optional<Message> why = unavailable(strategyOf(strategy).info, gl);
-        if (why && request.leaveOutUnavailable) {
+        if (why && request.leaveOutUnavailable && !request.refusalsAreResults) {
             built.leftOut.push_back(*why);
             continue;
         }
-        requireAvailable(strategyOf(strategy).info, gl);
         const double from = step * double(built.strategies.size());
-        built.strategies.push_back({strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene, structures,
-                                                            progress.part(from, from + step))});
+        try {
+            requireAvailable(strategyOf(strategy).info, gl);
+            built.strategies.push_back({strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene,
+                                                                structures, progress.part(from, from + step))});
+        } catch (const Error& error) {
+            if (!isRefusal(error, request)) throw;
+            built.refused.push_back({strategy, error.message()});
+        }
     }
     for (Contestant& baseline :
          baselinesBeside(request.strategies, request.scene, structures, std::nullopt, {nullptr, progress.stop})) {
@@ -76,20 +86,19 @@ public:
             run.referenceFacing = contestant.strategy->referenceFacing();
             run.structure = contestant.strategy->report();
             m_runs.push_back(std::move(run));
+            m_taking.push_back({});
         }
     }
 
-    [[nodiscard]] size_t poses() const { return m_runs.front().frames.size(); }
+    [[nodiscard]] size_t poses() const { return m_poses; }
     [[nodiscard]] bool complete() const { return poses() == m_request.path.poses.size(); }
 
     void step(const std::stop_token& stop) {
         if (complete()) return;
         if (!m_pose) beginPose();
-        if (!m_pose->rounds.complete())
-            return m_pose->rounds.step(
-                m_renderer, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; }, stop);
-        recordNext();
-        if (m_pose->frames.size() == m_runs.size()) endPose();
+        if (!m_pose->rounds.complete()) return timeNext(stop);
+        if (m_pose->frames.size() < m_pose->numbers.size()) recordNext();
+        if (m_pose->frames.size() == m_pose->numbers.size()) endPose();
     }
 
     [[nodiscard]] MeasureResult resultSoFar() const {
@@ -97,6 +106,7 @@ public:
         result.request = m_request;
         result.gl = m_gl;
         result.leftOut = m_contestants.leftOut;
+        result.refused = m_contestants.refused;
         result.interrupted = !complete();
         for (size_t i = 0; i < m_runs.size(); ++i) {
             if (!m_contestants.strategies[i].askedFor) continue;
@@ -110,38 +120,73 @@ private:
     /// The pose in progress.
     struct Pose {
         View view;
+        std::vector<size_t> numbers;  ///< of the strategies that take part, in the order of the rounds
         TimedRounds rounds;
         std::vector<FrameMeasurement> frames{};  ///< of the strategies recorded so far
     };
+    /// What a strategy has taken so far.
+    struct Taking {
+        double seconds = 0.0;  ///< of counted frames
+        bool ended = false;    ///< takes no part any more
+    };
 
     void beginPose() {
-        const View view(m_request.path.camera(poses()), m_request.size);
+        const View view(m_request.path.camera(m_poses), m_request.size);
+        std::vector<size_t> numbers;
         std::vector<TimedFrames> entrants;
-        for (size_t i = 0; i < m_runs.size(); ++i)
+        for (size_t i = 0; i < m_runs.size(); ++i) {
+            if (m_taking[i].ended) continue;
+            numbers.push_back(i);
             entrants.push_back({m_buffers.get(), m_contestants.strategies[i].strategy, view, std::move(m_memories[i])});
-        m_pose.emplace(Pose{view, TimedRounds(std::move(entrants), m_request.timing)});
+        }
+        TimingProtocol protocol = m_request.timing;
+        if (protocol.warmUpOnce && m_poses > 0) protocol.warmUp = 0;
+        // With one repetition, too, none always follows the same one.
+        const bool backwards = m_poses % 2 != 0;
+        m_pose.emplace(Pose{view, std::move(numbers), TimedRounds(std::move(entrants), protocol, backwards)});
+    }
+
+    void timeNext(const std::stop_token& stop) {
+        TimedRounds& rounds = m_pose->rounds;
+        try {
+            rounds.step(
+                m_renderer, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; }, stop);
+        } catch (const Error& error) {
+            if (!isRefusal(error, m_request)) throw;
+            const size_t number = m_pose->numbers[rounds.next()];
+            m_contestants.refused.push_back({m_contestants.strategies[number].request, error.message()});
+            m_taking[number].ended = true;
+            rounds.dropNext();
+        }
     }
 
     /// The next strategy's figures, and what its first timed frame lost.
     void recordNext() {
-        const size_t number = m_pose->frames.size();
-        const TimedFrames& timed = m_pose->rounds.entrants()[number];
+        const TimedFrames& timed = m_pose->rounds.entrants()[m_pose->frames.size()];
+        const size_t number = m_pose->numbers[m_pose->frames.size()];
+        FrameMeasurement& frame = m_pose->frames.emplace_back();
+        if (timed.dropped) return;
         RunMeasurement& run = m_runs[number];
-        FrameMeasurement frame = measurementOf(timed);
-        frame.pose = poses();
+        frame = measurementOf(timed);
+        frame.pose = m_poses;
         if (timed.strategy->promiseAt(timed.view) == Promise::Approximate) run.promise = Promise::Approximate;
         if (m_request.accuracy && m_contestants.strategies[number].askedFor) {
             const auto truth = m_references.of(m_renderer, *m_buffers, timed.view, run.referenceFacing);
             addLosses(frame, m_renderer, timed, *truth, *m_targets.front());
         }
-        m_pose->frames.push_back(std::move(frame));
     }
 
     void endPose() {
-        for (size_t i = 0; i < m_runs.size(); ++i) {
-            m_runs[i].frames.push_back(std::move(m_pose->frames[i]));
-            m_memories[i] = m_pose->rounds.entrants()[i].takeMemories();
+        for (size_t i = 0; i < m_pose->numbers.size(); ++i) {
+            TimedFrames& timed = m_pose->rounds.entrants()[i];
+            if (timed.dropped) continue;
+            const size_t number = m_pose->numbers[i];
+            m_memories[number] = timed.takeMemories();
+            for (const double milliseconds : timed.frameMilliseconds) m_taking[number].seconds += milliseconds / 1000.0;
+            m_taking[number].ended = m_taking[number].seconds > m_request.secondsOfAStrategy;
+            m_runs[number].frames.push_back(std::move(m_pose->frames[i]));
         }
+        ++m_poses;
         m_pose.reset();
         m_references.clear();
     }
@@ -153,8 +198,10 @@ private:
     Renderer m_renderer;
     std::vector<std::unique_ptr<Framebuffer>> m_targets;    ///< by window
     std::vector<RunMeasurement> m_runs;                     ///< by strategy, the baselines that were not asked for among them
+    std::vector<Taking> m_taking;                           ///< by strategy
     std::vector<std::vector<ViewStatePointer>> m_memories;  ///< by strategy and window; at the rounds while a pose is in progress
     References m_references;                                ///< of the pose in progress
+    size_t m_poses = 0;                                     ///< measured completely
     std::optional<Pose> m_pose;
 };
 

@@ -15,7 +15,7 @@ void compareTo(BaselineRole role, const RunMeasurement& run, const std::vector<R
     const auto found = std::ranges::find_if(runs, [&](const RunMeasurement& other) { return other.strategy.id == id; });
     if (found == runs.end()) return;
     std::vector<double> ratios;
-    for (size_t i = 0; i < run.frames.size(); ++i)
+    for (size_t i = 0; i < std::min(run.frames.size(), found->frames.size()); ++i)
         ratios.push_back(found->frames[i].frameMilliseconds / run.frames[i].frameMilliseconds);
     mean = meanOfRatios(ratios);
     ofTotals = ratioOver(found->frames, run.frames);
