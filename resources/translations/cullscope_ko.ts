@@ -2148,20 +2148,20 @@
         <translation>키운 상자를 질의 하나씩으로 보이지 않게 그림</translation>
     </message>
     <message>
-        <source>for each of the six planes</source>
-        <translation>여섯 평면 각각에 대해</translation>
+        <source>for batches of spheres, then of boxes</source>
+        <translation>구들을 묶음으로, 다음에 상자들을</translation>
     </message>
     <message>
-        <source>d = how far its bounds reach in</source>
-        <translation>d = 경계가 안쪽으로 들어온 거리</translation>
+        <source>for each plane, until all are outside</source>
+        <translation>모두 밖일 때까지, 평면마다</translation>
     </message>
     <message>
-        <source>if d &lt; −margin: leave it out</source>
-        <translation>d &lt; −한계이면: 제외, 다음 물체로</translation>
+        <source>d = how far each one reaches in</source>
+        <translation>d = 각각 안쪽으로 들어온 거리</translation>
     </message>
     <message>
-        <source>draw it</source>
-        <translation>그 물체를 그림</translation>
+        <source>outside: those with d &lt; −margin</source>
+        <translation>밖: d &lt; −한계인 것</translation>
     </message>
     <message>
         <source>visit(group, planes that may cut it)</source>

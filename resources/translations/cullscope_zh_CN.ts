@@ -2148,20 +2148,20 @@
         <translation>不可见地绘制扩大的盒，各用一次查询</translation>
     </message>
     <message>
-        <source>for each of the six planes</source>
-        <translation>对六个平面中的每一个</translation>
+        <source>for batches of spheres, then of boxes</source>
+        <translation>成批测试球，然后测试盒</translation>
     </message>
     <message>
-        <source>d = how far its bounds reach in</source>
-        <translation>d = 其边界伸入内侧的距离</translation>
+        <source>for each plane, until all are outside</source>
+        <translation>逐个平面，直到全部在外</translation>
     </message>
     <message>
-        <source>if d &lt; −margin: leave it out</source>
-        <translation>若 d &lt; −容差：略去，转到下一对象</translation>
+        <source>d = how far each one reaches in</source>
+        <translation>d = 各自伸入内侧的距离</translation>
     </message>
     <message>
-        <source>draw it</source>
-        <translation>绘制它</translation>
+        <source>outside: those with d &lt; −margin</source>
+        <translation>在外：d &lt; −容差者</translation>
     </message>
     <message>
         <source>visit(group, planes that may cut it)</source>
