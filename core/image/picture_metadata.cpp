@@ -47,7 +47,7 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
     if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));
-    if (subject.ratioToBackface) add("ratio_to_backface", text(*subject.ratioToBackface));
+    if (subject.ratioToFrontFaces) add("ratio_to_backface", text(*subject.ratioToFrontFaces));
     if (subject.figuresSize) add("figures_size", sizeText(*subject.figuresSize));
     return pairs;
 }

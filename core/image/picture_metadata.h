@@ -31,8 +31,8 @@ struct PictureSubject {
     std::string pictureColouring;  ///< with `picture`
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
-    std::optional<double> ratioToBackface;  ///< of the frame times, as in result files
-    std::optional<Viewport> figuresSize;    ///< the size at which the last two were measured
+    std::optional<double> ratioToFrontFaces;  ///< of the frame times, as in result files
+    std::optional<Viewport> figuresSize;      ///< the size at which the last two were measured
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is

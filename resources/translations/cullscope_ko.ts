@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view&apos;s header: speed against the baseline, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 놓침 %3</translation>
     </message>
     <message>
@@ -360,9 +360,9 @@
         <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
     </message>
     <message>
-        <source>%1 against backface, with its 95 % interval</source>
-        <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
-        <translation>backface 대비 %1, 괄호 안은 95 % 구간</translation>
+        <source>%1 against %2, with its 95 % interval</source>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>%2 대비 %1, 괄호 안은 95 % 구간</translation>
     </message>
     <message>
         <source>Submitted in %1 fragments that the strategy made of them</source>
@@ -4402,8 +4402,8 @@ OpenGL %2
         <translation>다음: H를 눌러 모든 키를 보거나 직접 만든 모델을 열어 보세요.</translation>
     </message>
     <message>
-        <source>Over each picture: speed against backface · triangles submitted · pixels missed</source>
-        <translation>그림 위: backface 대비 속도 · 제출한 삼각형 · 놓친 픽셀</translation>
+        <source>Over each picture: speed against %1 · triangles submitted · pixels missed</source>
+        <translation>그림 위: %1 대비 속도 · 제출한 삼각형 · 놓친 픽셀</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4654,8 +4654,9 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MetricsModel</name>
     <message>
-        <source>Speed against backface</source>
-        <translation>backface 대비 속도</translation>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>%1 대비 속도</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -4690,8 +4691,8 @@ OpenGL %2
         <translation>덮인 픽셀</translation>
     </message>
     <message>
-        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
-        <translation>같은 카메라에서 번갈아 잰 backface 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
+        <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>같은 카메라에서 번갈아 잰 %1 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
     </message>
     <message>
         <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
@@ -4856,8 +4857,8 @@ OpenGL %2
         <translation>놓친 픽셀을 측정하지 않아 보여 줄 손실이 없습니다.</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3 against backface, %4 per million missed</source>
-        <translation>%1, %2: backface 대비 ×%3, 백만분의 %4 놓침</translation>
+        <source>%1, %2: ×%3 against %5, %4 per million missed</source>
+        <translation>%1, %2: %5 대비 ×%3, 백만분의 %4 놓침</translation>
     </message>
     <message>
         <source>0 (&lt; 3/%1)</source>
@@ -4873,8 +4874,9 @@ OpenGL %2
         <translation>백만분의 놓침</translation>
     </message>
     <message>
-        <source>Speed against backface</source>
-        <translation>backface 대비 속도</translation>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>%1 대비 속도</translation>
     </message>
 </context>
 <context>
@@ -5236,14 +5238,9 @@ OpenGL %2
     </message>
     <message>
         <source>Speed against
-backface [95 %]</source>
-        <translation>backface 대비
-속도 [95 %]</translation>
-    </message>
-    <message>
-        <source>Speed against
-all [95 %]</source>
-        <translation>all 대비
+%1 [95 %]</source>
+        <comment>a strategy</comment>
+        <translation>%1 대비
 속도 [95 %]</translation>
     </message>
     <message>
@@ -5337,12 +5334,9 @@ snapping</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
     </message>
     <message>
-        <source>Total time of backface over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>모든 시점에서 backface의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
-    </message>
-    <message>
-        <source>Total time of all over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>모든 시점에서 all의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
+        <source>Total time of %1 over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <comment>a strategy</comment>
+        <translation>모든 시점에서 %1의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
     </message>
 </context>
 <context>
@@ -6025,8 +6019,9 @@ snapping</source>
         <translation>그리기</translation>
     </message>
     <message>
-        <source>grey: all and backface</source>
-        <translation>회색: all과 backface</translation>
+        <source>grey: %1 and %2</source>
+        <comment>two strategies</comment>
+        <translation>회색: %1과 %2</translation>
     </message>
 </context>
 <context>

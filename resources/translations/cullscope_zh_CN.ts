@@ -328,7 +328,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view&apos;s header: speed against the baseline, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 丢失 %3</translation>
     </message>
     <message>
@@ -360,9 +360,9 @@
         <translation>丢失像素中无法用光栅 1/256 像素对齐解释的：%1</translation>
     </message>
     <message>
-        <source>%1 against backface, with its 95 % interval</source>
-        <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
-        <translation>相对 backface 为 %1，括号内为 95 % 区间</translation>
+        <source>%1 against %2, with its 95 % interval</source>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>相对 %2 为 %1，括号内为 95 % 区间</translation>
     </message>
     <message>
         <source>Submitted in %1 fragments that the strategy made of them</source>
@@ -4402,8 +4402,8 @@ OpenGL %2
         <translation>下一步：按 H 查看所有按键，或打开您自己的模型。</translation>
     </message>
     <message>
-        <source>Over each picture: speed against backface · triangles submitted · pixels missed</source>
-        <translation>图像上方：相对 backface 的速度 · 提交的三角形 · 丢失的像素</translation>
+        <source>Over each picture: speed against %1 · triangles submitted · pixels missed</source>
+        <translation>图像上方：相对 %1 的速度 · 提交的三角形 · 丢失的像素</translation>
     </message>
     <message>
         <source>%1: %2</source>
@@ -4654,8 +4654,9 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MetricsModel</name>
     <message>
-        <source>Speed against backface</source>
-        <translation>相对 backface 的速度</translation>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>相对 %1 的速度</translation>
     </message>
     <message>
         <source>Frame</source>
@@ -4690,8 +4691,8 @@ OpenGL %2
         <translation>覆盖的像素</translation>
     </message>
     <message>
-        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
-        <translation>在同一相机下交替测量：backface 策略的帧时间除以本策略的帧时间</translation>
+        <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>在同一相机下交替测量：%1 策略的帧时间除以本策略的帧时间</translation>
     </message>
     <message>
         <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
@@ -4856,8 +4857,8 @@ OpenGL %2
         <translation>未测量丢失像素，因此没有可显示的损失。</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3 against backface, %4 per million missed</source>
-        <translation>%1，%2：相对 backface ×%3，每百万丢失 %4</translation>
+        <source>%1, %2: ×%3 against %5, %4 per million missed</source>
+        <translation>%1，%2：相对 %5 ×%3，每百万丢失 %4</translation>
     </message>
     <message>
         <source>0 (&lt; 3/%1)</source>
@@ -4873,8 +4874,9 @@ OpenGL %2
         <translation>每百万丢失</translation>
     </message>
     <message>
-        <source>Speed against backface</source>
-        <translation>相对 backface 的速度</translation>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>相对 %1 的速度</translation>
     </message>
 </context>
 <context>
@@ -5236,14 +5238,9 @@ OpenGL %2
     </message>
     <message>
         <source>Speed against
-backface [95 %]</source>
-        <translation>相对 backface
-速度 [95 %]</translation>
-    </message>
-    <message>
-        <source>Speed against
-all [95 %]</source>
-        <translation>相对 all
+%1 [95 %]</source>
+        <comment>a strategy</comment>
+        <translation>相对 %1
 速度 [95 %]</translation>
     </message>
     <message>
@@ -5337,12 +5334,9 @@ snapping</source>
         <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
     </message>
     <message>
-        <source>Total time of backface over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>backface 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
-    </message>
-    <message>
-        <source>Total time of all over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>all 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
+        <source>Total time of %1 over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <comment>a strategy</comment>
+        <translation>%1 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
     </message>
 </context>
 <context>
@@ -6025,8 +6019,9 @@ snapping</source>
         <translation>绘制</translation>
     </message>
     <message>
-        <source>grey: all and backface</source>
-        <translation>灰色：all 和 backface</translation>
+        <source>grey: %1 and %2</source>
+        <comment>two strategies</comment>
+        <translation>灰色：%1 和 %2</translation>
     </message>
 </context>
 <context>

@@ -181,7 +181,8 @@ void LegendPanel::showToAudience() {
 }
 
 void LegendPanel::refresh() {
-    m_figures->setText(tr("Over each picture: speed against backface · triangles submitted · pixels missed"));
+    m_figures->setText(tr("Over each picture: speed against %1 · triangles submitted · pixels missed")
+                           .arg(baselineWord(BaselineRole::FrontFaces)));
     for (int i = 0; i < m_promises.size(); ++i) {
         const Promise promise = kPromises[size_t(i)];
         m_promises[i]->setText(promiseWord(promise));

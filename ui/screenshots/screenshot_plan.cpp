@@ -73,7 +73,7 @@ PictureSubject subjectOf(const Session& session, int view, const ViewRequest& re
     if (figures.state != ViewMetrics::State::Ready) return subject;
     subject.missedPixels = figures.accuracy.missedPixels;
     subject.figuresSize = figures.size;
-    if (figures.speedup) subject.ratioToBackface = figures.speedup->ratio;
+    if (figures.speedup) subject.ratioToFrontFaces = figures.speedup->ratio;
     return subject;
 }
 
