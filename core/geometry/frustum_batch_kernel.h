@@ -129,8 +129,10 @@ template <typename Lanes, typename Shape, size_t kVectors, typename Telling>
     return bits;
 }
 
+/// A function of its own for each way of telling: what tells must not take registers from what does not.
 template <typename Lanes, typename Shape, typename Telling>
-void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, const Telling& telling) {
+[[gnu::noinline]] void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                                  const Telling& telling) {
     constexpr size_t kGroup = Lanes::kVectors * Lanes::kWidth;
     for (size_t first = 0; blockCount > 0; ++outside, first += 64) {
         const size_t wordBlocks = blockCount < 64 / kBatchBlock ? blockCount : 64 / kBatchBlock;

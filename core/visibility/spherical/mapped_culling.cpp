@@ -97,7 +97,8 @@ void MappedCulling::sayEnd(const MappedMesh& mesh, const SphericalDecision& deci
                outside ? Cause::OutsideFrustum : causeOf(decision.relation));
     if (decision.drawnTriangles == mesh.maps->mesh().triangleCount()) end = ending(record.subject(), Decision::Outcome::Drawn);
     record.say(atLine(outside ? BandsLine::Outside : lineOf(decision), end));
-    record.attach(std::make_shared<RunsDetail>(decision.drawn, decision.drawnTriangles));
+    const bool said = record.tests() && (decision.region || decision.bands);
+    if (!said) record.attach(std::make_shared<RunsDetail>(decision.drawn, decision.drawnTriangles));
 }
 
 void MappedCulling::submit(const MappedMesh& mesh, const SphericalDecision& decision, DrawList& list,

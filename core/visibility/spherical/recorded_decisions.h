@@ -40,7 +40,7 @@ inline void attachBands(const ContourBands& bands, bool tested, ObjectRecord* re
     if (record != nullptr && record->tests() != tested) record->attach(std::make_shared<BandsDetail>(bands));
 }
 
-/// At the end of an object that was decided by cells of maps.
+/// At the end of an object that was decided by cells of maps, where neither its cells nor its ranges of cells were said.
 struct RunsDetail : DecisionDetail {
     RunsDetail(std::vector<CellRun> runs, uint64_t triangles) : drawn(std::move(runs)), drawnTriangles(triangles) {}
     std::vector<CellRun> drawn;
