@@ -188,22 +188,6 @@
         <translation>표시</translation>
     </message>
     <message>
-        <source>Colours by verdict</source>
-        <translation>판정별 색</translation>
-    </message>
-    <message>
-        <source>With verdicts, what was left out too</source>
-        <translation>판정 색에서 제외된 것도 표시</translation>
-    </message>
-    <message>
-        <source>The culling camera&apos;s frustum</source>
-        <translation>컬링 카메라의 절두체</translation>
-    </message>
-    <message>
-        <source>The boxes that were tested</source>
-        <translation>검사한 상자</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>비교</translation>
     </message>
@@ -270,14 +254,6 @@
     <message>
         <source>Picture</source>
         <translation>그림</translation>
-    </message>
-    <message>
-        <source>Model in spherical coordinates</source>
-        <translation>구좌표계로 나타낸 모델</translation>
-    </message>
-    <message>
-        <source>Boxes by the plane that rejected them</source>
-        <translation>제외한 평면별 상자</translation>
     </message>
 </context>
 <context>
@@ -3843,6 +3819,70 @@
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. α = 90° 너머는 가려지고, 그 안쪽은 그립니다.</translation>
     </message>
+    <message>
+        <source>Colours by verdict</source>
+        <translation>판정별 색</translation>
+    </message>
+    <message>
+        <source>With verdicts, what was left out too</source>
+        <translation>판정 색에서 제외된 것도 표시</translation>
+    </message>
+    <message>
+        <source>The culling camera&apos;s frustum</source>
+        <translation>컬링 카메라의 절두체</translation>
+    </message>
+    <message>
+        <source>The boxes that were tested</source>
+        <translation>검사한 상자</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them</source>
+        <translation>제외한 평면별 상자</translation>
+    </message>
+    <message>
+        <source>Model in spherical coordinates</source>
+        <translation>구좌표계로 나타낸 모델</translation>
+    </message>
+    <message>
+        <source>Colours by &amp;verdict</source>
+        <translation>판정별 색(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colour the active view by what became of each triangle</source>
+        <translation>각 삼각형이 어떻게 되었는지에 따라 활성 뷰를 칠합니다</translation>
+    </message>
+    <message>
+        <source>F&amp;rustum</source>
+        <translation>절두체(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the culling camera&apos;s frustum in the active view</source>
+        <translation>활성 뷰에 컬링 카메라의 절두체를 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Boxes</source>
+        <translation>상자(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the boxes that the strategy tested in the active view</source>
+        <translation>전략이 검사한 상자를 활성 뷰에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Boxes by rejecting &amp;plane</source>
+        <translation>제외한 평면별 상자(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
+        <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
+    </message>
+    <message>
+        <source>Model in &amp;spherical coordinates</source>
+        <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
+        <translation>활성 뷰에서 한 물체의 그려진 부분을 방위각과 고도각 위에 표시합니다</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6484,30 +6524,6 @@ snapping</source>
         <translation>활성 뷰에서 비행하는 동안 컬링 카메라는 멈춰 있습니다</translation>
     </message>
     <message>
-        <source>Colours by &amp;verdict</source>
-        <translation>판정별 색(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Colour the active view by what became of each triangle</source>
-        <translation>각 삼각형이 어떻게 되었는지에 따라 활성 뷰를 칠합니다</translation>
-    </message>
-    <message>
-        <source>F&amp;rustum</source>
-        <translation>절두체(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show the culling camera&apos;s frustum in the active view</source>
-        <translation>활성 뷰에 컬링 카메라의 절두체를 표시합니다</translation>
-    </message>
-    <message>
-        <source>&amp;Boxes</source>
-        <translation>상자(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Show the boxes that the strategy tested in the active view</source>
-        <translation>전략이 검사한 상자를 활성 뷰에 표시합니다</translation>
-    </message>
-    <message>
         <source>Wipe: &amp;truth | strategy</source>
         <translation>나란히: 참값 | 전략(&amp;T)</translation>
     </message>
@@ -6608,24 +6624,8 @@ snapping</source>
         <translation>논문의 표를 논문과 같은 창에서 측정하여 수치를 나란히 놓습니다</translation>
     </message>
     <message>
-        <source>Model in &amp;spherical coordinates</source>
-        <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
-        <translation>활성 뷰에서 한 물체의 그려진 부분을 방위각과 고도각 위에 표시합니다</translation>
-    </message>
-    <message>
         <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
         <translation>뷰가 모델을 구좌표로 표시하는 동안에는 쓸 수 없습니다. 카메라가 보는 것이 놓일 자리가 없습니다</translation>
-    </message>
-    <message>
-        <source>Boxes by rejecting &amp;plane</source>
-        <translation>제외한 평면별 상자(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
-        <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
     </message>
     <message>
         <source>S&amp;tep through</source>

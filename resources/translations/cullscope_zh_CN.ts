@@ -188,22 +188,6 @@
         <translation>显示</translation>
     </message>
     <message>
-        <source>Colours by verdict</source>
-        <translation>按判定着色</translation>
-    </message>
-    <message>
-        <source>With verdicts, what was left out too</source>
-        <translation>按判定着色时也显示被剔除的部分</translation>
-    </message>
-    <message>
-        <source>The culling camera&apos;s frustum</source>
-        <translation>剔除相机的视锥体</translation>
-    </message>
-    <message>
-        <source>The boxes that were tested</source>
-        <translation>被测试的包围盒</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>比较</translation>
     </message>
@@ -270,14 +254,6 @@
     <message>
         <source>Picture</source>
         <translation>图像</translation>
-    </message>
-    <message>
-        <source>Model in spherical coordinates</source>
-        <translation>球坐标中的模型</translation>
-    </message>
-    <message>
-        <source>Boxes by the plane that rejected them</source>
-        <translation>按剔除平面着色的盒</translation>
     </message>
 </context>
 <context>
@@ -3843,6 +3819,70 @@
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
     </message>
+    <message>
+        <source>Colours by verdict</source>
+        <translation>按判定着色</translation>
+    </message>
+    <message>
+        <source>With verdicts, what was left out too</source>
+        <translation>按判定着色时也显示被剔除的部分</translation>
+    </message>
+    <message>
+        <source>The culling camera&apos;s frustum</source>
+        <translation>剔除相机的视锥体</translation>
+    </message>
+    <message>
+        <source>The boxes that were tested</source>
+        <translation>被测试的包围盒</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them</source>
+        <translation>按剔除平面着色的盒</translation>
+    </message>
+    <message>
+        <source>Model in spherical coordinates</source>
+        <translation>球坐标中的模型</translation>
+    </message>
+    <message>
+        <source>Colours by &amp;verdict</source>
+        <translation>按判定着色(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colour the active view by what became of each triangle</source>
+        <translation>按每个三角形的结果为活动视图着色</translation>
+    </message>
+    <message>
+        <source>F&amp;rustum</source>
+        <translation>视锥体(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the culling camera&apos;s frustum in the active view</source>
+        <translation>在活动视图中显示剔除相机的视锥体</translation>
+    </message>
+    <message>
+        <source>&amp;Boxes</source>
+        <translation>包围盒(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the boxes that the strategy tested in the active view</source>
+        <translation>在活动视图中显示策略测试的包围盒</translation>
+    </message>
+    <message>
+        <source>Boxes by rejecting &amp;plane</source>
+        <translation>按剔除平面着色的盒(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
+        <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
+    </message>
+    <message>
+        <source>Model in &amp;spherical coordinates</source>
+        <translation>球坐标中的模型(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
+        <translation>在活动视图中，按方位角和天顶角显示一个物体中被绘制的部分</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
@@ -6484,30 +6524,6 @@ snapping</source>
         <translation>在活动视图中继续飞行时剔除相机保持不动</translation>
     </message>
     <message>
-        <source>Colours by &amp;verdict</source>
-        <translation>按判定着色(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Colour the active view by what became of each triangle</source>
-        <translation>按每个三角形的结果为活动视图着色</translation>
-    </message>
-    <message>
-        <source>F&amp;rustum</source>
-        <translation>视锥体(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show the culling camera&apos;s frustum in the active view</source>
-        <translation>在活动视图中显示剔除相机的视锥体</translation>
-    </message>
-    <message>
-        <source>&amp;Boxes</source>
-        <translation>包围盒(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Show the boxes that the strategy tested in the active view</source>
-        <translation>在活动视图中显示策略测试的包围盒</translation>
-    </message>
-    <message>
         <source>Wipe: &amp;truth | strategy</source>
         <translation>对比：真值 | 策略(&amp;T)</translation>
     </message>
@@ -6608,24 +6624,8 @@ snapping</source>
         <translation>按论文的窗口测量论文表中的内容，并把它的数字与我们的并列</translation>
     </message>
     <message>
-        <source>Model in &amp;spherical coordinates</source>
-        <translation>球坐标中的模型(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
-        <translation>在活动视图中，按方位角和天顶角显示一个物体中被绘制的部分</translation>
-    </message>
-    <message>
         <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
         <translation>视图以球坐标显示模型时不可用：相机所见的内容在其中没有位置</translation>
-    </message>
-    <message>
-        <source>Boxes by rejecting &amp;plane</source>
-        <translation>按剔除平面着色的盒(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
-        <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
     </message>
     <message>
         <source>S&amp;tep through</source>

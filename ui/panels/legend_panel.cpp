@@ -202,10 +202,10 @@ void LegendPanel::showPlanes() {
     const int view = m_session.activeView();
     const ViewLook& look = m_session.setup(view).look;
     const ViewPicturePointer shown = m_session.picture(view);
-    const bool known = shown && shown->request.look.byPlane();
+    const bool known = shown && shown->request.look.has(Show::Kind::Planes);
     // A strategy that tests no boxes has no boxes to colour.
     const bool boxless = known && shown->planes == PlaneCounts{};
-    m_planes->setVisible(m_session.opened() && look.byPlane() && !look.sphericalModel && !boxless);
+    m_planes->setVisible(m_session.opened() && look.has(Show::Kind::Planes) && !look.inPlace() && !boxless);
     m_planes->setCounts(known ? std::optional(shown->planes) : std::nullopt);
 }
 

@@ -230,8 +230,7 @@ RegisteredStrategy frustum() {
                          {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
                           {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
                           {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
-    info.byPlanes = true;
-    info.shows = {frustumListing(), rejectedObjectsShow()};
+    info.shows = {treeShow(), planesShow(), frustumListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumCulling>()};
 }
 
