@@ -43,7 +43,7 @@ struct PlaneFigures {
 
 /// None for a strategy that tests no planes.
 std::optional<PlaneFigures> planeFigures(const StrategyInfo& info, const Scene& scene) {
-    if (!info.byPlanes) return std::nullopt;
+    if (info.first(Show::Kind::Planes) == nullptr) return std::nullopt;
     const View view(overviewCamera(scene, 1.0), {640, 480});
     const FrustumPlanes& used = view.frustum().planes;
     const auto rows = planesFromRows(view.clipFromEyeRelative(), ClipDepth::ReversedZeroToOne);

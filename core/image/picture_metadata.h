@@ -37,7 +37,7 @@ struct PictureSubject {
         double ratio = 0.0;
         std::array<double, 2> ci95{};
     };
-    std::optional<Ratio> ratioToBackface;  ///< as in result files
+    std::optional<Ratio> ratioToFrontFaces;  ///< as in result files
     std::optional<Viewport> figuresSize;   ///< the size at which the last two were measured
 };
 

@@ -48,11 +48,11 @@ struct Summary {
     double fpsOverall = 0.0;  ///< poses / total time
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
-    double cullShare = 0.0;                         ///< of the frame time
-    double culledFraction = 0.0;                    ///< 1 less the share of the scene's triangles submitted, mean over poses
-    std::optional<double> missedPixelRate;          ///< missed / covered, over all poses
-    RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOver the poses: what "×" says everywhere
-    RatioEstimate speedupVsAll, speedupVsBackface;  ///< meanOfRatios over the poses, which papers quote
+    double cullShare = 0.0;                             ///< of the frame time
+    double culledFraction = 0.0;                        ///< 1 less the share of the scene's triangles submitted, mean over poses
+    std::optional<double> missedPixelRate;              ///< missed / covered, over all poses
+    RatioEstimate ratioToTriangles, ratioToFrontFaces;  ///< ratioOver the poses: what "×" says everywhere
+    RatioEstimate speedupVsTriangles, speedupVsFrontFaces;  ///< meanOfRatios over the poses, which papers quote
 };
 
 /// The measurement of one strategy over a path.

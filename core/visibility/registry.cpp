@@ -74,6 +74,26 @@ std::vector<const Show*> declaredShows(Show::Kind kind) {
     return result;
 }
 
+const std::vector<const Show*>& pictureShows() {
+    static const std::vector<const Show*> kShows = [] {
+        std::vector<const Show*> shows;
+        for (const Show& show : commonShows()) shows.push_back(&show);
+        const std::vector<const Show*> declared = declaredShows(Show::Kind::Overlay);
+        shows.insert(shows.end() - 1, declared.begin(), declared.end());
+        return shows;
+    }();
+    return kShows;
+}
+
+const std::vector<const Show*>& namedShows() {
+    static const std::vector<const Show*> kShows = [] {
+        std::vector<const Show*> shows = pictureShows();
+        std::ranges::stable_sort(shows, {}, &Show::kind);
+        return shows;
+    }();
+    return kShows;
+}
+
 std::string strategiesShowing(std::string_view id, std::string_view colouring) {
     std::string result;
     for (const RegisteredStrategy& strategy : strategies()) {

@@ -69,7 +69,6 @@ struct StrategyInfo {
     GlRequirement glRequirement = GlRequirement::None;
     bool remembers = false;  ///< what it draws depends on the frames before, by its ViewState: a frame is judged with that memory
     BaselineRole baseline = BaselineRole::None;
-    bool byPlanes = false;  ///< decides by the six planes of the frustum alone
     std::vector<DeclaredSweep> sweeps{};
     std::vector<Show> shows{};
     /// With CompatibilityProfile: why it cannot be used with an OpenGL that gives none, and what to use instead. One English
@@ -162,7 +161,8 @@ public:
     [[nodiscard]] virtual Facing referenceFacing(const Scene& scene, const ParameterSet& parameters) const {
         return facing(scene, parameters);
     }
-    /// The boxes that the strategy tests, with the decisions of a recorded frame; empty for a strategy without boxes.
+    /// The boxes that the strategy tests, if it declares a Tree, with the decisions of a recorded frame; and where what these
+    /// are about lies.
     [[nodiscard]] virtual StructureSnapshot snapshot(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
 
     /// Where a group of that snapshot lies, by its number: what views mark when it is chosen. Its box, unless a strategy knows

@@ -183,7 +183,7 @@ TEST_F(ScreenshotTest, theClipboardTakesThePictureWithAndWithoutOverlays) {
     EXPECT_EQ(without.size(), shownImage(1).size());
     EXPECT_NE(without, shownImage(1));
     ViewSetup setup = session.setup(1);
-    setup.look.frustum = false;
+    setup.look.show("frustum", false);
     session.setSetup(1, setup);
     settle();
     EXPECT_EQ(without, shownImage(1));

@@ -50,9 +50,7 @@ ViewSetup anySetup(Random& random) {
     if (random.unit() < 0.5) setup.cullingSize = Viewport{1 + int(below(random, 16384)), 1 + int(below(random, 16384))};
     setup.upload = oneOf(random, {Upload::Vbo, Upload::VertexArray});
     const auto any = [&] { return random.unit() < 0.5; };
-    setup.look = {oneOf(random, {Colouring::Shaded, Colouring::Verdicts}),    any(), any(), any(), {}, any(),
-                  oneOf(random, {BoxColouring::Verdict, BoxColouring::Plane})};
-    for (const Show* show : declaredShows(Show::Kind::Overlay)) setup.look.show(show->id, any());
+    for (const Show* show : pictureShows()) setup.look.show(show->id, any());
     setup.wipe = {
         oneOf(random, {Wipe::Mode::None, Wipe::Mode::Truth, Wipe::Mode::Loss, Wipe::Mode::OtherView, Wipe::Mode::Difference}),
         int(below(random, 8)), random.unit()};

@@ -213,14 +213,14 @@ TEST_F(Stepping, openQuestionTellsNothingUntilItIsRevealed) {
     session.slot(0).choose("frustum");
     settleAll();
     ViewSetup setup = session.setup(0);
-    setup.look.colouring = Colouring::Verdicts;
+    setup.look.show("verdicts", true);
     session.setSetup(0, setup);
     settleAll();
     window.actions().questionFirst->trigger();
     ASSERT_TRUE(session.question());
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
     EXPECT_EQ(session.picture(0)->consideredTriangles, session.scene()->triangleCount()) << "all objects are shown";
-    EXPECT_EQ(session.viewRequest(0)->look.colouring, Colouring::Shaded);
+    EXPECT_FALSE(session.viewRequest(0)->look.shows("verdicts"));
     EXPECT_FALSE(window.views().pane(0).header().secondLine().contains(QChar(u'×')));
     EXPECT_FALSE(window.tabs().isVisible());
     const std::optional<Pick> before = session.pick();

@@ -181,7 +181,7 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
         const MeasureResult table = measuredOnPath();
         experiment.path = path;
         ASSERT_TRUE(header.speedup.has_value());
-        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToBackface) << "at pose " << pose;
+        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToFrontFaces) << "at pose " << pose;
         EXPECT_EQ(resultRows(table).front().speedup, header.speedup);
         EXPECT_EQ(header.frameMilliseconds, table.runs[0].summary.frameMillisecondsMedian);
         const auto json = nlohmann::json::parse(resultJson(table));
@@ -197,7 +197,7 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
     }
     // Over all views the table has one ratio of total times, which lies among those of the views.
     experiment.timing = madeUpTimes();
-    const double all = measuredOnPath().runs[0].summary.ratioToBackface.ratio;
+    const double all = measuredOnPath().runs[0].summary.ratioToFrontFaces.ratio;
     EXPECT_GE(all, *std::ranges::min_element(ratios) - 0.1);
     EXPECT_LE(all, *std::ranges::max_element(ratios) + 0.1);
 }

@@ -130,8 +130,7 @@ RegisteredStrategy frustumOctree() {
          booleanParameter("refine", true,
                           CULLSCOPE_TR("Whether what several planes cut is tested by separating axes too, which leaves out "
                                        "what lies beside the frustum's edges."))}};
-    info.byPlanes = true;
-    info.shows = {octreeListing(), rejectedObjectsShow()};
+    info.shows = {treeShow(), planesShow(), octreeListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumOctree>()};
 }
 

@@ -127,7 +127,7 @@ RegisteredStrategy octreeQuery() {
         GlRequirement::Context};
     info.remembers = true;
     info.sweeps = {{kLatency, {"0", "1", "2"}}, {kBatch, {"1", "4", "16", "64", "256"}}};
-    info.shows = {queryListing(), barsShow("asked-groups", CULLSCOPE_TR("Groups by what was asked"))};
+    info.shows = {treeShow(), queryListing(), barsShow("asked-groups", CULLSCOPE_TR("Groups by what was asked"))};
     return {std::move(info), std::make_shared<OctreeQuery>()};
 }
 
