@@ -2632,10 +2632,6 @@
         <translation>면이 보이는 픽셀</translation>
     </message>
     <message>
-        <source>In this tile %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
-        <translation>이 타일에서 깊이 %1개를 저장된 깊이와 비교함. %2개가 더 가까워 저장됨. 픽셀 %3개에 면이 보입니다.</translation>
-    </message>
-    <message>
         <source>comparisons of a depth buffer</source>
         <translation>깊이 버퍼라면 했을 비교</translation>
     </message>
@@ -2948,10 +2944,6 @@
         <translation>삼각형의 일부에 관한 것</translation>
     </message>
     <message>
-        <source>About a tile of the picture</source>
-        <translation>그림의 타일에 관한 것</translation>
-    </message>
-    <message>
         <source>About a piece of a row</source>
         <translation>행의 일부에 관한 것</translation>
     </message>
@@ -3046,10 +3038,6 @@
     <message>
         <source>Band %1</source>
         <translation>띠 %1</translation>
-    </message>
-    <message>
-        <source>Tile %1 of the picture</source>
-        <translation>그림의 타일 %1</translation>
     </message>
     <message>
         <source>Piece %1 of a row, of %2</source>
@@ -3404,30 +3392,6 @@
         <translation>눈이 있는 쪽에 따른 노드</translation>
     </message>
     <message>
-        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
-        <translation>검사 3: 삼각형 %1은(는) 삼각형 %2의 평면 뒤에 온전히 있다(최대 %3).</translation>
-    </message>
-    <message>
-        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
-        <translation>검사 4: 삼각형 %1에서 볼 때 삼각형 %2은(는) 온전히 눈 쪽에 있다(최대 %3).</translation>
-    </message>
-    <message>
-        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
-        <translation>어느 검사로도 삼각형 %1이(가) 삼각형 %2보다 먼저 올 수 없어 뒤의 것을 먼저 다룬다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
-    </message>
-    <message>
-        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
-        <translation>삼각형 %1은(는) 표시된 삼각형 %2을(를) 기다린다. 순환이므로 하나를 자른다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
-    </message>
-    <message>
-        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
-        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것을 자른다. 1/깊이의 차는 %3에서 시작한다.</translation>
-    </message>
-    <message>
-        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
-        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 떨어져 있거나 앞의 것이 더 멀다: %3.</translation>
-    </message>
-    <message>
         <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
         <translation>먼저 와야 할 것이 남지 않았다. 삼각형 %2 넓이의 %1을(를) 그린다.</translation>
     </message>
@@ -3648,18 +3612,6 @@
         <translation>트리가 가질 수 있는 다각형의 수(잘린 것 포함)와 노드의 수.</translation>
     </message>
     <message>
-        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
-        <translation>삼각형 %2와(과) 그 뒤의 모든 삼각형은 삼각형 %1 전체보다 가깝다. 삼각형 %1의 가장 가까운 깊이는 %3이다.</translation>
-    </message>
-    <message>
-        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
-        <translation>검사 1: 삼각형 %1와(과) %2은(는) x 방향으로 %3픽셀 떨어져 있다.</translation>
-    </message>
-    <message>
-        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
-        <translation>검사 2: 삼각형 %1와(과) %2은(는) y 방향으로 %3픽셀 떨어져 있다.</translation>
-    </message>
-    <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
         <translation>삼각형 %1이(가) 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
     </message>
@@ -3842,6 +3794,162 @@
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. α = 90° 너머는 가려지고, 그 안쪽은 그립니다.</translation>
+    </message>
+    <message>
+        <source>About rows of the picture</source>
+        <translation>그림의 행에 관한 것</translation>
+    </message>
+    <message>
+        <source>About triangles</source>
+        <translation>삼각형에 관한 것</translation>
+    </message>
+    <message>
+        <source>Rows %1 of the picture</source>
+        <translation>그림의 %1행</translation>
+    </message>
+    <message>
+        <source>Row %1 of the picture</source>
+        <translation>그림의 %1행</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>삼각형 %1</translation>
+    </message>
+    <message>
+        <source>Triangles %1 of %2</source>
+        <translation>%2의 삼각형 %1</translation>
+    </message>
+    <message>
+        <source>Triangle %1 of %2</source>
+        <translation>%2의 삼각형 %1</translation>
+    </message>
+    <message>
+        <source>the first %1 nodes alone</source>
+        <translation>처음 %1개 노드만</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle %1: it lies nearer, and so do all after it.</source>
+        <translation>삼각형 %2의 가장 먼 깊이 %4은(는) 삼각형 %1의 가장 가까운 깊이 %3을(를) 넘지 않는다. 이 삼각형과 그 뒤의 모든 삼각형이 더 가깝다.</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they overlap in depth.</source>
+        <translation>삼각형 %2의 가장 먼 깊이 %4은(는) 삼각형 %1의 가장 가까운 깊이 %3을(를) 넘는다. 깊이가 겹친다.</translation>
+    </message>
+    <message>
+        <source>Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>검사 1: x 방향으로 삼각형 %1은(는) 픽셀 %3에서, 삼각형 %2은(는) %4에서 끝난다. 떨어져 있다.</translation>
+    </message>
+    <message>
+        <source>Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>검사 1: x 방향으로 삼각형 %1와(과) %2이(가) 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+    </message>
+    <message>
+        <source>Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>검사 2: y 방향으로 삼각형 %1은(는) 픽셀 %3에서, 삼각형 %2은(는) %4에서 끝난다. 떨어져 있다.</translation>
+    </message>
+    <message>
+        <source>Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>검사 2: y 방향으로 삼각형 %1와(과) %2이(가) 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it lies wholly behind.</source>
+        <translation>검사 3: 눈에서 볼 때 삼각형 %1은(는) 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있다.</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it does not lie wholly behind.</source>
+        <translation>검사 3: 눈에서 볼 때 삼각형 %1은(는) 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있지는 않다.</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it lies wholly before.</source>
+        <translation>검사 4: 눈에서 볼 때 삼각형 %2은(는) 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it does not lie wholly before.</source>
+        <translation>검사 4: 눈에서 볼 때 삼각형 %2은(는) 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있지는 않다.</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1, with the farthest depth %3, come before triangle %2, with %4: the second one is taken first.</source>
+        <translation>어느 검사로도 가장 먼 깊이가 %3인 삼각형 %1이(가) 가장 먼 깊이가 %4인 삼각형 %2보다 먼저 올 수 없다. 뒤의 것을 먼저 다룬다.</translation>
+    </message>
+    <message>
+        <source>Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which is marked: a cycle, in which one is cut.</source>
+        <translation>가장 먼 깊이가 %3인 삼각형 %1은(는) 표시된 삼각형 %2(가장 먼 깊이 %4)을(를) 기다린다. 순환이므로 하나를 자른다.</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: 1 / depth of the first less that of the second goes from %3 to %4. One of them is cut.</source>
+        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 하나를 자른다.</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nowhere nearer.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것은 어디에서도 더 가깝지 않다.</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nearer somewhere.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것이 어딘가에서 더 가깝다.</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they count as apart.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영은 %3픽셀 겹친다. %4을(를) 넘지 않으므로 떨어진 것으로 본다.</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not apart.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영은 %3픽셀 겹친다. %4을(를) 넘으므로 떨어져 있지 않다.</translation>
+    </message>
+    <message>
+        <source>drawn polygons alone, above %1 triangles</source>
+        <translation>삼각형이 %1개를 넘어 그린 다각형만</translation>
+    </message>
+    <message>
+        <source>without depths and tests 1 and 2, above %1 triangles</source>
+        <translation>삼각형이 %1개를 넘어 깊이 비교와 검사 1, 2 생략</translation>
+    </message>
+    <message>
+        <source>the first %1 tests alone</source>
+        <translation>처음 %1개 검사만</translation>
+    </message>
+    <message>
+        <source>the first %1 polygons alone</source>
+        <translation>처음 %1개 다각형만</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 triangles</source>
+        <translation>삼각형이 %1개를 넘어 행의 띠별</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 pixels to look at</source>
+        <translation>살펴볼 픽셀이 %1개를 넘어 행의 띠별</translation>
+    </message>
+    <message>
+        <source>In these rows %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
+        <translation>이 행들에서 깊이 %1개를 저장된 깊이와 비교함. %2개가 더 가까워 저장됨. 픽셀 %3개에 면이 보입니다.</translation>
+    </message>
+    <message>
+        <source>causes by object, above %1 groups of triangles</source>
+        <translation>삼각형 묶음이 %1개를 넘어 원인은 물체별</translation>
+    </message>
+    <message>
+        <source>by row, above %1 spans</source>
+        <translation>스팬이 %1개를 넘어 행별</translation>
+    </message>
+    <message>
+        <source>without single edges, above %1 of them</source>
+        <translation>모서리가 %1개를 넘어 낱개 생략</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces, at x = %4.</source>
+        <translation>%1행에는 면 %3개의 활성 모서리가 %2개 있습니다. x = %4.</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
+        <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle ends before column %3.</source>
+        <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열 앞에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>results alone, above %1 objects</source>
+        <translation>물체가 %1개를 넘어 결과만</translation>
     </message>
 </context>
 <context>
@@ -5156,6 +5264,10 @@ OpenGL %2
         <source>Which triangles vanish?</source>
         <translation>어느 삼각형이 사라집니까?</translation>
     </message>
+    <message>
+        <source>The active view&apos;s strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other parameters.</source>
+        <translation>활성 뷰의 전략에는 여기에 잎이 %1개 있습니다. %2개를 넘으면 이름을 붙이지 않습니다. 더 작은 장면이나 다른 매개변수를 고르십시오.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionTree</name>
@@ -5866,6 +5978,10 @@ snapping</source>
     <message>
         <source>Show the whole frame again (F8)</source>
         <translation>프레임 전체를 다시 보기 (F8)</translation>
+    </message>
+    <message>
+        <source>The method itself records this frame coarser:</source>
+        <translation>방법 자체가 이 프레임을 더 성기게 기록합니다:</translation>
     </message>
 </context>
 <context>

@@ -2632,10 +2632,6 @@
         <translation>显示表面的像素</translation>
     </message>
     <message>
-        <source>In this tile %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
-        <translation>此图块中有 %1 个深度与已存深度比较；%2 个更近并被存入。%3 个像素显示表面。</translation>
-    </message>
-    <message>
         <source>comparisons of a depth buffer</source>
         <translation>深度缓冲所需的比较</translation>
     </message>
@@ -2948,10 +2944,6 @@
         <translation>关于三角形的一部分</translation>
     </message>
     <message>
-        <source>About a tile of the picture</source>
-        <translation>关于图像的块</translation>
-    </message>
-    <message>
         <source>About a piece of a row</source>
         <translation>关于一行的一段</translation>
     </message>
@@ -3046,10 +3038,6 @@
     <message>
         <source>Band %1</source>
         <translation>带 %1</translation>
-    </message>
-    <message>
-        <source>Tile %1 of the picture</source>
-        <translation>图像的块 %1</translation>
     </message>
     <message>
         <source>Piece %1 of a row, of %2</source>
@@ -3404,30 +3392,6 @@
         <translation>按视点所在侧统计节点</translation>
     </message>
     <message>
-        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
-        <translation>测试 3：三角形 %1 完全在三角形 %2 的平面之后，最多 %3。</translation>
-    </message>
-    <message>
-        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
-        <translation>测试 4：相对三角形 %1，三角形 %2 完全在视点一侧，最多 %3。</translation>
-    </message>
-    <message>
-        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
-        <translation>没有测试允许三角形 %1 先于三角形 %2，故先取后者；前者的最远深度为 %3。</translation>
-    </message>
-    <message>
-        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
-        <translation>三角形 %1 等待已标记的三角形 %2：构成循环，切开其中一个；前者的最远深度为 %3。</translation>
-    </message>
-    <message>
-        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
-        <translation>三角形 %1 与 %2 互相穿过：切开前者；1/深度 之差从 %3 开始。</translation>
-    </message>
-    <message>
-        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
-        <translation>测试 5：三角形 %1 与 %2 的投影分离，或前者更远：%3。</translation>
-    </message>
-    <message>
         <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
         <translation>没有必须先画的了：绘制三角形 %2 面积的 %1。</translation>
     </message>
@@ -3648,18 +3612,6 @@
         <translation>树最多可有多少个多边形（包括切开的）以及多少个节点。</translation>
     </message>
     <message>
-        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
-        <translation>三角形 %2 及其后的所有三角形都比整个三角形 %1 近，后者的最近深度为 %3。</translation>
-    </message>
-    <message>
-        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
-        <translation>测试 1：三角形 %1 与 %2 在 x 方向相隔 %3 像素。</translation>
-    </message>
-    <message>
-        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
-        <translation>测试 2：三角形 %1 与 %2 在 y 方向相隔 %3 像素。</translation>
-    </message>
-    <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
         <translation>三角形 %1 是剩余中最远的，最远深度为 %2。</translation>
     </message>
@@ -3842,6 +3794,162 @@
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
+    </message>
+    <message>
+        <source>About rows of the picture</source>
+        <translation>关于图像的行</translation>
+    </message>
+    <message>
+        <source>About triangles</source>
+        <translation>关于三角形</translation>
+    </message>
+    <message>
+        <source>Rows %1 of the picture</source>
+        <translation>图像的第 %1 行</translation>
+    </message>
+    <message>
+        <source>Row %1 of the picture</source>
+        <translation>图像的第 %1 行</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>Triangles %1 of %2</source>
+        <translation>%2 的三角形 %1</translation>
+    </message>
+    <message>
+        <source>Triangle %1 of %2</source>
+        <translation>%2 的三角形 %1</translation>
+    </message>
+    <message>
+        <source>the first %1 nodes alone</source>
+        <translation>仅前 %1 个节点</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle %1: it lies nearer, and so do all after it.</source>
+        <translation>三角形 %2 的最远深度 %4 不超过三角形 %1 的最近深度 %3：它及其后的所有三角形都更近。</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they overlap in depth.</source>
+        <translation>三角形 %2 的最远深度 %4 超过三角形 %1 的最近深度 %3：两者在深度上重叠。</translation>
+    </message>
+    <message>
+        <source>Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>测试 1：在 x 方向，三角形 %1 止于像素 %3，三角形 %2 止于 %4：两者分离。</translation>
+    </message>
+    <message>
+        <source>Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>测试 1：在 x 方向，三角形 %1 与 %2 都占有像素 %3 到 %4：并未分离。</translation>
+    </message>
+    <message>
+        <source>Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>测试 2：在 y 方向，三角形 %1 止于像素 %3，三角形 %2 止于 %4：两者分离。</translation>
+    </message>
+    <message>
+        <source>Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>测试 2：在 y 方向，三角形 %1 与 %2 都占有像素 %3 到 %4：并未分离。</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it lies wholly behind.</source>
+        <translation>测试 3：从视点看，三角形 %1 伸到三角形 %2 的平面之前 %3、之后 %4：它完全在后。</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it does not lie wholly behind.</source>
+        <translation>测试 3：从视点看，三角形 %1 伸到三角形 %2 的平面之前 %3、之后 %4：它并非完全在后。</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it lies wholly before.</source>
+        <translation>测试 4：从视点看，三角形 %2 伸到三角形 %1 的平面之前 %3、之后 %4：它完全在前。</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it does not lie wholly before.</source>
+        <translation>测试 4：从视点看，三角形 %2 伸到三角形 %1 的平面之前 %3、之后 %4：它并非完全在前。</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1, with the farthest depth %3, come before triangle %2, with %4: the second one is taken first.</source>
+        <translation>没有测试允许最远深度为 %3 的三角形 %1 先于最远深度为 %4 的三角形 %2：先取后者。</translation>
+    </message>
+    <message>
+        <source>Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which is marked: a cycle, in which one is cut.</source>
+        <translation>最远深度为 %3 的三角形 %1 等待已标记的三角形 %2（最远深度 %4）：构成循环，切开其中一个。</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: 1 / depth of the first less that of the second goes from %3 to %4. One of them is cut.</source>
+        <translation>三角形 %1 与 %2 互相穿过：前者的 1/深度 减后者的从 %3 到 %4。切开其中一个。</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nowhere nearer.</source>
+        <translation>测试 5：在三角形 %1 与 %2 的投影重叠处，前者的 1/深度 减后者的从 %3 到 %4：前者处处不更近。</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nearer somewhere.</source>
+        <translation>测试 5：在三角形 %1 与 %2 的投影重叠处，前者的 1/深度 减后者的从 %3 到 %4：前者在某处更近。</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they count as apart.</source>
+        <translation>测试 5：三角形 %1 与 %2 的投影重叠 %3 像素，不超过 %4：视为分离。</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not apart.</source>
+        <translation>测试 5：三角形 %1 与 %2 的投影重叠 %3 像素，超过 %4：并未分离。</translation>
+    </message>
+    <message>
+        <source>drawn polygons alone, above %1 triangles</source>
+        <translation>三角形超过 %1 个，仅记录绘制的多边形</translation>
+    </message>
+    <message>
+        <source>without depths and tests 1 and 2, above %1 triangles</source>
+        <translation>三角形超过 %1 个，省略深度比较和测试 1、2</translation>
+    </message>
+    <message>
+        <source>the first %1 tests alone</source>
+        <translation>仅前 %1 个测试</translation>
+    </message>
+    <message>
+        <source>the first %1 polygons alone</source>
+        <translation>仅前 %1 个多边形</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 triangles</source>
+        <translation>三角形超过 %1 个，按行带</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 pixels to look at</source>
+        <translation>要查看的像素超过 %1 个，按行带</translation>
+    </message>
+    <message>
+        <source>In these rows %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
+        <translation>这些行中有 %1 个深度与已存深度比较；%2 个更近并被存入。%3 个像素显示表面。</translation>
+    </message>
+    <message>
+        <source>causes by object, above %1 groups of triangles</source>
+        <translation>三角形组超过 %1 个，原因按物体</translation>
+    </message>
+    <message>
+        <source>by row, above %1 spans</source>
+        <translation>扫描段超过 %1 个，按行</translation>
+    </message>
+    <message>
+        <source>without single edges, above %1 of them</source>
+        <translation>边超过 %1 条，不逐条记录</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces, at x = %4.</source>
+        <translation>第 %1 行有 %3 个表面的 %2 条活动边，位于 x = %4。</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
+        <translation>它的一条边是活动的：在第 %1 行位于 x = %2，三角形从第 %3 列开始。</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle ends before column %3.</source>
+        <translation>它的一条边是活动的：在第 %1 行位于 x = %2，三角形在第 %3 列之前结束。</translation>
+    </message>
+    <message>
+        <source>results alone, above %1 objects</source>
+        <translation>物体超过 %1 个，仅记录结果</translation>
     </message>
 </context>
 <context>
@@ -5156,6 +5264,10 @@ OpenGL %2
         <source>Which triangles vanish?</source>
         <translation>哪些三角形会消失？</translation>
     </message>
+    <message>
+        <source>The active view&apos;s strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other parameters.</source>
+        <translation>活动视图的策略在此有 %1 个叶：超过 %2 个则不命名。请选择更小的场景或其他参数。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionTree</name>
@@ -5866,6 +5978,10 @@ snapping</source>
     <message>
         <source>Show the whole frame again (F8)</source>
         <translation>重新显示整帧（F8）</translation>
+    </message>
+    <message>
+        <source>The method itself records this frame coarser:</source>
+        <translation>该方法本身对此帧的记录较粗：</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/frame/frame_context.h"
 #include "core/visibility/spherical/decision.h"
 
@@ -8,6 +9,11 @@ namespace cullscope::spherical {
 /// In a scene of more objects the tests of an object's rays, bands and cells are not recorded, only their results: they would
 /// take hundreds of megabytes.
 inline constexpr size_t kMostWithTests = 64;
+
+/// Says so of a frame.
+inline void sayResultsAlone(FrameContext& frame) {
+    frame.sayCoarser({CULLSCOPE_TR("results alone, above %1 objects"), {std::to_string(kMostWithTests)}});
+}
 
 /// The numbers of the groups of cells (Subject::Kind::Cells) of which decisions speak: the visible region, the boxes around it,
 /// and the ranges of SphericalDecision::drawn.
