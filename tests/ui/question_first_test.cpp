@@ -261,7 +261,7 @@ TEST_F(QuestionAboutParts, leavesAreAskedForInAnyScene) {
     ask(Prediction::Question::Place);
     QuestionTree& tree = window.questionTree();
     ASSERT_TRUE(waitUntil([&] { return session.questionParts() && tree.model().rowCount() > 1; }));
-    const NamedParts& parts = *session.questionParts();
+    const NamedParts parts = *session.questionParts();
     ASSERT_EQ(parts.parts.size(), 9u);
     ASSERT_EQ(parts.places.size(), 9u);
     EXPECT_EQ(window.questionBar().place().count(), 10);
