@@ -45,6 +45,8 @@ SubjectShape BuiltStrategy::groupShape(const StructureSnapshot& snapshot, uint32
 
 NamedParts BuiltStrategy::parts(const FrameLog& log) const { return m_strategy->parts(*m_structure, log); }
 
+NamedParts BuiltStrategy::partsByLeaf(const FrameLog& log) const { return m_strategy->partsByLeaf(*m_structure, log); }
+
 std::vector<OverlayLines> BuiltStrategy::overlay(std::string_view id, const OverlayContext& context, const FrameLog& log) const {
     if (m_info.show(id) == nullptr) return {};
     return m_strategy->overlay(id, context, *m_structure, log);

@@ -41,6 +41,7 @@ public:
         return m_strategy->groupAt(*m_structure, triangle, point);
     }
     [[nodiscard]] NamedParts parts(const FrameLog& log) const;
+    [[nodiscard]] NamedParts partsByLeaf(const FrameLog& log) const;
 
     [[nodiscard]] std::vector<MeshStates> meshStates() const { return m_strategy->meshStates(*m_structure, m_parameters); }
 

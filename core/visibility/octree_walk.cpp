@@ -256,4 +256,18 @@ void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const 
         if (!snapshot.nodes[i].isGroup()) snapshot.nodes[i].parent = leafOf[snapshot.nodes[i].instance];
 }
 
+NamedParts objectsByLeaf(const InstanceOctree& octree, const Scene& scene) {
+    NamedParts result;
+    result.leaves = size_t(std::ranges::count_if(octree.nodes(), &InstanceOctree::Node::leaf));
+    if (result.leaves > NamedParts::kMostLeaves) return result;
+    for (size_t number = 0; number < octree.nodes().size(); ++number) {
+        if (!octree.nodes()[number].leaf()) continue;
+        for (const uint32_t instance : octree.instancesOf(octree.nodes()[number]))
+            result.parts.push_back({scene.instances()[instance].name, instance, result.places.size()});
+        result.places.push_back(std::to_string(number));
+    }
+    std::ranges::sort(result.parts, {}, &NamedParts::Part::object);
+    return result;
+}
+
 }  // namespace cullscope

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/frame/frame_context.h"
+#include "core/frame/named_parts.h"
 #include "core/spatial/instance_octree.h"
 #include "core/visibility/structure_snapshot.h"
 
@@ -73,5 +74,8 @@ void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const V
 /// Appends the octree's nodes to `snapshot` as groups, with the results of a recorded walk (for nodes that it did not visit,
 /// those of the nearest visited ancestor), and makes the leaves the parents of the objects' nodes that `snapshot` already has.
 void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const FrameLog& log);
+
+/// The objects, and the leaves in which they lie by their numbers, for questions about these.
+[[nodiscard]] NamedParts objectsByLeaf(const InstanceOctree& octree, const Scene& scene);
 
 }  // namespace cullscope

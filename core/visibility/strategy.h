@@ -177,6 +177,9 @@ public:
     }
     /// The parts into which a recorded frame cut the scene's objects (frame/named_parts.h), and the places in which they lie.
     [[nodiscard]] virtual NamedParts parts(const Structure& structure, const FrameLog& log) const;
+    /// The same for questions about the place in which a part lies: here parts are what lies in one leaf of the strategy's own
+    /// tree. Those of `parts`, unless a strategy knows more.
+    [[nodiscard]] virtual NamedParts partsByLeaf(const Structure& structure, const FrameLog& log) const;
 
     // What the strategy declares in StrategyInfo::shows, of a recorded frame.
 

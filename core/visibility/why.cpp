@@ -36,7 +36,8 @@ WhyStep step(const Decision& decision) {
 std::array<uint64_t, kCauseCount> culledInPart(const FrameLog& log, uint32_t instance) {
     std::array<uint64_t, kCauseCount> counts{};
     for (const Decision& decision : log.decisions) {
-        if (decision.subject.kind != Subject::Kind::Cell || decision.subject.object != instance) continue;
+        const bool counted = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Triangles;
+        if (!counted || decision.subject.object != instance) continue;
         uint64_t& count = counts[size_t(decision.cause)];
         if (decision.outcome == Decision::Outcome::Culled) count += decision.places.count;
         if (decision.outcome == Decision::Outcome::DrawnAfterAll) count -= decision.places.count;
@@ -131,8 +132,7 @@ void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, ui
     uint64_t place = 0;
     while (place < scene.meshOf(instance).triangleCount() && triangleAt(log.order.get(), mesh, place) != own) ++place;
     const auto holds = [&](const Decision& decision) {
-        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
-        return cells && decision.subject.object == instance && decision.places.first <= place &&
+        return decision.subject.holdsTriangles() && decision.subject.object == instance && decision.places.first <= place &&
                place - decision.places.first < decision.places.count;
     };
     const auto last = std::find_if(log.decisions.rbegin(), log.decisions.rend(), [&](const Decision& decision) {

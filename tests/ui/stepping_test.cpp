@@ -191,6 +191,21 @@ TEST_F(Stepping, anotherSceneEndsIt) {
     settleAll();
 }
 
+TEST_F(Stepping, barSaysWhereTheMethodRecordsCoarser) {
+    begin();
+    EXPECT_FALSE(window.stepBar().placeText().contains(QLatin1Char('('))) << "every decision of a small scene is recorded";
+    session.slot(0).choose("painter");
+    settleAll();
+    const auto says = [&] {
+        return window.stepBar().placeText().endsWith(QStringLiteral("(without depths and tests 1 and 2, above 1000 triangles)"));
+    };
+    EXPECT_TRUE(waitUntil(says)) << window.stepBar().placeText().toStdString();
+    const QList<QLabel*> labels = window.stepBar().findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+        return label->toolTip().contains(QStringLiteral("\n• without depths and tests 1 and 2"));
+    }));
+}
+
 TEST_F(Stepping, measuredFramesAreNotRecorded) {
     begin();
     showStep(3);

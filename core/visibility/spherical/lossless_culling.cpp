@@ -61,6 +61,7 @@ public:
         sortNearestFirst(kept, scene(), m_frame.view().eye());
         std::vector<WalkedObject> decided(kept.size());
         m_tests = kept.size() <= kMostWithTests;
+        if (m_frame.recording() && !m_tests) sayResultsAlone(m_frame);
         {
             const StageTimer stage(m_frame, CULLSCOPE_TR("cells"));
             const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i]); };

@@ -45,6 +45,7 @@ void MappedCulling::decide(FrameContext& frame, const MappedScene& structure, Vi
     {
         const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
         if (frame.recording()) frame.countPlacesIn(structure.order);
+        if (frame.recording() && decided.size() > kMostWithTests) sayResultsAlone(frame);
         for (MappedObject& object : decided) {
             const MappedMesh& mesh = structure.meshOf(object.decision.instance);
             if (!mesh.maps) continue;

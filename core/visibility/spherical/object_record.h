@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/base/message.h"
 #include "core/frame/frame_context.h"
 
 namespace cullscope::spherical {
@@ -7,6 +8,11 @@ namespace cullscope::spherical {
 /// In a scene of more objects the tests of an object's rays, bands and cells are not recorded, only their results: they would
 /// take hundreds of megabytes.
 inline constexpr size_t kMostWithTests = 64;
+
+/// Says so of a frame.
+inline void sayResultsAlone(FrameContext& frame) {
+    frame.sayCoarser({CULLSCOPE_TR("results alone, above %1 objects"), {std::to_string(kMostWithTests)}});
+}
 
 /// What is said of one object while it is decided. Objects are decided side by side, so that each has a record of its own, in
 /// which its decisions stand as they fell; the frame gets the records one after the other.

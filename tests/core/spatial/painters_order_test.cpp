@@ -94,6 +94,46 @@ const std::vector<Pair>& pairs() {
     return kPairs;
 }
 
+/// That the two numbers of a step decide its test as they are said to.
+void expectCompared(const NewellStep& step) {
+    const bool passed = step.kind == NewellStep::Kind::Compared;
+    switch (step.test) {
+        case NewellTest::Depth:
+            EXPECT_EQ(step.second <= step.first, passed) << "Q's farthest depth and P's nearest one";
+            break;
+        case NewellTest::ExtentX:
+        case NewellTest::ExtentY:
+            EXPECT_GE(std::min(step.first, step.second), 0.0) << "pixels";
+            EXPECT_LE(std::max(step.first, step.second), 320.0);
+            if (!passed) {
+                EXPECT_LT(step.first, step.second) << "what both have";
+            }
+            break;
+        case NewellTest::BehindQ:
+            EXPECT_GE(std::min(step.first, step.second), 0.0);
+            if (passed) {
+                EXPECT_LE(step.first, 1e-9) << "P before the plane of Q";
+            }
+            break;
+        case NewellTest::BeforeP:
+            EXPECT_GE(std::min(step.first, step.second), 0.0);
+            if (passed) {
+                EXPECT_LE(step.second, 1e-9) << "Q behind the plane of P";
+            }
+            break;
+        case NewellTest::Projections:
+            EXPECT_EQ(step.byDepth ? step.second <= 0.0 : step.first <= step.second, passed);
+            break;
+        case NewellTest::Swap:
+        case NewellTest::Cycle:
+            EXPECT_GT(std::min(step.first, step.second), 0.0) << "depths";
+            break;
+        case NewellTest::Pierce:
+            EXPECT_LT(step.first, 0.0);
+            EXPECT_GT(step.second, 0.0);
+    }
+}
+
 TEST(PaintersOrder, eachOfNewellsTestsDecidesOnce) {
     for (const Pair& pair : pairs()) {
         SCOPED_TRACE(pair.name);
@@ -107,16 +147,22 @@ TEST(PaintersOrder, eachOfNewellsTestsDecidesOnce) {
             EXPECT_EQ(result.comparisons(), 1u);
             EXPECT_EQ(result.count(pair.decides), 1u);
             using Kind = NewellStep::Kind;
-            ASSERT_EQ(result.steps.size(), 5u) << "P, what decided, P is drawn, and the other one";
+            const auto failed = size_t(pair.decides);
+            ASSERT_EQ(result.steps.size(), failed + 5) << "P, what failed, what decided, P is drawn, and the other one";
             EXPECT_EQ(result.steps[0].kind, Kind::Taken);
             EXPECT_EQ(result.steps[0].p, 0u);
             EXPECT_NEAR(result.steps[0].first, 7.0, 1e-9) << "the farthest depth";
-            EXPECT_EQ(result.steps[1].kind, Kind::Compared);
-            EXPECT_EQ(result.steps[1].test, pair.decides);
-            EXPECT_EQ(result.steps[2].kind, Kind::Drawn);
-            EXPECT_EQ(result.steps[2].p, 0u);
-            EXPECT_EQ(result.steps[3].kind, Kind::Taken);
-            EXPECT_EQ(result.steps[4].kind, Kind::Drawn);
+            for (size_t test = 0; test < failed; ++test) {
+                EXPECT_EQ(result.steps[1 + test].kind, Kind::Failed);
+                EXPECT_EQ(size_t(result.steps[1 + test].test), test) << "in the order of their numbers";
+            }
+            for (size_t test = 0; test <= failed; ++test) expectCompared(result.steps[1 + test]);
+            EXPECT_EQ(result.steps[failed + 1].kind, Kind::Compared);
+            EXPECT_EQ(result.steps[failed + 1].test, pair.decides);
+            EXPECT_EQ(result.steps[failed + 2].kind, Kind::Drawn);
+            EXPECT_EQ(result.steps[failed + 2].p, 0u);
+            EXPECT_EQ(result.steps[failed + 3].kind, Kind::Taken);
+            EXPECT_EQ(result.steps[failed + 4].kind, Kind::Drawn);
         }
     }
 }
@@ -211,6 +257,30 @@ TEST(PaintersOrder, millionCoplanarTrianglesAreSortedWithALookInEveryTenthOfASec
     EXPECT_GT(watched.steps(), scene->triangleCount());
     EXPECT_EQ(order.polygons.size(), scene->triangleCount());
     EXPECT_EQ(triangles.cuts(), 0u);
+}
+
+TEST(PaintersOrder, everyComparisonIsWatchedFromItsFirstTestToTheOneThatEndsIt) {
+    for (uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Ordered result = ordered(hardScene(seed), {}, front({320, 240}));
+        std::array<uint64_t, kNewellTests> decided{};
+        std::optional<NewellStep> before;  // a test that failed
+        for (const NewellStep& step : result.steps) {
+            const bool fails = step.kind == NewellStep::Kind::Failed;
+            if (before) {
+                ASSERT_TRUE(fails || step.kind == NewellStep::Kind::Compared) << "another test follows";
+                EXPECT_EQ(step.p, before->p);
+                EXPECT_EQ(step.q, before->q);
+                EXPECT_TRUE(step.test > before->test || (step.byDepth && step.test == before->test));
+            } else if (fails) {
+                EXPECT_EQ(step.test, NewellTest::Depth) << "a comparison begins with the depths";
+            }
+            before = fails ? std::optional(step) : std::nullopt;
+            if (step.kind == NewellStep::Kind::Compared) ++decided[size_t(step.test)];
+            if (fails || step.kind == NewellStep::Kind::Compared) expectCompared(step);
+        }
+        EXPECT_EQ(decided, result.order.tests);
+    }
 }
 
 }  // namespace

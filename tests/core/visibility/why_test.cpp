@@ -222,7 +222,8 @@ std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& 
             named[size_t(decision.cause)] += triangles;
             missing[instance] -= triangles;
         };
-        if (decision.subject.kind == Subject::Kind::Cell) name(decision.subject.object, decision.places.count);
+        if (decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Triangles)
+            name(decision.subject.object, decision.places.count);
         forObjectsOf(frame.log, decision, [&](uint32_t instance) { name(instance, missing[instance]); });
     }
     EXPECT_THAT(missing, testing::Each(0u)) << "left out without a decision";
