@@ -8,6 +8,7 @@
 #include "core/scene/layers_scene.h"
 #include "core/scene/plant/plant_scene.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/rvm/rvm_scene.h"
 #include "core/scene/split_scene.h"
 #include "embedded/lecture.h"
 
@@ -40,6 +41,10 @@ OpenedScene sceneOfPolygons(PolygonScene read, std::string specification) {
 
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
     if (isPolygonFile(path)) return sceneOfPolygons(readPolygonFile(path, options.load, progress), path.string());
+    if (isRvmFile(path)) {
+        RvmScene read = readRvmFile(path, progress);
+        return {std::move(read.scene), path.string(), std::move(read.report)};
+    }
     LoadedFile file = loadMeshFile(path, options.load, progress);
     std::vector<MeshPointer> meshes;
     std::vector<Instance> instances;
