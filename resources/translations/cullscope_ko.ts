@@ -3843,6 +3843,214 @@
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. α = 90° 너머는 가려지고, 그 안쪽은 그립니다.</translation>
     </message>
+    <message>
+        <source>sphere</source>
+        <translation>구</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>원기둥</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>원뿔</translation>
+    </message>
+    <message>
+        <source>eccentric cone</source>
+        <translation>편심 원뿔</translation>
+    </message>
+    <message>
+        <source>mitred cylinder</source>
+        <translation>사선 절단 원기둥</translation>
+    </message>
+    <message>
+        <source>circular torus</source>
+        <translation>원형 단면 토러스</translation>
+    </message>
+    <message>
+        <source>rectangular torus</source>
+        <translation>사각 단면 토러스</translation>
+    </message>
+    <message>
+        <source>ellipsoidal dish</source>
+        <translation>타원체 경판</translation>
+    </message>
+    <message>
+        <source>spherical dish</source>
+        <translation>구형 경판</translation>
+    </message>
+    <message>
+        <source>torispherical head</source>
+        <translation>접시형 경판</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>직육면체</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>쐐기</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>각뿔</translation>
+    </message>
+    <message>
+        <source>frustum of a pyramid</source>
+        <translation>각뿔대</translation>
+    </message>
+    <message>
+        <source>prism</source>
+        <translation>각기둥</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>원판</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>고리</translation>
+    </message>
+    <message>
+        <source>hollow cylinder</source>
+        <translation>속 빈 원기둥</translation>
+    </message>
+    <message>
+        <source>%1: of these sizes it has no surface, but is a point or a line.</source>
+        <translation>%1: 이 크기로는 면이 없고 점이나 선이 됩니다.</translation>
+    </message>
+    <message>
+        <source>%1: its lengths are numbers from 0 to 1e30.</source>
+        <translation>%1: 길이는 0에서 1e30 사이의 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its angle is more than 0 and at most 360 degrees.</source>
+        <translation>%1: 각도는 0보다 크고 360도 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its inner radius is smaller than its outer one.</source>
+        <translation>%1: 안쪽 반지름은 바깥쪽 반지름보다 작아야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its ends are cut at less than 90 degrees.</source>
+        <translation>%1: 양 끝은 90도보다 작은 각도로 잘려야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its slanted ends do not cut each other. Make it longer or cut it less.</source>
+        <translation>%1: 비스듬한 양 끝이 서로 만나서는 안 됩니다. 더 길게 하거나 덜 자르십시오.</translation>
+    </message>
+    <message>
+        <source>%1: its tube is no thicker than its ring allows.</source>
+        <translation>%1: 관이 고리가 허용하는 것보다 굵을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: its crown is at least as wide as its vessel, and its knuckle at most.</source>
+        <translation>%1: 크라운은 용기 반지름 이상, 너클은 용기 반지름 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: it has 3 to 1000 sides.</source>
+        <translation>%1: 옆면은 3개에서 1000개까지입니다.</translation>
+    </message>
+    <message>
+        <source>facet group</source>
+        <translation>면 모음</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>선</translation>
+    </message>
+    <message>
+        <source>Generating the plant</source>
+        <translation>플랜트를 만드는 중</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an RVM file begins with a record HEAD.</source>
+        <translation>%1, %2번째 바이트: RVM 파일은 HEAD 레코드로 시작합니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record MODL is missing after HEAD.</source>
+        <translation>%1, %2번째 바이트: HEAD 다음에 MODL 레코드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record &quot;%3&quot; is unknown. Export the file again.</source>
+        <translation>%1, %2번째 바이트: &quot;%3&quot; 레코드를 알 수 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file ends within a group.</source>
+        <translation>%1, %2번째 바이트: 파일이 그룹 안에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record %3 is too short for what it holds.</source>
+        <translation>%1, %2번째 바이트: %3 레코드가 담긴 내용에 비해 짧습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off within a record. Fetch or export it again.</source>
+        <translation>%1, %2번째 바이트: 파일이 레코드 중간에서 끊깁니다. 다시 받거나 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is no number but an infinity or NaN.</source>
+        <translation>%1, %2번째 바이트: 수가 아니라 무한대나 NaN이 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is a text of %3 words, too long to be one.</source>
+        <translation>%1, %2번째 바이트: 여기 텍스트의 길이가 %3워드로, 텍스트라기에는 너무 깁니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here are to be %3 items, more than the record has room for.</source>
+        <translation>%1, %2번째 바이트: 항목이 %3개라고 하지만 레코드에 그만한 자리가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off before its record END.</source>
+        <translation>%1, %2번째 바이트: 파일이 END 레코드 앞에서 끊깁니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: no record of an RVM file begins here.</source>
+        <translation>%1, %2번째 바이트: 여기서 시작하는 RVM 레코드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the next record is said to begin at byte %3, which is not after this one in the file.</source>
+        <translation>%1, %2번째 바이트: 다음 레코드가 %3번째 바이트에서 시작한다고 하지만, 그곳은 파일 안에서 이 레코드 뒤가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: groups lie deeper in each other than %3.</source>
+        <translation>%1, %2번째 바이트: 그룹이 %3단계보다 깊이 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a group ends that has not begun.</source>
+        <translation>%1, %2번째 바이트: 시작하지 않은 그룹이 끝납니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no primitive of kind %3.</source>
+        <translation>%1, %2번째 바이트: 종류가 %3인 기본 입체는 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a primitive lies outside of all groups.</source>
+        <translation>%1, %2번째 바이트: 기본 입체가 어느 그룹에도 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 holds no surface. Export the plant with its primitives.</source>
+        <translation>%1에 면이 없습니다. 플랜트를 기본 입체와 함께 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Primitives left out because no such solid exists: %1. The first, at byte %2: %3</source>
+        <translation>그런 입체가 있을 수 없어 뺀 기본 입체: %1개. 첫 번째는 %2번째 바이트: %3</translation>
+    </message>
+    <message>
+        <source>Its transform is flat.</source>
+        <translation>변환이 납작합니다.</translation>
+    </message>
+    <message>
+        <source>a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms</source>
+        <translation>기본 입체로 된 공정 플랜트: 배관이 놓인 파이프 랙, 기기, 철골, 플랫폼</translation>
+    </message>
+    <message>
+        <source>how many pipelines</source>
+        <translation>배관의 수</translation>
+    </message>
+    <message>
+        <source>number that the plant starts from</source>
+        <translation>플랜트를 만드는 시작 수</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>

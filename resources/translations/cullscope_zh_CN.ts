@@ -3843,6 +3843,214 @@
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
     </message>
+    <message>
+        <source>sphere</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>圆柱</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>圆锥</translation>
+    </message>
+    <message>
+        <source>eccentric cone</source>
+        <translation>偏心圆锥</translation>
+    </message>
+    <message>
+        <source>mitred cylinder</source>
+        <translation>斜切圆柱</translation>
+    </message>
+    <message>
+        <source>circular torus</source>
+        <translation>圆截面圆环</translation>
+    </message>
+    <message>
+        <source>rectangular torus</source>
+        <translation>矩形截面圆环</translation>
+    </message>
+    <message>
+        <source>ellipsoidal dish</source>
+        <translation>椭球封头</translation>
+    </message>
+    <message>
+        <source>spherical dish</source>
+        <translation>球冠封头</translation>
+    </message>
+    <message>
+        <source>torispherical head</source>
+        <translation>碟形封头</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>楔体</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>棱锥</translation>
+    </message>
+    <message>
+        <source>frustum of a pyramid</source>
+        <translation>棱台</translation>
+    </message>
+    <message>
+        <source>prism</source>
+        <translation>棱柱</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>圆盘</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>圆环面</translation>
+    </message>
+    <message>
+        <source>hollow cylinder</source>
+        <translation>空心圆柱</translation>
+    </message>
+    <message>
+        <source>%1: of these sizes it has no surface, but is a point or a line.</source>
+        <translation>%1：这样的尺寸没有表面，只是一个点或一条线。</translation>
+    </message>
+    <message>
+        <source>%1: its lengths are numbers from 0 to 1e30.</source>
+        <translation>%1：长度必须是 0 到 1e30 之间的数。</translation>
+    </message>
+    <message>
+        <source>%1: its angle is more than 0 and at most 360 degrees.</source>
+        <translation>%1：角度必须大于 0 且不超过 360 度。</translation>
+    </message>
+    <message>
+        <source>%1: its inner radius is smaller than its outer one.</source>
+        <translation>%1：内半径必须小于外半径。</translation>
+    </message>
+    <message>
+        <source>%1: its ends are cut at less than 90 degrees.</source>
+        <translation>%1：两端的切角必须小于 90 度。</translation>
+    </message>
+    <message>
+        <source>%1: its slanted ends do not cut each other. Make it longer or cut it less.</source>
+        <translation>%1：两个斜端面不能相交。请加长或减小切角。</translation>
+    </message>
+    <message>
+        <source>%1: its tube is no thicker than its ring allows.</source>
+        <translation>%1：管不能比圆环允许的更粗。</translation>
+    </message>
+    <message>
+        <source>%1: its crown is at least as wide as its vessel, and its knuckle at most.</source>
+        <translation>%1：冠部半径不得小于容器半径，过渡圆角半径不得大于容器半径。</translation>
+    </message>
+    <message>
+        <source>%1: it has 3 to 1000 sides.</source>
+        <translation>%1：侧面数为 3 到 1000。</translation>
+    </message>
+    <message>
+        <source>facet group</source>
+        <translation>面片组</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>Generating the plant</source>
+        <translation>正在生成工厂</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an RVM file begins with a record HEAD.</source>
+        <translation>%1，第 %2 字节：RVM 文件以 HEAD 记录开头。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record MODL is missing after HEAD.</source>
+        <translation>%1，第 %2 字节：HEAD 之后缺少 MODL 记录。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record &quot;%3&quot; is unknown. Export the file again.</source>
+        <translation>%1，第 %2 字节：未知的记录“%3”。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file ends within a group.</source>
+        <translation>%1，第 %2 字节：文件在一个组内结束。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record %3 is too short for what it holds.</source>
+        <translation>%1，第 %2 字节：记录 %3 对其内容而言太短。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off within a record. Fetch or export it again.</source>
+        <translation>%1，第 %2 字节：文件在记录中间中断。请重新获取或导出。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is no number but an infinity or NaN.</source>
+        <translation>%1，第 %2 字节：此处不是数，而是无穷大或 NaN。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is a text of %3 words, too long to be one.</source>
+        <translation>%1，第 %2 字节：此处文本长 %3 个字，过长而不可能是文本。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here are to be %3 items, more than the record has room for.</source>
+        <translation>%1，第 %2 字节：此处声称有 %3 项，超出记录所能容纳的数量。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off before its record END.</source>
+        <translation>%1，第 %2 字节：文件在 END 记录之前中断。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: no record of an RVM file begins here.</source>
+        <translation>%1，第 %2 字节：此处没有 RVM 文件的记录开始。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the next record is said to begin at byte %3, which is not after this one in the file.</source>
+        <translation>%1，第 %2 字节：声称下一条记录从第 %3 字节开始，但那里不在文件中本记录之后。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: groups lie deeper in each other than %3.</source>
+        <translation>%1，第 %2 字节：组的嵌套深度超过 %3。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a group ends that has not begun.</source>
+        <translation>%1，第 %2 字节：一个尚未开始的组结束了。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no primitive of kind %3.</source>
+        <translation>%1，第 %2 字节：没有种类为 %3 的体素。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a primitive lies outside of all groups.</source>
+        <translation>%1，第 %2 字节：一个体素不属于任何组。</translation>
+    </message>
+    <message>
+        <source>%1 holds no surface. Export the plant with its primitives.</source>
+        <translation>%1 不含任何表面。请连同体素一起导出工厂。</translation>
+    </message>
+    <message>
+        <source>Primitives left out because no such solid exists: %1. The first, at byte %2: %3</source>
+        <translation>因不存在这样的形体而略去的体素：%1。第一个位于第 %2 字节：%3</translation>
+    </message>
+    <message>
+        <source>Its transform is flat.</source>
+        <translation>其变换是扁平的。</translation>
+    </message>
+    <message>
+        <source>a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms</source>
+        <translation>由基本体素组成的流程工厂：带管线的管廊、设备、钢结构和平台</translation>
+    </message>
+    <message>
+        <source>how many pipelines</source>
+        <translation>管线数量</translation>
+    </message>
+    <message>
+        <source>number that the plant starts from</source>
+        <translation>生成工厂的种子数</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::AboutDialog</name>
