@@ -10,6 +10,9 @@
 #include "core/visibility/frustum/frustum_octree.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/ordering/ordering.h"
+#include "core/visibility/small_feature/small_feature.h"
+#include "core/visibility/small_feature/small_feature_bounded.h"
+#include "core/visibility/small_feature/small_feature_triangle.h"
 #include "core/visibility/software/software_raster.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
@@ -35,6 +38,9 @@ const std::vector<RegisteredStrategy>& strategies() {
         occlusion::octreeQuery(),
         ordering::painter(),
         ordering::bsp(),
+        small_feature::smallFeature(),
+        small_feature::smallFeatureTriangle(),
+        small_feature::smallFeatureBounded(),
         distance::drawDistance(),
     };
     // clang-format on

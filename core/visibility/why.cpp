@@ -90,7 +90,9 @@ const SnapshotNode* decidingGroup(const StructureSnapshot& snapshot, uint32_t in
 /// The group that the object was tested with, where it contains other objects too.
 std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t instance) {
     const SnapshotNode* group = decidingGroup(snapshot, instance);
-    if (group == nullptr || group->objects < 2) return std::nullopt;
+    // What is left out by its size is left out with its group, however few objects that has.
+    const bool bySize = group != nullptr && group->culled && (group->cause == Cause::TooSmall || group->cause == Cause::NoSample);
+    if (group == nullptr || (group->objects < 2 && !bySize)) return std::nullopt;
     const std::string count = std::to_string(group->objects);
     Message sentence{
         snapshot.groupSentence != nullptr
@@ -101,6 +103,8 @@ std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t ins
     if (group->culled && group->cause == Cause::Hidden)
         sentence = {CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it."),
                     {count}};
+    else if (bySize)
+        sentence = {CULLSCOPE_TR("It is left out with its whole group (objects: %1): %2."), {count, causeName(group->cause)}};
     else if (group->culled && !group->rejectedBy)
         sentence = {
             CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum."),
