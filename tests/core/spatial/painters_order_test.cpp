@@ -7,6 +7,7 @@
 
 #include "tests/support/cut_scenes.h"
 #include "tests/support/long_mode.h"
+#include "tests/support/ordered_samples.h"
 #include "tests/support/stopped_work.h"
 
 namespace cullscope::test::painters_order_test {
@@ -20,7 +21,8 @@ struct Ordered {
     std::vector<uint32_t> triangles;  ///< far to near
     PaintersOrder order;
     std::vector<NewellStep> steps;
-    std::vector<double> shares;  ///< of each scene triangle's area, summed over its polygons
+    std::vector<double> shares;              ///< of each scene triangle's area, summed over its polygons
+    std::vector<std::vector<Vec3>> corners;  ///< of the polygons in their order, relative to the eye
 
     [[nodiscard]] uint64_t count(NewellTest test) const { return order.tests[size_t(test)]; }
     /// Of all comparisons.
@@ -42,6 +44,8 @@ Ordered ordered(const ScenePointer& scene, PaintersOptions options = {}, const V
         const uint32_t triangle = triangles.polygons()[polygon].triangle;
         result.triangles.push_back(triangle);
         result.shares[triangle] += triangles.share(polygon);
+        for (std::vector<Vec3>& corners = result.corners.emplace_back(); const auto& corner : triangles.cornersOf(polygon))
+            corners.push_back(triangles.position(corner.vertex) - view.eye());
     }
     return result;
 }
@@ -281,6 +285,57 @@ TEST(PaintersOrder, everyComparisonIsWatchedFromItsFirstTestToTheOneThatEndsIt) 
         }
         EXPECT_EQ(decided, result.order.tests);
     }
+}
+
+TEST(PaintersOrder, nearestPolygonIsDrawnLastAtEverySample) {
+    for (uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        for (const ScenePointer& scene : {hardScene(seed), sceneOf({randomTriangles(seed, 30, 1.5)})}) {
+            const Ordered result = ordered(scene, {}, front({40, 30}));
+            EXPECT_EQ(wrongSamples(result.corners, front({40, 30})), 0u);
+            for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
+        }
+    }
+}
+
+TEST(PaintersOrder, limitRefusesTheFirstCutThatIsTooMany) {
+    const ScenePointer piercing = sceneWith({{-1, -1, -1}, {1, -1, 1}, {0, 1, 0}, {-1, -1, 1}, {1, -1, -1}, {0, 1, 0}});
+    try {
+        (void)ordered(piercing, {.limit = 2});
+        FAIL() << "a cut makes a third polygon";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("were cut 0 times"), std::string::npos) << error.what();
+    }
+}
+
+TEST(PaintersOrder, polygonThatWaitedIsTakenAgain) {
+    const Ordered result =
+        ordered(sceneWith({{-3, -1, -2}, {1, -1, .6f}, {1, 1, .6f}, {0, -.5f, -.8f}, {.8f, -.5f, -.7f}, {.8f, .2f, -.6f}}));
+    std::vector<uint32_t> again;
+    for (const NewellStep& step : result.steps)
+        if (step.kind == NewellStep::Kind::Again) again.push_back(step.p);
+    EXPECT_THAT(again, ElementsAre(0));
+}
+
+TEST(PaintersOrder, whatCoversNoSampleIsCountedAndDrawnFirst) {
+    const Ordered result = ordered(layers({0, 1, 20}));
+    EXPECT_EQ(result.order.unordered, 1u) << "behind the eye";
+    EXPECT_THAT(result.triangles, ElementsAre(2, 0, 1));
+}
+
+TEST(PaintersOrder, mirroredObjectKeepsTheFrontOfItsTriangles) {
+    // The corners of both run counter-clockwise in their mesh; the transform of the second one turns them over.
+    const MeshPointer square = squareMesh(1, 0);
+    const ScenePointer scene = sceneOf({square, square}, {Mat4(1.0), translation({0, 0, 1}) * scaling({-1, 1, 1})});
+    EXPECT_EQ(ordered(scene, {.facing = Facing::Front}).order.unordered, 0u) << "both face the eye";
+}
+
+TEST(PaintersOrder, testThatFailsNamesWhatBothExtentsHave) {
+    const Ordered result = ordered(sceneWith(pairs()[4].corners));
+    ASSERT_EQ(result.steps[2].test, NewellTest::ExtentX);
+    const auto pixel = [](double x, double z) { return 50.0 + 50.0 * std::sqrt(3.0) * x / (6.0 - z); };
+    EXPECT_NEAR(result.steps[2].first, pixel(.2, .3), 1e-4) << "the narrow one lies within the wide one";
+    EXPECT_NEAR(result.steps[2].second, pixel(.6, .4), 1e-4);
 }
 
 }  // namespace
