@@ -4040,6 +4040,10 @@
         <translation>변환이 납작합니다.</translation>
     </message>
     <message>
+        <source>It lies beyond 1e30.</source>
+        <translation>1e30 너머에 있습니다.</translation>
+    </message>
+    <message>
         <source>a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms</source>
         <translation>기본 입체로 된 공정 플랜트: 배관이 놓인 파이프 랙, 기기, 철골, 플랫폼</translation>
     </message>

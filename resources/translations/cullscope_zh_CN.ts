@@ -4040,6 +4040,10 @@
         <translation>其变换是扁平的。</translation>
     </message>
     <message>
+        <source>It lies beyond 1e30.</source>
+        <translation>它位于 1e30 之外。</translation>
+    </message>
+    <message>
         <source>a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms</source>
         <translation>由基本体素组成的流程工厂：带管线的管廊、设备、钢结构和平台</translation>
     </message>
