@@ -42,7 +42,7 @@ OpenedScene sceneOfPolygons(PolygonScene read, std::string specification) {
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
     if (isPolygonFile(path)) return sceneOfPolygons(readPolygonFile(path, options.load, progress), path.string());
     if (isRvmFile(path)) {
-        RvmScene read = readRvmFile(path, progress);
+        RvmScene read = readRvmFile(path, options.load, progress);
         return {std::move(read.scene), path.string(), std::move(read.report)};
     }
     LoadedFile file = loadMeshFile(path, options.load, progress);

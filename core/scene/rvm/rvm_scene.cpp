@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "core/base/error.h"
+#include "core/mesh/mesh_assembler.h"
 #include "core/scene/rvm/facets.h"
 
 namespace cullscope {
@@ -19,10 +20,25 @@ double largestScale(const Mat4& transform) {
     return scale;
 }
 
+/// The largest absolute coordinate of a record, in its own unit.
+double reachOf(const Record& record) {
+    Box3 box;
+    if (record.kind == Record::Kind::Solid) box = primitive::bounds(record.solid);
+    for (const Polygon& polygon : record.polygons)
+        for (const std::vector<Vec3>& contour : polygon.contours)
+            for (const Vec3& corner : contour) box.add(corner);
+    if (box.empty()) return 0.0;
+    const Vec3 most = glm::max(glm::abs(box.min), glm::abs(box.max));
+    return std::max({most.x, most.y, most.z});
+}
+
 class SceneBuilder {
 public:
-    SceneBuilder(std::string fileName, const Progress& progress, double chordError)
-        : m_fileName(std::move(fileName)), m_progress(progress), m_chordError(chordError) {}
+    SceneBuilder(std::string fileName, const LoadOptions& options, const Progress& progress, double chordError)
+        : m_fileName(std::move(fileName)),
+          m_memory(m_fileName, options, progress),
+          m_progress(progress),
+          m_chordError(chordError) {}
 
     void beginGroup(std::string name) {
         m_progress.check();
@@ -82,7 +98,12 @@ private:
         const double scale = largestScale(record.worldFromRecord);
         if (!(std::abs(glm::determinant(Mat3(record.worldFromRecord))) > 1e-6 * scale * scale * scale) || !(scale > 1e-30))
             return Message{CULLSCOPE_TR("Its transform is flat."), {}};
-        return record.kind == Record::Kind::Solid ? primitive::whyImpossible(record.solid) : std::nullopt;
+        if (record.kind == Record::Kind::Solid)
+            if (std::optional<Message> why = primitive::whyImpossible(record.solid)) return why;
+        const double reach = reachOf(record), away = glm::length(Vec3(record.worldFromRecord[3]));
+        if (!(reach <= kLargestCoordinate && 2.0 * reach * scale + away <= kLargestCoordinate))
+            return Message{CULLSCOPE_TR("It lies beyond 1e30."), {}};
+        return std::nullopt;
     }
 
     /// From the segment (0, 0, 0) to (1, 0, 0).
@@ -94,7 +115,8 @@ private:
     }
 
     [[nodiscard]] primitive::Fineness fineness(const Record& record) const {
-        return {m_chordError / largestScale(record.worldFromRecord), 0};
+        constexpr double kPartOfSize = 2e-4;
+        return {std::max(m_chordError / largestScale(record.worldFromRecord), kPartOfSize * reachOf(record)), 0};
     }
 
     /// The bits of a solid's sizes and its fineness: equal ones are equal solids.
@@ -133,6 +155,7 @@ private:
             }
             if (record.kind == Record::Kind::Solid)
                 primitive::appendSurface(surface, record.solid, fineness(record), record.worldFromRecord);
+            m_memory.requireMemory(m_bytesMade + bytesOf(surface));
             for (const Polygon& polygon : record.polygons) {
                 ++m_report.facesRead;
                 if (!appendPolygon(surface, polygon, record.worldFromRecord, m_progress)) ++m_report.degenerateFaces;
@@ -151,9 +174,16 @@ private:
         addInstance(uint32_t(m_meshes.size() - 1), Mat4(1.0), group);
     }
 
+    /// As positions and normals in double, and as a mesh.
+    static uint64_t bytesOf(const primitive::Surface& surface) {
+        return surface.positions.size() * 2 * (sizeof(Vec3) + sizeof(Vec3f)) + surface.triangles.size() * 2 * sizeof(uint32_t);
+    }
+
     void endMesh(const primitive::Surface& surface, const Group& group) {
+        m_memory.requireMemory(m_bytesMade + bytesOf(surface));
         m_components.endMesh();
         m_meshes.push_back(primitive::meshOf(surface, m_components.groups[group.number].name));
+        m_bytesMade += m_meshes.back()->bytes() + sizeof(TriangleMesh) + sizeof(MeshPart);
     }
 
     void addInstance(uint32_t mesh, const Mat4& place, const Group& group) {
@@ -168,6 +198,8 @@ private:
     };
 
     std::string m_fileName;
+    MeshAssembler m_memory;  ///< for its limit alone
+    uint64_t m_bytesMade = 0;
     const Progress& m_progress;
     double m_chordError;
     std::vector<Group> m_open;  ///< groups that have begun, the innermost last
@@ -190,9 +222,9 @@ bool isRvmFile(const std::filesystem::path& path) {
     return extension == std::string(".") + kRvmExtension;
 }
 
-RvmScene readRvmFile(const std::filesystem::path& path, const Progress& progress, double chordError) {
+RvmScene readRvmFile(const std::filesystem::path& path, const LoadOptions& options, const Progress& progress, double chordError) {
     ByteSource source(path, progress, false);
-    rvm::SceneBuilder builder(source.name(), progress, chordError);
+    rvm::SceneBuilder builder(source.name(), options, progress, chordError);
     rvm::readRecords(source, {[&](std::string name) { builder.beginGroup(std::move(name)); }, [&] { builder.endGroup(); },
                               [&](rvm::Record&& record) { builder.add(std::move(record)); }});
     return builder.finish(path.filename().string());

@@ -6,6 +6,7 @@
 #include "core/scene/camera_moves.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/hidden.h"
+#include "core/scene/split_scene.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::components_test {
@@ -97,6 +98,7 @@ TEST(UpAxisOfAScene, stands) {
     for (const CameraPath::Pose& pose : cameraPath("orbit:5", *scene).poses)
         EXPECT_NEAR(pose.eye.z - pose.target.z, 3.0 * std::sin(15.0 * 0.017453292519943295) * scene->boundingSphere().radius,
                     1e-9);
+    EXPECT_EQ(splitScene(*scene, "split", {})->remarks().up, UpAxis::Z);
     // Without a remark y is up, as ever.
     EXPECT_EQ(overviewCamera(*sceneOf({squareMesh(1, 0)}), 1.5).up, Vec3(0, 1, 0));
 }

@@ -161,6 +161,33 @@ TEST_F(Rvm, impossibleSolidsAreLeftOutWithARemark) {
                 HasSubstr("no such solid exists: 2. The first, at byte 316: cylinder: its lengths"));
 }
 
+TEST_F(Rvm, whatLiesBeyondAllNumbersIsLeftOutAndMemoryIsLimited) {
+    RvmBytes far;
+    far.head()
+        .group("/A")
+        .primitive(2, {1, 1, 1})
+        .primitive(2, {1e29, 1, 1}, {3e38, 0, 0})
+        .primitive(8, {1e20, 1e20})
+        .endGroup()
+        .finish();
+    const RvmScene read = this->read(far.bytes());
+    ASSERT_EQ(read.report.remarks.size(), 1u);
+    EXPECT_THAT(read.report.remarks[0].english(), HasSubstr("exists: 1. The first, at byte 316: It lies beyond 1e30."));
+    EXPECT_LT(read.scene->triangleCount(), 1000u) << "a cylinder of any size";
+    RvmBytes many;
+    many.head().group("/A");
+    for (int i = 0; i < 100; ++i) many.primitive(9, {1e9 + 1e6 * i});
+    many.endGroup().finish();
+    LoadOptions options;
+    options.memoryLimitBytes = 10'000'000;
+    try {
+        (void)readRvmFile(write("a.rvm", many.bytes()), options);
+        FAIL() << "was not refused";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(), HasSubstr("of memory"));
+    }
+}
+
 TEST_F(Rvm, malformedFilesAreRefusedWithTheByte) {
     const std::string good = sample();
     EXPECT_THAT(refused("HEAD, but as a text of some length"), HasSubstr("a.rvm, byte 0: no record"));
