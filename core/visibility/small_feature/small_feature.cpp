@@ -285,7 +285,7 @@ RegisteredStrategy smallFeature() {
         "Du et al. 2017", featureParameters()};
     info.remembers = true;
     info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}}, {kOutline, {"0", "5", "10", "20", "50"}}};
-    info.shows = {featureListing(), occupancyBarsShow()};
+    info.shows = {featureListing(), treeShow(), occupancyBarsShow()};
     return {std::move(info), std::make_shared<SmallFeature>()};
 }
 

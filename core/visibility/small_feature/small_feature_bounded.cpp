@@ -299,7 +299,7 @@ RegisteredStrategy smallFeatureBounded() {
         "Cullscope, after Du et al. 2017",
         {facingParameter(), pixels}};
     info.sweeps = {{kPixels, {"0", "1", "2", "4", "8", "16"}}};
-    info.shows = {boundedListing()};
+    info.shows = {boundedListing(), treeShow()};
     return {std::move(info), std::make_shared<SmallFeatureBounded>()};
 }
 

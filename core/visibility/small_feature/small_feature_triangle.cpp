@@ -296,7 +296,7 @@ RegisteredStrategy smallFeatureTriangle() {
                       "Du et al. 2017, its comparison",
                       {facingParameter(), threshold}};
     info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}}};
-    info.shows = {triangleListing()};
+    info.shows = {triangleListing(), treeShow()};
     return {std::move(info), std::make_shared<SmallFeatureTriangle>()};
 }
 
