@@ -199,10 +199,11 @@ TEST_F(StructurePanelTest, whySaysPlaneByPlaneAndTheVerdictLast) {
     const QStringList sentences = panel.why().sentences();
     ASSERT_EQ(sentences.size(), int(reader.reading()->why.size()));
     EXPECT_EQ(sentences.back(), QStringLiteral("The triangle is not given to OpenGL."));
-    double last = 0.0;
+    // A batch goes on with a plane until all its objects are outside: the rejecting plane need not be the last one tested.
+    double least = 0.0;
     for (const WhyStep& step : reader.reading()->why)
-        if (step.plane) last = *step.distance;
-    EXPECT_LT(last, 0.0) << "the rejecting plane comes last of those tested";
+        if (step.plane) least = std::min(least, *step.distance);
+    EXPECT_LT(least, 0.0) << "a plane rejects it";
     EXPECT_GE(panel.why().planes().rowCount(), 6) << "those that were not tested stand below";
     EXPECT_EQ(reader.pickedState(), TriangleState::OutsideFrustum);
 }
