@@ -332,17 +332,4 @@ void appendSurface(Surface& surface, const Primitive& primitive, const Fineness&
     std::visit([&](const auto& solid) { tessellation.add(solid); }, primitive);
 }
 
-MeshPointer meshOf(const Surface& surface, std::string name) {
-    Box3 box;
-    for (const Vec3& position : surface.positions) box.add(position);
-    TriangleMesh::Data data;
-    data.name = std::move(name);
-    if (!box.empty()) data.origin = box.centre();
-    data.positions.reserve(surface.positions.size());
-    for (const Vec3& position : surface.positions) data.positions.emplace_back(position - data.origin);
-    data.normals.assign(surface.normals.begin(), surface.normals.end());
-    data.indices = surface.triangles;
-    return std::make_shared<const TriangleMesh>(std::move(data));
-}
-
 }  // namespace cullscope::primitive

@@ -32,7 +32,7 @@ struct Surface {
 /// every machine.
 void appendSurface(Surface& surface, const Primitive& primitive, const Fineness& fineness, const Mat4& transform = Mat4(1.0));
 
-/// A surface as a mesh about the centre of its box.
+/// A surface as a mesh about the centre of its box, with the corners that triangles have.
 [[nodiscard]] MeshPointer meshOf(const Surface& surface, std::string name);
 
 }  // namespace cullscope::primitive

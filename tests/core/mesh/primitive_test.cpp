@@ -132,6 +132,8 @@ TEST(Primitives, areClosedAndFaceOutwardAtAnyFineness) {
             const Surface surface = surfaceOf(all[i], fineness);
             const MeshPointer mesh = meshOf(surface, "a");
             EXPECT_GT(mesh->triangleCount(), 1u) << shown(all[i], i);
+            const std::set<uint32_t> used(mesh->indices().begin(), mesh->indices().end());
+            EXPECT_EQ(used.size(), mesh->vertexCount()) << shown(all[i], i);
             const Topology& topology = mesh->topology();
             EXPECT_EQ(topology.boundaryEdges, 0u) << shown(all[i], i) << ", segments " << fineness.segments;
             EXPECT_EQ(topology.nonManifoldEdges, 0u) << shown(all[i], i) << ", segments " << fineness.segments;
