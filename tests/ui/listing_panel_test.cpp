@@ -181,7 +181,7 @@ TEST(ListingPanel, withoutASceneSaysSo) {
     SnapshotReader reader{session};
     session.slot(session.activeView()).choose("frustum");
     StructurePanel panel{session, reader};
-    EXPECT_EQ(panel.listing().model().rowCount(), 5) << "the lines are there before a frame is";
+    EXPECT_EQ(panel.listing().model().rowCount(), 7) << "the lines are there before a frame is";
     EXPECT_TRUE(panel.listing().summary().startsWith(QStringLiteral("There is no scene")));
     EXPECT_TRUE(panel.bars().plot().empty());
     EXPECT_TRUE(panel.bars().plot().accessibleDescription().startsWith(QStringLiteral("There is no scene")));
