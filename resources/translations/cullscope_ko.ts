@@ -2832,10 +2832,6 @@
         <translation>강의의 BSP 트리 예제 풀이</translation>
     </message>
     <message>
-        <source>building</source>
-        <translation>만드는 중</translation>
-    </message>
-    <message>
         <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
         <translation>강의의 평가: 깊이 겹침이 아주 적으면 화가 알고리즘이나 BSP 트리, 조금 있으면 스캔 라인, 면이 적으면 화가 알고리즘, BSP 트리, 스캔 라인, 면이 많으면 깊이 버퍼와 옥트리, 정지한 장면을 여러 시점에서 보면 BSP 트리. 강의에는 수치가 없습니다. 여기서는 층 1개가 아주 적은 겹침, 2개가 적은 겹침, 면 10개가 적은 수, 100,000개가 많은 수입니다.</translation>
     </message>

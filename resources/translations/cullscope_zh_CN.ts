@@ -2832,10 +2832,6 @@
         <translation>课程中的 BSP 树例题</translation>
     </message>
     <message>
-        <source>building</source>
-        <translation>正在构建</translation>
-    </message>
-    <message>
         <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
         <translation>讲义的结论：深度重叠极少时用画家算法或 BSP 树；重叠较少时用扫描线；面少时用画家算法、BSP 树、扫描线；面多时用深度缓冲、八叉树；从多个视点看静止场景时用 BSP 树。讲义没有给出数值：这里 1 层算极少重叠，2 层算较少，10 个面算少，100,000 个算多。</translation>
     </message>
