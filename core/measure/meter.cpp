@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/measure/summary.h"
+#include "core/measure/view_rounds.h"
 
 namespace cullscope {
 namespace {
@@ -27,6 +28,12 @@ std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& stra
         built.push_back({baseline, buildStrategy(strategy, baseline.parameters, scene, structures, progress), false});
     }
     return built;
+}
+
+const BuiltStrategyPointer& ViewBaseline::of(const ScenePointer& scene, StructureStore& structures) {
+    if (!m_built || m_built->scenePointer() != scene)
+        m_built = baselinesBeside({}, scene, structures, BaselineRole::FrontFaces).front().strategy;
+    return m_built;
 }
 
 Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
@@ -53,8 +60,7 @@ Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, St
     return built;
 }
 
-/// The steps of a measurement: at each pose first all frames, then the comparison of each strategy's first timed one with the
-/// truth.
+/// The steps of a measurement, pose by pose.
 class Meter::Experiment {
 public:
     Experiment(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,
@@ -85,11 +91,9 @@ public:
     void step(const std::stop_token& stop) {
         if (complete()) return;
         if (!m_pose) beginPose();
-        if (!m_pose->rounds.complete())
-            return m_pose->rounds.step(
-                m_renderer, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; }, stop);
-        recordNext();
-        if (m_pose->frames.size() == m_runs.size()) endPose();
+        const auto targetOf = [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; };
+        (void)m_pose->step(m_renderer, m_references, targetOf, stop);
+        if (m_pose->complete()) endPose();
     }
 
     [[nodiscard]] MeasureResult resultSoFar() const {
@@ -107,40 +111,26 @@ public:
     }
 
 private:
-    /// The pose in progress.
-    struct Pose {
-        View view;
-        TimedRounds rounds;
-        std::vector<FrameMeasurement> frames{};  ///< of the strategies recorded so far
-    };
-
     void beginPose() {
         const View view(m_request.path.camera(poses()), m_request.size);
-        std::vector<TimedFrames> entrants;
-        for (size_t i = 0; i < m_runs.size(); ++i)
-            entrants.push_back({m_buffers.get(), m_contestants.strategies[i].strategy, view, std::move(m_memories[i])});
-        m_pose.emplace(Pose{view, TimedRounds(std::move(entrants), m_request.timing)});
-    }
-
-    /// The next strategy's figures, and what its first timed frame lost.
-    void recordNext() {
-        const size_t number = m_pose->frames.size();
-        const TimedFrames& timed = m_pose->rounds.entrants()[number];
-        RunMeasurement& run = m_runs[number];
-        FrameMeasurement frame = measurementOf(timed);
-        frame.pose = poses();
-        if (timed.strategy->promiseAt(timed.view) == Promise::Approximate) run.promise = Promise::Approximate;
-        if (m_request.accuracy && m_contestants.strategies[number].askedFor) {
-            const auto truth = m_references.of(m_renderer, *m_buffers, timed.view, run.referenceFacing);
-            addLosses(frame, m_renderer, timed, *truth, *m_targets.front());
+        std::vector<ViewSubject> subjects;
+        for (size_t i = 0; i < m_runs.size(); ++i) {
+            const Contestant& contestant = m_contestants.strategies[i];
+            subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i])});
+            subjects.back().judged = m_request.accuracy && contestant.askedFor;
         }
-        m_pose->frames.push_back(std::move(frame));
+        m_pose.emplace(std::move(subjects), m_request.timing);
     }
 
     void endPose() {
+        const size_t pose = poses();
+        const View view(m_request.path.camera(pose), m_request.size);
         for (size_t i = 0; i < m_runs.size(); ++i) {
-            m_runs[i].frames.push_back(std::move(m_pose->frames[i]));
-            m_memories[i] = m_pose->rounds.entrants()[i].takeMemories();
+            if (m_contestants.strategies[i].strategy->promiseAt(view) == Promise::Approximate)
+                m_runs[i].promise = Promise::Approximate;
+            m_runs[i].frames.push_back(m_pose->measurement(i));
+            m_runs[i].frames.back().pose = pose;
+            m_memories[i] = m_pose->takeMemories(i);
         }
         m_pose.reset();
         m_references.clear();
@@ -155,7 +145,7 @@ private:
     std::vector<RunMeasurement> m_runs;                     ///< by strategy, the baselines that were not asked for among them
     std::vector<std::vector<ViewStatePointer>> m_memories;  ///< by strategy and window; at the rounds while a pose is in progress
     References m_references;                                ///< of the pose in progress
-    std::optional<Pose> m_pose;
+    std::optional<ViewRounds> m_pose;                       ///< the pose in progress
 };
 
 Meter::Meter(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,
