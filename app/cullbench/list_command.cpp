@@ -5,6 +5,7 @@
 #include "app/cullbench/commands.h"
 #include "core/experiments/experiment_list.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/rvm/rvm_scene.h"
 
 namespace cullscope::cullbench {
 namespace {
@@ -113,7 +114,7 @@ void printScenes() {
     fmt::print("Scenes: a mesh file (");
     for (const std::string& extension : readableMeshExtensions())
         fmt::print("{}{}", &extension == &readableMeshExtensions().front() ? "" : ", ", extension);
-    fmt::print("), polygons (.{}) or a generator\n", kPolygonExtension);
+    fmt::print("), polygons (.{}), a plant (.{}) or a generator\n", kPolygonExtension, kRvmExtension);
     for (const GeneratorInfo& generator : sceneGenerators()) {
         fmt::print("  {:<12} {}\n", generator.id, generator.description);
         for (const GeneratorParameter& parameter : generator.parameters)

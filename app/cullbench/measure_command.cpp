@@ -54,6 +54,8 @@ std::string ratioText(const RatioEstimate& estimate) {
     return fmt::format("{:.2f} [{:.2f},{:.2f}]", estimate.ratio, estimate.ci95[0], estimate.ci95[1]);
 }
 
+std::string ratioTitle(BaselineRole role) { return fmt::format("x {} [95 %]", baselineOf(role).id); }
+
 void printTable(const MeasureResult& result, FILE* out) {
     const Scene& scene = *result.request.scene;
     fmt::print(out, "{}: {} triangles in {} objects, {} of {} poses of {}, {}x{}\n", scene.name(), scene.triangleCount(),
@@ -61,14 +63,15 @@ void printTable(const MeasureResult& result, FILE* out) {
                result.request.path.name, result.request.size.width, result.request.size.height);
     fmt::print(out, "{}{}\n", result.gl.renderer, result.gl.software ? " (software OpenGL: times are not a GPU's)" : "");
     fmt::print(out, "{:<24} {:<12} {:>9} {:>9} {:>17} {:>17} {:>8} {:>8} {:>10} {:>9}\n", "strategy", "promise", "ms", "fps",
-               "x all [95 %]", "x backface [95 %]", "culled", "cull ms", "missed px", "hole px");
+               ratioTitle(BaselineRole::Triangles), ratioTitle(BaselineRole::FrontFaces), "culled", "cull ms", "missed px",
+               "hole px");
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
         const Summary& s = run.summary;
         const std::optional<Losses> losses = run.losses();
         fmt::print(out, "{:<24} {:<12} {:>9.3f} {:>9.2f} {:>17} {:>17} {:>6.1f} % {:>8.3f} {:>10} {:>9}\n",
                    strategyLabel(run.strategy), promiseId(run.promise), s.frameMillisecondsMedian, s.fpsOverall,
-                   ratioText(s.ratioToAll), ratioText(s.ratioToBackface), s.culledFraction * 100,
+                   ratioText(s.ratioToTriangles), ratioText(s.ratioToFrontFaces), s.culledFraction * 100,
                    s.cullShare * 1000.0 / s.fpsOverall, losses ? std::to_string(losses->missedPixels) : "-",
                    losses ? std::to_string(losses->largestHolePixels) : "-");
     }

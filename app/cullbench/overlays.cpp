@@ -12,10 +12,20 @@ namespace {
 /// What strategies declare that stands in place of the scene's picture.
 std::vector<const Show*> declaredPictures() { return declaredShows(Show::Kind::DirectionMap); }
 
-/// The ids of the pictures that strategies declare, in the form "ID, ".
-std::string pictureList() {
+/// What --overlay knows, in the order in which it is named.
+std::vector<const Show*> knownShows() {
+    std::vector<const Show*> shows;
+    std::ranges::copy_if(namedShows(), std::back_inserter(shows), [](const Show* show) { return !show->help.empty(); });
+    std::ranges::copy(declaredPictures(), std::back_inserter(shows));
+    std::ranges::stable_sort(shows, {}, &Show::kind);
+    return shows;
+}
+
+/// The ids of what stands in place of the scene, each with a separator behind it but the last one.
+std::string pictureList(const std::string& separator) {
     std::string text;
-    for (const Show* show : declaredPictures()) text += show->id + ", ";
+    for (const Show* show : knownShows())
+        if (show->inPlace()) text += (text.empty() ? "" : separator) + show->id;
     return text;
 }
 
@@ -29,25 +39,24 @@ std::string coloured() {
 
 /// The ids of all overlays, separated by commas.
 std::string overlayList() {
-    std::string text = std::string(kVerdictsOverlay) + ", " + kBoxesOverlay + ", " + kFrustumOverlay;
-    for (const Show* show : declaredShows(Show::Kind::Overlay)) text += ", " + show->id;
-    return text + ", " + pictureList() + kSphericalModelOverlay;
+    std::string text;
+    for (const Show* show : knownShows()) text += (text.empty() ? "" : ", ") + show->id;
+    return text;
 }
 
 /// What is said of all overlays in the command line's help.
 std::string overlayHelp() {
-    const auto described = [](Show::Kind kind, const std::string& separator) {
-        std::string text;
-        for (const Show* show : declaredShows(kind)) text += separator + show->id + " (" + show->help + ")";
-        return text;
-    };
-    std::string boxes = "that the strategy tests";
-    for (const Show* show : declaredShows(Show::Kind::Boxes)) boxes += "; " + show->help;
-    std::string pictures;
-    for (const Show* show : declaredPictures()) pictures += show->id + " (" + show->help + "), ";
-    return "verdicts (colour by verdict, against the truth), boxes (" + boxes + "), frustum (of the culling camera)" +
-           described(Show::Kind::Overlay, ", ") + "; in place of the scene: " + pictures +
-           "spherical-model (what was drawn of the first object, over azimuth and zenith angle); may be given more than once";
+    std::string text;
+    bool inPlace = false;
+    for (const Show* show : knownShows()) {
+        std::string help = show->help;
+        if (show->kind == Show::Kind::Boxes)
+            for (const Show* own : declaredShows(show->kind)) help += "; " + own->help;
+        if (!text.empty()) text += show->inPlace() && !inPlace ? "; in place of the scene: " : ", ";
+        inPlace = show->inPlace();
+        text += show->id + " (" + help + ")";
+    }
+    return text + "; may be given more than once";
 }
 
 /// The picture with this id that a strategy declares; null where there is none.
@@ -68,19 +77,13 @@ std::string colouringOf(const Show& picture, const std::string& id) {
     throwUsage(CULLSCOPE_TR("There is no colouring \"%1\" of %2. Known: %3."), {id, picture.id, known});
 }
 
+const Show& byPlane() { return commonShow(Show::Kind::Planes); }
+
 /// Adds one overlay; returns false for an unknown name.
 bool add(const std::string& name, OverlayChoice& choice) {
-    if (name == kVerdictsOverlay)
-        choice.look.colouring = Colouring::Verdicts;
-    else if (name == kBoxesOverlay)
-        choice.look.boxes = true;
-    else if (name == kFrustumOverlay)
-        choice.look.frustum = true;
-    else if (name == kSphericalModelOverlay)
-        choice.look.sphericalModel = true;
-    else if (pictureOf(name) != nullptr)
+    if (pictureOf(name) != nullptr)
         choice.picture = name;
-    else if (std::ranges::any_of(declaredShows(Show::Kind::Overlay), [&](const Show* show) { return show->id == name; }))
+    else if (std::ranges::any_of(knownShows(), [&](const Show* show) { return show->id == name; }))
         choice.look.show(name, true);
     else
         return false;
@@ -90,7 +93,7 @@ bool add(const std::string& name, OverlayChoice& choice) {
 /// Throws Error(Usage) where an overlay that replaces the scene is combined with another.
 void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& names) {
     if (!choice.replacesScene()) return;
-    const std::string alone = choice.picture.empty() ? kSphericalModelOverlay : choice.picture;
+    const std::string alone = choice.picture.empty() ? overlayIds(choice.look).front() : choice.picture;
     for (const std::string& name : names)
         if (name != alone)
             throwUsage(CULLSCOPE_TR("--overlay %1 stands in place of the scene's picture: give it without --overlay %2."),
@@ -101,9 +104,9 @@ void requireAlone(const OverlayChoice& choice, const std::vector<std::string>& n
 
 void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
     command.add_option("--overlay", options.names, overlayHelp())->allow_extra_args(false);
-    command.add_option("--below", options.below,
-                       "a second picture of the same size below the first: " + pictureList() +
-                           "spherical-model, or behind (the same from the other side)");
+    command.add_option(
+        "--below", options.below,
+        "a second picture of the same size below the first: " + pictureList(", ") + ", or behind (the same from the other side)");
     std::string colourings;
     for (const Show* show : declaredPictures())
         if (!show->colourings.empty()) colourings += (colourings.empty() ? "" : "; ") + show->colouringHelp;
@@ -113,7 +116,7 @@ void addOverlayOptions(CLI::App& command, OverlayOptions& options) {
             "--box-colouring", options.boxColouring,
             "of --overlay boxes: verdict (the default), or plane (of the frustum, that rejected them; with --overlay frustum "
             "its planes have the same colours)")
-        ->check(CLI::IsMember({boxColouringId(BoxColouring::Verdict), boxColouringId(BoxColouring::Plane)}));
+        ->check(CLI::IsMember({byPlane().field.off, byPlane().field.on}));
     command.add_option("--view-eye", options.eye, "eye of an observer, x,y,z (default: the culling camera's)");
     command.add_option("--view-target", options.target, "what the observer looks at, x,y,z");
     command.add_option("--view-up", options.up, "the observer's up, x,y,z");
@@ -133,12 +136,12 @@ OverlayChoice overlaysOf(const OverlayOptions& options) {
     for (const std::string& name : options.names)
         if (!add(name, choice)) throwUsage(CULLSCOPE_TR("There is no overlay \"%1\". Known: %2."), {name, overlayList()});
     requireAlone(choice, options.names);
-    choice.look.culledToo = !options.drawnOnly;
-    if (options.drawnOnly && choice.look.colouring != Colouring::Verdicts)
+    choice.look.show(commonShow(Show::Kind::Left).id, !options.drawnOnly);
+    if (options.drawnOnly && !choice.look.has(Show::Kind::Verdicts))
         throwUsage(CULLSCOPE_TR("--drawn-only says what --overlay verdicts shows: give both."));
-    if (!options.boxColouring.empty() && !choice.look.boxes)
+    if (!options.boxColouring.empty() && !choice.look.has(Show::Kind::Boxes))
         throwUsage(CULLSCOPE_TR("--box-colouring says what --overlay boxes shows: give both."));
-    if (options.boxColouring == boxColouringId(BoxColouring::Plane)) choice.look.boxColouring = BoxColouring::Plane;
+    if (options.boxColouring == byPlane().field.on) choice.look.show(byPlane().id, true);
     if (const Show* picture = pictureOf(choice.picture))
         choice.colouring = colouringOf(*picture, options.mapColouring);
     else if (!options.mapColouring.empty() && pictureOf(options.below) == nullptr)
@@ -154,11 +157,13 @@ std::optional<BelowChoice> belowOf(const OverlayOptions& options, const OverlayC
         below.overlays.colouring = colouringOf(*picture, options.mapColouring);
         return below;
     }
-    if (options.below == kSphericalModelOverlay)
-        below.overlays.look.sphericalModel = true;
+    const std::vector<const Show*> known = knownShows();
+    const auto inPlace =
+        std::ranges::find_if(known, [&](const Show* show) { return show->inPlace() && show->id == options.below; });
+    if (inPlace != known.end())
+        below.overlays.look.show(options.below, true);
     else if (options.below != "behind")
-        throwUsage(CULLSCOPE_TR("--below %1: %2spherical-model or behind can stand below a picture."),
-                   {options.below, pictureList()});
+        throwUsage(CULLSCOPE_TR("--below %1: %2 or behind can stand below a picture."), {options.below, pictureList(", ")});
     else if (above.replacesScene())
         throwUsage(CULLSCOPE_TR("--below behind: a map has no other side. Leave it out, or show the scene."));
     else
@@ -179,10 +184,7 @@ void requireOverlays(const OverlayChoice& choice, const BuiltStrategy& strategy,
     const auto require = [&](const std::string& id, const std::string& colouring) {
         if (const std::optional<Message> why = strategy.whyNotShown(id, colouring, log)) throwUsage(why->text, why->arguments);
     };
-    if (choice.look.boxes && strategy.snapshot(log).nodes.empty())
-        throwUsage(CULLSCOPE_TR("--overlay boxes: this strategy tests no boxes. Leave it out, or choose one that tests bounds."));
-    for (const Show* show : declaredShows(Show::Kind::Overlay))
-        if (choice.look.shows(show->id)) require(show->id, {});
+    for (const std::string& id : overlayIds(choice.look)) require(id, {});
     if (!choice.picture.empty()) require(choice.picture, choice.colouring);
 }
 

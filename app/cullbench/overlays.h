@@ -34,7 +34,7 @@ struct OverlayChoice {
     std::string picture;    ///< id of the strategy's picture; empty: the scene
     std::string colouring;  ///< of that picture
 
-    [[nodiscard]] bool replacesScene() const { return !picture.empty() || look.sphericalModel; }
+    [[nodiscard]] bool replacesScene() const { return !picture.empty() || look.inPlace(); }
     [[nodiscard]] bool needsDecisions() const { return !picture.empty() || cullscope::needsDecisions(look); }
 };
 

@@ -114,7 +114,7 @@ Drawn drawPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltSt
         return drawn;
     }
     Framebuffer target(viewing.viewport());
-    const bool verdicts = choice.look.colouring == Colouring::Verdicts;
+    const bool verdicts = choice.look.has(Show::Kind::Verdicts);
     if (verdicts) {
         const Reference truth = itemBufferReference(renderer, buffers, View(log.camera, log.size), strategy.referenceFacing());
         drawn.states = triangleStates(scene, log, truth.visible());

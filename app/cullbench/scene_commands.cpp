@@ -43,7 +43,7 @@ struct PlaneFigures {
 
 /// None for a strategy that tests no planes.
 std::optional<PlaneFigures> planeFigures(const StrategyInfo& info, const Scene& scene) {
-    if (!info.byPlanes) return std::nullopt;
+    if (info.first(Show::Kind::Planes) == nullptr) return std::nullopt;
     const View view(overviewCamera(scene, 1.0), {640, 480});
     const FrustumPlanes& used = view.frustum().planes;
     const auto rows = planesFromRows(view.clipFromEyeRelative(), ClipDepth::ReversedZeroToOne);
@@ -75,6 +75,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
                                     {"build_ms", structure.buildMilliseconds},
                                     {"structure_bytes", structure.bytes}};
         for (const StructureReport::Figure& figure : structure.figures) json["figures"][figure.name] = figure.value;
+        for (const auto& [kind, count] : scene.partCounts()) json["scene"]["primitives"][kind] = count;
         if (!structure.layout.empty()) json["layout"] = structure.layout;
         if (planes)
             for (const auto& [way, difference] : {std::pair("rows", planes->byRows), std::pair("corners", planes->byCorners)})
@@ -86,6 +87,7 @@ void runInspect(const InspectOptions& options, const Context& context) {
     if (options.json == "-") return;
     fmt::print("{}: {} triangles in {} objects, {} bytes\n", scene.name(), scene.triangleCount(), scene.instances().size(),
                scene.bytes());
+    for (const auto& [kind, count] : scene.partCounts()) fmt::print("  {} of kind {}\n", count, kind);
     fmt::print("{} ({}, {})\n  build {:.3f} ms\n  structures {} bytes\n", request.id, promiseId(strategy->promise()), facing,
                structure.buildMilliseconds, structure.bytes);
     for (const StructureReport::Figure& figure : structure.figures) fmt::print("  {} {}\n", figure.name, figure.value);

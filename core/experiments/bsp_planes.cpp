@@ -14,6 +14,7 @@ namespace {
 using Origin = ResultColumn::Origin;
 
 constexpr size_t kRandomTriangles = 10'000;
+constexpr const char *kSmallTriangles = "random, small", *kLargeTriangles = "random, large", *kBunnyScene = "bunny";
 constexpr uint64_t kMostPolygons = 2'000'000;
 constexpr std::array kChoices{std::pair("first", BspPlane::First), std::pair("fewest", BspPlane::Fewest),
                               std::pair("balance", BspPlane::Balance)};
@@ -37,7 +38,7 @@ ScenePointer scatteredTriangles(double edge) {
 
 Rows treeRow(const Setting& setting, const ScenePointer& opened, const Progress& progress) {
     using Clock = std::chrono::steady_clock;
-    const ScenePointer scene = opened ? opened : scatteredTriangles(setting.words("scene") == "random, small" ? 0.2 : 2.0);
+    const ScenePointer scene = opened ? opened : scatteredTriangles(setting.words("scene") == kSmallTriangles ? 0.2 : 2.0);
     BspOptions options;
     for (const auto& [id, plane] : kChoices)
         if (setting.words("plane") == id) options.plane = plane;
@@ -69,6 +70,16 @@ Experiment bspPlanes() {
             "\"random, small\": 10,000 random triangles in a cube, with edges of at most a tenth of its side. \"random, "
             "large\": with edges of up to its side, which fill it.")),
         note(CULLSCOPE_TR("A tree that needs more than 2,000,000 polygons is given up."))};
+    Axis planes{"plane", CULLSCOPE_TR("plane"), Axis::Kind::Label, {}};
+    for (const auto& [id, plane] : kChoices) planes.values.emplace_back(std::string(id));
+    experiment.axes = {{"scene",
+                        CULLSCOPE_TR("scene"),
+                        Axis::Kind::Label,
+                        {std::string(kSmallTriangles), std::string(kLargeTriangles), std::string(kBunnyScene)}},
+                       planes};
+    experiment.settings = settingsOf(experiment.axes);
+    for (Setting& setting : experiment.settings)
+        if (setting.words("scene") == kBunnyScene) setting.scene = kBunnyScene;
     experiment.columns = {{"scene", CULLSCOPE_TR("scene"), Origin::Axis},
                           {"plane", CULLSCOPE_TR("plane"), Origin::Axis},
                           {"triangles", CULLSCOPE_TR("triangles"), Origin::Measured},
@@ -77,13 +88,6 @@ Experiment bspPlanes() {
                           {"depth", CULLSCOPE_TR("depth"), Origin::Measured},
                           {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured},
                           {"ended", CULLSCOPE_TR("tree"), Origin::Measured}};
-    for (const char* scene : {"random, small", "random, large", "bunny"})
-        for (const auto& [id, plane] : kChoices) {
-            Setting setting;
-            if (std::string(scene) == "bunny") setting.scene = scene;
-            setting.labels = {{"scene", std::string(scene)}, {"plane", std::string(id)}};
-            experiment.settings.push_back(setting);
-        }
     experiment.measured = treeRow;
     return experiment;
 }

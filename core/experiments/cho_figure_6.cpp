@@ -39,6 +39,14 @@ std::vector<Message> notes() {
                           "the frames per second. The paper counts no lost pixels."))};
 }
 
+Axis cullingStrategies() {
+    Axis axis{"strategy", CULLSCOPE_TR("strategy"), Axis::Kind::Strategy, {}};
+    for (const char* strategy : {"all", "frustum-select", "frustum:facing=two-sided", "backface", "frustum", "frustum-octree",
+                                 "frustum-query", "spherical-lossless"})
+        axis.values.emplace_back(std::string(strategy));
+    return axis;
+}
+
 std::vector<ResultColumn> columns() {
     return {{"strategy", CULLSCOPE_TR("strategy"), Origin::Axis},
             {"facing", CULLSCOPE_TR("sides drawn"), Origin::Axis},
@@ -52,7 +60,7 @@ std::vector<ResultColumn> columns() {
             {"speedup_vs_all", CULLSCOPE_TR("mean of the views' × all [95 %]"), Origin::Measured, 2},
             {"ratio_to_all", CULLSCOPE_TR("× all [95 %]"), Origin::Measured, 2},
             {"paper_speedup_vs_all_max", CULLSCOPE_TR("paper: × all, max"), Origin::Stated, 1},
-            {"speedup_vs_all_max", CULLSCOPE_TR("× all, max"), Origin::Measured, 1},
+            {"speedup_vs_all_max", CULLSCOPE_TR("× all, best view [95 %]"), Origin::Measured, 1},
             {"ratio_to_backface", CULLSCOPE_TR("× backface [95 %]"), Origin::Measured, 2},
             {"paper_culled_fraction", CULLSCOPE_TR("paper: culled, %"), Origin::Stated, 0, 100.0},
             {"culled_fraction", CULLSCOPE_TR("culled, %"), Origin::Measured, 1, 100.0},
@@ -78,9 +86,6 @@ LinePlot framesByViewpoint() {
 Setting walkThroughTheField() {
     Setting setting;
     setting.scene = "field:mesh=mesh:bunny,triangles=5000,n=20,spacing=2.5";
-    setting.strategies = {"all",           "frustum-select",    "frustum:facing=two-sided",
-                          "backface",      "frustum",           "frustum-octree",
-                          "frustum-query", "spherical-lossless"};
     setting.shown = "frustum";
     setting.path = "walk:" + std::to_string(kViewpoints);
     setting.size = kSize;
@@ -104,11 +109,13 @@ const RunMeasurement* directRendering(const MeasureResult& result) {
     return found == result.runs.end() ? nullptr : &*found;
 }
 
-double largestSpeedup(const RunMeasurement& run, const RunMeasurement& all) {
-    double largest = 0.0;
-    for (size_t i = 0; i < std::min(run.frames.size(), all.frames.size()); ++i)
-        largest = std::max(largest, all.frames[i].frameMilliseconds / run.frames[i].frameMilliseconds);
-    return largest;
+/// × in the view where it is the largest.
+RatioEstimate bestRatio(const RunMeasurement& run, const RunMeasurement& all) {
+    const auto ratio = [&](size_t view) { return all.frames[view].frameMilliseconds / run.frames[view].frameMilliseconds; };
+    size_t best = 0;
+    for (size_t view = 1; view < std::min(run.frames.size(), all.frames.size()); ++view)
+        if (ratio(view) > ratio(best)) best = view;
+    return ratioOver({&all.frames[best], 1}, {&run.frames[best], 1});
 }
 
 /// The largest share of the scene's triangles that a run culled in one view.
@@ -125,7 +132,7 @@ Rows cullingRows(const Setting& setting, const MeasureResult& result) {
         if (run.frames.empty()) continue;
         Row cells = rowCells(setting, run);
         cells["facing"] = std::string(facingId(run.facing));
-        if (all != nullptr) cells["speedup_vs_all_max"] = largestSpeedup(run, *all);
+        if (all != nullptr) cells["speedup_vs_all_max"] = bestRatio(run, *all);
         cells["culled_fraction_max"] = largestCulledFraction(run, *result.request.scene);
         rows.push_back(std::move(cells));
     }
@@ -161,7 +168,8 @@ Experiment choFigure6() {
     experiment.notes = notes();
     experiment.columns = columns();
     experiment.plots = {{framesByViewpoint()}};
-    experiment.settings = {walkThroughTheField()};
+    experiment.axes = {cullingStrategies()};
+    experiment.settings = settingsOf(experiment.axes, walkThroughTheField());
     experiment.rowsOfRuns = cullingRows;
     experiment.plotFrames = plotRuns;
     return experiment;

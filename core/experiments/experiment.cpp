@@ -91,9 +91,12 @@ void runSetting(ResultTable& table, const Experiment& experiment, size_t number,
 
 void addStrategies(const Axis& axis, Setting& setting) {
     for (const CellValue& value : axis.values) {
-        StrategyRequest request = strategyFromText(axis.strategy);
-        request.parameters.setFromText(axis.key, std::get<std::string>(value));
-        const std::string text = strategyText(request);
+        std::string text = std::get<std::string>(value);
+        if (axis.kind == Axis::Kind::Parameter) {
+            StrategyRequest request = strategyFromText(axis.strategy);
+            request.parameters.setFromText(axis.key, text);
+            text = strategyText(request);
+        }
         if (std::find(setting.strategies.begin(), setting.strategies.end(), text) == setting.strategies.end())
             setting.strategies.push_back(text);
     }
@@ -114,7 +117,7 @@ bool Experiment::needsOpenGl() const {
 std::vector<Setting> settingsOf(const std::vector<Axis>& axes, const Setting& common) {
     std::vector<Setting> settings{common};
     for (const Axis& axis : axes) {
-        if (axis.kind == Axis::Kind::Parameter)
+        if (axis.kind == Axis::Kind::Strategy || axis.kind == Axis::Kind::Parameter)
             for (Setting& setting : settings) addStrategies(axis, setting);
         if (axis.inTurns()) continue;
         std::vector<Setting> product;
@@ -145,6 +148,10 @@ ResultTable emptyTable(const Experiment& experiment) {
     return table;
 }
 
+CameraPath pathOf(const Setting& setting, const Scene& scene) {
+    return setting.views ? setting.views(scene) : cameraPath(setting.path, scene);
+}
+
 std::vector<StrategyRequest> requestsOf(const Setting& setting) {
     std::vector<StrategyRequest> requests;
     for (const std::string& strategy : setting.strategies) requests.push_back(strategyFromText(strategy));
@@ -152,7 +159,7 @@ std::vector<StrategyRequest> requestsOf(const Setting& setting) {
 }
 
 MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, int repetitions) {
-    return measureRequest(setting, scene, cameraPath(setting.path, *scene), repetitions);
+    return measureRequest(setting, scene, pathOf(setting, *scene), repetitions);
 }
 
 MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, const CameraPath& path, int repetitions) {
@@ -164,7 +171,10 @@ MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene,
     request.size = setting.size;
     request.windows = setting.windows;
     request.upload = setting.upload;
-    request.timing.fixedRepetitions = repetitions;
+    request.timing = setting.timing;
+    if (repetitions > 0) request.timing.fixedRepetitions = repetitions;
+    request.refusalsAreResults = setting.refusalsAreResults;
+    request.secondsOfAStrategy = setting.secondsOfAStrategy;
     return request;
 }
 

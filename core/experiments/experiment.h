@@ -19,6 +19,7 @@ struct Axis {
         Scene,     ///< the settings' scenes, by specification
         Path,      ///< the settings' camera paths
         InTurns,   ///< varied within each setting, by what measures it
+        Strategy,  ///< likewise: the settings' strategies, as `strategyFromText` reads them
         Parameter  ///< likewise: the parameter `key` of `strategy`, whose other parameters stay as they are
     };
 
@@ -29,7 +30,7 @@ struct Axis {
     std::string strategy{};         ///< of a parameter, as `strategyFromText` reads it
 
     /// Whether its values are compared within a setting, and make no settings.
-    [[nodiscard]] bool inTurns() const { return kind == Kind::InTurns || kind == Kind::Parameter; }
+    [[nodiscard]] bool inTurns() const { return kind == Kind::InTurns || kind == Kind::Strategy || kind == Kind::Parameter; }
 };
 
 /// One point of an experiment's axes: strategies timed over a camera path in turns, or (without strategies) what the experiment's
@@ -38,12 +39,16 @@ struct Setting {
     std::string scene{};                    ///< a scene specification; empty: the experiment's function makes what it measures
     std::vector<std::string> strategies{};  ///< as `strategyFromText` reads them; those that this OpenGL cannot run are left out
     std::string shown{};                    ///< the strategy that is shown on screen during the measurement
-    std::string path{};                     ///< name of a built-in camera path, or a file
+    std::string path{};                     ///< name of a built-in camera path, or a file; with `views` a name for these
+    std::function<CameraPath(const Scene& scene)> views{};  ///< in place of the camera path of that name
     Viewport size{};
     int windows = 1;
     Upload upload = Upload::Vbo;
-    Row labels{};                         ///< of each of its rows
-    std::map<std::string, Row> stated{};  ///< what the source states, by `strategyText`
+    TimingProtocol timing{};                                              ///< but for the repetitions where the user states them
+    bool refusalsAreResults = false;                                      ///< MeasureRequest
+    double secondsOfAStrategy = std::numeric_limits<double>::infinity();  ///< MeasureRequest
+    Row labels{};                                                         ///< of each of its rows
+    std::map<std::string, Row> stated{};                                  ///< what the source states, by `strategyText`
 
     [[nodiscard]] bool timed() const { return !strategies.empty(); }
     /// A label that is a number, or words; both must be there.
@@ -80,8 +85,9 @@ struct Experiment {
     [[nodiscard]] bool needsOpenGl() const;
 };
 
-/// The product of those axes that make settings, the first one varying slowest. Parameters add to each setting's strategies, to
-/// be measured in turns: one parameter over its values, all others as they stand in the axis. `common`: what all settings share.
+/// The product of those axes that make settings, the first one varying slowest. Strategies and parameters add to each setting's
+/// strategies, to be measured in turns: one parameter over its values, all others as they stand in the axis. `common`: what all
+/// settings share.
 [[nodiscard]] std::vector<Setting> settingsOf(const std::vector<Axis>& axes, const Setting& common = {});
 /// The columns of axes.
 [[nodiscard]] std::vector<ResultColumn> columnsOf(const std::vector<Axis>& axes);
@@ -96,9 +102,11 @@ template <typename Numbers>
 /// The experiment's table before any measurement.
 [[nodiscard]] ResultTable emptyTable(const Experiment& experiment);
 
+/// A timed setting's views of its scene.
+[[nodiscard]] CameraPath pathOf(const Setting& setting, const Scene& scene);
 /// A setting's strategies.
 [[nodiscard]] std::vector<StrategyRequest> requestsOf(const Setting& setting);
-/// The request for `measure` that a timed setting needs. `repetitions` of each frame; 0: until the median is steady.
+/// The request for `measure` that a timed setting needs. `repetitions` of each frame; 0: as the setting says.
 [[nodiscard]] MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, int repetitions);
 /// The same over a path that the caller has, in place of the setting's.
 [[nodiscard]] MeasureRequest measureRequest(const Setting& setting, const ScenePointer& scene, const CameraPath& path,
@@ -110,7 +118,7 @@ void addRuns(ResultTable& table, const Experiment& experiment, const Setting& se
 
 struct ExperimentOptions {
     SceneSourceOptions sceneSource{};
-    int repetitions = 0;  ///< of each frame; 0: until the median is steady
+    int repetitions = 0;  ///< of each frame; 0: as each setting says, by default until the median is steady
 };
 
 /// Called with the table after every setting.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <optional>
 
 #include "core/experiments/run_rows.h"
@@ -75,6 +76,10 @@ Message disagreementNote() {
 
 // ---- Table 1
 
+constexpr const char* kModel = CULLSCOPE_TR("model");
+constexpr std::array kMaps{CULLSCOPE_TR("centroid map"), CULLSCOPE_TR("triangle index map"), CULLSCOPE_TR("memory access map")};
+constexpr const char* kThreeMaps = CULLSCOPE_TR("the three maps");
+
 /// One structure: the paper's megabytes, its formula's bytes, and ours.
 void addStructure(Rows& rows, const char* name, std::optional<double> stated, std::optional<double> formulaBytes, uint64_t bytes,
                   std::optional<double> milliseconds) {
@@ -93,11 +98,11 @@ Rows structureRows(const Setting& /*setting*/, const ScenePointer& scene, const 
     // float × 4 × faces; float × 2 × 360 × 180 × faces; unsigned int × 4 × 360 × 180
     const double centroid = 4 * 4 * kFaces, index = 4 * 2 * kCells * kFaces, access = 4 * 4 * kCells;
     Rows rows;
-    addStructure(rows, CULLSCOPE_TR("model"), 10.0, std::nullopt, scene->bytes(), std::nullopt);
-    addStructure(rows, CULLSCOPE_TR("centroid map"), 4.3, centroid, bytes.centroidMap, times.centroidMap);
-    addStructure(rows, CULLSCOPE_TR("triangle index map"), 6.7, index, bytes.indexMap, times.indexMap);
-    addStructure(rows, CULLSCOPE_TR("memory access map"), 0.51, access, bytes.accessMap, times.accessMap);
-    addStructure(rows, CULLSCOPE_TR("the three maps"), 4.3 + 6.7 + 0.51, centroid + index + access, bytes.all(),
+    addStructure(rows, kModel, 10.0, std::nullopt, scene->bytes(), std::nullopt);
+    addStructure(rows, kMaps[0], 4.3, centroid, bytes.centroidMap, times.centroidMap);
+    addStructure(rows, kMaps[1], 6.7, index, bytes.indexMap, times.indexMap);
+    addStructure(rows, kMaps[2], 0.51, access, bytes.accessMap, times.accessMap);
+    addStructure(rows, kThreeMaps, 4.3 + 6.7 + 0.51, centroid + index + access, bytes.all(),
                  times.centroidMap + times.indexMap + times.accessMap);
     return rows;
 }
@@ -114,6 +119,10 @@ Experiment table1() {
         note(CULLSCOPE_TR("In the paper's table the contents stand in the wrong columns: count, start and reference belong to "
                           "the memory access map.")),
         note(CULLSCOPE_TR("All at 360 × 180 cells; 1 MB is 1,000,000 bytes."))};
+    Axis structures{"structure", CULLSCOPE_TR("structure"), Axis::Kind::InTurns, {std::string(kModel)}};
+    for (const char* map : kMaps) structures.values.emplace_back(std::string(map));
+    structures.values.emplace_back(std::string(kThreeMaps));
+    experiment.axes = {structures};
     experiment.columns = {{"structure", CULLSCOPE_TR("structure"), Origin::Axis},
                           {"paper_megabytes", CULLSCOPE_TR("paper: MB"), Origin::Stated, 2},
                           {"paper_formula_megabytes", CULLSCOPE_TR("paper's formula: MB"), Origin::Stated, 2},
@@ -166,10 +175,10 @@ Rows sphericalRows(const Setting& setting, const MeasureResult& result) {
     return rows;
 }
 
-/// The columns that every timed table has: `setting` and `paper` first.
-std::vector<ResultColumn> timedColumns(std::vector<ResultColumn> setting, const std::vector<ResultColumn>& paper) {
-    setting.push_back({"strategy", CULLSCOPE_TR("strategy"), Origin::Axis});
-    setting.insert(setting.end(), paper.begin(), paper.end());
+/// The columns that every timed table has: axes and `paper` first.
+std::vector<ResultColumn> timedColumns(const std::vector<Axis>& axes, const std::vector<ResultColumn>& paper) {
+    std::vector<ResultColumn> columns = columnsOf(axes);
+    columns.insert(columns.end(), paper.begin(), paper.end());
     const std::vector<ResultColumn> measured{{"considered_triangles", CULLSCOPE_TR("faces"), Origin::Measured},
                                              {"triangles_in_frustum", CULLSCOPE_TR("in frustum"), Origin::Measured},
                                              {"cases", CULLSCOPE_TR("cases found"), Origin::Measured},
@@ -182,8 +191,8 @@ std::vector<ResultColumn> timedColumns(std::vector<ResultColumn> setting, const 
                                              {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured},
                                              {"missed_pixel_rate", CULLSCOPE_TR("missed ppm"), Origin::Measured, 0, 1e6},
                                              {"largest_hole_px", CULLSCOPE_TR("largest hole, px"), Origin::Measured}};
-    setting.insert(setting.end(), measured.begin(), measured.end());
-    return setting;
+    columns.insert(columns.end(), measured.begin(), measured.end());
+    return columns;
 }
 
 const std::vector<ResultColumn>& paperFpsColumns() {
@@ -196,19 +205,33 @@ const std::vector<ResultColumn>& paperFpsColumns() {
 
 std::string sizeText(Viewport size) { return std::to_string(size.width) + "×" + std::to_string(size.height); }
 
+const char* uploadId(Upload upload) { return upload == Upload::Vbo ? "vbo" : "vertex-array"; }
+
 Setting timedSetting(const std::string& path, Viewport size, int windows, Upload upload) {
     Setting setting;
     setting.scene = kBunny;
-    setting.strategies = {"all", "backface", "spherical"};
     setting.shown = "spherical";
     setting.path = path;
     setting.size = size;
     setting.windows = windows;
     setting.upload = upload;
-    setting.labels = {{"size", sizeText(size)},
-                      {"windows", double(windows)},
-                      {"upload", std::string(upload == Upload::Vbo ? "vbo" : "vertex-array")}};
+    setting.labels = {{"size", sizeText(size)}, {"windows", double(windows)}, {"upload", std::string(uploadId(upload))}};
     return setting;
+}
+
+/// The strategies that the papers compare, and the strong baseline.
+Axis paperStrategies() {
+    return {"strategy",
+            CULLSCOPE_TR("strategy"),
+            Axis::Kind::Strategy,
+            {std::string("all"), std::string("backface"), std::string("spherical")}};
+}
+
+/// A setting with what is varied within it.
+void addTimed(Experiment& experiment, const Setting& setting) {
+    std::vector<Axis> inTurns;
+    std::ranges::copy_if(experiment.axes, std::back_inserter(inTurns), &Axis::inTurns);
+    experiment.settings.push_back(settingsOf(inTurns, setting).front());
 }
 
 void addCases(Experiment& experiment, const Cases& rows, Viewport size, int windows) {
@@ -219,7 +242,7 @@ void addCases(Experiment& experiment, const Cases& rows, Viewport size, int wind
         setting.stated["all"] = {{"paper_fps", rows[i].fpsAll}};
         setting.stated["spherical"] = {{"paper_fps", rows[i].fpsProposed},
                                        {"paper_speedup_vs_all", rows[i].fpsProposed / rows[i].fpsAll}};
-        experiment.settings.push_back(setting);
+        addTimed(experiment, setting);
     }
 }
 
@@ -233,17 +256,15 @@ Experiment casesExperiment(const char* id, const char* title, const char* table)
     return experiment;
 }
 
-const ResultColumn& caseColumn() {
-    static const ResultColumn kColumn{"case", CULLSCOPE_TR("case"), Origin::Axis};
-    return kColumn;
-}
+Axis caseAxis() { return {"case", CULLSCOPE_TR("case"), Axis::Kind::Label, {1.0, 2.0, 3.0}}; }
 
 Experiment table2() {
     Experiment experiment =
         casesExperiment("table-2", CULLSCOPE_TR("One window of 320 × 240, the object cut by the frustum"), "Table 2");
     std::vector<ResultColumn> paper = paperFpsColumns();
     paper.insert(paper.begin(), {"paper_faces", CULLSCOPE_TR("paper: faces"), Origin::Stated});
-    experiment.columns = timedColumns({caseColumn()}, paper);
+    experiment.axes = {caseAxis(), paperStrategies()};
+    experiment.columns = timedColumns(experiment.axes, paper);
     addCases(experiment, kTable2, kSmall, 1);
     for (size_t i = 0; i < experiment.settings.size(); ++i) {
         experiment.settings[i].stated["all"]["paper_faces"] = kFacesOfTable2;
@@ -254,7 +275,9 @@ Experiment table2() {
 
 Experiment table3() {
     Experiment experiment = casesExperiment("table-3", CULLSCOPE_TR("Four windows, of two sizes"), "Table 3");
-    experiment.columns = timedColumns({{"size", CULLSCOPE_TR("size"), Origin::Axis}, caseColumn()}, paperFpsColumns());
+    experiment.axes = {
+        {"size", CULLSCOPE_TR("size"), Axis::Kind::Label, {sizeText(kSmall), sizeText(kLarge)}}, caseAxis(), paperStrategies()};
+    experiment.columns = timedColumns(experiment.axes, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
     addCases(experiment, kTable3Small, kSmall, 4);
     addCases(experiment, kTable3Large, kLarge, 4);
@@ -263,7 +286,8 @@ Experiment table3() {
 
 Experiment table4() {
     Experiment experiment = casesExperiment("table-4", CULLSCOPE_TR("Four and eight windows of 320 × 240"), "Table 4");
-    experiment.columns = timedColumns({{"windows", CULLSCOPE_TR("windows"), Origin::Axis}, caseColumn()}, paperFpsColumns());
+    experiment.axes = {{"windows", CULLSCOPE_TR("windows"), Axis::Kind::Label, {4.0, 8.0}}, caseAxis(), paperStrategies()};
+    experiment.columns = timedColumns(experiment.axes, paperFpsColumns());
     experiment.notes.insert(experiment.notes.begin() + 1, disagreementNote());
     addCases(experiment, kTable4Four, kSmall, 4);
     addCases(experiment, kTable4Eight, kSmall, 8);
@@ -278,21 +302,25 @@ Row rangeCells(const Range& range) {
 
 void addInside(Experiment& experiment, Upload upload, const Range& all, const Range& proposed) {
     Setting setting = timedSetting("fibonacci:12", kLarge, 1, upload);
-    setting.strategies.push_back("spherical-horizon");
     setting.stated["all"] = rangeCells(all);
     setting.stated["spherical"] = rangeCells(proposed);
     setting.stated["spherical"]["paper_speedup_vs_all"] = proposed.mean / all.mean;
-    experiment.settings.push_back(setting);
+    addTimed(experiment, setting);
 }
 
 Experiment table5() {
     Experiment experiment =
         casesExperiment("table-5", CULLSCOPE_TR("One window of 640 × 480, the object inside the frustum"), "Table 5");
-    experiment.columns = timedColumns({{"upload", CULLSCOPE_TR("upload"), Origin::Axis}},
-                                      {{"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Stated},
-                                       {"paper_fps_min", CULLSCOPE_TR("paper: fps min"), Origin::Stated},
-                                       {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Stated},
-                                       paperFpsColumns().back()});
+    experiment.axes = {{"upload",
+                        CULLSCOPE_TR("upload"),
+                        Axis::Kind::Label,
+                        {std::string(uploadId(Upload::VertexArray)), std::string(uploadId(Upload::Vbo))}},
+                       paperStrategies()};
+    experiment.axes.back().values.emplace_back(std::string("spherical-horizon"));
+    experiment.columns = timedColumns(experiment.axes, {{"paper_fps_max", CULLSCOPE_TR("paper: fps max"), Origin::Stated},
+                                                        {"paper_fps_min", CULLSCOPE_TR("paper: fps min"), Origin::Stated},
+                                                        {"paper_fps_mean", CULLSCOPE_TR("paper: fps mean"), Origin::Stated},
+                                                        paperFpsColumns().back()});
     experiment.notes.push_back(note(CULLSCOPE_TR(
         "The paper has \"10 or more\" views and does not say which: here 12, evenly around the object at three radii, all "
         "of it in view. spherical-horizon is not the paper's: it is the same idea made right.")));

@@ -13,6 +13,7 @@ namespace {
 
 using Origin = ResultColumn::Origin;
 
+constexpr const char* kOrder = "order";
 constexpr const char* kLectureNotes = "Lecture notes \"Visible Surface Determination\"";
 
 /// The names of parts: by the leaf or the plane in which they lie, and their object.
@@ -62,7 +63,7 @@ Rows computedRows(const LectureCells& cells) {
     Rows rows;
     for (size_t i = 0; i < cells.leaves.size(); ++i)
         rows.push_back({{"what", BspCells::leafName(i)}, {"computed", cells.leaves[i]}});
-    rows.push_back({{"what", "order"}, {"computed", joined(cells.order, ", ")}});
+    rows.push_back({{"what", kOrder}, {"computed", joined(cells.order, ", ")}});
     return rows;
 }
 
@@ -74,7 +75,7 @@ Rows questionRows(const LectureCells& cells, const std::vector<std::string>& lea
     };
     for (size_t i = 0; i < leafKey.size(); ++i)
         add(BspCells::leafName(i), leafKey[i], i < cells.leaves.size() ? cells.leaves[i] : "");
-    add("order", orderKey, joined(cells.order, ", "));
+    add(kOrder, orderKey, joined(cells.order, ", "));
     return rows;
 }
 
@@ -96,6 +97,7 @@ Experiment ownQuestion(Experiment experiment, const std::string& scene) {
                           "C1 is the leaf behind all planes, the last one before all of them.")),
         note(CULLSCOPE_TR("The order is that of drawing, back to front, as seen from the scene's camera V."))};
     experiment.checks.clear();
+    experiment.axes.front().values.clear();  // as many leaves as the scene has
     experiment.settings.front().scene = scene;
     experiment.measured = [](const Setting& /*setting*/, const ScenePointer& opened, const Progress& progress) {
         return computedRows(cellsSeenFromCamera(*opened, progress));
@@ -113,6 +115,10 @@ Experiment question(std::string id, std::string title, std::vector<std::string> 
         note(CULLSCOPE_TR("Computed from the scene of the same name: its planes P1, P2, … divide it level by level, and its "
                           "objects hang at the leaves. C1 is the leaf behind all planes, the last one before all of them.")),
         note(CULLSCOPE_TR("The order is that of drawing, back to front, as seen from the scene's camera V."))};
+    Axis asked{"what", CULLSCOPE_TR("asked"), Axis::Kind::InTurns, {}};
+    for (size_t i = 0; i < leafKey.size(); ++i) asked.values.emplace_back(BspCells::leafName(i));
+    asked.values.emplace_back(std::string(kOrder));
+    experiment.axes = {asked};
     experiment.columns = {{"what", CULLSCOPE_TR("asked"), Origin::Axis},
                           {"key", CULLSCOPE_TR("answer key"), Origin::Stated},
                           {"computed", CULLSCOPE_TR("computed"), Origin::Measured},

@@ -3,12 +3,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/base/error.h"
 #include "core/experiments/run_rows.h"
-#include "core/measure/accuracy.h"
-#include "core/measure/statistics.h"
-#include "core/measure/timed_rounds.h"
-#include "core/visibility/strategy_request.h"
 
 namespace cullscope {
 namespace {
@@ -61,164 +56,89 @@ const char* agreement(bool recommended, bool anyRecommended, double times) {
     return anyRecommended && times > 0.0 && times <= 1.0 ? "disagrees: fastest" : "";
 }
 
-// ---- What is measured
+// ---- What was measured
 
-/// One method at one setting.
-class Entrant {
-public:
-    Entrant(const Method& method, const ScenePointer& scene, StructureStore& structures, const Progress& progress)
-        : m_method(method) {
-        try {
-            const StrategyRequest request = strategyFromText(method.id);
-            requireAvailable(strategyOf(request).info, requireOpenGl45());
-            m_built = buildStrategy(strategyOf(request), request.parameters, scene, structures, progress);
-            m_memories.push_back(m_built->begin());
-        } catch (const Error& error) {
-            fail(error);
-        }
-    }
+/// A method at one setting.
+struct Served {
+    const Method* method = nullptr;
+    const RunMeasurement* run = nullptr;  ///< null where it could not be built
+    std::string failure{};                ///< why it did not serve; empty: it did
+    double viewsMilliseconds = 0.0;
 
-    [[nodiscard]] const Method& method() const { return m_method; }
-    [[nodiscard]] const BuiltStrategyPointer& built() const { return m_built; }
-    /// Why it cannot serve the setting; empty: it can.
-    [[nodiscard]] const std::string& failure() const { return m_failure; }
-    /// The newest frame that was timed.
-    [[nodiscard]] const FrameLog& log() const { return m_log; }
-
-    /// What a method refuses, such as more fragments than its limit, is what its cells say.
-    void fail(const Error& error) {
-        if (error.kind() == ErrorKind::Interrupted) throw;
-        m_failure = error.message().english();
-    }
-    [[nodiscard]] TimedFrames at(const View& view, const SceneBuffers& buffers) {
-        return {&buffers, m_built, view, std::move(m_memories)};
-    }
-    /// What was timed at one more view.
-    void add(TimedFrames timed) {
-        m_memories = timed.takeMemories();
-        m_viewsMilliseconds += quantile(timed.frameMilliseconds, 0.5);
-        for (const double milliseconds : timed.frameMilliseconds) m_drawingMilliseconds += milliseconds;
-        m_log = std::move(timed.log);
-        ++m_views;
-    }
-    void giveUpAfter(double seconds, size_t views) {
-        if (m_failure.empty() && m_views < views && m_drawingMilliseconds > 1000.0 * seconds)
-            m_failure = "more than " + std::to_string(int(seconds)) + " s: " + std::to_string(m_views) + " of " +
-                        std::to_string(views) + " views";
-    }
-    [[nodiscard]] double viewsMilliseconds() const { return m_viewsMilliseconds; }
     /// The structure, built once, and all views.
     [[nodiscard]] std::optional<double> total() const {
-        if (!m_failure.empty()) return std::nullopt;
-        return m_built->report().buildMilliseconds + m_viewsMilliseconds;
+        if (run == nullptr || !failure.empty()) return std::nullopt;
+        return run->structure.buildMilliseconds + viewsMilliseconds;
     }
-
-private:
-    const Method& m_method;
-    BuiltStrategyPointer m_built;
-    std::vector<ViewStatePointer> m_memories;
-    std::string m_failure;
-    FrameLog m_log;
-    double m_drawingMilliseconds = 0.0, m_viewsMilliseconds = 0.0;
-    size_t m_views = 0;
 };
 
-/// Times the methods at one view by the one protocol; every other view in reverse order. `missed`: gets, by method, the missed
-/// pixels of the frames that were timed, beyond the raster's snapping where they were rasterised otherwise than the reference;
-/// null: they are not counted.
-void timeView(Renderer& renderer, Framebuffer& target, std::vector<Entrant>& entrants, const View& view,
-              const SceneBuffers& buffers, const TimingProtocol& protocol, bool reverse, const Progress& progress,
-              std::vector<double>* missed) {
-    std::vector<size_t> numbers;
-    for (size_t i = 0; i < entrants.size(); ++i)
-        if (entrants[i].failure().empty()) numbers.push_back(i);
-    if (reverse) std::ranges::reverse(numbers);
-    std::vector<TimedFrames> frames;
-    for (const size_t number : numbers) frames.push_back(entrants[number].at(view, buffers));
-    TimedRounds rounds(std::move(frames), protocol);
-    while (!rounds.complete()) {
-        progress.check();
-        try {
-            rounds.step(
-                renderer, [&](const Viewport&, size_t) -> Framebuffer& { return target; }, progress.stop);
-        } catch (const Error& error) {
-            entrants[numbers[rounds.next()]].fail(error);
-            rounds.dropNext();
-        }
+Served servedBy(const Method& method, const Setting& setting, const MeasureResult& result) {
+    Served made{&method};
+    for (const RunMeasurement& run : result.runs)
+        if (run.strategy.id == method.id) made.run = &run;
+    if (made.run != nullptr) {
+        for (const FrameMeasurement& frame : made.run->frames) made.viewsMilliseconds += frame.frameMilliseconds;
+        const size_t drawn = made.run->frames.size(), views = result.request.path.poses.size();
+        if (drawn < views)
+            made.failure = "more than " + std::to_string(int(setting.secondsOfAStrategy)) + " s: " + std::to_string(drawn) +
+                           " of " + std::to_string(views) + " views";
     }
-    References references;
-    for (size_t i = 0; i < numbers.size(); ++i) {
-        TimedFrames& timed = rounds.entrants()[i];
-        if (timed.dropped) continue;
-        if (missed != nullptr) {
-            const auto truth = references.of(renderer, buffers, view, timed.strategy->referenceFacing());
-            (*missed)[numbers[i]] = double(judge(renderer, buffers, timed.log, *truth, target).lostPixels());
-        }
-        entrants[numbers[i]].add(std::move(timed));
-    }
+    // What a method refuses, such as more fragments than its limit, is what its cells say.
+    for (const Refusal& refusal : result.refused)
+        if (refusal.strategy.id == method.id) made.failure = refusal.why.english();
+    return made;
 }
 
-/// Times all views.
-void timeViews(std::vector<Entrant>& entrants, const SceneBuffers& buffers, const CameraPath& path, const LectureTableSize& size,
-               const Progress& progress, std::vector<double>& missed) {
-    const size_t views = path.poses.size();
-    Renderer renderer;
-    Framebuffer target(size.size);
-    TimingProtocol protocol;
-    protocol.fixedRepetitions = views > 1 ? 1 : size.repetitions;
-    for (size_t pose = 0; pose < views; ++pose) {
-        // Meshes are uploaded and programs compiled when they are first used.
-        protocol.warmUp = pose == 0 ? 1 : 0;
-        timeView(renderer, target, entrants, View(path.camera(pose), size.size), buffers, protocol, pose % 2 != 0, progress,
-                 pose == 0 ? &missed : nullptr);
-        for (Entrant& entrant : entrants) entrant.giveUpAfter(size.secondsOfAMethod, views);
-        progress.tell(double(pose + 1) / double(views), CULLSCOPE_TR("measuring"));
-    }
-}
-
-Rows methodRows(const Setting& setting, const ScenePointer& scene, const LectureTableSize& size, const Progress& progress) {
-    constexpr double kBuilt = 0.3;
+/// What the structure takes, what a frame needs at most besides, and the depth buffer of OpenGL where it is used.
+double bytesOf(const Served& served, const Viewport& size) {
     constexpr double kDepthBytes = 4.0;
-    StructureStore structures;
-    std::vector<Entrant> entrants;
-    for (const Method& method : kMethods) {
-        progress.part(0.0, kBuilt).tell(double(entrants.size()) / double(kMethods.size()), CULLSCOPE_TR("building"));
-        entrants.emplace_back(method, scene, structures, Progress{nullptr, progress.stop});
-    }
-    const SceneBuffers buffers(scene, Upload::Vbo);
-    const CameraPath path = cameraPath("front:" + std::to_string(int(setting.number(kViews))), *scene);
-    std::vector<double> missed(entrants.size(), 0.0);
-    timeViews(entrants, buffers, path, size, progress.part(kBuilt, 1.0), missed);
+    uint64_t most = 0;
+    for (const FrameMeasurement& frame : served.run->frames) most = std::max(most, frame.frameBytes);
+    return double(served.run->structure.bytes) + double(most) +
+           (served.method->onGpu ? kDepthBytes * size.width * size.height : 0.0);
+}
 
+/// Pixels lost in all views, beyond the raster's snapping where they were rasterised otherwise than the reference.
+double lostPixels(const RunMeasurement& run) {
+    const std::optional<Losses> losses = run.losses();
+    if (!losses) return 0.0;
+    return double(losses->beyondSnapping ? losses->missedBeyondSnapping : losses->missedPixels);
+}
+
+Rows methodRows(const Setting& setting, const MeasureResult& result) {
+    // Sums over some of the views are no rows.
+    if (result.interrupted) return {};
+    std::vector<Served> methods;
+    for (const Method& method : kMethods) methods.push_back(servedBy(method, setting, result));
     std::optional<double> least;
     bool anyRecommended = false;
-    for (const Entrant& entrant : entrants) {
-        if (!entrant.method().ranked) continue;
-        anyRecommended = anyRecommended || !verdict(entrant.method(), setting).empty();
-        if (entrant.total() && (!least || *entrant.total() < *least)) least = entrant.total();
+    for (const Served& each : methods) {
+        if (!each.method->ranked) continue;
+        anyRecommended = anyRecommended || !verdict(*each.method, setting).empty();
+        if (each.total() && (!least || *each.total() < *least)) least = each.total();
     }
     Rows rows;
-    for (size_t i = 0; i < entrants.size(); ++i) {
-        const Entrant& entrant = entrants[i];
-        const std::string recommended = verdict(entrant.method(), setting);
-        Row row{{"method", std::string(entrant.method().id)}, {"triangles", double(scene->triangleCount())}};
-        if (entrant.method().ranked) row["lecture"] = recommended;
-        if (entrant.built() != nullptr) {
-            row["build_ms"] = entrant.built()->report().buildMilliseconds;
-            row["bytes"] = double(entrant.built()->report().bytes) + double(entrant.log().frameBytes()) +
-                           (entrant.method().onGpu ? kDepthBytes * size.size.width * size.size.height : 0.0);
+    for (const Served& each : methods) {
+        const std::string recommended = verdict(*each.method, setting);
+        Row row = setting.labels;
+        row["method"] = std::string(each.method->id);
+        row["triangles"] = double(result.request.scene->triangleCount());
+        if (each.method->ranked) row["lecture"] = recommended;
+        if (each.run != nullptr) {
+            row["build_ms"] = each.run->structure.buildMilliseconds;
+            row["bytes"] = bytesOf(each, setting.size);
         }
-        const std::optional<double> total = entrant.total();
+        const std::optional<double> total = each.total();
         const double times = total && least ? *total / *least : 0.0;
         if (total) {
-            row["views_ms"] = entrant.viewsMilliseconds();
+            row["views_ms"] = each.viewsMilliseconds;
             row["total_ms"] = *total;
-            row["missed_pixels"] = missed[i];
+            row["missed_pixels"] = lostPixels(*each.run);
             row["to_fastest"] = times;
         } else {
-            row["total_ms"] = entrant.failure();
+            row["total_ms"] = each.failure;
         }
-        if (entrant.method().ranked) row["agreement"] = std::string(agreement(!recommended.empty(), anyRecommended, times));
+        if (each.method->ranked) row["agreement"] = std::string(agreement(!recommended.empty(), anyRecommended, times));
         rows.push_back(std::move(row));
     }
     return rows;
@@ -243,8 +163,8 @@ std::vector<Message> lectureNotes() {
             "surfaces each has two triangles.")),
         note(CULLSCOPE_TR(
             "Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its "
-            "picture), and of the GPU's depth buffer where it is used. Missed pixels are those of the first "
-            "view."))};
+            "picture), and of the GPU's depth buffer where it is used. Missed pixels are those of all "
+            "views."))};
 }
 
 std::vector<ResultColumn> lectureColumns(const std::vector<Axis>& axes) {
@@ -254,7 +174,7 @@ std::vector<ResultColumn> lectureColumns(const std::vector<Axis>& axes) {
                                            {"build_ms", CULLSCOPE_TR("build, ms"), Origin::Measured, 2},
                                            {"views_ms", CULLSCOPE_TR("all views, ms"), Origin::Measured, 2},
                                            {"total_ms", CULLSCOPE_TR("both, ms"), Origin::Measured, 2},
-                                           {"to_fastest", CULLSCOPE_TR("× fastest of five"), Origin::Measured, 2},
+                                           {"to_fastest", CULLSCOPE_TR("both ÷ least of five"), Origin::Measured, 2},
                                            {"agreement", CULLSCOPE_TR("verdict"), Origin::Measured},
                                            {"bytes", CULLSCOPE_TR("bytes"), Origin::Measured},
                                            {"missed_pixels", CULLSCOPE_TR("missed px"), Origin::Measured}};
@@ -291,11 +211,21 @@ Experiment lectureTable(const LectureTableSize& size) {
     experiment.axes = {{kOverlap, CULLSCOPE_TR("layers"), Axis::Kind::Label, axisValues(size.overlaps)},
                        {kSurfaces, CULLSCOPE_TR("surfaces"), Axis::Kind::Label, axisValues(size.surfaces)},
                        {kViews, CULLSCOPE_TR("views"), Axis::Kind::Label, axisValues(size.views)},
-                       {"method", CULLSCOPE_TR("method"), Axis::Kind::InTurns, methods}};
-    experiment.settings = settingsOf(experiment.axes);
+                       {"method", CULLSCOPE_TR("method"), Axis::Kind::Strategy, methods}};
+    Setting common;
+    common.shown = "backface";
+    common.size = size.size;
+    common.refusalsAreResults = true;
+    common.secondsOfAStrategy = size.secondsOfAMethod;
+    experiment.settings = settingsOf(experiment.axes, common);
     for (Setting& setting : experiment.settings) {
         const int layers = int(setting.number(kOverlap)), each = std::max(2, int(setting.number(kSurfaces)) / layers);
         setting.scene = "layers:count=" + std::to_string(layers) + ",triangles=" + std::to_string(each) + ",waves=0.02";
+        const int views = int(setting.number(kViews));
+        setting.path = "front:" + std::to_string(views);
+        setting.timing.fixedRepetitions = views > 1 ? 1 : size.repetitions;
+        // Meshes are uploaded and programs compiled when they are first used.
+        setting.timing.warmUpOnce = true;
     }
     experiment.columns = lectureColumns(experiment.axes);
     const auto middle = [](const std::vector<int>& values) { return CellValue(double(values[values.size() / 2])); };
@@ -305,10 +235,7 @@ Experiment lectureTable(const LectureTableSize& size) {
         plotOver(kSurfaces, CULLSCOPE_TR("Time by surfaces"), CULLSCOPE_TR("surfaces"), {{kOverlap, {layers}}, {kViews, {one}}}),
         plotOver(kViews, CULLSCOPE_TR("Time by views of a static scene"), CULLSCOPE_TR("views"),
                  {{kOverlap, {layers}}, {kSurfaces, {surfaces}}})};
-    experiment.draws = true;
-    experiment.measured = [size](const Setting& setting, const ScenePointer& scene, const Progress& progress) {
-        return methodRows(setting, scene, size, progress);
-    };
+    experiment.rowsOfRuns = methodRows;
     return experiment;
 }
 

@@ -12,8 +12,8 @@ struct LectureTableSize {
     std::vector<int> surfaces{10, 1'000, 100'000};  ///< triangles of all layers together, two a layer at least
     std::vector<int> views{1, 100};                 ///< of the static scene
     Viewport size{320, 240};
-    int repetitions = 5;             ///< of a single view; of many views each is drawn once
-    double secondsOfAMethod = 20.0;  ///< of drawing in one setting, after which it is given up
+    int repetitions = 5;             ///< of a single view; of many views each is drawn once (unless the user says how often)
+    double secondsOfAMethod = 20.0;  ///< of counted frames in one setting, after which it is given up
 };
 
 /// "lecture-table": the lecture's methods of visible-surface determination beside each other, in time and memory, and its

@@ -71,6 +71,7 @@ LinePlot plotOf(const RowPlot& described, const ResultTable& table, const Words&
         for (const RowPlot::Column& column : described.y) {
             PlotLine line{lineName(group, column.name), pointsOf(rows, {{}, described.x, column.key})};
             if (line.points.empty()) continue;
+            if (described.byX) std::ranges::stable_sort(line.points, {}, &PlotPoint::x);
             if (described.namesExponents && line.points.size() > 1)
                 line.name += fmt::format(": power {:.2f}", exponentOf(line.points));
             plot.lines.push_back(std::move(line));

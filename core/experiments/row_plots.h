@@ -42,6 +42,7 @@ struct RowPlot {
     std::vector<std::string> separate{};  ///< columns: a plot for each of their values, which take the title's places %1, %2, …
     std::vector<Power> powers{};
     bool namesExponents = false;  ///< a line's name ends with the exponent of its power law
+    bool byX = false;             ///< a line's points are in the order of x, not of the rows
 
     [[nodiscard]] bool ofFrames() const { return y.empty(); }
 };

@@ -28,9 +28,9 @@ Row rowCells(const Setting& setting, const RunMeasurement& run) {
     cells["fps_max"] = summary.fpsMax;
     cells["fps_min"] = summary.fpsMin;
     cells["fps_mean"] = summary.fpsMean;
-    cells["ratio_to_all"] = summary.ratioToAll;
-    cells["ratio_to_backface"] = summary.ratioToBackface;
-    cells["speedup_vs_all"] = summary.speedupVsAll;
+    cells["ratio_to_all"] = summary.ratioToTriangles;
+    cells["ratio_to_backface"] = summary.ratioToFrontFaces;
+    cells["speedup_vs_all"] = summary.speedupVsTriangles;
     cells["culled_fraction"] = summary.culledFraction;
     cells["cull_share"] = summary.cullShare;
     cells["build_ms"] = run.structure.buildMilliseconds;

@@ -20,8 +20,7 @@ public:
         if (!whole && decision.outcome != Outcome::PartlyDrawn) return;
         for (const uint32_t instance : m_log.objectsOf(decision)) m_objects.insert(instance);
         if (decision.subject.kind == Subject::Kind::Object) m_objects.insert(decision.subject.number);
-        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
-        if (cells && whole) m_cells[decision.subject.object].push_back(decision.places);
+        if (decision.subject.holdsTriangles() && whole) m_cells[decision.subject.object].push_back(decision.places);
     }
 
     void sort() {
@@ -85,7 +84,7 @@ OwnTrianglesPointer namedPart(const OwnTriangles& all, std::span<const Decision>
 DrawList drawnInto(Facing facing, std::span<const Decision> said) {
     DrawList list{facing, {}};
     for (const Decision& decision : said)
-        if (decision.subject.kind == Subject::Kind::Cell && decision.outcome == Decision::Outcome::Drawn)
+        if (decision.subject.kind == Subject::Kind::Triangles && decision.outcome == Decision::Outcome::Drawn)
             list.ranges.push_back({decision.subject.object, 3 * decision.places.first, 3 * decision.places.count});
     return list;
 }
@@ -98,7 +97,7 @@ FinishedPicturePointer namedPart(const FinishedPicture& all, std::span<const Dec
     const auto width = uint32_t(all.size.width);
     bool any = false;
     for (const Decision& decision : said) {
-        const bool pixels = decision.subject.kind == Subject::Kind::Tile || decision.subject.kind == Subject::Kind::Span;
+        const bool pixels = decision.subject.kind == Subject::Kind::Rows || decision.subject.kind == Subject::Kind::Span;
         if (!pixels || decision.places.count == 0) continue;
         const uint32_t first = decision.places.first, last = first + decision.places.count - 1;
         if (last >= all.triangle.size()) continue;

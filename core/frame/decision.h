@@ -20,9 +20,10 @@ struct Subject {
         Ray,       ///< `number`: of a ray from the eye that the strategy follows for `object`
         Band,      ///< `number`: of a part of the curve (frame/curve.h) that the strategy has for `object`
         Fragment,  ///< `number`: of a part of a triangle
-        Tile,      ///< `number`: of a rectangle of the picture
+        Rows,      ///< `number`: of a row of pixels, from the bottom; of several rows the first one
         Span,      ///< `number`: of a piece of a row of pixels
-        Cells  ///< `number`: of a group of cells, such as a range of them, of the structure that the strategy has for `object`
+        Cells,  ///< `number`: of a group of cells, such as a range of them, of the structure that the strategy has for `object`
+        Triangles  ///< `number`: of a triangle in the mesh of `object`; of several consecutive ones the first one
     };
     static constexpr uint32_t kNoObject = 0xFFFFFFFF;
 
@@ -33,6 +34,9 @@ struct Subject {
     [[nodiscard]] static Subject ofObject(uint32_t instance) { return {Kind::Object, instance, instance}; }
     [[nodiscard]] static Subject ofNode(uint32_t node) { return {Kind::Node, node, kNoObject}; }
     [[nodiscard]] static Subject ofCell(uint32_t cell, uint32_t instance) { return {Kind::Cell, cell, instance}; }
+    [[nodiscard]] static Subject ofTriangles(uint32_t first, uint32_t instance) { return {Kind::Triangles, first, instance}; }
+    /// Whether a decision about it may say which triangles of `object` it has (Decision::places).
+    [[nodiscard]] bool holdsTriangles() const { return kind == Kind::Cell || kind == Kind::Cells || kind == Kind::Triangles; }
     bool operator==(const Subject&) const = default;
 };
 
@@ -67,9 +71,9 @@ struct Decision {
     std::array<double, kOperands> operands{};
     uint8_t operandCount = 0;
     uint8_t nesting = 0;  ///< how many subjects, whose decisions came before, this one lies in
-    /// Of a Cell or Cells: its triangles, in the order FrameLog::order. Of a Fragment: its triangles among the strategy's own
-    /// that are drawn next. Of a Tile or Span: from its lower left to its upper right pixel, which are numbered row by row from
-    /// the bottom. None: not said.
+    /// Of a Cell, Cells or Triangles: its triangles, in the order FrameLog::order. Of a Fragment: its triangles among the
+    /// strategy's own that are drawn next. Of Rows or a Span that are shown: from the lower left to the upper right pixel, which
+    /// are numbered row by row from the bottom. None: not said.
     PlaceRun places;
     uint32_t firstObject = 0;  ///< of a Node that is decided as a whole: its objects, in FrameLog::objects
     uint32_t objectCount = 0;

@@ -29,9 +29,10 @@ constexpr std::array kSubjects{CULLSCOPE_TR("About an object"),
                                CULLSCOPE_TR("About a ray"),
                                CULLSCOPE_TR("About a band"),
                                CULLSCOPE_TR("About a part of a triangle"),
-                               CULLSCOPE_TR("About a tile of the picture"),
+                               CULLSCOPE_TR("About rows of the picture"),
                                CULLSCOPE_TR("About a piece of a row"),
-                               CULLSCOPE_TR("About several cells")};
+                               CULLSCOPE_TR("About several cells"),
+                               CULLSCOPE_TR("About triangles")};
 constexpr std::array kCommands{CULLSCOPE_TR("Triangles of the scene are drawn"),
                                CULLSCOPE_TR("Triangles of the strategy's own are drawn"),
                                CULLSCOPE_TR("A finished picture is shown"), CULLSCOPE_TR("OpenGL is asked about boxes")};

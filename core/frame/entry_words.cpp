@@ -90,8 +90,14 @@ Words subjectWords(const Scene& scene, const Subject& subject, const EntryNames&
         case Subject::Kind::Cells:
             if (ofObject) return {CULLSCOPE_TR("Cells of %1"), {named(subject.object)}};
             return {CULLSCOPE_TR("Several cells"), {}};
-        case Subject::Kind::Tile:
-            return {CULLSCOPE_TR("Tile %1 of the picture"), {number}};
+        case Subject::Kind::Rows:
+            if (!names.subject.empty()) return {CULLSCOPE_TR("Rows %1 of the picture"), {number}};
+            return {CULLSCOPE_TR("Row %1 of the picture"), {number}};
+        case Subject::Kind::Triangles:
+            if (!ofObject) return {CULLSCOPE_TR("Triangle %1"), {number}};
+            if (!names.subject.empty()) return {CULLSCOPE_TR("Triangles %1 of %2"), {number, named(subject.object)}};
+            return {CULLSCOPE_TR("Triangle %1 of %2"),
+                    {Term::plain(scene.firstTriangle(subject.object) + subject.number), named(subject.object)}};
         case Subject::Kind::Span:
             break;
     }

@@ -18,7 +18,8 @@ struct EntryNames {
 /// What stands for %1, %2, … in a decision's own sentence: the plane's name, then the operands with six significant digits.
 /// The sentence says on which side of a plane a distance lies, so those of a plane test are without their sign.
 [[nodiscard]] std::vector<Term> decisionTerms(const Decision& decision, const EntryNames& names = {});
-/// What a decision is about: "The object \"Buddha\"", "Node 12". English, marked for translation.
+/// What a decision is about: "Object Buddha", "Node 12"; triangles by their numbers in the scene. Rows and triangles with a name
+/// are several. English, marked for translation.
 [[nodiscard]] Words subjectWords(const Scene& scene, const Subject& subject, const EntryNames& names = {});
 /// What a decision found or what a command did, with its values as numbers. English, marked for translation.
 [[nodiscard]] Words entryWords(const FrameEntry& entry, const EntryNames& names = {});

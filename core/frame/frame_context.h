@@ -67,6 +67,8 @@ public:
     void say(Decision decision);
     /// The same about a node that is decided as a whole with these objects.
     void say(Decision decision, std::span<const uint32_t> objects);
+    /// Says what this frame's decisions leave out (FrameLog::coarser), in a few words without a full stop. Only while recording.
+    void sayCoarser(Message words) { m_log.coarser.push_back(std::move(words)); }
     /// How many decisions were said so far.
     [[nodiscard]] size_t said() const { return m_log.decisions.size(); }
     /// The order in which decisions about cells count the places of their triangles. Only while recording.

@@ -78,6 +78,7 @@ FrameLog FrameLog::upTo(size_t entries) const {
     part.facing = facing;
     part.commands.assign(commands.begin(), commands.begin() + drawn);
     part.recorded = recorded;
+    part.coarser = coarser;
     part.decisions.assign(decisions.begin(), decisions.begin() + decided);
     part.order = order;
     part.objects = objects;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/message.h"
 #include "core/frame/cause.h"
 #include "core/frame/commands.h"
 #include "core/frame/decision.h"
@@ -67,7 +68,10 @@ struct FrameLog {
     TriangleOrderPointer order;         ///< that decisions about cells count places in; null: every mesh's own
     std::vector<uint32_t> objects;      ///< instances that decisions about nodes refer to
     std::vector<LoggedDetail> details;  ///< of decisions that have one, by ascending number
-    bool whole = true;                  ///< false: the first entries of a frame that has more; the rest is not decided yet
+    /// What the decisions leave out because the frame has too much of it, and from what size on; most important first. English,
+    /// marked for translation. Empty: they say everything.
+    std::vector<Message> coarser;
+    bool whole = true;  ///< false: the first entries of a frame that has more; the rest is not decided yet
     FrameCounters counters;
     std::vector<Stage> stages;
     double cullMilliseconds = 0.0;  ///< the whole frame without executing and logging draw commands

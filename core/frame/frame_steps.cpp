@@ -34,8 +34,10 @@ FrameEntry FrameEntries::at(size_t entry) const {
 FrameSteps::FrameSteps(const FrameLog& log, size_t most) : m_entries(log.entries()) {
     if (m_entries <= most) return;
     const FrameEntries entries(log);
-    for (const StepGrain grain : {StepGrain::Subject, StepGrain::Object, StepGrain::Commands})
+    for (const StepGrain grain : {StepGrain::Subject, StepGrain::Object})
         if (fill(log, entries, grain, most)) return;
+    // The tests of batches, which go from object to object, all come before one command: then it is no step.
+    if (fill(log, entries, StepGrain::Commands, most) && m_ends.size() > 1) return;
     m_grain = StepGrain::Share;
     m_ends.clear();
     for (size_t step = 1; step <= most; ++step) m_ends.push_back(entriesAtShare(step, most, m_entries));

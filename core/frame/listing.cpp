@@ -48,8 +48,7 @@ private:
         if (decision.subject.kind == Subject::Kind::Node)
             return std::ranges::find(m_log.objectsOf(decision), m_instance) != m_log.objectsOf(decision).end();
         if (decision.subject.kind == Subject::Kind::Fragment) return decision.subject.number == m_triangle;
-        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
-        return cells && decision.subject.object == m_instance && m_place >= decision.places.first &&
+        return decision.subject.holdsTriangles() && decision.subject.object == m_instance && m_place >= decision.places.first &&
                m_place - decision.places.first < decision.places.count;
     }
 

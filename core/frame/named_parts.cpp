@@ -50,6 +50,7 @@ std::optional<size_t> NamedParts::partAt(const Scene& scene, uint64_t triangle, 
     double away = std::numeric_limits<double>::infinity();
     for (size_t i = 0; i < parts.size(); ++i) {
         if (parts[i].object != object) continue;
+        if (!own) return i;
         for (const PlaceRun& run : parts[i].drawn)
             for (uint32_t place = run.first; place < run.first + run.count; ++place) {
                 if (own->triangles[place] != triangle) continue;

@@ -15,17 +15,20 @@ namespace cullscope {
 struct NamedParts {
     /// Of more own triangles no parts are named.
     static constexpr size_t kMostTriangles = 100'000;
+    /// Leaves that a strategy made by itself are named up to so many of them.
+    static constexpr size_t kMostLeaves = 64;
 
     struct Part {
         std::string name;               ///< the object's; with a number where the object has several parts
         uint32_t object = 0;            ///< instance
         std::optional<size_t> place;    ///< of `places`; none: it lies in none of them
-        std::vector<PlaceRun> drawn{};  ///< its triangles among the own ones, in the order in which they are drawn
+        std::vector<PlaceRun> drawn{};  ///< its triangles among `own`, in the order in which they are drawn
     };
 
-    OwnTrianglesPointer own;          ///< null: the frame drew none
+    OwnTrianglesPointer own;          ///< null: the frame drew none, and every part is a whole object
     std::vector<Part> parts;          ///< by object, then by number
-    std::vector<std::string> places;  ///< such as the leaves of a tree; empty: the strategy has none
+    std::vector<std::string> places;  ///< such as the leaves of a tree; empty: the strategy has none, or too many
+    size_t leaves = 0;                ///< how many places there are, named or not
 
     /// Whether an object has several parts.
     [[nodiscard]] bool divides() const;

@@ -90,7 +90,7 @@ std::vector<size_t> orderOf(const NamedParts& parts) {
 /// A part is a piece of what the frame drew: none of them vanishes.
 std::vector<PredictionRow> answerOfParts(const Prediction& prediction, const NamedParts& parts) {
     const bool placed = prediction.question == Prediction::Question::Place;
-    const std::vector<size_t> order = orderOf(parts);
+    const std::vector<size_t> order = prediction.question == Prediction::Question::Order ? orderOf(parts) : std::vector<size_t>();
     std::vector<PredictionRow> rows;
     for (uint64_t part = 0; part < parts.parts.size(); ++part) {
         const auto found = std::ranges::find(prediction.items, part);

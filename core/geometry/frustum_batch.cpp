@@ -84,10 +84,27 @@ BatchKernel* sphereKernel(SimdLevel level) {
     return testSpheresScalar;
 }
 
+/// Hands on what a kernel tells: of the objects, not of those that fill the last block.
+struct TestTeller {
+    const BatchTestTold& told;
+    size_t objects;
+
+    static void tell(void* to, const BatchTests& tests) {
+        const auto& teller = *static_cast<const TestTeller*>(to);
+        for (size_t i = 0; i < tests.count && tests.object + i < teller.objects; ++i)
+            if (!std::isnan(tests.inside[i]) && !std::isnan(tests.margin[i]))
+                teller.told(uint32_t(tests.object + i), FrustumPlane(tests.plane),
+                            {tests.inside[i], tests.outside[i], tests.margin[i]});
+    }
+};
+
 template <typename Batch>
-void runKernel(BatchKernel* kernel, const Batch& batch, const BatchFrustum& frustum, std::vector<uint64_t>& outside) {
+void runKernel(BatchKernel* kernel, const Batch& batch, const BatchFrustum& frustum, std::vector<uint64_t>& outside,
+               const BatchTestTold& told) {
     outside.resize(batch.wordCount());
-    kernel(batch.blocks(), batch.blockCount(), frustum.planes(), outside.data());
+    TestTeller teller{told, batch.size()};
+    const BatchListener listener{TestTeller::tell, &teller};
+    kernel(batch.blocks(), batch.blockCount(), frustum.planes(), outside.data(), told ? &listener : nullptr);
 }
 
 }  // namespace
@@ -139,12 +156,14 @@ BatchDistances BatchFrustum::distances(FrustumPlane plane, const Sphere& sphere)
     return sphereDistances(blockOf(sphere).data(), m_planes, size_t(plane));
 }
 
-void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside) {
-    runKernel(boxKernel(level), boxes, frustum, outside);
+void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
+                 const BatchTestTold& told) {
+    runKernel(boxKernel(level), boxes, frustum, outside, told);
 }
 
-void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside) {
-    runKernel(sphereKernel(level), spheres, frustum, outside);
+void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
+                 const BatchTestTold& told) {
+    runKernel(sphereKernel(level), spheres, frustum, outside, told);
 }
 
 }  // namespace cullscope

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -85,9 +86,17 @@ private:
     BatchPlanes m_planes{};
 };
 
+/// Is told of the test of one object against one plane.
+using BatchTestTold = std::function<void(uint32_t object, FrustumPlane plane, const BatchDistances& distances)>;
+
 /// Finds the objects that lie outside a plane of the frustum: bit i % 64 of word i / 64 for object i; bits beyond the last object
 /// are 0. Conservative: an object that intersects the frustum is never outside. `level` is one of availableSimdLevels().
-void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
-void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside);
+/// `told`: of every test where it falls, in the order of the level's batches: all objects of a batch against one plane, then
+/// against the next, until all of them are outside. The distance of the point farthest outside is computed for it alone. Objects
+/// whose place is not known are left out. Without it nothing is told, which costs nothing.
+void findOutside(const BoxBatch& boxes, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
+                 const BatchTestTold& told = {});
+void findOutside(const SphereBatch& spheres, const BatchFrustum& frustum, SimdLevel level, std::vector<uint64_t>& outside,
+                 const BatchTestTold& told = {});
 
 }  // namespace cullscope

@@ -13,6 +13,7 @@ struct Avx2Lanes {
     static constexpr size_t kPlanesBetweenLooks = 2;
 
     static Vector load(const double* from) { return _mm256_loadu_pd(from); }
+    static void store(double* to, Vector a) { _mm256_storeu_pd(to, a); }
     static Vector spread(double value) { return _mm256_set1_pd(value); }
     static Vector abs(Vector a) { return _mm256_andnot_pd(_mm256_set1_pd(-0.0), a); }
     static Vector min(Vector a, Vector b) { return _mm256_min_pd(a, b); }
@@ -23,12 +24,14 @@ struct Avx2Lanes {
 
 }  // namespace
 
-void testBoxesAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
-    testBlocks<Avx2Lanes, Boxes<Avx2Lanes>>(blocks, blockCount, frustum, outside);
+void testBoxesAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                   const BatchListener* listener) {
+    test<Avx2Lanes, Boxes<Avx2Lanes>>(blocks, blockCount, frustum, outside, listener);
 }
 
-void testSpheresAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
-    testBlocks<Avx2Lanes, Spheres<Avx2Lanes>>(blocks, blockCount, frustum, outside);
+void testSpheresAvx2(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                     const BatchListener* listener) {
+    test<Avx2Lanes, Spheres<Avx2Lanes>>(blocks, blockCount, frustum, outside, listener);
 }
 
 }  // namespace cullscope

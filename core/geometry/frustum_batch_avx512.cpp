@@ -13,6 +13,7 @@ struct Avx512Lanes {
     static constexpr size_t kPlanesBetweenLooks = 2;
 
     static Vector load(const double* from) { return _mm512_loadu_pd(from); }
+    static void store(double* to, Vector a) { _mm512_storeu_pd(to, a); }
     static Vector spread(double value) { return _mm512_set1_pd(value); }
     static Vector abs(Vector a) { return _mm512_abs_pd(a); }
     // With a mask of all lanes: GCC 12 warns of the undefined vector inside the intrinsics without a mask.
@@ -24,12 +25,14 @@ struct Avx512Lanes {
 
 }  // namespace
 
-void testBoxesAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
-    testBlocks<Avx512Lanes, Boxes<Avx512Lanes>>(blocks, blockCount, frustum, outside);
+void testBoxesAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                     const BatchListener* listener) {
+    test<Avx512Lanes, Boxes<Avx512Lanes>>(blocks, blockCount, frustum, outside, listener);
 }
 
-void testSpheresAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
-    testBlocks<Avx512Lanes, Spheres<Avx512Lanes>>(blocks, blockCount, frustum, outside);
+void testSpheresAvx512(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                       const BatchListener* listener) {
+    test<Avx512Lanes, Spheres<Avx512Lanes>>(blocks, blockCount, frustum, outside, listener);
 }
 
 }  // namespace cullscope

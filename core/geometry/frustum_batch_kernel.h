@@ -72,9 +72,32 @@ template <size_t kCount, typename Body>
     }
 }
 
-/// Tests kVectors · kWidth objects that follow each other from the first of a block on.
-template <typename Lanes, typename Shape, size_t kVectors>
-[[gnu::always_inline]] inline uint64_t testGroup(const double* block, const BatchPlanes& frustum) {
+/// Tells of no test.
+template <typename Lanes>
+struct Untold {
+    [[gnu::always_inline]] void test(size_t /*object*/, size_t /*plane*/, const double* /*at*/, const BatchPlanes& /*frustum*/,
+                                     typename Lanes::Vector /*distance*/, typename Lanes::Vector /*margin*/) const {}
+};
+
+/// Tells a listener of every test where it falls.
+template <typename Lanes, typename Shape>
+struct Told {
+    const BatchListener& listener;
+
+    void test(size_t object, size_t plane, const double* at, const BatchPlanes& frustum, typename Lanes::Vector distance,
+              typename Lanes::Vector margin) const {
+        double inside[Lanes::kWidth], outside[Lanes::kWidth], margins[Lanes::kWidth];
+        Lanes::store(inside, Shape::withReach(distance, at));
+        Lanes::store(outside, Shape::outer(at, frustum.planes[plane]));
+        Lanes::store(margins, margin);
+        listener.tell(listener.to, {object, plane, Lanes::kWidth, inside, outside, margins});
+    }
+};
+
+/// Tests kVectors · kWidth objects that follow each other from the first of a block on; `first`: the number of the first.
+template <typename Lanes, typename Shape, size_t kVectors, typename Telling>
+[[gnu::always_inline]] inline uint64_t testGroup(const double* block, const BatchPlanes& frustum, size_t first,
+                                                 const Telling& telling) {
     using Vector = typename Lanes::Vector;
     constexpr uint64_t kAll = ~uint64_t{0} >> (64 - kVectors * Lanes::kWidth);
     const auto at = [&](size_t vector) __attribute__((always_inline)) {
@@ -91,8 +114,10 @@ template <typename Lanes, typename Shape, size_t kVectors>
         repeat<Lanes::kPlanesBetweenLooks>([&](size_t next) __attribute__((always_inline)) {
             const BatchPlane& plane = frustum.planes[p + next];
             repeat<kVectors>([&](size_t v) __attribute__((always_inline)) {
+                const Vector distance = Shape::distance(at(v), plane);
+                telling.test(first + v * Lanes::kWidth, p + next, at(v), frustum, distance, margin[v]);
                 // Lanes::min returns its second operand where the first is NaN, so that a NaN distance does not count.
-                least[v] = Lanes::min(Shape::distance(at(v), plane), least[v]);
+                least[v] = Lanes::min(distance, least[v]);
             });
         });
         bits = 0;
@@ -104,17 +129,19 @@ template <typename Lanes, typename Shape, size_t kVectors>
     return bits;
 }
 
-template <typename Lanes, typename Shape>
-void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
+/// A function of its own for each way of telling: what tells must not take registers from what does not.
+template <typename Lanes, typename Shape, typename Telling>
+[[gnu::noinline]] void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                                  const Telling& telling) {
     constexpr size_t kGroup = Lanes::kVectors * Lanes::kWidth;
-    for (; blockCount > 0; ++outside) {
+    for (size_t first = 0; blockCount > 0; ++outside, first += 64) {
         const size_t wordBlocks = blockCount < 64 / kBatchBlock ? blockCount : 64 / kBatchBlock;
         uint64_t word = 0;
         for (size_t object = 0; object < wordBlocks * kBatchBlock;) {
             const double* at = blocks + object / kBatchBlock * (Shape::kRows * kBatchBlock) + object % kBatchBlock;
             const bool whole = kGroup <= kBatchBlock || wordBlocks * kBatchBlock - object >= kGroup;
-            word |= (whole ? testGroup<Lanes, Shape, Lanes::kVectors>(at, frustum)
-                           : testGroup<Lanes, Shape, kBatchBlock / Lanes::kWidth>(at, frustum))
+            word |= (whole ? testGroup<Lanes, Shape, Lanes::kVectors>(at, frustum, first + object, telling)
+                           : testGroup<Lanes, Shape, kBatchBlock / Lanes::kWidth>(at, frustum, first + object, telling))
                     << object;
             object += whole ? kGroup : kBatchBlock;
         }
@@ -122,6 +149,14 @@ void testBlocks(const double* blocks, size_t blockCount, const BatchPlanes& frus
         blocks += wordBlocks * Shape::kRows * kBatchBlock;
         blockCount -= wordBlocks;
     }
+}
+
+template <typename Lanes, typename Shape>
+void test(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside, const BatchListener* listener) {
+    if (listener == nullptr)
+        testBlocks<Lanes, Shape>(blocks, blockCount, frustum, outside, Untold<Lanes>{});
+    else
+        testBlocks<Lanes, Shape>(blocks, blockCount, frustum, outside, Told<Lanes, Shape>{*listener});
 }
 
 }  // namespace

@@ -34,8 +34,24 @@ struct BatchPlanes {
     double marginOfEye;
 };
 
-/// Writes one bit an object, 64 a word, for whole blocks; bits beyond them are 0.
-using BatchKernel = void(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside);
+/// Tests of objects that follow each other against one plane, which a kernel made together.
+struct BatchTests {
+    size_t object;  ///< the first one, counted from the first of the blocks
+    size_t plane;
+    size_t count;
+    const double *inside, *outside, *margin;  ///< `count` each: as in BatchDistances
+};
+
+/// Is told of the tests in the order in which a kernel makes them.
+struct BatchListener {
+    void (*tell)(void* to, const BatchTests& tests);
+    void* to;
+};
+
+/// Writes one bit an object, 64 a word, for whole blocks; bits beyond them are 0. `listener`: null where nothing is to be told;
+/// then code without it runs. The results are the same.
+using BatchKernel = void(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                         const BatchListener* listener);
 
 BatchKernel testBoxesScalar, testBoxesAvx2, testBoxesAvx512;
 BatchKernel testSpheresScalar, testSpheresAvx2, testSpheresAvx512;

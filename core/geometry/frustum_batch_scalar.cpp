@@ -11,6 +11,7 @@ struct ScalarLanes {
     static constexpr size_t kPlanesBetweenLooks = 1;
 
     static Vector load(const double* from) { return *from; }
+    static void store(double* to, Vector a) { *to = a; }
     static Vector spread(double value) { return value; }
     static Vector abs(Vector a) { return __builtin_fabs(a); }
     // As the vector instructions do: the second operand where one is NaN.
@@ -28,12 +29,14 @@ BatchDistances distances(const double* block, const BatchPlanes& frustum, size_t
 
 }  // namespace
 
-void testBoxesScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
-    testBlocks<ScalarLanes, Boxes<ScalarLanes>>(blocks, blockCount, frustum, outside);
+void testBoxesScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                     const BatchListener* listener) {
+    test<ScalarLanes, Boxes<ScalarLanes>>(blocks, blockCount, frustum, outside, listener);
 }
 
-void testSpheresScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside) {
-    testBlocks<ScalarLanes, Spheres<ScalarLanes>>(blocks, blockCount, frustum, outside);
+void testSpheresScalar(const double* blocks, size_t blockCount, const BatchPlanes& frustum, uint64_t* outside,
+                       const BatchListener* listener) {
+    test<ScalarLanes, Spheres<ScalarLanes>>(blocks, blockCount, frustum, outside, listener);
 }
 
 BatchDistances boxDistances(const double* block, const BatchPlanes& frustum, size_t plane) {

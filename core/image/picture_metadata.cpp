@@ -42,12 +42,15 @@ PictureMetadata subjectMetadata(const PictureSubject& subject, std::string_view 
     if (!(subject.cullingSize == subject.size)) add("culling_size", sizeText(subject.cullingSize));
     add("overlay", subject.picture.empty() ? overlays(subject.look) : subject.picture);
     add("map_colouring", subject.pictureColouring);
-    if (subject.picture.empty() && !subject.look.sphericalModel && subject.look.byPlane())
-        add("box_colouring", boxColouringId(subject.look.boxColouring));
-    if (subject.look.colouring == Colouring::Verdicts && !subject.look.culledToo) add("drawn_only", "true");
+    for (const auto& [name, value] : unusualOf(subject.look))
+        if (subject.picture.empty()) add(name, value);
     if (subject.submittedTriangles) add("submitted_triangles", std::to_string(*subject.submittedTriangles));
     if (subject.missedPixels) add("missed_pixels", std::to_string(*subject.missedPixels));
-    if (subject.ratioToBackface) add("ratio_to_backface", text(*subject.ratioToBackface));
+    if (subject.ratioToFrontFaces) {
+        const auto& [ratio, interval] = *subject.ratioToFrontFaces;
+        add("ratio_to_backface", text(ratio));
+        add("ratio_to_backface_ci95", text(interval[0]) + "," + text(interval[1]));
+    }
     if (subject.figuresSize) add("figures_size", sizeText(*subject.figuresSize));
     return pairs;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -31,8 +32,13 @@ struct PictureSubject {
     std::string pictureColouring;  ///< with `picture`
     std::optional<uint64_t> submittedTriangles;
     std::optional<uint64_t> missedPixels;
-    std::optional<double> ratioToBackface;  ///< of the frame times, as in result files
-    std::optional<Viewport> figuresSize;    ///< the size at which the last two were measured
+    /// × with its 95 % interval.
+    struct Ratio {
+        double ratio = 0.0;
+        std::array<double, 2> ci95{};
+    };
+    std::optional<Ratio> ratioToFrontFaces;  ///< as in result files
+    std::optional<Viewport> figuresSize;   ///< the size at which the last two were measured
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is

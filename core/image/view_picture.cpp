@@ -1,5 +1,7 @@
 #include "core/image/view_picture.h"
 
+#include <algorithm>
+
 #include "core/gpu/colour.h"
 #include "core/image/overlays.h"
 #include "core/image/spherical_model.h"
@@ -38,45 +40,111 @@ void drawOverlay(Renderer& renderer, const View& viewing, const OverlayLines& ov
 
 /// The bounds that the strategy tests, in its own form where it has one.
 std::vector<OverlayLines> boxesOf(const OverlayContext& context, const BuiltStrategy& strategy, const FrameLog& log,
-                                  const StructureSnapshot& snapshot, BoxColouring colouring) {
-    if (strategy.info().show(kBoxesOverlay) != nullptr) return strategy.overlay(kBoxesOverlay, context, log);
-    if (colouring == BoxColouring::Plane) return boxOverlayByPlane(context, snapshot);
+                                  const StructureSnapshot& snapshot, bool byPlane) {
+    if (strategy.info().first(Show::Kind::Boxes) != nullptr) return strategy.overlay(kBoxesShow, context, log);
+    if (byPlane) return boxOverlayByPlane(context, snapshot);
     return {groupOverlay(context, snapshot), boxOverlay(context, snapshot)};
 }
 
 }  // namespace
 
-const char* boxColouringId(BoxColouring colouring) { return colouring == BoxColouring::Plane ? "plane" : "verdict"; }
+ViewLook::ViewLook() {
+    for (const Show* show : pictureShows())
+        if (show->byDefault) m_shown.insert(show->id);
+}
+
+ViewLook::ViewLook(std::initializer_list<const char*> ids) : ViewLook() { m_shown.insert(ids.begin(), ids.end()); }
+
+void ViewLook::show(const std::string& id, bool on) {
+    if (on)
+        m_shown.insert(id);
+    else
+        m_shown.erase(id);
+}
+
+void ViewLook::showWithAll(const Show& show, bool on) {
+    this->show(show.id, on);
+    for (const Show* needed : pictureShows())
+        if (on && show.with() == needed->kind) this->show(needed->id, true);
+}
+
+bool ViewLook::has(const Show& show) const { return shows(show.id) && (!show.with() || has(*show.with())); }
+
+bool ViewLook::has(Show::Kind kind) const {
+    return std::ranges::any_of(pictureShows(), [&](const Show* show) { return show->kind == kind && has(*show); });
+}
+
+std::vector<const Show*> ViewLook::shown() const {
+    std::vector<const Show*> result;
+    std::ranges::copy_if(pictureShows(), std::back_inserter(result), [&](const Show* show) { return has(*show); });
+    return result;
+}
+
+bool ViewLook::inPlace() const {
+    return std::ranges::any_of(shown(), [](const Show* show) { return show->inPlace(); });
+}
+
+ViewLook ViewLook::inPlaceAlone() const {
+    ViewLook look;
+    for (const Show* show : shown())
+        if (show->inPlace()) look.show(show->id, true);
+    return look;
+}
+
+void ViewLook::watch() {
+    for (const Show* show : pictureShows())
+        if (show->watching) this->show(show->id, true);
+}
+
+void ViewLook::leaveOutOverlays() {
+    for (const Show* show : pictureShows())
+        if (show->over()) m_shown.erase(show->id);
+}
+
+void ViewLook::keepShownOf(const BuiltStrategy& strategy, const FrameLog& log) {
+    std::erase_if(m_shown, [&](const std::string& id) { return strategy.whyNotShown(id, {}, log).has_value(); });
+}
 
 std::vector<std::string> overlayIds(const ViewLook& look) {
-    // In its place nothing else is seen.
-    if (look.sphericalModel) return {kSphericalModelOverlay};
     std::vector<std::string> ids;
-    const auto add = [&](bool shown, const std::string& id) {
-        if (shown) ids.push_back(id);
-    };
-    add(look.colouring == Colouring::Verdicts, kVerdictsOverlay);
-    add(look.boxes, kBoxesOverlay);
-    add(look.frustum, kFrustumOverlay);
-    for (const Show* show : declaredShows(Show::Kind::Overlay)) add(look.shows(show->id), show->id);
+    for (const Show* show : namedShows())
+        if (look.shows(show->id) && !show->help.empty() && (!look.inPlace() || show->inPlace())) ids.push_back(show->id);
     return ids;
 }
 
+std::vector<std::pair<std::string, std::string>> unusualOf(const ViewLook& look) {
+    std::vector<std::pair<std::string, std::string>> found;
+    // Options of boxes stand before those of verdicts.
+    for (auto each = pictureShows().rbegin(); each != pictureShows().rend(); ++each) {
+        const Show& show = **each;
+        if (show.unusual.key.empty() || look.shows(show.id) == show.byDefault || !show.with() || !look.has(*show.with()))
+            continue;
+        if (!look.inPlace()) found.emplace_back(show.unusual.key, show.byDefault ? show.unusual.off : show.unusual.on);
+    }
+    return found;
+}
+
+std::set<TriangleState> legendOf(const ViewLook& look) {
+    std::set<TriangleState> states;
+    for (const Show* show : look.shown()) states.insert(show->legend.begin(), show->legend.end());
+    return states;
+}
+
 bool needsDecisions(const ViewLook& look) {
-    return !look.sphericalModel && (look.colouring == Colouring::Verdicts || look.boxes || !look.overlays.empty());
+    return !look.inPlace() && (look.has(Show::Kind::Verdicts) || look.has(Show::Kind::Boxes) || look.has(Show::Kind::Overlay));
 }
 
 void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const BuiltStrategy& strategy, const FrameLog& log,
                      const View& viewing, const TriangleStates* known, const ViewLook& look, const DrawStyle& style,
                      Framebuffer& target) {
-    if (look.sphericalModel)
+    if (look.has(Show::Kind::Model))
         return drawSphericalModel(renderer, buffers, viewing, drawnTriangles(buffers.scene(), log), style, target);
     const VerdictPalette palette = verdictPalette(style.background);
-    if (look.colouring == Colouring::Verdicts) {
+    if (look.has(Show::Kind::Verdicts)) {
         const TriangleStates own = known != nullptr ? TriangleStates{} : triangleStates(buffers.scene(), log, std::nullopt);
         const std::vector<TriangleState>& states = known != nullptr ? known->states : own.states;
-        renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states), look.culledToo ? palette : drawnOnly(palette),
-                             target, style);
+        renderer.drawByState(buffers, viewing, Facing::TwoSided, bytes(states),
+                             look.has(Show::Kind::Left) ? palette : drawnOnly(palette), target, style);
     } else {
         renderer.draw(buffers, viewing, log, target, style);
     }
@@ -87,15 +155,15 @@ void drawViewPicture(Renderer& renderer, const SceneBuffers& buffers, const Buil
     };
     // The frustum's planes are coloured where the boxes are; a strategy without boxes has no plane colours.
     bool byPlane = false;
-    if (look.boxes) {
+    if (look.has(Show::Kind::Boxes)) {
         const StructureSnapshot snapshot = strategy.snapshot(log);
-        drawAll(boxesOf(context, strategy, log, snapshot, look.boxColouring));
-        byPlane = look.byPlane() && !snapshot.nodes.empty();
+        byPlane = look.has(Show::Kind::Planes) && !snapshot.nodes.empty();
+        drawAll(boxesOf(context, strategy, log, snapshot, byPlane));
     }
     for (const Show& show : strategy.info().shows)
         if (show.kind == Show::Kind::Overlay && look.shows(show.id)) drawAll(strategy.overlay(show.id, context, log));
     // Seen from its own eye, a frustum coincides with the picture's border.
-    if (!look.frustum || log.camera == viewing.camera()) return;
+    if (!look.has(Show::Kind::Frustum) || log.camera == viewing.camera()) return;
     const View culling(log.camera, log.size);
     if (byPlane) drawAll({planeOverlay(context, culling)});
     drawAll(frustumOverlay(context, culling));

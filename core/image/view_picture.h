@@ -1,7 +1,10 @@
 #pragma once
 
+#include <initializer_list>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "core/gpu/renderer.h"
 #include "core/visibility/built_strategy.h"
@@ -10,46 +13,48 @@
 
 namespace cullscope {
 
-enum class Colouring { Shaded, Verdicts };
+/// What a view shows besides the drawn triangles: the ids of shows (visibility/show.h).
+class ViewLook {
+public:
+    /// What is shown by default.
+    ViewLook();
+    /// That, and these.
+    ViewLook(std::initializer_list<const char*> ids);
 
-/// The meaning of the boxes' colours.
-enum class BoxColouring {
-    Verdict,
-    Plane  ///< the frustum plane that rejected the box; the frustum is drawn in the same colours. Kept boxes as with Verdict
-};
-/// The id used in files and on the command line: "verdict", "plane".
-[[nodiscard]] const char* boxColouringId(BoxColouring colouring);
+    /// Whether a show is chosen, and the same look with it or without it.
+    [[nodiscard]] bool shows(const std::string& id) const { return m_shown.contains(id); }
+    void show(const std::string& id, bool on);
+    /// Chooses or not, with what it needs: boxes with their colours.
+    void showWithAll(const Show& show, bool on);
 
-/// What a view shows besides the drawn triangles.
-struct ViewLook {
-    Colouring colouring = Colouring::Shaded;
-    bool culledToo = true;  ///< with Verdicts: culled triangles are shown too; false: only what was drawn, holes stay holes
-    bool frustum = false;   ///< the culling camera's frustum as lines, its far plane cut to the scene, and its eye
-    bool boxes = false;     ///< the boxes that the strategy tests, coloured by verdict, or the strategy's own form of them
-    std::set<std::string> overlays{};  ///< ids of overlays that strategies declare (visibility/show.h)
-    /// Instead of the scene and all overlays: the drawn triangles of one object in spherical coordinates (spherical_model.h).
-    bool sphericalModel = false;
-    BoxColouring boxColouring = BoxColouring::Verdict;  ///< with `boxes`
-
-    /// Whether boxes and frustum have the planes' colours, if the strategy tests any boxes.
-    [[nodiscard]] bool byPlane() const { return boxes && boxColouring == BoxColouring::Plane; }
-    /// Whether a declared overlay is shown, and the same look with it or without it.
-    [[nodiscard]] bool shows(const std::string& overlay) const { return overlays.contains(overlay); }
-    void show(const std::string& overlay, bool on) {
-        if (on)
-            overlays.insert(overlay);
-        else
-            overlays.erase(overlay);
-    }
+    /// Whether a show, or something of a kind, is to be seen: it is chosen, with what it needs.
+    [[nodiscard]] bool has(const Show& show) const;
+    [[nodiscard]] bool has(Show::Kind kind) const;
+    /// What is chosen and to be seen, in the order of menus.
+    [[nodiscard]] std::vector<const Show*> shown() const;
+    /// Whether something stands in place of what a camera sees: then nothing else is seen.
+    [[nodiscard]] bool inPlace() const;
+    /// That alone.
+    [[nodiscard]] ViewLook inPlaceAlone() const;
+    /// The look of a view that watches another one from outside, besides what is chosen.
+    void watch();
     /// Takes away all lines that lie over the picture.
-    void leaveOutOverlays() {
-        frustum = boxes = false;
-        overlays.clear();
-    }
+    void leaveOutOverlays();
+    /// Takes away what is not shown of a frame (BuiltStrategy::whyNotShown).
+    void keepShownOf(const BuiltStrategy& strategy, const FrameLog& log);
+
     bool operator==(const ViewLook&) const = default;
+
+private:
+    std::set<std::string> m_shown;
 };
 /// "verdicts", "boxes", … for all that a look shows: as in files and on the command line.
 [[nodiscard]] std::vector<std::string> overlayIds(const ViewLook& look);
+/// What a look has that is not as by default and has no such id: names and values, as in pictures' texts; the command line has
+/// options of these names, with "-" for "_".
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> unusualOf(const ViewLook& look);
+/// The states of triangles whose colours a look uses.
+[[nodiscard]] std::set<TriangleState> legendOf(const ViewLook& look);
 
 /// Whether drawViewPicture reads decisions for this look; if not, the frame need not be recorded.
 [[nodiscard]] bool needsDecisions(const ViewLook& look);

@@ -9,6 +9,7 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.frameMilliseconds = quantile(timed.frameMilliseconds, 0.5);
     figures.cullMilliseconds = quantile(timed.cullMilliseconds, 0.5);
     figures.frameTimes = timed.frameMilliseconds;
+    figures.cullTimes = timed.cullMilliseconds;
     figures.repetitions = static_cast<int>(timed.frameMilliseconds.size());
     figures.stages = timed.log.stages;
     const FrameLog& judged = timed.judged();
@@ -17,6 +18,8 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.culledTriangles = judged.counters.culledTriangles;
     figures.parts = judged.counters.parts;
     figures.figures = judged.counters.figures;
+    figures.nodesVisited = judged.counters.nodesVisited;
+    figures.frameBytes = judged.frameBytes();
     return figures;
 }
 

@@ -20,12 +20,15 @@ struct FrameMeasurement {
     double cullMilliseconds = 0.0;   ///< median
     std::vector<Stage> stages;       ///< of one cull
     std::vector<double> frameTimes;  ///< milliseconds, by repetition; in files only as their median
+    std::vector<double> cullTimes;   ///< likewise, of the culls
     int repetitions = 0;
     Submitted submitted;                                  ///< of one window
     uint64_t consideredTriangles = 0;                     ///< of one window; given to OpenGL, whole triangles and fragments alike
     std::array<uint64_t, kCauseCount> culledTriangles{};  ///< of one window, by Cause (FrameCounters)
     std::vector<CullPart> parts;                          ///< of one window (FrameCounters)
     std::vector<NamedFigure> figures;                     ///< of one window (FrameCounters)
+    uint64_t nodesVisited = 0;                            ///< of one window (FrameCounters)
+    uint64_t frameBytes = 0;                              ///< of one window (FrameLog::frameBytes)
     std::optional<Accuracy> accuracy;
     bool ownRaster = false;             ///< the frame shows other surfaces than the scene's, or in an order of its own
     uint64_t missedBeyondSnapping = 0;  ///< with `ownRaster`, or where the reference has another facing rule than the strategy

@@ -17,6 +17,11 @@ void requireSomething(const MeasureRequest& request) {
     if (request.scene->triangleCount() == 0) throwUsage(CULLSCOPE_TR("The scene has no triangles: there is nothing to measure."));
 }
 
+/// Whether the measurement goes on after an error of one strategy.
+bool isRefusal(const Error& error, const MeasureRequest& request) {
+    return request.refusalsAreResults && error.kind() != ErrorKind::Interrupted;
+}
+
 }  // namespace
 
 std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
@@ -43,14 +48,19 @@ Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, St
     const double step = 1.0 / double(std::max<size_t>(1, request.strategies.size()));
     for (const StrategyRequest& strategy : request.strategies) {
         const std::optional<Message> why = unavailable(strategyOf(strategy).info, gl);
-        if (why && request.leaveOutUnavailable) {
+        if (why && request.leaveOutUnavailable && !request.refusalsAreResults) {
             built.leftOut.push_back(*why);
             continue;
         }
-        requireAvailable(strategyOf(strategy).info, gl);
         const double from = step * double(built.strategies.size());
-        built.strategies.push_back({strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene, structures,
-                                                            progress.part(from, from + step))});
+        try {
+            requireAvailable(strategyOf(strategy).info, gl);
+            built.strategies.push_back({strategy, buildStrategy(strategyOf(strategy), strategy.parameters, request.scene,
+                                                                structures, progress.part(from, from + step))});
+        } catch (const Error& error) {
+            if (!isRefusal(error, request)) throw;
+            built.refused.push_back({strategy, error.message()});
+        }
     }
     for (Contestant& baseline :
          baselinesBeside(request.strategies, request.scene, structures, std::nullopt, {nullptr, progress.stop})) {
@@ -82,18 +92,18 @@ public:
             run.referenceFacing = contestant.strategy->referenceFacing();
             run.structure = contestant.strategy->report();
             m_runs.push_back(std::move(run));
+            m_taking.push_back({});
         }
     }
 
-    [[nodiscard]] size_t poses() const { return m_runs.front().frames.size(); }
+    [[nodiscard]] size_t poses() const { return m_poses; }
     [[nodiscard]] bool complete() const { return poses() == m_request.path.poses.size(); }
 
     void step(const std::stop_token& stop) {
         if (complete()) return;
         if (!m_pose) beginPose();
-        const auto targetOf = [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; };
-        (void)m_pose->step(m_renderer, m_references, targetOf, stop);
-        if (m_pose->complete()) endPose();
+        if (!m_pose->rounds.complete()) measureNext(stop);
+        if (m_pose->rounds.complete()) endPose();
     }
 
     [[nodiscard]] MeasureResult resultSoFar() const {
@@ -101,6 +111,7 @@ public:
         result.request = m_request;
         result.gl = m_gl;
         result.leftOut = m_contestants.leftOut;
+        result.refused = m_contestants.refused;
         result.interrupted = !complete();
         for (size_t i = 0; i < m_runs.size(); ++i) {
             if (!m_contestants.strategies[i].askedFor) continue;
@@ -111,27 +122,66 @@ public:
     }
 
 private:
+    /// The pose in progress.
+    struct Pose {
+        View view;
+        std::vector<size_t> numbers;  ///< of the strategies that take part, in the order of the rounds
+        ViewRounds rounds;
+    };
+    /// What a strategy has taken so far.
+    struct Taking {
+        double seconds = 0.0;  ///< of counted frames
+        bool ended = false;    ///< takes no part any more
+    };
+
     void beginPose() {
-        const View view(m_request.path.camera(poses()), m_request.size);
+        const View view(m_request.path.camera(m_poses), m_request.size);
+        std::vector<size_t> numbers;
         std::vector<ViewSubject> subjects;
         for (size_t i = 0; i < m_runs.size(); ++i) {
+            if (m_taking[i].ended) continue;
             const Contestant& contestant = m_contestants.strategies[i];
+            numbers.push_back(i);
             subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i])});
             subjects.back().judged = m_request.accuracy && contestant.askedFor;
         }
-        m_pose.emplace(std::move(subjects), m_request.timing);
+        TimingProtocol protocol = m_request.timing;
+        if (protocol.warmUpOnce && m_poses > 0) protocol.warmUp = 0;
+        // With one repetition, too, none always follows the same one.
+        const bool backwards = m_poses % 2 != 0;
+        m_pose.emplace(Pose{view, std::move(numbers), ViewRounds(std::move(subjects), protocol, backwards)});
+    }
+
+    void measureNext(const std::stop_token& stop) {
+        ViewRounds& rounds = m_pose->rounds;
+        const bool timing = !rounds.timed();
+        try {
+            (void)rounds.step(
+                m_renderer, m_references, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; },
+                stop);
+        } catch (const Error& error) {
+            if (!timing || !isRefusal(error, m_request)) throw;
+            const size_t number = m_pose->numbers[rounds.next()];
+            m_contestants.refused.push_back({m_contestants.strategies[number].request, error.message()});
+            m_taking[number].ended = true;
+            rounds.dropNext();
+        }
     }
 
     void endPose() {
-        const size_t pose = poses();
-        const View view(m_request.path.camera(pose), m_request.size);
-        for (size_t i = 0; i < m_runs.size(); ++i) {
-            if (m_contestants.strategies[i].strategy->promiseAt(view) == Promise::Approximate)
-                m_runs[i].promise = Promise::Approximate;
-            m_runs[i].frames.push_back(m_pose->measurement(i));
-            m_runs[i].frames.back().pose = pose;
-            m_memories[i] = m_pose->takeMemories(i);
+        for (size_t i = 0; i < m_pose->numbers.size(); ++i) {
+            if (m_pose->rounds.dropped(i)) continue;
+            const size_t number = m_pose->numbers[i];
+            RunMeasurement& run = m_runs[number];
+            const Promise promise = m_contestants.strategies[number].strategy->promiseAt(m_pose->view);
+            if (promise == Promise::Approximate) run.promise = Promise::Approximate;
+            run.frames.push_back(m_pose->rounds.measurement(i));
+            run.frames.back().pose = m_poses;
+            m_memories[number] = m_pose->rounds.takeMemories(i);
+            for (const double milliseconds : run.frames.back().frameTimes) m_taking[number].seconds += milliseconds / 1000.0;
+            m_taking[number].ended = m_taking[number].seconds > m_request.secondsOfAStrategy;
         }
+        ++m_poses;
         m_pose.reset();
         m_references.clear();
     }
@@ -143,9 +193,11 @@ private:
     Renderer m_renderer;
     std::vector<std::unique_ptr<Framebuffer>> m_targets;    ///< by window
     std::vector<RunMeasurement> m_runs;                     ///< by strategy, the baselines that were not asked for among them
+    std::vector<Taking> m_taking;                           ///< by strategy
     std::vector<std::vector<ViewStatePointer>> m_memories;  ///< by strategy and window; at the rounds while a pose is in progress
     References m_references;                                ///< of the pose in progress
-    std::optional<ViewRounds> m_pose;                       ///< the pose in progress
+    size_t m_poses = 0;                                     ///< measured completely
+    std::optional<Pose> m_pose;
 };
 
 Meter::Meter(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <optional>
 #include <set>
@@ -27,6 +28,10 @@ struct MeasureRequest {
     bool accuracy = true;
     bool leaveOutUnavailable = false;  ///< strategies that this OpenGL cannot run are left out; false: they fail with an error
     bool baselinesToo = false;         ///< baselines that are not among the strategies have runs, behind the others
+    /// What a strategy throws over the scene, a view or a lack of OpenGL stands in the result (`refused`), its run ends, and the
+    /// others go on; false: it ends the measurement.
+    bool refusalsAreResults = false;
+    double secondsOfAStrategy = std::numeric_limits<double>::infinity();  ///< of counted frames, after which its run ends
 };
 
 /// What a strategy lost over the poses of a path.
@@ -43,11 +48,11 @@ struct Summary {
     double fpsOverall = 0.0;  ///< poses / total time
     double fpsMean = 0.0, fpsMin = 0.0, fpsMax = 0.0;
     double frameMillisecondsMedian = 0.0, frameMillisecondsP95 = 0.0, frameMillisecondsP99 = 0.0;
-    double cullShare = 0.0;                         ///< of the frame time
-    double culledFraction = 0.0;                    ///< 1 less the share of the scene's triangles submitted, mean over poses
-    std::optional<double> missedPixelRate;          ///< missed / covered, over all poses
-    RatioEstimate ratioToAll, ratioToBackface;      ///< ratioOver the poses: what "×" says everywhere
-    RatioEstimate speedupVsAll, speedupVsBackface;  ///< meanOfRatios over the poses, which papers quote
+    double cullShare = 0.0;                             ///< of the frame time
+    double culledFraction = 0.0;                        ///< 1 less the share of the scene's triangles submitted, mean over poses
+    std::optional<double> missedPixelRate;              ///< missed / covered, over all poses
+    RatioEstimate ratioToTriangles, ratioToFrontFaces;  ///< ratioOver the poses: what "×" says everywhere
+    RatioEstimate speedupVsTriangles, speedupVsFrontFaces;  ///< meanOfRatios over the poses, which papers quote
 };
 
 /// The measurement of one strategy over a path.
@@ -57,7 +62,7 @@ struct RunMeasurement {
     Facing facing = Facing::TwoSided;
     Facing referenceFacing = Facing::TwoSided;
     StructureReport structure;
-    std::vector<FrameMeasurement> frames;
+    std::vector<FrameMeasurement> frames;  ///< by pose; the last ones are missing where it refused one or took too long
     Summary summary;
 
     /// None where it was not measured.
@@ -66,10 +71,17 @@ struct RunMeasurement {
     [[nodiscard]] bool promiseBroken() const;
 };
 
+/// What a strategy does not do.
+struct Refusal {
+    StrategyRequest strategy;
+    Message why;
+};
+
 struct MeasureResult {
     MeasureRequest request;
     GlInfo gl;
     std::vector<RunMeasurement> runs;
+    std::vector<Refusal> refused;  ///< with MeasureRequest::refusalsAreResults: those that could not be built have no run
     std::vector<Message> leftOut;  ///< why requested strategies have no run
     bool interrupted = false;      ///< stopped early: the runs contain the poses measured until then
 };
@@ -99,11 +111,12 @@ private:
 struct Contestants {
     std::vector<Contestant> strategies;
     std::vector<Message> leftOut;  ///< why requested strategies are not among them
+    std::vector<Refusal> refused;  ///< likewise, with MeasureRequest::refusalsAreResults
 };
 
 /// Builds what a request asks for, and the baselines that it does not ask for, so that every run has its ratios. Needs no
-/// context. Throws Error(Usage) for a request of nothing, Error(OpenGl) for a strategy that `gl` cannot run, and
-/// Error(Interrupted) on a stop request.
+/// context. Throws Error(Usage) for a request of nothing, Error(OpenGl) for a strategy that `gl` cannot run, what a strategy
+/// throws, and Error(Interrupted) on a stop request.
 [[nodiscard]] Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
                                            const Progress& progress = {});
 

@@ -15,7 +15,7 @@ void compareTo(BaselineRole role, const RunMeasurement& run, const std::vector<R
     const auto found = std::ranges::find_if(runs, [&](const RunMeasurement& other) { return other.strategy.id == id; });
     if (found == runs.end()) return;
     std::vector<double> ratios;
-    for (size_t i = 0; i < run.frames.size(); ++i)
+    for (size_t i = 0; i < std::min(run.frames.size(), found->frames.size()); ++i)
         ratios.push_back(found->frames[i].frameMilliseconds / run.frames[i].frameMilliseconds);
     mean = meanOfRatios(ratios);
     ofTotals = ratioOver(found->frames, run.frames);
@@ -46,8 +46,8 @@ Summary summaryOf(const RunMeasurement& run, const std::vector<RunMeasurement>& 
     summary.culledFraction = scene.triangleCount() > 0 ? 1.0 - submitted / double(frames.size()) : 0.0;
     if (const std::optional<Losses> lost = run.losses())
         summary.missedPixelRate = lost->coveredPixels > 0 ? double(lost->missedPixels) / double(lost->coveredPixels) : 0.0;
-    compareTo(BaselineRole::Triangles, run, runs, summary.ratioToAll, summary.speedupVsAll);
-    compareTo(BaselineRole::FrontFaces, run, runs, summary.ratioToBackface, summary.speedupVsBackface);
+    compareTo(BaselineRole::Triangles, run, runs, summary.ratioToTriangles, summary.speedupVsTriangles);
+    compareTo(BaselineRole::FrontFaces, run, runs, summary.ratioToFrontFaces, summary.speedupVsFrontFaces);
     return summary;
 }
 

@@ -18,9 +18,10 @@ bool steady(const std::vector<double>& times, const TimingProtocol& protocol) {
 
 }  // namespace
 
-TimedRounds::TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol& protocol)
+TimedRounds::TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol& protocol, bool backwards)
     : m_entrants(std::move(entrants)),
       m_protocol(protocol),
+      m_backwards(backwards),
       m_round(-std::max(0, protocol.warmUp)),
       m_complete(m_entrants.empty()) {
     if (!m_complete && !takesPart(m_entrants[next()])) goOn();
@@ -49,7 +50,7 @@ void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::
     goOn();
 }
 
-size_t TimedRounds::next() const { return m_round % 2 == 0 ? m_place : m_entrants.size() - 1 - m_place; }
+size_t TimedRounds::next() const { return (m_round % 2 == 0) != m_backwards ? m_place : m_entrants.size() - 1 - m_place; }
 
 void TimedRounds::dropNext() {
     m_entrants[next()].dropped = true;

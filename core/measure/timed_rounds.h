@@ -12,6 +12,7 @@ namespace cullscope {
 /// The number of repetitions of a frame (docs/measuring.md, "Speed").
 struct TimingProtocol {
     int warmUp = 1;            ///< rounds that are not counted
+    bool warmUpOnce = false;   ///< over a path: before its first view only
     int fixedRepetitions = 0;  ///< 0: until the median is steady
     int leastRepetitions = 3;
     int mostRepetitions = 21;
@@ -52,7 +53,8 @@ public:
     /// The framebuffer for a picture of a frame, of the size asked for; other pictures of the frame have other framebuffers.
     using TargetOf = std::function<Framebuffer&(const Viewport& size, size_t picture)>;
 
-    TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol& protocol);
+    /// `backwards`: of the rounds that are counted the first one is in reverse order, not the second.
+    TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol& protocol, bool backwards = false);
 
     /// Times the next frame; it ends when the GPU has finished. Needs a current context. Nothing happens once complete. Throws
     /// Error(Interrupted) where the strategy ended its frame on the stop request; the frame does not count then.
@@ -76,6 +78,7 @@ private:
 
     std::vector<TimedFrames> m_entrants;
     TimingProtocol m_protocol;
+    bool m_backwards;
     int m_round = 0;         ///< below 0: warm-up
     size_t m_place = 0;      ///< number of the next frame in the round
     double m_seconds = 0.0;  ///< of drawing

@@ -1,5 +1,7 @@
 #include "core/measure/view_rounds.h"
 
+#include <algorithm>
+
 namespace cullscope {
 namespace {
 
@@ -39,7 +41,7 @@ ViewFigures figuresOf(const ViewSubject& subject, const JudgedFrame& judged, con
 
 }  // namespace
 
-ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& protocol)
+ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& protocol, bool backwards)
     : m_subjects(std::move(subjects)), m_judged(m_subjects.size()), m_figures(m_subjects.size()) {
     std::vector<TimedFrames> timed;
     for (ViewSubject& subject : m_subjects) {
@@ -59,13 +61,18 @@ ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& 
         work.memories.push_back(subject.baseline->begin());
         m_places[i].baseline = joined(timed, std::move(work));
     }
-    m_rounds = std::make_unique<TimedRounds>(std::move(timed), protocol);
+    m_rounds = std::make_unique<TimedRounds>(std::move(timed), protocol, backwards);
 }
 
 std::optional<size_t> ViewRounds::toJudge(bool shown) const {
     for (size_t i = 0; i < m_subjects.size(); ++i)
-        if (m_subjects[i].judged && !m_judged[i] && (m_subjects[i].shown != nullptr) == shown) return i;
+        if (m_subjects[i].judged && !m_judged[i] && (m_subjects[i].shown != nullptr) == shown && (shown || !dropped(i))) return i;
     return std::nullopt;
+}
+
+size_t ViewRounds::next() const {
+    const auto drawn = std::ranges::find(m_places, m_rounds->next(), &Place::own);
+    return size_t(drawn - m_places.begin());
 }
 
 bool ViewRounds::complete() const { return m_rounds->complete() && !toJudge(true) && !toJudge(false); }

@@ -55,13 +55,21 @@ struct ViewFigures {
 /// comparison a step, so that it can be left in between.
 class ViewRounds {
 public:
-    ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& protocol);
+    /// `backwards`: as of TimedRounds.
+    ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& protocol, bool backwards = false);
 
     /// Returns the number of the subject that was judged in this step. Nothing happens once complete. Needs a current context.
     /// Throws what TimedRounds::step throws.
     std::optional<size_t> step(Renderer& renderer, References& references, const TimedRounds::TargetOf& targetOf,
                                const std::stop_token& stop = {});
     [[nodiscard]] bool complete() const;
+    /// Whether no more frames are timed.
+    [[nodiscard]] bool timed() const { return m_rounds->complete(); }
+    /// The first subject whose frame the next timing step draws; where a step threw, of that one. Not once all are timed.
+    [[nodiscard]] size_t next() const;
+    /// Goes on without the frames of that one: it is neither timed nor judged, unless it shows a frame.
+    void dropNext() { m_rounds->dropNext(); }
+    [[nodiscard]] bool dropped(size_t subject) const { return timed(m_places[subject].own).dropped; }
 
     /// The errors of a judged subject that shows a frame.
     [[nodiscard]] const ViewFigures& figures(size_t subject) const { return m_figures[subject]; }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/raster/scan_line.h"
 #include "core/raster/screen_triangle.h"
 
 namespace cullscope {
@@ -53,5 +54,19 @@ private:
     int m_firstRow = 0, m_endRow = 0;
     bool m_begins = false;
 };
+
+/// An edge in a row, as steps tell of it. `from`: the corner where it begins.
+inline RowEdge rowEdge(const ScreenTriangle& triangle, const ActiveEdge& edge, int from, int row) {
+    const int to = (from + 1) % 3;
+    RowEdge result{row, int(edge.column()), edge.begins(), triangle.number - 1};
+    const double down = double(row) * kSubPixels - triangle.y[from], height = double(triangle.y[to]) - triangle.y[from];
+    result.x = (triangle.x[from] + (double(triangle.x[to]) - triangle.x[from]) * down / height) / kSubPixels;
+    for (size_t i = 0; i < 2; ++i) {
+        const int corner = i == 0 ? from : to;
+        const float x = float(triangle.x[corner]) / kSubPixels, y = float(triangle.y[corner]) / kSubPixels;
+        result.ends[i] = {x, y, triangle.depth + triangle.depthPerColumn * x + triangle.depthPerRow * y};
+    }
+    return result;
+}
 
 }  // namespace cullscope

@@ -98,14 +98,13 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
 }
 
 std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene) {
-    constexpr uint64_t kMostInBoxes = 1 << 24;
     std::vector<ScreenTriangle> triangles;
     uint64_t inBoxes = 0;
     for (size_t band = 0; band < scene.bands(); ++band)
         for (const ScreenTriangle& triangle : scene.trianglesIn(band)) {
             if (size_t(triangle.firstRow / kBandRows) != band) continue;  // it begins in a band before
             inBoxes += uint64_t(triangle.endColumn - triangle.firstColumn) * uint64_t(triangle.endRow - triangle.firstRow);
-            if (inBoxes > kMostInBoxes) return {};
+            if (inBoxes > kMostFollowed) return {};
             triangles.push_back(triangle);
         }
     std::ranges::stable_sort(triangles, {}, &ScreenTriangle::number);

@@ -48,8 +48,10 @@ struct FollowedTriangle {
     int column = 0, row = 0;
     float depth = 0.0f, stored = 0.0f;
 };
-/// The same drawing, one triangle after the other, those that cover a sample. None where it would take longer than a few
-/// hundredths of a second.
+/// Triangles whose boxes in the picture have more pixels together are not followed: it would take longer than a few hundredths
+/// of a second.
+inline constexpr uint64_t kMostFollowed = 1 << 24;
+/// The same drawing, one triangle after the other, those that cover a sample. None where there are more than kMostFollowed.
 [[nodiscard]] std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene);
 
 }  // namespace cullscope

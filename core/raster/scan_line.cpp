@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/base/work_check.h"
 #include "core/raster/active_edge.h"
@@ -22,6 +23,7 @@ struct Surface {
     uint32_t order = 0;  ///< in which it would be drawn
     int edgeCount = 0;
     ActiveEdge edges[3];
+    int corners[3]{};  ///< by edge: where it begins
     // In the current row:
     int begin = 0, end = 0;  ///< its pixels
     int mayCross = kNever;   ///< the first column at which it may come before the surface in front
@@ -69,6 +71,7 @@ public:
 
     std::vector<RowCounts> counts;
     std::vector<RowSpan> spans;
+    std::vector<RowEdge> edges;
 
 private:
     /// So many surfaces were looked at, each in some ten nanoseconds.
@@ -88,7 +91,9 @@ private:
         surface.order = order;
         for (int i = 0; i < 3; ++i) {
             const int next = (i + 1) % 3;
-            if (triangle.y[next] != triangle.y[i]) surface.edges[surface.edgeCount++] = ActiveEdge(triangle, i, row);
+            if (triangle.y[next] == triangle.y[i]) continue;
+            surface.corners[surface.edgeCount] = i;
+            surface.edges[surface.edgeCount++] = ActiveEdge(triangle, i, row);
         }
         m_surfaces.push_back(surface);
     }
@@ -146,6 +151,23 @@ private:
         });
     }
 
+    /// The active edges of a row, which bound the surfaces that have pixels in it.
+    void keepEdges(int row) {
+        for (const uint32_t i : m_beginning) {
+            const Surface& surface = m_surfaces[i];
+            std::optional<RowEdge> begin, end;
+            for (int e = 0; e < surface.edgeCount; ++e) {
+                const ActiveEdge& edge = surface.edges[e];
+                if (!edge.reaches(row)) continue;
+                std::optional<RowEdge>& kept = edge.begins() ? begin : end;
+                if (kept && (edge.begins() ? edge.column() <= kept->column : edge.column() >= kept->column)) continue;
+                kept = rowEdge(*surface.triangle, edge, surface.corners[e], row);
+            }
+            for (const std::optional<RowEdge>& kept : {begin, end})
+                if (kept) edges.push_back(*kept);
+        }
+    }
+
     /// Whether a surface comes before another one at a pixel: a comparison of depths.
     bool before(uint32_t surface, uint32_t other, int row, int column) {
         ++counts.back().comparisons;
@@ -175,6 +197,7 @@ private:
         counts.push_back({row, row + 1});
         findIntervals(row);
         counts.back().triangles = m_beginning.size();
+        if (m_keepSpans && edges.size() <= kMostRowEdges) keepEdges(row);
         m_active.clear();
         m_front = kNoSurface;
         size_t beginning = 0;
@@ -296,6 +319,7 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
     result.picture->depth.resize(pixels);
     std::vector<std::vector<RowCounts>> counts(scene.bands());
     std::vector<std::vector<RowSpan>> spans(scene.bands());
+    std::vector<std::vector<RowEdge>> edges(scene.bands());
     std::vector<uint64_t> bytes(scene.bands());
     result.fates = scene.fates;
     forEachOf(scene.bands(), parallel, [&](size_t number) {
@@ -306,13 +330,17 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
         bytes[number] = triangles.capacity() * sizeof(ScreenTriangle) + sweep.bytes();
         counts[number] = std::move(sweep.counts);
         spans[number] = std::move(sweep.spans);
+        edges[number] = std::move(sweep.edges);
     });
     result.bytes = bytes.empty() ? 0 : std::ranges::max(bytes);
     for (size_t number = 0; number < scene.bands(); ++number) {
         for (RowCounts& row : counts[number]) row.covered = row.written;
         result.rows.insert(result.rows.end(), counts[number].begin(), counts[number].end());
         result.spans.insert(result.spans.end(), spans[number].begin(), spans[number].end());
+        if (result.edges.size() <= kMostRowEdges)
+            result.edges.insert(result.edges.end(), edges[number].begin(), edges[number].end());
     }
+    if (result.edges.size() > kMostRowEdges) result.edges.clear();
     return result;
 }
 

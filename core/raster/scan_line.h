@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/raster/depth_buffer.h"
 
 namespace cullscope {
@@ -22,16 +24,33 @@ struct RowSpan {
     uint32_t comparisons = 0;  ///< of depths, since the span before it began
 };
 
-/// A picture by the scan line, and the spans of its rows where they were asked for.
+/// An edge that bounds a surface in a row: one of the row's active edges.
+struct RowEdge {
+    /// A corner on the raster: columns and rows, counted from the centre of the first pixel, and the reversed depth there.
+    struct End {
+        float x = 0.0f, y = 0.0f, depth = 0.0f;
+    };
+    int row = 0;
+    int column = 0;         ///< the first one to the right of the edge
+    bool begins = false;    ///< whether the surface lies to the right of it
+    uint32_t triangle = 0;  ///< the scene's triangle number
+    double x = 0.0;         ///< where the edge lies in the row
+    std::array<End, 2> ends{};
+};
+/// Of pictures with more active edges in all rows together none are kept.
+inline constexpr size_t kMostRowEdges = 50'000;
+
+/// A picture by the scan line, and the spans and active edges of its rows where they were asked for.
 struct ScanLinePicture : RasterPicture {
     std::vector<RowSpan> spans;  ///< by row from the bottom, then from the left
+    std::vector<RowEdge> edges;  ///< by row, the two of a surface together, surfaces from the left; empty: not asked for, or more
 };
 
 /// The same picture as drawDepthBuffer, to the bit, by the scan line: an edge table by rows, the active edges of each row, and
 /// the spans between them. Depths are compared only where a surface begins, where the one in front ends, and where two surfaces
 /// may cross. That is where their depths lie within the rounding of a float; from there on they are compared pixel by pixel until
-/// one is surely in front. At equal depths the surface that would be drawn first stays. Counts are by rows. `keepSpans`: all
-/// spans are returned. Throws Error(Interrupted) soon after a stop is requested.
+/// one is surely in front. At equal depths the surface that would be drawn first stays. Counts are by rows. `keepSpans`: spans
+/// and active edges are returned. Throws Error(Interrupted) soon after a stop is requested.
 [[nodiscard]] ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans = false, bool parallel = true,
                                            const Progress& progress = {});
 

@@ -6,6 +6,9 @@
 
 namespace cullscope {
 
+/// The world axis that points up on the screen.
+enum class UpAxis { Y, Z };
+
 /// A perspective camera in world coordinates.
 struct Camera {
     Vec3 eye{0.0, 0.0, 3.0};

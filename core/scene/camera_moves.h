@@ -8,8 +8,6 @@
 
 namespace cullscope {
 
-/// The world axis that points up on the screen.
-enum class UpAxis { Y, Z };
 [[nodiscard]] Vec3 axisVector(UpAxis up);
 
 /// Camera moves as free functions. All keep the camera finite and its eye away from its target; none changes near and far (see

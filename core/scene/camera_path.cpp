@@ -27,11 +27,19 @@ CameraPath pathAround(const Scene& scene, std::string name, Angle fovy) {
     return path;
 }
 
-/// A pose at 3 R from the centre in a direction, with y up (z where it looks along y).
+bool saysZUp(const Scene& scene) { return scene.remarks().up == UpAxis::Z; }
+
+/// A direction with y up as the same with the scene's up axis.
+Vec3 standing(const Scene& scene, const Vec3& direction) {
+    return saysZUp(scene) ? Vec3(direction.x, -direction.z, direction.y) : direction;
+}
+
+/// A pose at 3 R from the centre in a direction that is given with y up, with the scene's axis up (another where it looks along
+/// that).
 CameraPath::Pose poseAround(const Scene& scene, const Vec3& direction) {
     const Vec3 centre = scene.boundingSphere().centre;
     const Vec3 up = std::abs(direction.y) > 0.999 ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
-    return {centre + direction * (3.0 * radiusOf(scene)), centre, up};
+    return {centre + standing(scene, direction) * (3.0 * radiusOf(scene)), centre, standing(scene, up)};
 }
 
 CameraPath orbit(const Scene& scene, size_t count) {
@@ -68,8 +76,9 @@ CameraPath walk(const Scene& scene, size_t count) {
     const bool empty = scene.bounds().empty();
     const Vec3 half = empty ? Vec3(1.0) : scene.bounds().halfExtent();
     const Vec3 centre = empty ? Vec3(0.0) : scene.bounds().centre();
-    // The walker stands upright on a scene that extends horizontally; y is up unless the scene is clearly flat along z.
-    const bool zUp = half.z < 0.5 * half.y;
+    // The walker stands upright. Where the scene does not say what is up, it extends horizontally; then y is up unless the scene
+    // is clearly flat along z.
+    const bool zUp = scene.remarks().up ? saysZUp(scene) : half.z < 0.5 * half.y;
     const Vec3 up = zUp ? Vec3(0, 0, 1) : Vec3(0, 1, 0);
     const Vec3 depth = zUp ? Vec3(0, half.y, 0) : Vec3(0, 0, -half.z);
     const bool alongX = half.x > glm::length(depth);
@@ -239,7 +248,8 @@ Camera overviewCamera(const Scene& scene, double aspect) {
     const double halfAngle = std::min(camera.fovy.radians() / 2, std::atan(std::tan(camera.fovy.radians() / 2) * aspect));
     const double distance = 1.05 * radius / std::sin(halfAngle);
     camera.target = scene.boundingSphere().centre;
-    camera.eye = camera.target + glm::normalize(Vec3(0.35, 0.35, 1.0)) * distance;
+    camera.eye = camera.target + standing(scene, glm::normalize(Vec3(0.35, 0.35, 1.0)) * distance);
+    camera.up = standing(scene, camera.up);
     camera.nearDistance = distance * 1e-3;
     camera.farDistance = distance * 1e2;
     return camera;

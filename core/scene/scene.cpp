@@ -55,8 +55,13 @@ Scene::Scene(std::string name, std::vector<MeshPointer> meshes, std::vector<Inst
         meshBoxes.push_back(absoluteBounds(*mesh));
         meshSpheres.push_back(absoluteSphere(*mesh));
     }
+    assert(!m_remarks.components || m_remarks.components->firstPart.size() == m_meshes.size() + 1);
+    m_instanceBoxes.reserve(m_instances.size());
+    m_instanceSpheres.reserve(m_instances.size());
+    m_firstTriangle.reserve(m_instances.size() + 1);
     m_firstTriangle.push_back(0);
     std::vector<Sphere> exactSpheres;
+    exactSpheres.reserve(m_instances.size());
     for (const Instance& instance : m_instances) {
         assert(instance.mesh < m_meshes.size());
         m_firstTriangle.push_back(m_firstTriangle.back() + m_meshes[instance.mesh]->triangleCount());
@@ -92,6 +97,27 @@ size_t Scene::instanceOf(uint64_t triangle) const {
     return static_cast<size_t>(after - m_firstTriangle.begin()) - 1;
 }
 
+std::span<const MeshPart> Scene::partsOf(size_t instance) const {
+    if (!m_remarks.components) return {};
+    const Components& components = *m_remarks.components;
+    const size_t mesh = m_instances[instance].mesh, first = components.firstPart[mesh];
+    return std::span(components.parts).subspan(first, components.firstPart[mesh + 1] - first);
+}
+
+std::map<std::string, uint64_t> Scene::partCounts() const {
+    std::map<std::string, uint64_t> counts;
+    if (!m_remarks.components) return counts;
+    const Components& components = *m_remarks.components;
+    std::vector<uint64_t> uses(m_meshes.size(), 0);
+    for (const Instance& instance : m_instances) ++uses[instance.mesh];
+    for (size_t mesh = 0, part = 0; part < components.parts.size(); ++part) {
+        while (mesh < uses.size() && part >= components.firstPart[mesh + 1]) ++mesh;
+        const uint64_t times = mesh < uses.size() ? uses[mesh] : 1;
+        if (times > 0) counts[kindName(components.parts[part])] += times;
+    }
+    return counts;
+}
+
 std::vector<bool> Scene::shownMeshes() const {
     std::vector<bool> shown(m_meshes.size(), false);
     for (const Instance& instance : m_instances)
@@ -117,6 +143,9 @@ std::string Scene::sha256() const {
 size_t Scene::bytes() const {
     size_t bytes = m_instances.size() * (sizeof(Instance) + sizeof(Box3) + sizeof(Sphere) + sizeof(uint64_t));
     for (const MeshPointer& mesh : m_meshes) bytes += mesh->bytes();
+    for (const Instance& instance : m_instances)
+        if (instance.name.capacity() > std::string().capacity()) bytes += instance.name.capacity() + 1;
+    if (m_remarks.components) bytes += m_remarks.components->bytes();
     return bytes;
 }
 

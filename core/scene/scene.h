@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +10,7 @@
 #include "core/mesh/load.h"
 #include "core/mesh/triangle_mesh.h"
 #include "core/scene/camera.h"
+#include "core/scene/components.h"
 
 namespace cullscope {
 
@@ -16,6 +19,7 @@ struct Instance {
     uint32_t mesh = 0;        ///< index into Scene::meshes()
     Mat4 worldFromMesh{1.0};  ///< applied to the mesh's double coordinates (origin + position)
     std::string name;
+    uint32_t group = kNoGroup;  ///< of SceneRemarks::components
 };
 
 /// A plane that a scene names, such as one that a lecture divides its space by.
@@ -29,6 +33,8 @@ struct NamedPlane {
 struct SceneRemarks {
     std::vector<NamedPlane> planes{};
     std::optional<Camera> camera{};  ///< from where it is to be seen
+    std::optional<UpAxis> up{};      ///< where its format says so, or its generator
+    ComponentsPointer components{};  ///< of which primitives its meshes consist; null where none are known
 };
 
 /// Meshes and their instances, in double. Immutable. Triangles have consecutive numbers: instance i owns the numbers
@@ -67,6 +73,11 @@ public:
     /// Planes that the scene names, in its order, and the camera that it gives; most scenes have none.
     [[nodiscard]] const SceneRemarks& remarks() const { return m_remarks; }
     [[nodiscard]] const std::vector<NamedPlane>& planes() const { return m_remarks.planes; }
+
+    /// The primitives of which an instance's mesh consists, in the mesh's coordinates; empty where none are known.
+    [[nodiscard]] std::span<const MeshPart> partsOf(size_t instance) const;
+    /// How many parts of each kind the instances have together, by kindName. Parts that belong to no mesh count once.
+    [[nodiscard]] std::map<std::string, uint64_t> partCounts() const;
 
     /// By mesh: whether it has triangles and at least one instance.
     [[nodiscard]] std::vector<bool> shownMeshes() const;

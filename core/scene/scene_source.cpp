@@ -6,7 +6,9 @@
 #include "core/mesh/parametric.h"
 #include "core/mesh/resample.h"
 #include "core/scene/layers_scene.h"
+#include "core/scene/plant/plant_scene.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/rvm/rvm_scene.h"
 #include "core/scene/split_scene.h"
 #include "embedded/lecture.h"
 
@@ -39,6 +41,10 @@ OpenedScene sceneOfPolygons(PolygonScene read, std::string specification) {
 
 OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOptions& options, const Progress& progress) {
     if (isPolygonFile(path)) return sceneOfPolygons(readPolygonFile(path, options.load, progress), path.string());
+    if (isRvmFile(path)) {
+        RvmScene read = readRvmFile(path, options.load, progress);
+        return {std::move(read.scene), path.string(), std::move(read.report)};
+    }
     LoadedFile file = loadMeshFile(path, options.load, progress);
     std::vector<MeshPointer> meshes;
     std::vector<Instance> instances;
@@ -168,6 +174,13 @@ OpenedScene openLayers(Request& request) {
     return {layersScene(request.specification, layers, request.progress), request.specification, std::nullopt};
 }
 
+OpenedScene openPlant(Request& request) {
+    PlantOptions plant;
+    plant.pipelines = request.arguments.count("pipelines", double(plant.pipelines), kMostPipelines);
+    plant.seed = uint64_t(request.arguments.wholeNumber("seed", double(plant.seed), 0, 9e15));
+    return {plantScene(request.specification, plant, request.progress), request.specification, std::nullopt};
+}
+
 MeshPointer parametricMesh(Request& request) {
     const std::string& id = request.info.id;
     const Progress& progress = request.progress;
@@ -221,6 +234,11 @@ const std::vector<Generator>& generators() {
            {"triangles", "1e4", CULLSCOPE_TR("how many triangles each layer has, to the nearest that its grid allows")},
            {"waves", "0", CULLSCOPE_TR("height of the layers' waves; 0: they are flat")}}},
          openLayers},
+        {{"plant",
+          CULLSCOPE_TR("a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms"),
+          {{"pipelines", "100", CULLSCOPE_TR("how many pipelines")},
+           {"seed", "1", CULLSCOPE_TR("number that the plant starts from")}}},
+         openPlant},
         {{"mesh",
           CULLSCOPE_TR("a mesh file simplified or subdivided: mesh:FILE,triangles=N"),
           {{"triangles", "", CULLSCOPE_TR("how many triangles to make of it")}}},

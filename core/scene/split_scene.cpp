@@ -44,7 +44,9 @@ ScenePointer splitScene(const Scene& scene, std::string name, const SplitRule& r
             instances.push_back({run.first + part, instance.worldFromMesh,
                                  run.count == 1 ? instance.name : instance.name + " " + std::to_string(part + 1)});
     }
-    return std::make_shared<const Scene>(std::move(name), std::move(meshes), std::move(instances), &scene);
+    SceneRemarks remarks;
+    remarks.up = scene.remarks().up;
+    return std::make_shared<const Scene>(std::move(name), std::move(meshes), std::move(instances), &scene, std::move(remarks));
 }
 
 }  // namespace cullscope

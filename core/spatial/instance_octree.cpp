@@ -4,6 +4,8 @@
 #include <bit>
 #include <cmath>
 
+#include "core/base/work_check.h"
+
 namespace cullscope {
 namespace {
 
@@ -36,10 +38,13 @@ bool finite(const Box3& box) {
 /// Builds the octree: its nodes are ranges of the items.
 class Builder {
 public:
-    Builder(const Scene& scene, uint32_t leafInstances) : m_scene(scene), m_leafInstances(leafInstances) {
+    Builder(const Scene& scene, uint32_t leafInstances, const Progress& progress)
+        : m_scene(scene), m_leafInstances(leafInstances), m_work(progress) {
         const auto count = static_cast<uint32_t>(scene.instances().size());
-        for (uint32_t i = 0; i < count; ++i)
+        for (uint32_t i = 0; i < count; ++i) {
+            m_work.step();
             if (scene.meshOf(i).triangleCount() > 0) m_items.push_back({0, i});
+        }
     }
 
     std::vector<Node> build() {
@@ -63,24 +68,28 @@ private:
     [[nodiscard]] std::span<Item> itemsOf(const Node& node) { return std::span(m_items).subspan(node.first, node.count); }
 
     /// Sorts items by their Morton codes within the cube around their own centres; items that are not finite come first.
-    void sortByCode(std::span<Item> items) const {
+    void sortByCode(std::span<Item> items) {
         Box3 centres;
-        for (const Item& item : items)
+        for (const Item& item : items) {
+            m_work.step();
             if (finite(m_scene.instanceBox(item.instance))) centres.add(m_scene.instanceBox(item.instance).centre());
+        }
         const Vec3 size = centres.empty() ? Vec3(0.0) : centres.max - centres.min;
         const double edge = std::max({size.x, size.y, size.z});
         const bool divisible = edge > 0.0 && std::isfinite(edge);
         for (Item& item : items) {
+            m_work.step();
             item.code = 0;
             const Box3& box = m_scene.instanceBox(item.instance);
             if (!divisible || !finite(box)) continue;
             const Vec3 cell = (box.centre() - centres.min) / edge * double((1u << kLevels) - 1);
             item.code = spread(uint64_t(cell.x)) << 2 | spread(uint64_t(cell.y)) << 1 | spread(uint64_t(cell.z));
         }
-        std::sort(items.begin(), items.end());
+        std::sort(items.begin(), items.end(), m_work.counting(std::less<>()));
     }
 
     void split(uint32_t number) {
+        m_work.step();
         const Node node = m_nodes[number];
         if (node.count <= m_leafInstances || node.depth == InstanceOctree::kMaxDepth) return;
         std::span<Item> items = itemsOf(node);
@@ -109,6 +118,7 @@ private:
 
     void sumUp(Node& node) {
         const auto add = [&](const Box3& box, uint64_t triangles) {
+            m_work.step();
             if (finite(box))
                 node.box.add(box);
             else
@@ -124,14 +134,15 @@ private:
 
     const Scene& m_scene;
     uint32_t m_leafInstances;
+    WorkCheck m_work;
     std::vector<Item> m_items;
     std::vector<Node> m_nodes;
 };
 
 }  // namespace
 
-InstanceOctree::InstanceOctree(const Scene& scene, uint32_t leafInstances) {
-    Builder builder(scene, leafInstances);
+InstanceOctree::InstanceOctree(const Scene& scene, uint32_t leafInstances, const Progress& progress) {
+    Builder builder(scene, leafInstances, progress);
     m_nodes = builder.build();
     m_order = builder.order();
 }

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/scene/scene.h"
 
 namespace cullscope {
@@ -30,8 +31,8 @@ public:
     static constexpr uint8_t kMaxDepth = 48;
 
     InstanceOctree() = default;
-    /// O(n log n). Equal scenes give equal trees.
-    explicit InstanceOctree(const Scene& scene, uint32_t leafInstances = kLeafInstances);
+    /// O(n log n). Equal scenes give equal trees. Throws Error(Interrupted) soon after a stop is requested.
+    explicit InstanceOctree(const Scene& scene, uint32_t leafInstances = kLeafInstances, const Progress& progress = {});
 
     /// The root first; empty where no instance has triangles.
     [[nodiscard]] const std::vector<Node>& nodes() const { return m_nodes; }

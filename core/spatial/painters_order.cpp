@@ -187,34 +187,43 @@ private:
     /// Whether P may be drawn before Q, by Newell's tests.
     bool mayComeFirst(uint32_t numberP, uint32_t numberQ) {
         const Piece &p = m_pieces[numberP], &q = m_pieces[numberQ];
-        const auto say = [&](NewellTest test, double first, double second = 0.0) { found(test, p, q, first, second); };
-        // How far the extents are apart, in pixels.
-        const double apartX = std::max(q.screen.x0 - p.screen.x1, p.screen.x0 - q.screen.x1);
-        const double apartY = std::max(q.screen.y0 - p.screen.y1, p.screen.y0 - q.screen.y1);
-        if (apartX >= 0.0) return say(NewellTest::ExtentX, apartX), true;
-        if (apartY >= 0.0) return say(NewellTest::ExtentY, apartY), true;
+        const auto passes = [&](bool passed, NewellTest test, double first, double second, bool byDepth = false) {
+            if (passed)
+                found(test, p, q, first, second, byDepth);
+            else if (watchesAll())
+                m_options.watch({NewellStep::Kind::Failed, test, p.polygon, q.polygon, first, second, byDepth});
+            return passed;
+        };
+        (void)passes(false, NewellTest::Depth, p.screen.near, q.screen.far);
+        const auto apart = [&](NewellTest test, double p0, double p1, double q0, double q1) {
+            if (q0 >= p1) return passes(true, test, p1, q0);
+            if (p0 >= q1) return passes(true, test, p0, q1);
+            return passes(false, test, std::max(p0, q0), std::min(p1, q1));
+        };
+        if (apart(NewellTest::ExtentX, p.screen.x0, p.screen.x1, q.screen.x0, q.screen.x1)) return true;
+        if (apart(NewellTest::ExtentY, p.screen.y0, p.screen.y1, q.screen.y0, q.screen.y1)) return true;
         const Extent pByQ = extentOf(p, q.plane), qByP = extentOf(q, p.plane);
-        if (!pByQ.on(q.eyeSide)) return say(NewellTest::BehindQ, pByQ.least, pByQ.most), true;
-        if (!qByP.on(-p.eyeSide)) return say(NewellTest::BeforeP, qByP.least, qByP.most), true;
+        if (passes(!pByQ.on(q.eyeSide), NewellTest::BehindQ, pByQ.reach(q.eyeSide), pByQ.reach(-q.eyeSide))) return true;
+        if (passes(!qByP.on(-p.eyeSide), NewellTest::BeforeP, qByP.reach(p.eyeSide), qByP.reach(-p.eyeSide))) return true;
         const Overlap overlap = overlapOf(p.screen, q.screen);
-        if (overlap.empty()) return say(NewellTest::Projections, overlap.thickness), true;
+        if (passes(overlap.empty(), NewellTest::Projections, overlap.thickness, Overlap::kApart)) return true;
         const bool qFarther = !qByP.on(p.eyeSide) || !pByQ.on(-q.eyeSide);
         // Both planes cut the other polygon: what the overlap of the projections shows decides.
-        if (!qFarther && overlap.mostBefore <= 0.0)
-            return say(NewellTest::Projections, overlap.leastBefore, overlap.mostBefore), true;
-        if (!qFarther && overlap.leastBefore < 0.0)
-            say(NewellTest::Pierce, overlap.leastBefore, overlap.mostBefore);
+        const double least = overlap.leastBefore, most = overlap.mostBefore;
+        if (!qFarther && passes(most <= 0.0, NewellTest::Projections, least, most, true)) return true;
+        if (!qFarther && least < 0.0)
+            found(NewellTest::Pierce, p, q, least, most, true);
         else
-            say(q.state == PieceState::Marked ? NewellTest::Cycle : NewellTest::Swap, p.screen.far, q.screen.far);
+            found(q.state == PieceState::Marked ? NewellTest::Cycle : NewellTest::Swap, p, q, p.screen.far, q.screen.far);
         return false;
     }
 
     [[nodiscard]] bool watchesAll() const { return m_options.watch && !m_options.watchDrawnOnly; }
 
-    void found(NewellTest test, const Piece& p, const Piece& q, double first, double second) {
+    void found(NewellTest test, const Piece& p, const Piece& q, double first, double second, bool byDepth = false) {
         m_lastTest = test;
         ++m_result.tests[size_t(test)];
-        if (watchesAll()) m_options.watch({NewellStep::Kind::Compared, test, p.polygon, q.polygon, first, second});
+        if (watchesAll()) m_options.watch({NewellStep::Kind::Compared, test, p.polygon, q.polygon, first, second, byDepth});
     }
 
     /// How far a piece reaches to both sides of a plane.
@@ -223,6 +232,8 @@ private:
         double least = 0.0, most = 0.0;
 
         [[nodiscard]] bool on(int side) const { return side > 0 ? front : back; }
+        /// How far it reaches on a side.
+        [[nodiscard]] double reach(int side) const { return side > 0 ? most : -least; }
     };
     [[nodiscard]] Extent extentOf(const Piece& piece, const CuttingPlane& plane) const {
         Extent extent;

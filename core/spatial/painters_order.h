@@ -31,13 +31,24 @@ struct NewellStep {
     enum class Kind : uint8_t {
         Taken,     ///< P is the farthest one left, and is compared now
         Again,     ///< P waited for others, and is compared on
-        Compared,  ///< a comparison of P and Q, by `test`
+        Failed,    ///< a test of P and Q that does not let P come first: the next test follows
+        Compared,  ///< the test that ends the comparison of P and Q
         Drawn      ///< nothing is left that has to come before P: it is the next one of PaintersOrder::polygons
     };
     Kind kind = Kind::Taken;
     NewellTest test = NewellTest::Depth;  ///< of a comparison
     uint32_t p = 0, q = 0;                ///< polygons of the CutTriangles; without a comparison both P
-    double first = 0, second = 0;  ///< what was compared: depths, pixels or distances from a plane; else P's farthest depth
+    /// The two numbers that the test compares; without a comparison the first one is P's farthest depth.
+    ///  - Depth: P's nearest depth, Q's farthest one.
+    ///  - ExtentX, ExtentY: the ends of P and Q that face each other, in pixels; where it fails, the begin and the end of what
+    ///    both have.
+    ///  - BehindQ: how far P reaches before the plane of Q, seen from the eye, and behind it.
+    ///  - BeforeP: how far Q reaches before the plane of P, and behind it.
+    ///  - Projections: the thickness of the overlap in pixels, negative where they are apart, and the least that counts as one;
+    ///    with `byDepth` the least and the largest difference of P's and Q's inverse depths over the overlap.
+    ///  - Swap, Cycle: the farthest depths of P and Q. Pierce: as Projections with `byDepth`.
+    double first = 0, second = 0;
+    bool byDepth = false;
 };
 
 struct PaintersOptions {

@@ -139,30 +139,32 @@ std::optional<double> hit(const Ray& ray, const std::array<Vec3, 3>& corners) {
     return t;
 }
 
-std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray, std::vector<WalkedCell>* walked) {
+std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray,
+                                          const std::function<void(const WalkedCell&)>& told) {
     // A little larger than the sphere, because its radius is rounded.
     const std::optional<Span> inside = throughSphere(ray, maps.sphere().radius * (1.0 + 1e-6));
     if (!inside) return std::nullopt;
     const double foot = -glm::dot(ray.origin, ray.direction) / glm::dot(ray.direction, ray.direction);
     std::optional<TriangleHit> nearest;
-    for (const WalkedCell& step : walkedCells(maps.grid(), ray, *inside)) {
+    for (WalkedCell& step : walkedCells(maps.grid(), ray, *inside)) {
         // The search goes on until the hit lies within the cells walked: a triangle of an earlier cell may be hit only in a later
         // one.
         if (nearest && nearest->t <= step.span.from) break;
         const uint32_t cell = maps.grid().number(step.cell);
         const SphericalMaps::Extent& extent = maps.extent(cell);
         const double closest = std::clamp(foot, step.span.from, step.span.to);
-        const double least = glm::length(ray.at(closest));
-        const double most = std::max(glm::length(ray.at(step.span.from)), glm::length(ray.at(step.span.to)));
-        if (walked) walked->push_back({step.cell, step.span, least, most});
-        if (extent.empty() || least > extent.farthest || most < extent.nearest) continue;
-        const double before = nearest ? nearest->t : std::numeric_limits<double>::infinity();
-        for (const uint32_t triangle : maps.triangles(cell))
-            if (const std::optional<double> t = hit(ray, maps.corners(triangle)); t && (!nearest || *t < nearest->t))
+        step.nearest = glm::length(ray.at(closest));
+        step.farthest = std::max(glm::length(ray.at(step.span.from)), glm::length(ray.at(step.span.to)));
+        if (!extent.empty() && step.nearest <= extent.farthest && step.farthest >= extent.nearest) {
+            step.tested = uint32_t(maps.triangles(cell).size());
+            for (const uint32_t triangle : maps.triangles(cell)) {
+                const std::optional<double> t = hit(ray, maps.corners(triangle));
+                if (!t || (nearest && *t >= nearest->t)) continue;
                 nearest = TriangleHit{triangle, *t};
-        if (!walked) continue;
-        walked->back().tested = uint32_t(maps.triangles(cell).size());
-        walked->back().hit = nearest && nearest->t < before;
+                step.hit = true;
+            }
+        }
+        if (told) told(step);
     }
     return nearest;
 }

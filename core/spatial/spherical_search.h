@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,7 +23,7 @@ struct Span {
 };
 [[nodiscard]] std::optional<Span> throughSphere(const Ray& ray, double radius);
 
-/// The part of a ray inside one cell, and what a search for a triangle did there.
+/// The part of a ray inside one cell, and what a search for a triangle found there.
 struct WalkedCell {
     SphericalGrid::Cell cell;
     Span span;
@@ -45,8 +46,8 @@ struct TriangleHit {
 
 /// The nearest triangle that a ray hits inside the bounding sphere: Triangle_Search of Han & Hong's Appendix 1. Walks the index
 /// map from the entry cell by cell, compares the ray's own R there with the range of R of the cell's triangles, and confirms by
-/// intersecting them. `walked`, if not null, receives every cell that was visited.
+/// intersecting them. `told`, if there is one, is told of every cell as soon as it was searched.
 [[nodiscard]] std::optional<TriangleHit> searchTriangle(const SphericalMaps& maps, const Ray& ray,
-                                                        std::vector<WalkedCell>* walked = nullptr);
+                                                        const std::function<void(const WalkedCell&)>& told = {});
 
 }  // namespace cullscope

@@ -33,11 +33,19 @@ FrameLog BuiltStrategy::decide(const View& culling, ViewState& state, bool recor
     return frame.take();
 }
 
+StructureSnapshot BuiltStrategy::snapshot(const FrameLog& log) const {
+    StructureSnapshot snapshot = m_strategy->snapshot(*m_structure, log);
+    if (m_info.first(Show::Kind::Tree) == nullptr) snapshot.nodes.clear();
+    return snapshot;
+}
+
 SubjectShape BuiltStrategy::groupShape(const StructureSnapshot& snapshot, uint32_t number) const {
     return m_strategy->groupShape(*m_structure, snapshot, number);
 }
 
 NamedParts BuiltStrategy::parts(const FrameLog& log) const { return m_strategy->parts(*m_structure, log); }
+
+NamedParts BuiltStrategy::partsByLeaf(const FrameLog& log) const { return m_strategy->partsByLeaf(*m_structure, log); }
 
 std::vector<OverlayLines> BuiltStrategy::overlay(std::string_view id, const OverlayContext& context, const FrameLog& log) const {
     if (m_info.show(id) == nullptr) return {};
@@ -48,6 +56,9 @@ std::optional<Message> BuiltStrategy::whyNotShown(std::string_view id, std::stri
     const auto absent = [&](AbsentShow sentence, std::string_view ofColouring) {
         return sentence(commandLineOption(id, ofColouring), m_info.id, strategiesShowing(id, ofColouring));
     };
+    if (id == kBoxesShow && snapshot(log).nodes.empty())
+        return Message{"%1: this strategy tests no boxes. Leave it out, or choose one that tests bounds.",
+                       {commandLineOption(id)}};
     const auto& declared = declaredShows();
     const auto known = std::ranges::find_if(declared, [&](const Show* show) { return show->id == id; });
     if (m_info.show(id) == nullptr) {

@@ -33,13 +33,15 @@ public:
     /// One frame that is not drawn, for strategies that decide on the processor.
     [[nodiscard]] FrameLog decide(const View& culling, ViewState& state, bool recording = false) const;
 
-    [[nodiscard]] StructureSnapshot snapshot(const FrameLog& log) const { return m_strategy->snapshot(*m_structure, log); }
+    /// Without nodes for a strategy that declares no Tree.
+    [[nodiscard]] StructureSnapshot snapshot(const FrameLog& log) const;
 
     [[nodiscard]] SubjectShape groupShape(const StructureSnapshot& snapshot, uint32_t number) const;
     [[nodiscard]] std::optional<uint32_t> groupAt(uint64_t triangle, const Vec3& point) const {
         return m_strategy->groupAt(*m_structure, triangle, point);
     }
     [[nodiscard]] NamedParts parts(const FrameLog& log) const;
+    [[nodiscard]] NamedParts partsByLeaf(const FrameLog& log) const;
 
     [[nodiscard]] std::vector<MeshStates> meshStates() const { return m_strategy->meshStates(*m_structure, m_parameters); }
 
@@ -48,8 +50,8 @@ public:
     /// The lines of an overlay that the strategy declares; none for any other id.
     [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
                                                     const FrameLog& log) const;
-    /// Why an overlay or a map that some strategy declares cannot be shown of this frame; none where it can. `colouring`: of a
-    /// map, else empty.
+    /// Why the boxes, or an overlay or a map that some strategy declares, cannot be shown of this frame; none where they can, and
+    /// for any other id. `colouring`: of a map, else empty.
     [[nodiscard]] std::optional<Message> whyNotShown(std::string_view id, std::string_view colouring, const FrameLog& log) const;
     /// A map of directions that the strategy declares (strategy.h); null for any other id.
     [[nodiscard]] CellMapPointer directionMap(std::string_view id, const FrameLog& log,

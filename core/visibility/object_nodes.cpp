@@ -29,18 +29,43 @@ private:
             node.triangles = m_scene.meshOf(instance).triangleCount();
             node.containment = Containment::Inside;
             m_result.nodes.push_back(node);
+            m_tests.emplace_back();
         }
         return m_result.nodes[size_t(m_places[instance])];
     }
 
-    static void addTo(SnapshotNode& node, const Decision& decision) {
+    /// What the tests of one object found: planes as bits.
+    struct Tests {
+        uint8_t inside = 0, cutting = 0;
+        bool cutOtherwise = false;  ///< by a test that is none of a plane
+    };
+
+    void addTo(SnapshotNode& node, const Decision& decision) {
         if (decision.outcome == Decision::Outcome::Culled) {
             node.culled = true;
             node.cause = decision.cause;
         }
-        if (decision.outcome != Decision::Outcome::Open || decision.containment == Containment::Inside) return;
-        node.containment = decision.containment;
-        if (decision.containment == Containment::Outside) node.rejectedBy = decision.plane;
+        if (decision.outcome == Decision::Outcome::Open) addTest(node, decision);
+    }
+
+    /// An object may have several bounds that are tested against a plane one after the other, such as a sphere and a box: it is
+    /// inside the plane where one of them is. Of several planes that it lies outside of, the first in their order counts.
+    void addTest(SnapshotNode& node, const Decision& decision) {
+        if (decision.containment == Containment::Outside) {
+            const bool first = !node.rejectedBy || (decision.plane && *decision.plane < *node.rejectedBy);
+            if (first) node.rejectedBy = decision.plane;
+            node.containment = Containment::Outside;
+            return;
+        }
+        Tests& tests = m_tests[size_t(m_places[node.instance])];
+        const bool inside = decision.containment == Containment::Inside;
+        if (decision.plane)
+            (inside ? tests.inside : tests.cutting) |= uint8_t(1U << size_t(*decision.plane));
+        else
+            tests.cutOtherwise = tests.cutOtherwise || !inside;
+        if (node.containment == Containment::Outside) return;
+        const bool cut = tests.cutOtherwise || (tests.cutting & ~tests.inside) != 0;
+        node.containment = cut ? Containment::Straddles : Containment::Inside;
     }
 
     void addGroup(const Decision& decision) {
@@ -62,6 +87,7 @@ private:
     const FrameLog& m_log;
     const Scene& m_scene;
     std::vector<int64_t> m_places;                                 ///< by instance: its node; -1: none yet
+    std::vector<Tests> m_tests;                                    ///< by node
     std::map<uint32_t, std::optional<FrustumPlane>> m_rejectedBy;  ///< by group: the plane that it lies outside of
     StructureSnapshot m_result;
 };

@@ -57,8 +57,8 @@ MaskedTest testPlanes(const Frustum& frustum, uint32_t mask, double margin, uint
 
 class GroupWalk {
 public:
-    GroupWalk(const InstanceOctree& octree, FrameContext& frame, const OctreeWalkOptions& options)
-        : m_octree(octree),
+    GroupWalk(const GroupTree& tree, FrameContext& frame, const OctreeWalkOptions& options)
+        : m_tree(tree),
           m_frame(frame),
           m_scene(frame.scene()),
           m_frustum(frame.view().frustum()),
@@ -66,15 +66,17 @@ public:
           m_recording(frame.recording()),
           m_memory(options.memory),
           m_refine(options.refine),
-          m_lines(options.lines) {}
+          m_lines(options.lines),
+          m_visited(options.visited) {}
 
     /// Recursive, at most InstanceOctree::kMaxDepth calls deep.
     void visit(uint32_t number, uint32_t mask) {
-        const InstanceOctree::Node& node = m_octree.nodes()[number];
+        const InstanceOctree::Node& node = m_tree.nodes[number];
         ++counters.nodesVisited;
-        const EyeBox box = relativeToEye(node.box, m_eye);
-        const double margin = marginFromEye(node.box.centre(), box.centre, glm::length(box.halfExtent), m_eye);
-        const Subject subject = Subject::ofNode(number);
+        const Box3& tested = m_tree.boxOf(number);
+        const EyeBox box = relativeToEye(tested, m_eye);
+        const double margin = marginFromEye(tested.centre(), box.centre, glm::length(box.halfExtent), m_eye);
+        const Subject subject = subjectOf(number);
         uint8_t unknown = LastFailedPlanes::kNone;
         MaskedTest test = testPlanes(
             m_frustum, mask, margin, m_memory != nullptr ? m_memory->ofGroup(number) : unknown,
@@ -90,10 +92,12 @@ public:
         }
         if (test.outside)
             drop(number, node);
-        else if (test.planes == 0)
+        else if (m_visited && !m_visited(number, test.planes))
+            return;
+        else if (test.planes == 0 && !m_visited)
             keep(number, node);
         else if (node.leaf())
-            for (const uint32_t instance : m_octree.instancesOf(node)) testObject(instance, test.planes, uint8_t(node.depth + 1));
+            for (const uint32_t instance : m_tree.instancesOf(node)) testObject(instance, test.planes, uint8_t(node.depth + 1));
         else
             for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child) visit(child, test.planes);
     }
@@ -110,6 +114,7 @@ private:
     }
 
     void testObject(uint32_t instance, uint32_t mask, uint8_t depth) {
+        if (mask == 0) return kept.push_back({instance, 0});
         ++counters.objectsTested;
         const EyeBounds bounds = boundsFromEye(m_scene, instance, m_eye);
         const Subject subject = Subject::ofObject(instance);
@@ -139,15 +144,15 @@ private:
     }
 
     void keep(uint32_t number, const InstanceOctree::Node& node) {
-        for (const uint32_t instance : m_octree.instancesOf(node)) kept.push_back({instance, 0});
+        for (const uint32_t instance : m_tree.instancesOf(node)) kept.push_back({instance, 0});
         if (m_recording) end(number, node, Decision::Outcome::Drawn);
     }
 
     void end(uint32_t number, const InstanceOctree::Node& node, Decision::Outcome outcome) {
         const uint8_t line = outcome == Decision::Outcome::Culled ? m_lines.groupOutside : m_lines.groupInside;
-        Decision decision = atLine(line, ending(Subject::ofNode(number), outcome));
+        Decision decision = atLine(line, ending(subjectOf(number), outcome));
         decision.nesting = node.depth;
-        m_frame.say(decision, m_octree.instancesOf(node));
+        m_frame.say(decision, m_tree.instancesOf(node));
     }
 
     void say(uint8_t line, Decision decision, uint8_t depth) {
@@ -156,7 +161,9 @@ private:
         m_frame.say(decision);
     }
 
-    const InstanceOctree& m_octree;
+    [[nodiscard]] Subject subjectOf(uint32_t node) const { return Subject::ofNode(m_tree.firstNumber + node); }
+
+    const GroupTree& m_tree;
     FrameContext& m_frame;
     const Scene& m_scene;
     const Frustum& m_frustum;
@@ -165,6 +172,7 @@ private:
     LastFailedPlanes* m_memory;
     bool m_refine;
     OctreeWalkLines m_lines;
+    const std::function<bool(uint32_t, uint32_t)>& m_visited;
 };
 
 /// What a recorded walk found for a group.
@@ -175,11 +183,11 @@ struct GroupResult {
     std::optional<FrustumPlane> rejectedBy;
 };
 
-std::vector<GroupResult> groupResults(const FrameLog& log, size_t groups) {
+std::vector<GroupResult> groupResults(const FrameLog& log, uint32_t first, size_t groups) {
     std::vector<GroupResult> results(groups);
     for (const Decision& decision : log.decisions) {
-        if (decision.subject.kind != Subject::Kind::Node) continue;
-        GroupResult& result = results[decision.subject.number];
+        if (decision.subject.kind != Subject::Kind::Node || decision.subject.number - first >= groups) continue;
+        GroupResult& result = results[decision.subject.number - first];
         result.visited = true;
         if (decision.outcome == Decision::Outcome::Drawn) result.containment = Containment::Inside;
         if (decision.containment != Containment::Outside) continue;
@@ -190,11 +198,11 @@ std::vector<GroupResult> groupResults(const FrameLog& log, size_t groups) {
     return results;
 }
 
-SnapshotNode groupOf(const InstanceOctree::Node& node, const GroupResult& result, const SnapshotNode* parent) {
+SnapshotNode groupOf(const InstanceOctree::Node& node, const Box3& box, const GroupResult& result, const SnapshotNode* parent) {
     SnapshotNode group;
     group.instance = SnapshotNode::kGroup;
     group.objects = node.count;
-    group.box = node.box;
+    group.box = box;
     group.triangles = node.triangles;
     if (result.visited) {
         group.containment = result.containment;
@@ -212,10 +220,10 @@ SnapshotNode groupOf(const InstanceOctree::Node& node, const GroupResult& result
 
 }  // namespace
 
-std::vector<KeptObject> keptObjects(const InstanceOctree& octree, FrameContext& frame, OctreeWalkCounters* counters,
+std::vector<KeptObject> keptObjects(const GroupTree& tree, FrameContext& frame, OctreeWalkCounters* counters,
                                     const OctreeWalkOptions& options) {
-    GroupWalk walk(octree, frame, options);
-    if (!octree.nodes().empty()) walk.visit(0, kAllPlanes);
+    GroupWalk walk(tree, frame, options);
+    if (!tree.nodes.empty()) walk.visit(0, kAllPlanes);
     if (counters != nullptr) {
         counters->nodesVisited += walk.counters.nodesVisited;
         counters->objectsTested += walk.counters.objectsTested;
@@ -238,22 +246,41 @@ void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const V
     std::ranges::transform(byDistance, kept.begin(), &std::pair<double, KeptObject>::second);
 }
 
-void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const FrameLog& log) {
-    const auto base = int32_t(snapshot.nodes.size());
-    const std::vector<GroupResult> results = groupResults(log, octree.nodes().size());
+void addGroups(StructureSnapshot& snapshot, const GroupTree& tree, const Scene& scene, const FrameLog& log) {
+    const size_t base = snapshot.nodes.size();
+    const std::vector<GroupResult> results = groupResults(log, tree.firstNumber, tree.nodes.size());
     std::vector<int32_t> leafOf(scene.instances().size(), -1);
-    snapshot.nodes.reserve(snapshot.nodes.size() + octree.nodes().size());
-    for (size_t i = 0; i < octree.nodes().size(); ++i) {
-        const InstanceOctree::Node& node = octree.nodes()[i];
-        const int32_t parent = node.parent < 0 ? -1 : base + node.parent;
-        snapshot.nodes.push_back(groupOf(node, results[i], parent < 0 ? nullptr : &snapshot.nodes[size_t(parent)]));
-        snapshot.nodes.back().parent = parent;
-        snapshot.nodes.back().number = uint32_t(i);
+    snapshot.nodes.reserve(base + tree.nodes.size());
+    for (size_t i = 0; i < tree.nodes.size(); ++i) {
+        const InstanceOctree::Node& node = tree.nodes[i];
+        const int32_t parent = node.parent < 0 ? -1 : int32_t(base) + node.parent;
+        snapshot.nodes.push_back(
+            groupOf(node, tree.boxOf(uint32_t(i)), results[i], parent < 0 ? nullptr : &snapshot.nodes[size_t(parent)]));
+        SnapshotNode& group = snapshot.nodes.back();
+        group.parent = parent;
+        group.number = tree.firstNumber + uint32_t(i);
+        if (parent < 0 && tree.name != nullptr) group.name = tree.name;
         if (!node.leaf()) continue;
-        for (const uint32_t instance : octree.instancesOf(node)) leafOf[instance] = base + int32_t(i);
+        for (const uint32_t instance : tree.instancesOf(node)) leafOf[instance] = int32_t(base + i);
     }
-    for (size_t i = 0; i < size_t(base); ++i)
-        if (!snapshot.nodes[i].isGroup()) snapshot.nodes[i].parent = leafOf[snapshot.nodes[i].instance];
+    for (size_t i = 0; i < base; ++i) {
+        SnapshotNode& object = snapshot.nodes[i];
+        if (!object.isGroup() && leafOf[object.instance] >= 0) object.parent = leafOf[object.instance];
+    }
+}
+
+NamedParts objectsByLeaf(const InstanceOctree& octree, const Scene& scene) {
+    NamedParts result;
+    result.leaves = size_t(std::ranges::count_if(octree.nodes(), &InstanceOctree::Node::leaf));
+    if (result.leaves > NamedParts::kMostLeaves) return result;
+    for (size_t number = 0; number < octree.nodes().size(); ++number) {
+        if (!octree.nodes()[number].leaf()) continue;
+        for (const uint32_t instance : octree.instancesOf(octree.nodes()[number]))
+            result.parts.push_back({scene.instances()[instance].name, instance, result.places.size()});
+        result.places.push_back(std::to_string(number));
+    }
+    std::ranges::sort(result.parts, {}, &NamedParts::Part::object);
+    return result;
 }
 
 }  // namespace cullscope

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/frame/frame_context.h"
+#include "core/frame/named_parts.h"
 #include "core/spatial/instance_octree.h"
 #include "core/visibility/structure_snapshot.h"
 
@@ -49,29 +51,55 @@ struct OctreeWalkLines {
     uint8_t objectTests = 0, objectOutside = 0;
 };
 
+/// The nodes of an octree over objects, and the objects in its order.
+struct GroupTree {
+    std::span<const InstanceOctree::Node> nodes;
+    std::span<const uint32_t> order;
+    uint32_t firstNumber = 0;          ///< of the root in decisions, which number the nodes of all trees of a strategy
+    const char* name = nullptr;        ///< of the root in lists, where there are several trees: a word that is not translated
+    std::span<const Box3> boxes = {};  ///< by node: what is tested; empty: the nodes' own boxes
+
+    GroupTree(std::span<const InstanceOctree::Node> allNodes, std::span<const uint32_t> objects)
+        : nodes(allNodes), order(objects) {}
+    // Not explicit: an octree is its nodes and its order.
+    GroupTree(const InstanceOctree& octree) : nodes(octree.nodes()), order(octree.order()) {}  // NOLINT(*-explicit-*)
+
+    [[nodiscard]] std::span<const uint32_t> instancesOf(const InstanceOctree::Node& node) const {
+        return order.subspan(node.first, node.count);
+    }
+    [[nodiscard]] const Box3& boxOf(uint32_t node) const { return boxes.empty() ? nodes[node].box : boxes[node]; }
+};
+
 struct OctreeWalkOptions {
     /// Tests groups and objects that are outside no plane by separating axes too (geometry/separation.h).
     bool refine = false;
     /// Null: the planes are tested in their own order.
     LastFailedPlanes* memory = nullptr;
     OctreeWalkLines lines{};
+    /// Hears of a node that is outside no plane, in the octree's order, parents first. `planes`: those that may cut it. It
+    /// returns whether the walk goes on below the node, or with its objects in a leaf. Then no node is kept as a whole without
+    /// being visited. Empty: the walk goes on.
+    std::function<bool(uint32_t node, uint32_t planes)> visited{};
 };
 
 /// The objects of a scene that intersect a view's frustum, in the octree's order. The walk tests groups: a group outside a plane
 /// is culled with all its objects; a plane that a group lies completely inside is not tested below it (Assarsson & Möller 2000);
 /// the range of a group inside all six is kept without further tests. Conservative: an object that intersects the frustum is
-/// always kept (margin: geometry/frustum.h, conservativeMargin). `octree` is that of the frame's
+/// always kept (margin: geometry/frustum.h, conservativeMargin). `tree` is over the frame's
 /// scene. The costs are added to `counters` if it is not null. A frame that records gets every test of every group and object
 /// that the walk visits, the end of those that it culls, and that of groups that it keeps as a whole; what becomes of an object
 /// that it keeps is for the strategy to say.
-[[nodiscard]] std::vector<KeptObject> keptObjects(const InstanceOctree& octree, FrameContext& frame,
+[[nodiscard]] std::vector<KeptObject> keptObjects(const GroupTree& tree, FrameContext& frame,
                                                   OctreeWalkCounters* counters = nullptr, const OctreeWalkOptions& options = {});
 
 /// Sorts objects by the distance of their spheres from the eye: objects drawn first occlude later ones before fragment shading.
 void sortNearestFirst(std::vector<KeptObject>& kept, const Scene& scene, const Vec3& eye);
 
-/// Appends the octree's nodes to `snapshot` as groups, with the results of a recorded walk (for nodes that it did not visit,
+/// Appends the tree's nodes to `snapshot` as groups, with the results of a recorded walk (for nodes that it did not visit,
 /// those of the nearest visited ancestor), and makes the leaves the parents of the objects' nodes that `snapshot` already has.
-void addGroups(StructureSnapshot& snapshot, const InstanceOctree& octree, const Scene& scene, const FrameLog& log);
+void addGroups(StructureSnapshot& snapshot, const GroupTree& tree, const Scene& scene, const FrameLog& log);
+
+/// The objects, and the leaves in which they lie by their numbers, for questions about these.
+[[nodiscard]] NamedParts objectsByLeaf(const InstanceOctree& octree, const Scene& scene);
 
 }  // namespace cullscope

@@ -10,6 +10,9 @@
 #include "core/visibility/frustum/frustum_octree.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/ordering/ordering.h"
+#include "core/visibility/small_feature/small_feature.h"
+#include "core/visibility/small_feature/small_feature_bounded.h"
+#include "core/visibility/small_feature/small_feature_triangle.h"
 #include "core/visibility/software/software_raster.h"
 #include "core/visibility/spherical/lossless_culling.h"
 #include "core/visibility/spherical/spherical_culling.h"
@@ -35,6 +38,9 @@ const std::vector<RegisteredStrategy>& strategies() {
         occlusion::octreeQuery(),
         ordering::painter(),
         ordering::bsp(),
+        small_feature::smallFeature(),
+        small_feature::smallFeatureTriangle(),
+        small_feature::smallFeatureBounded(),
         distance::drawDistance(),
     };
     // clang-format on
@@ -72,6 +78,26 @@ std::vector<const Show*> declaredShows(Show::Kind kind) {
     std::vector<const Show*> result;
     std::ranges::copy_if(declaredShows(), std::back_inserter(result), [&](const Show* show) { return show->kind == kind; });
     return result;
+}
+
+const std::vector<const Show*>& pictureShows() {
+    static const std::vector<const Show*> kShows = [] {
+        std::vector<const Show*> shows;
+        for (const Show& show : commonShows()) shows.push_back(&show);
+        const std::vector<const Show*> declared = declaredShows(Show::Kind::Overlay);
+        shows.insert(shows.end() - 1, declared.begin(), declared.end());
+        return shows;
+    }();
+    return kShows;
+}
+
+const std::vector<const Show*>& namedShows() {
+    static const std::vector<const Show*> kShows = [] {
+        std::vector<const Show*> shows = pictureShows();
+        std::ranges::stable_sort(shows, {}, &Show::kind);
+        return shows;
+    }();
+    return kShows;
 }
 
 std::string strategiesShowing(std::string_view id, std::string_view colouring) {

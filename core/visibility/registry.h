@@ -27,6 +27,10 @@ struct RegisteredStrategy {
 [[nodiscard]] const std::vector<const Show*>& declaredShows();
 /// Those of one kind.
 [[nodiscard]] std::vector<const Show*> declaredShows(Show::Kind kind);
+/// What a view's picture shows or not: commonShows with the declared overlays before the last one.
+[[nodiscard]] const std::vector<const Show*>& pictureShows();
+/// The same in the order in which the command line and pictures' texts name them.
+[[nodiscard]] const std::vector<const Show*>& namedShows();
 /// The ids of the strategies that declare a show, and of those that have a colouring of it, separated by commas.
 [[nodiscard]] std::string strategiesShowing(std::string_view id, std::string_view colouring = {});
 

@@ -57,6 +57,8 @@ SubjectShape Strategy::groupShape(const Structure& /*structure*/, const Structur
 
 NamedParts Strategy::parts(const Structure& structure, const FrameLog& log) const { return namedParts(structure.scene(), log); }
 
+NamedParts Strategy::partsByLeaf(const Structure& structure, const FrameLog& log) const { return parts(structure, log); }
+
 std::vector<OverlayLines> Strategy::overlay(std::string_view /*id*/, const OverlayContext& /*context*/,
                                             const Structure& /*structure*/, const FrameLog& /*log*/) const {
     return {};

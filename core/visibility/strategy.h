@@ -69,7 +69,6 @@ struct StrategyInfo {
     GlRequirement glRequirement = GlRequirement::None;
     bool remembers = false;  ///< what it draws depends on the frames before, by its ViewState: a frame is judged with that memory
     BaselineRole baseline = BaselineRole::None;
-    bool byPlanes = false;  ///< decides by the six planes of the frustum alone
     std::vector<DeclaredSweep> sweeps{};
     std::vector<Show> shows{};
     /// With CompatibilityProfile: why it cannot be used with an OpenGL that gives none, and what to use instead. One English
@@ -162,7 +161,8 @@ public:
     [[nodiscard]] virtual Facing referenceFacing(const Scene& scene, const ParameterSet& parameters) const {
         return facing(scene, parameters);
     }
-    /// The boxes that the strategy tests, with the decisions of a recorded frame; empty for a strategy without boxes.
+    /// The boxes that the strategy tests, if it declares a Tree, with the decisions of a recorded frame; and where what these
+    /// are about lies.
     [[nodiscard]] virtual StructureSnapshot snapshot(const Structure& /*structure*/, const FrameLog& /*log*/) const { return {}; }
 
     /// Where a group of that snapshot lies, by its number: what views mark when it is chosen. Its box, unless a strategy knows
@@ -177,6 +177,9 @@ public:
     }
     /// The parts into which a recorded frame cut the scene's objects (frame/named_parts.h), and the places in which they lie.
     [[nodiscard]] virtual NamedParts parts(const Structure& structure, const FrameLog& log) const;
+    /// The same for questions about the place in which a part lies: here parts are what lies in one leaf of the strategy's own
+    /// tree. Those of `parts`, unless a strategy knows more.
+    [[nodiscard]] virtual NamedParts partsByLeaf(const Structure& structure, const FrameLog& log) const;
 
     // What the strategy declares in StrategyInfo::shows, of a recorded frame.
 

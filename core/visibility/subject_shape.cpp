@@ -59,8 +59,13 @@ public:
     void addPixels(const Decision& decision) {
         if (decision.subject.object != Subject::kNoObject) addObject(decision.subject.object);
         const auto width = uint32_t(m_log.size.width);
-        if (decision.places.count == 0 || width == 0) return;
-        const uint32_t first = decision.places.first, last = first + decision.places.count - 1;
+        PlaceRun pixels = decision.places;
+        // A row that is not shown yet.
+        if (pixels.count == 0 && decision.subject.kind == Subject::Kind::Rows &&
+            int64_t(decision.subject.number) < m_log.size.height)
+            pixels = {decision.subject.number * width, width};
+        if (pixels.count == 0 || width == 0) return;
+        const uint32_t first = pixels.first, last = first + pixels.count - 1;
         m_shape.pixels = {{Vec2(first % width, first / width), Vec2(last % width + 1, last / width + 1)}};
         addSight((*m_shape.pixels)[0], (*m_shape.pixels)[1]);
     }
@@ -68,17 +73,18 @@ public:
     /// What the strategy itself tells of the subject, in place of its object's box.
     void addPlace(const StructureSnapshot& snapshot, const Decision& decision, size_t number) {
         const uint32_t instance = decision.subject.object;
-        if (!snapshot.places || instance >= m_scene.instances().size()) return;
+        const bool ofObject = instance < m_scene.instances().size();
+        if (!snapshot.places || (!ofObject && decision.subject.kind != Subject::Kind::Rows)) return;
         std::optional<SubjectPlace> place = snapshot.places->at(m_scene, decision, number);
         if (!place) return;
-        m_shape.object = instance;
+        if (ofObject) m_shape.object = instance;
         if (m_shape.triangles.empty() && !place->lines.empty()) m_shape.boxes.clear();
         m_shape.lines = std::move(place->lines);
         m_shape.compared = std::move(place->compared);
         m_shape.mapLines = std::move(place->mapLines);
         m_shape.onCurve = place->onCurve;
         if (place->node) m_shape.node = place->node;
-        if (!place->triangle) return;
+        if (!place->triangle || !ofObject) return;
         m_shape.triangle = m_scene.firstTriangle(instance) + *place->triangle;
         m_shape.triangles.push_back(InstanceFromEye(m_scene, instance, Vec3(0.0)).corners(*place->triangle));
     }
@@ -199,12 +205,13 @@ SubjectShape subjectShape(const Scene& scene, const FrameLog& log, const Structu
             break;
         case Subject::Kind::Cell:
         case Subject::Kind::Cells:
+        case Subject::Kind::Triangles:
             maker.addCell(decision);
             break;
         case Subject::Kind::Fragment:
             maker.addFragment(decision);
             break;
-        case Subject::Kind::Tile:
+        case Subject::Kind::Rows:
         case Subject::Kind::Span:
             maker.addPixels(decision);
             break;

@@ -73,7 +73,9 @@ public:
     }
 
 private:
-    static bool isCell(const Decision& decision) { return decision.subject.kind == Subject::Kind::Cell; }
+    static bool isCell(const Decision& decision) {
+        return decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Triangles;
+    }
 
     /// None: the decision leaves it open.
     [[nodiscard]] std::optional<TriangleState> stateAfter(const Decision& decision) const {

@@ -36,7 +36,8 @@ WhyStep step(const Decision& decision) {
 std::array<uint64_t, kCauseCount> culledInPart(const FrameLog& log, uint32_t instance) {
     std::array<uint64_t, kCauseCount> counts{};
     for (const Decision& decision : log.decisions) {
-        if (decision.subject.kind != Subject::Kind::Cell || decision.subject.object != instance) continue;
+        const bool counted = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Triangles;
+        if (!counted || decision.subject.object != instance) continue;
         uint64_t& count = counts[size_t(decision.cause)];
         if (decision.outcome == Decision::Outcome::Culled) count += decision.places.count;
         if (decision.outcome == Decision::Outcome::DrawnAfterAll) count -= decision.places.count;
@@ -89,7 +90,9 @@ const SnapshotNode* decidingGroup(const StructureSnapshot& snapshot, uint32_t in
 /// The group that the object was tested with, where it contains other objects too.
 std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t instance) {
     const SnapshotNode* group = decidingGroup(snapshot, instance);
-    if (group == nullptr || group->objects < 2) return std::nullopt;
+    // What is left out by its size is left out with its group, however few objects that has.
+    const bool bySize = group != nullptr && group->culled && (group->cause == Cause::TooSmall || group->cause == Cause::NoSample);
+    if (group == nullptr || (group->objects < 2 && !bySize)) return std::nullopt;
     const std::string count = std::to_string(group->objects);
     Message sentence{
         snapshot.groupSentence != nullptr
@@ -100,6 +103,8 @@ std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t ins
     if (group->culled && group->cause == Cause::Hidden)
         sentence = {CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: what was drawn before hides it."),
                     {count}};
+    else if (bySize)
+        sentence = {CULLSCOPE_TR("It is left out with its whole group (objects: %1): %2."), {count, causeName(group->cause)}};
     else if (group->culled && !group->rejectedBy)
         sentence = {
             CULLSCOPE_TR("It lies in a group of %1 objects, whose box was tested first: an axis parts it from the frustum."),
@@ -131,8 +136,7 @@ void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, ui
     uint64_t place = 0;
     while (place < scene.meshOf(instance).triangleCount() && triangleAt(log.order.get(), mesh, place) != own) ++place;
     const auto holds = [&](const Decision& decision) {
-        const bool cells = decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Cells;
-        return cells && decision.subject.object == instance && decision.places.first <= place &&
+        return decision.subject.holdsTriangles() && decision.subject.object == instance && decision.places.first <= place &&
                place - decision.places.first < decision.places.count;
     };
     const auto last = std::find_if(log.decisions.rbegin(), log.decisions.rend(), [&](const Decision& decision) {

@@ -1904,8 +1904,8 @@
         <translation>논문: × all, 최대</translation>
     </message>
     <message>
-        <source>× all, max</source>
-        <translation>× all, 최대</translation>
+        <source>× all, best view [95 %]</source>
+        <translation>× all, 최대 시점 [95 %]</translation>
     </message>
     <message>
         <source>paper: culled, %</source>
@@ -2864,8 +2864,8 @@
         <translation>합계, ms</translation>
     </message>
     <message>
-        <source>× fastest of five</source>
-        <translation>× 다섯 중 최단</translation>
+        <source>both ÷ least of five</source>
+        <translation>합계 ÷ 다섯 중 최소</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -3596,8 +3596,8 @@
         <translation>장면에 있는 평면으로 계산한다. 평면이 단계마다 장면을 나누고 물체는 잎에 달린다. C1은 모든 평면의 뒤에 있는 잎이고, 마지막 잎은 모든 평면의 앞에 있다.</translation>
     </message>
     <message>
-        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation>바이트는 방법이 만든 것, 한 프레임에 그 밖에 필요했던 것(표, 목록, 방법이 만든 삼각형이나 그림), 그리고 GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 첫 시점의 것입니다.</translation>
+        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of all views.</source>
+        <translation>바이트는 방법이 만든 것, 한 프레임에 그 밖에 필요했던 것(표, 목록, 방법이 만든 삼각형이나 그림), 그리고 GPU의 깊이 버퍼를 쓰는 경우 그 크기입니다. 놓친 픽셀은 모든 시점의 것입니다.</translation>
     </message>
     <message>
         <source>covers no sample</source>

@@ -1904,8 +1904,8 @@
         <translation>论文：× all，最大</translation>
     </message>
     <message>
-        <source>× all, max</source>
-        <translation>× all，最大</translation>
+        <source>× all, best view [95 %]</source>
+        <translation>× all，最大的视点 [95 %]</translation>
     </message>
     <message>
         <source>paper: culled, %</source>
@@ -2864,8 +2864,8 @@
         <translation>合计，毫秒</translation>
     </message>
     <message>
-        <source>× fastest of five</source>
-        <translation>× 五种中最快</translation>
+        <source>both ÷ least of five</source>
+        <translation>合计 ÷ 五种中最小</translation>
     </message>
     <message>
         <source>verdict</source>
@@ -3596,8 +3596,8 @@
         <translation>由场景自己的平面计算：平面逐层划分场景，物体挂在叶上。C1 是位于所有平面背面的叶，最后一个叶位于所有平面正面。</translation>
     </message>
     <message>
-        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of the first view.</source>
-        <translation>字节数包括方法所构建的内容、一帧另外所需的内容（表、列表、方法生成的三角形或图像），以及用到时 GPU 的深度缓冲。漏掉的像素取自第一个视图。</translation>
+        <source>Bytes are of what the method built, of what a frame needed besides (tables, lists, its triangles or its picture), and of the GPU&apos;s depth buffer where it is used. Missed pixels are those of all views.</source>
+        <translation>字节数包括方法所构建的内容、一帧另外所需的内容（表、列表、方法生成的三角形或图像），以及用到时 GPU 的深度缓冲。漏掉的像素是所有视图的总和。</translation>
     </message>
     <message>
         <source>covers no sample</source>

@@ -9,6 +9,7 @@
 #include "tests/benchmark/experiments.h"
 #include "tests/benchmark/in_turns.h"
 #include "tests/benchmark/run_experiment.h"
+#include "tests/support/experiment_faults.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/process.h"
 
@@ -34,7 +35,8 @@ void expectWhole(const Experiment& experiment, const ResultTable& table) {
 }
 
 /// Runs an experiment whose rows may hold no value that it has no column for.
-ResultTable run(Experiment experiment) {
+ResultTable run(Experiment experiment, int repetitions = 0) {
+    if (!experiment.measured) return runExperiment(experiment, {{}, repetitions});
     experiment.measured = [measured = experiment.measured, columns = experiment.columns](
                               const Setting& setting, const ScenePointer& scene, const Progress& progress) {
         Rows rows = measured(setting, scene, progress);
@@ -65,6 +67,31 @@ TEST(InTurns, allTakeTheirTurnInEveryRoundAndTheWarmUpDoesNotCount) {
     const std::vector<std::vector<double>> numbers = inTurns({contestant('a'), contestant('b')}, 2, 1);
     EXPECT_EQ(order, "ababab");
     EXPECT_THAT(numbers, testing::ElementsAre(testing::ElementsAre(3, 5), testing::ElementsAre(4, 6)));
+}
+
+TEST(InTurns, ratioIsTheOneEstimate) {
+    const std::vector<double> slow{20, 21, 19, 40, 20}, fast{10, 11, 10, 12, 9};
+    const ViewTimes times{slow, fast};
+    EXPECT_EQ(ratioInTurns(slow, fast), ratioOfTotals({&times, 1}));
+    EXPECT_EQ(ratioInTurns(slow, fast).ratio, 2.0);
+}
+
+/// The programs' own, which have none here, are asked the same before they run (runAndReport).
+TEST(Benchmarks, declareWhatTheyVaryAndShow) {
+    const Experiment experiments[] = {frustumTests(10'000'000),
+                                      frustumTests(1'000),
+                                      sphericalMapsGrowth(),
+                                      losslessBuild({"bunny"}, 1),
+                                      losslessGrowth(),
+                                      losslessCull(),
+                                      losslessLayouts({"torus", "bunny"}),
+                                      softwareRaster({"torus"}, "case-2"),
+                                      octreeQueryBesideBackface("layers:count=2,triangles=8", {"bunny"}),
+                                      octreeQueryBesideBackface("layers:count=2,triangles=8", {})};
+    for (const Experiment& experiment : experiments) {
+        EXPECT_THAT(test::experimentFaults(experiment), testing::IsEmpty()) << experiment.id;
+        EXPECT_FALSE(experiment.plots.empty()) << experiment.id;
+    }
 }
 
 TEST(Benchmarks, frustumTestsKeepWhatIsInView) {
@@ -107,12 +134,16 @@ TEST(Benchmarks, mapsGrow) {
 }
 
 TEST(Benchmarks, losslessIsBuiltBesideEmbree) {
-    const Experiment experiment = losslessBuild("sphere:triangles=2000", 1);
+    const Experiment experiment = losslessBuild({"sphere:triangles=2000"}, 1);
     const ResultTable table = run(experiment);
     expectWhole(experiment, table);
     ASSERT_EQ(table.rows.size(), 2u);
     EXPECT_EQ(table.triangles, 2000u);
-    EXPECT_GT(*numberOf(table.value(0, "to_embree")), 0.0);
+    const auto ratio = std::get<RatioEstimate>(table.value(0, "to_embree"));
+    EXPECT_GT(ratio.ratio, 0.0);
+    EXPECT_LE(ratio.ci95[0], ratio.ratio);
+    ASSERT_EQ(table.plots.size(), 1u);
+    EXPECT_EQ(table.plots[0].lines.size(), 4u) << "two builders, their medians and their best";
 }
 
 TEST(Benchmarks, losslessGrows) {
@@ -125,33 +156,46 @@ TEST(Benchmarks, losslessGrows) {
 }
 
 TEST(Benchmarks, losslessCulls) {
-    const Experiment experiment = losslessCull();
-    const ResultTable table = runOne(experiment, 0);
+    Experiment experiment =
+        losslessCull({.views = 1, .repetitions = 1, .picture = {64, 48}, .large = {96, 64}, .camerasBy = 2'000});
+    experiment.settings.resize(5);
+    const ResultTable table = run(experiment);
     expectWhole(experiment, table);
-    EXPECT_EQ(table.rows.size(), 3u * 5);
-    EXPECT_EQ(table.plots.size(), 6u);
+    EXPECT_EQ(table.rows.size(), 5u * 5) << "five paths and configurations";
+    EXPECT_EQ(table.plots.size(), 2u * 5);
     EXPECT_EQ(table.plots[0].lines.size(), 5u + 2) << "five configurations and two powers";
+    for (size_t row = 0; row < table.rows.size(); ++row) {
+        EXPECT_EQ(*numberOf(table.value(row, "missed_pixels")), 0.0) << "the timed frames are judged";
+        EXPECT_GT(std::get<RatioEstimate>(table.value(row, "ratio_to_backface")).ratio, 0.0);
+    }
+    EXPECT_THAT(table.brokenPromises, testing::IsEmpty());
 }
 
 TEST(Benchmarks, layoutsAreDrawnInTurns) {
-    const Experiment experiment = losslessLayouts({"sphere:triangles=500"});
+    const Experiment experiment = losslessLayouts({"sphere:triangles=500"}, 2);
     EXPECT_TRUE(experiment.needsOpenGl());
-    const ResultTable table = run(experiment);
+    const ResultTable table = run(experiment, 1);
     expectWhole(experiment, table);
-    EXPECT_EQ(table.rows.size(), 2u * 2 * 5);
+    EXPECT_EQ(table.rows.size(), 4u * 2 * 5);
     EXPECT_FALSE(table.gl.renderer.empty());
     ASSERT_EQ(table.plots.size(), 1u);
     EXPECT_TRUE(table.plots[0].title.starts_with("sphere, front: ")) << table.plots[0].title;
-    EXPECT_EQ(table.plots[0].lines.size(), 4u) << "two layouts on two paths";
+    EXPECT_EQ(table.plots[0].lines.size(), 2u * 4) << "two layouts on four paths";
+    for (size_t row = 0; row < table.rows.size(); ++row) EXPECT_EQ(*numberOf(table.value(row, "missed_pixels")), 0.0);
 }
 
 TEST(Benchmarks, softwarePicturesAreTimedBesideOpenGls) {
-    Experiment experiment = softwareRaster("sphere:triangles=500", "orbit:2");
-    experiment.settings.front().size = {64, 48};
-    const ResultTable table = run(experiment);
+    Experiment experiment = softwareRaster({"sphere:triangles=500", "sphere:triangles=80"}, "orbit:2");
+    for (Setting& setting : experiment.settings) setting.size = {64, 48};
+    const ResultTable table = run(experiment, 2);
     expectWhole(experiment, table);
-    ASSERT_EQ(table.rows.size(), 4u);
-    EXPECT_GT(*numberOf(table.value(2, "picture_ratio")), 0.0);
+    ASSERT_EQ(table.rows.size(), 2u * 4);
+    const auto ratio = std::get<RatioEstimate>(table.value(2, "picture_ratio"));
+    EXPECT_GT(ratio.ratio, 0.0);
+    EXPECT_LT(ratio.ci95[0], ratio.ci95[1]) << "the interval of two views is not a point";
+    ASSERT_EQ(table.plots.size(), 1u);
+    ASSERT_EQ(table.plots[0].lines.size(), 4u + 2) << "frames, and two pictures made in software";
+    EXPECT_LT(table.plots[0].lines[0].points[0].x, table.plots[0].lines[0].points[1].x);
     EXPECT_LT(*numberOf(table.value(3, "comparisons")), *numberOf(table.value(2, "comparisons")));
     for (const size_t own : {2u, 3u}) EXPECT_EQ(*numberOf(table.value(own, "missed_beyond_snapping")), 0.0);
 }
@@ -160,9 +204,11 @@ TEST(Benchmarks, octreeQueryTakesTurnsWithBackface) {
     const Experiment experiment = octreeQueryBesideBackface(
         "layers:count=8,triangles=200", {"split:mesh=knot:triangles=2000,by=clusters,triangles=100"}, {96, 64});
     EXPECT_TRUE(experiment.needsOpenGl());
-    const ResultTable table = runExperiment(experiment, {{}, 2});
+    const ResultTable table = run(experiment, 2);
     expectWhole(experiment, table);
     ASSERT_EQ(table.rows.size(), 2u * 7);
+    ASSERT_EQ(table.plots.size(), 1u);
+    EXPECT_EQ(table.plots[0].lines.size(), 7u);
     ASSERT_EQ(table.checks.size(), 2u);
     EXPECT_TRUE(table.checks[1].holds()) << "nothing is lost";
     EXPECT_THAT(table.brokenPromises, testing::IsEmpty());
@@ -197,6 +243,13 @@ TEST_F(Reports, tableAndPlotsAreWritten) {
     EXPECT_EQ(runAndReport({experiment, folder / "inner"}), 0);
     EXPECT_EQ(contents("inner/made-up.csv"), "n,ms\n1,1\n2,4\n4,16\n");
     EXPECT_TRUE(contents("inner/made-up.svg").starts_with("<svg"));
+}
+
+TEST_F(Reports, whatDeclaresTooLittleIsNotRun) {
+    experiment.axes.clear();
+    EXPECT_THROW((void)runAndReport({experiment, folder}), std::logic_error);
+    experiment = Experiment();
+    EXPECT_THROW((void)runAndReport({experiment, folder}), std::logic_error);
 }
 
 TEST_F(Reports, checkThatDoesNotHoldGivesStatus1AndTheFilesAreThere) {
@@ -269,13 +322,14 @@ TEST(KeptRuns, haveTheColumnsOfTheirExperimentsOrThoseThatTheDocsSay) {
         Experiment experiment;
         std::vector<std::string> lacks{}, has{};  ///< beside today's columns
     };
-    const std::vector<Kept> kept{{sphericalMapsGrowth()},
-                                 {losslessGrowth()},
-                                 {losslessCull()},
-                                 {octreeQueryBesideBackface("layers:count=2,triangles=8", {})},
-                                 {lectureTable()},
-                                 {frustumTests(1000), {"in_view"}},
-                                 {losslessLayouts({"bunny"}), {"scene", "ratio_to_backface"}, {"frame_to_backface"}}};
+    const std::vector<Kept> kept{
+        {sphericalMapsGrowth()},
+        {losslessGrowth()},
+        {losslessCull(), {"missed_pixels", "ratio_to_backface"}},
+        {octreeQueryBesideBackface("layers:count=2,triangles=8", {})},
+        {lectureTable()},
+        {frustumTests(1000), {"in_view"}},
+        {losslessLayouts({"bunny"}), {"scene", "ratio_to_backface", "missed_pixels"}, {"frame_to_backface"}}};
     for (const auto& [experiment, lacks, has] : kept) {
         std::ifstream file(std::filesystem::path(CULLSCOPE_SOURCE_DIR) / "tests" / "benchmark" / (experiment.id + ".csv"));
         ASSERT_TRUE(file.is_open()) << experiment.id;

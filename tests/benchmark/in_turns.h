@@ -23,11 +23,11 @@ namespace cullscope::benchmark {
 
 [[nodiscard]] inline double medianOf(const std::vector<double>& values) { return quantile(values, 0.5); }
 
-/// The ratios of the numbers of two contestants, by round.
-[[nodiscard]] inline std::vector<double> ratiosOf(const std::vector<double>& upper, const std::vector<double>& lower) {
-    std::vector<double> ratios;
-    for (size_t i = 0; i < upper.size(); ++i) ratios.push_back(upper[i] / lower[i]);
-    return ratios;
+/// The ratio of two contestants' times that took turns, by the one estimate (ratioOfTotals): the baseline's median ÷ the
+/// subject's.
+[[nodiscard]] inline RatioEstimate ratioInTurns(const std::vector<double>& baseline, const std::vector<double>& subject) {
+    const ViewTimes times{baseline, subject};
+    return ratioOfTotals({&times, 1});
 }
 
 /// The milliseconds that a call takes.

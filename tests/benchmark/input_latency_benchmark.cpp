@@ -136,6 +136,14 @@ Experiment inputLatency(Session& session, MainWindow& window, const std::functio
     for (const char* key :
          {"moves", "taken_ms", "taken_ms_p99", "taken_ms_longest", "pictures", "shown_ms", "shown_ms_p99", "shown_ms_longest"})
         experiment.columns.push_back({key, key});
+    RowPlot times{logPlot("From a mouse move until it is taken and until its picture is shown", "view", "ms"),
+                  "view",
+                  {{"taken_ms", "taken, median"},
+                   {"taken_ms_longest", "taken, longest"},
+                   {"shown_ms", "shown, median"},
+                   {"shown_ms_longest", "shown, longest"}}};
+    times.plot.x.scale = PlotScale::Linear;
+    experiment.plots = {times};
     experiment.checks = {everyRowCheck("longest wait of a move, ms", {}, "taken_ms_longest", {.most = kLongestWait})};
     experiment.measured = [&session, &window, settle, seconds](const Setting& setting, const ScenePointer& /*scene*/,
                                                                const Progress& /*progress*/) {

@@ -1,6 +1,6 @@
 #include "tests/benchmark/lossless_scenes.h"
 
-#include "core/scene/camera_path.h"
+#include "core/visibility/strategy_request.h"
 
 namespace cullscope::benchmark {
 
@@ -19,25 +19,34 @@ ScenePointer sceneOf(MeshPointer mesh) {
     return std::make_shared<Scene>(name, std::vector<MeshPointer>{std::move(mesh)}, std::vector<Instance>{{0, Mat4(1.0), name}});
 }
 
-test::CullerPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
+namespace {
+
+ParameterSet losslessParameters(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
     ParameterSet parameters(findStrategy("spherical-lossless").info.parameters);
     parameters.set("layout", std::string(mapLayoutId(layout)));
     parameters.set("level", int64_t{level});
     parameters.set("horizon", horizon);
     parameters.set("facing", std::string(facing));
-    return test::makeCuller("spherical-lossless", parameters);
+    return parameters;
 }
 
-std::vector<Views> cutAndWithin(const Scene& scene, size_t each) {
-    constexpr Viewport kSize{320, 240};
-    std::vector<Views> all{{"cut", {}}, {"within", {}}};
-    for (const char* name : {"case-1", "case-2", "case-3"}) {
-        const CameraPath path = cameraPath(name, scene);
-        for (size_t i = 0; i < each / 3; ++i) all[0].views.emplace_back(path.camera(i * path.poses.size() / (each / 3)), kSize);
-    }
-    const CameraPath around = cameraPath("fibonacci:" + std::to_string(each), scene);
-    for (size_t i = 0; i < each; ++i) all[1].views.emplace_back(around.camera(i), kSize);
-    return all;
+}  // namespace
+
+test::CullerPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
+    return test::makeCuller("spherical-lossless", losslessParameters(layout, level, horizon, facing));
+}
+
+std::string losslessText(MapLayout layout, uint32_t level, bool horizon, const char* facing) {
+    return strategyText({"spherical-lossless", losslessParameters(layout, level, horizon, facing)});
+}
+
+CameraPath objectPath(const std::string& name, const Scene& scene, size_t views) {
+    if (name == kObjectPaths.back()) return cameraPath("fibonacci:" + std::to_string(views), scene);
+    CameraPath path = cameraPath(name, scene);
+    std::vector<CameraPath::Pose> chosen;
+    for (size_t i = 0; i < views; ++i) chosen.push_back(path.poses[i * path.poses.size() / views]);
+    path.poses = std::move(chosen);
+    return path;
 }
 
 }  // namespace cullscope::benchmark

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <array>
 #include <string>
-#include <vector>
 
-#include "core/scene/scene.h"
+#include "core/scene/camera_path.h"
 #include "core/spatial/direction_map.h"
 #include "tests/support/culler.h"
 
@@ -17,11 +17,12 @@ namespace cullscope::benchmark {
 /// `spherical-lossless` before its build. `facing`: "auto", "front".
 [[nodiscard]] test::CullerPointer lossless(MapLayout layout, uint32_t level, bool horizon, const char* facing);
 
-/// Views of a scene at 320 × 240: case-1 to case-3, close views that cut it, and views from all sides of the whole object.
-struct Views {
-    std::string name;
-    std::vector<View> views;
-};
-[[nodiscard]] std::vector<Views> cutAndWithin(const Scene& scene, size_t each);
+/// The same as `strategyFromText` reads it.
+[[nodiscard]] std::string losslessText(MapLayout layout, uint32_t level, bool horizon, const char* facing);
+
+/// Paths on which the frustum cuts an object, and one that has the whole object in view, from all sides.
+inline constexpr std::array kObjectPaths{"case-1", "case-2", "case-3", "within"};
+/// One of them.
+[[nodiscard]] CameraPath objectPath(const std::string& name, const Scene& scene, size_t views);
 
 }  // namespace cullscope::benchmark

@@ -1,4 +1,6 @@
 // `octree-query` beside the baselines: where much is hidden, and on real scenes.
+#include <array>
+
 #include "tests/benchmark/experiments.h"
 
 namespace cullscope::benchmark {
@@ -6,23 +8,36 @@ namespace {
 
 using Origin = ResultColumn::Origin;
 
-const std::vector<std::string> kStrategies{"all",
-                                           "backface",
-                                           "frustum-octree",
-                                           "octree-query",
-                                           "octree-query:batch=1",
-                                           "octree-query:ask=leaves",
-                                           "octree-query:latency=1"};
+constexpr std::array kStrategies{"all",
+                                 "backface",
+                                 "frustum-octree",
+                                 "octree-query",
+                                 "octree-query:batch=1",
+                                 "octree-query:ask=leaves",
+                                 "octree-query:latency=1"};
+constexpr const char *kLayersPath = "front:8", *kOthersPath = "walk:16";
 
-Setting settingOf(const std::string& scene, const char* path, const Viewport& size) {
-    Setting setting;
-    setting.scene = scene;
-    setting.strategies = kStrategies;
-    setting.shown = "octree-query";
-    setting.path = path;
-    setting.size = size;
-    setting.labels = {{"scene", scene}, {"path", std::string(path)}};
-    return setting;
+/// All strategies on one scene.
+Setting settingOf(const std::string& scene, const char* path, const Axis& strategies, const Viewport& size) {
+    Setting common;
+    common.shown = "octree-query";
+    common.size = size;
+    return settingsOf(
+               {{"scene", "", Axis::Kind::Scene, {scene}}, {"path", "", Axis::Kind::Path, {std::string(path)}}, strategies},
+               common)
+        .front();
+}
+
+RowPlot speedByShare() {
+    RowPlot described;
+    described.plot.title = "Speed by what is left out, a point for each scene";
+    described.plot.x = {"left out, share of the triangles", PlotScale::Linear, 0.0, 1.0};
+    described.plot.y = {"x backface", PlotScale::Logarithmic};
+    described.x = "culled_fraction";
+    described.y = {{"ratio_to_backface"}};
+    described.lines = {"strategy"};
+    described.byX = true;
+    return described;
 }
 
 }  // namespace
@@ -32,16 +47,17 @@ Experiment octreeQueryBesideBackface(const std::string& layers, const std::vecto
     Experiment experiment;
     experiment.id = "octree-query";
     experiment.title = "octree-query beside the baselines, " + std::to_string(size.width) + " x " + std::to_string(size.height);
-    experiment.settings = {settingOf(layers, "front:8", size)};
-    std::vector<CellValue> scenes{layers}, waiting;
+    const Axis strategies{"strategy", "strategy", Axis::Kind::Strategy, {kStrategies.begin(), kStrategies.end()}};
+    experiment.settings = {settingOf(layers, kLayersPath, strategies, size)};
+    std::vector<CellValue> scenes{layers}, paths{std::string(kLayersPath)}, waiting;
     for (const std::string& scene : others) {
-        experiment.settings.push_back(settingOf(scene, "walk:16", size));
+        experiment.settings.push_back(settingOf(scene, kOthersPath, strategies, size));
         scenes.emplace_back(scene);
     }
-    experiment.axes = {{"scene", "scene", Axis::Kind::Scene, scenes},
-                       {"path", "path", Axis::Kind::Path, {std::string("front:8"), std::string("walk:16")}}};
+    if (!others.empty()) paths.emplace_back(std::string(kOthersPath));
+    experiment.axes = {{"scene", "scene", Axis::Kind::Scene, scenes}, {"path", "path", Axis::Kind::Path, paths}, strategies};
     experiment.columns = columnsOf(experiment.axes);
-    experiment.columns.push_back({"strategy", "strategy", Origin::Axis});
+    experiment.plots = {speedByShare()};
     const std::vector<ResultColumn> measured{{"fps_overall", "fps, all views", Origin::Measured, 1},
                                              {"ratio_to_all", "x all [95 %]", Origin::Measured, 2},
                                              {"ratio_to_backface", "x backface [95 %]", Origin::Measured, 2},

@@ -2,8 +2,10 @@
 
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
 
 #include "core/base/atomic_file.h"
+#include "tests/support/experiment_faults.h"
 
 namespace cullscope::benchmark {
 namespace {
@@ -17,6 +19,8 @@ void write(const ResultTable& table, const std::filesystem::path& folder) {
 }  // namespace
 
 int runAndReport(const BenchmarkRun& run) {
+    const std::vector<std::string> faults = test::experimentFaults(run.experiment);
+    if (!faults.empty()) throw std::logic_error(faults.front());
     if (!run.folder.empty()) std::filesystem::create_directories(run.folder);
     std::optional<HeadlessContext> gl;
     if (run.experiment.needsOpenGl()) gl.emplace();

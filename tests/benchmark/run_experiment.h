@@ -18,7 +18,8 @@ struct BenchmarkRun {
 
 /// Runs an experiment with an OpenGL context of its own, if it needs one; prints its table and checks; writes FOLDER/<id>.csv and
 /// FOLDER/<id>.svg, each whole or not at all. Returns the program's exit status: 1 where a check does not hold or a strategy
-/// broke its promise.
+/// broke its promise. Throws std::logic_error for an experiment that does not declare what it varies and shows
+/// (experimentFaults).
 int runAndReport(const BenchmarkRun& run);
 
 /// The arguments without the program's name; none where they are not understood.

@@ -2,6 +2,7 @@
 #include "core/experiments/run_rows.h"
 #include "core/measure/statistics.h"
 #include "tests/benchmark/experiments.h"
+#include "tests/benchmark/run_means.h"
 
 namespace cullscope::benchmark {
 namespace {
@@ -12,26 +13,18 @@ using Origin = ResultColumn::Origin;
 constexpr const char* kDepthBuffer = "depth-buffer:facing=two-sided";
 constexpr const char* kScanLine = "scan-line:facing=two-sided";
 
-double totalOf(const RunMeasurement& run, double FrameMeasurement::*milliseconds) {
+double figureOf(const FrameMeasurement& frame, const std::string& name) {
     double sum = 0.0;
-    for (const FrameMeasurement& frame : run.frames) sum += frame.*milliseconds;
-    return sum;
-}
-
-double figureOf(const RunMeasurement& run, const std::string& name) {
-    double sum = 0.0;
-    for (const FrameMeasurement& frame : run.frames)
-        for (const NamedFigure& figure : frame.figures)
-            if (figure.name == name) sum += figure.value;
+    for (const NamedFigure& figure : frame.figures)
+        if (figure.name == name) sum += figure.value;
     return sum;
 }
 
 /// Milliseconds of one of a strategy's stages.
-double stageOf(const RunMeasurement& run, const std::string& name) {
+double stageOf(const FrameMeasurement& frame, const std::string& name) {
     double sum = 0.0;
-    for (const FrameMeasurement& frame : run.frames)
-        for (const Stage& stage : frame.stages)
-            if (stage.name == name) sum += stage.milliseconds;
+    for (const Stage& stage : frame.stages)
+        if (stage.name == name) sum += stage.milliseconds;
     return sum;
 }
 
@@ -39,7 +32,7 @@ double stageOf(const RunMeasurement& run, const std::string& name) {
 RatioEstimate pictureRatio(const RunMeasurement& all, const RunMeasurement& run) {
     std::vector<ViewTimes> views;
     for (size_t pose = 0; pose < std::min(all.frames.size(), run.frames.size()); ++pose)
-        views.push_back({{all.frames[pose].frameMilliseconds}, {run.frames[pose].cullMilliseconds}});
+        views.push_back({all.frames[pose].frameTimes, run.frames[pose].cullTimes});
     return ratioOfTotals(views);
 }
 
@@ -49,16 +42,16 @@ Rows softwareRows(const Setting& setting, const MeasureResult& result) {
     Rows rows;
     for (const RunMeasurement& run : result.runs) {
         if (run.frames.empty()) continue;
-        const double poses = double(run.frames.size());
         Row cells = rowCells(setting, run);
-        cells["frame_ms"] = totalOf(run, &FrameMeasurement::frameMilliseconds) / poses;
+        cells["triangles"] = double(result.request.scene->triangleCount());
+        cells["frame_ms"] = meanOver(run, [](const FrameMeasurement& frame) { return frame.frameMilliseconds; });
         // Of a strategy that makes its picture itself, what it does before its picture is shaded and given to OpenGL.
         if (run.frames.front().ownRaster) {
-            cells["picture_ms"] = totalOf(run, &FrameMeasurement::cullMilliseconds) / poses;
-            cells["picture_ratio"] = pictureRatio(*all, run).ratio;
-            cells["raster_ms"] = stageOf(run, "rasterising") / poses;
-            cells["comparisons"] = figureOf(run, "comparisons") / poses;
-            cells["samples"] = figureOf(run, "samples") / poses;
+            cells["picture_ms"] = meanOver(run, [](const FrameMeasurement& frame) { return frame.cullMilliseconds; });
+            cells["picture_ratio"] = pictureRatio(*all, run);
+            cells["raster_ms"] = meanOver(run, [](const FrameMeasurement& frame) { return stageOf(frame, "rasterising"); });
+            cells["comparisons"] = meanOver(run, [](const FrameMeasurement& frame) { return figureOf(frame, "comparisons"); });
+            cells["samples"] = meanOver(run, [](const FrameMeasurement& frame) { return figureOf(frame, "samples"); });
             uint64_t beyond = 0;
             for (const FrameMeasurement& measured : run.frames) beyond += measured.missedBeyondSnapping;
             cells["missed_beyond_snapping"] = double(beyond);
@@ -70,28 +63,38 @@ Rows softwareRows(const Setting& setting, const MeasureResult& result) {
 
 }  // namespace
 
-Experiment softwareRaster(const std::string& scene, const std::string& path) {
+Experiment softwareRaster(const std::vector<std::string>& scenes, const std::string& path) {
     Experiment experiment;
     experiment.id = "software-raster";
     experiment.title = "Pictures made in software beside OpenGL's, both sides, 640 x 480";
-    Setting setting;
-    setting.scene = scene;
-    setting.strategies = {"all", "backface", kDepthBuffer, kScanLine};
-    setting.path = path;
-    setting.size = {640, 480};
-    experiment.settings = {setting};
-    experiment.columns = {{"strategy", "strategy", Origin::Axis}};
+    experiment.axes = {{"scene", "scene", Axis::Kind::Scene, {scenes.begin(), scenes.end()}},
+                       {"path", "path", Axis::Kind::Path, {path}},
+                       {"strategy",
+                        "strategy",
+                        Axis::Kind::Strategy,
+                        {std::string("all"), std::string("backface"), std::string(kDepthBuffer), std::string(kScanLine)}}};
+    Setting common;
+    common.size = {640, 480};
+    experiment.settings = settingsOf(experiment.axes, common);
+    experiment.columns = columnsOf(experiment.axes);
+    experiment.columns.push_back({"triangles", "triangles"});
     const std::vector<ResultColumn> measured{{"poses", "poses", Origin::Measured},
                                              {"frame_ms", "frame, ms", Origin::Measured, 2},
                                              {"ratio_to_all", "x all [95 %]", Origin::Measured, 2},
                                              {"picture_ms", "its picture, ms", Origin::Measured, 2},
-                                             {"picture_ratio", "picture x all", Origin::Measured, 2},
+                                             {"picture_ratio", "picture x all's frame [95 %]", Origin::Measured, 2},
                                              {"raster_ms", "of it rasterising, ms", Origin::Measured, 2},
                                              {"comparisons", "comparisons", Origin::Measured},
                                              {"samples", "samples", Origin::Measured},
                                              {"missed_beyond_snapping", "missed px", Origin::Measured}};
     experiment.columns.insert(experiment.columns.end(), measured.begin(), measured.end());
-    const RowFilter depthBuffer{{"strategy", {std::string(kDepthBuffer)}}};
+    RowPlot frames{logPlot("Frames by the scene's triangles, whole and the picture alone", "triangles", "ms")};
+    frames.x = "triangles";
+    frames.y = {{"frame_ms", "frame"}, {"picture_ms", "picture"}};
+    frames.lines = {"strategy"};
+    frames.byX = true;
+    experiment.plots = {frames};
+    const RowFilter depthBuffer{{"strategy", {std::string(kDepthBuffer)}}, {"scene", {scenes.back()}}};
     experiment.checks = {
         everyRowCheck("the depth buffer's picture, times as fast as all", depthBuffer, "picture_ratio", {.least = 4.0}),
         everyRowCheck("its whole frame, shaded and given to OpenGL, times as fast as all", depthBuffer, "ratio_to_all",

@@ -2,8 +2,8 @@
 //
 //   software_raster_benchmark FOLDER [SCENE [PATH]]
 //
-// Without a scene a sphere of 144,000 triangles is drawn over the path case-2. The table is written to FOLDER. Exit status 1
-// where a check does not hold.
+// Without a scene spheres of 1,000, 12,000 and 144,000 triangles are drawn over the path case-2. The table and its plot are
+// written to FOLDER. Exit status 1 where a check does not hold, for the last scene.
 #include "tests/benchmark/experiments.h"
 #include "tests/benchmark/run_experiment.h"
 
@@ -13,8 +13,9 @@ using namespace cullscope::benchmark;
 
 std::optional<BenchmarkRun> runOf(const std::vector<std::string>& arguments) {
     if (arguments.empty() || arguments.size() > 3) return std::nullopt;
-    const std::string scene = arguments.size() > 1 ? arguments[1] : "sphere:triangles=144000";
-    return BenchmarkRun{softwareRaster(scene, arguments.size() > 2 ? arguments[2] : "case-2"), arguments[0]};
+    std::vector<std::string> scenes{"sphere:triangles=1000", "sphere:triangles=12000", "sphere:triangles=144000"};
+    if (arguments.size() > 1) scenes = {arguments[1]};
+    return BenchmarkRun{softwareRaster(scenes, arguments.size() > 2 ? arguments[2] : "case-2"), arguments[0]};
 }
 
 }  // namespace

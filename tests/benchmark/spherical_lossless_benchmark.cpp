@@ -1,6 +1,6 @@
 // The build and cull times of `spherical-lossless`, without a window. Ratios count: each is measured within one run, in turns.
 //
-//   spherical_lossless_benchmark build SCENE [ROUNDS]    build time beside Embree's of the same mesh, bytes
+//   spherical_lossless_benchmark build SCENE… [ROUNDS]   build time beside Embree's of the same mesh, bytes
 //   spherical_lossless_benchmark growth FOLDER           bytes and build time over 10,000 to 10 million faces
 //   spherical_lossless_benchmark cull FOLDER             nodes and time of one cull over the same counts, at equal pictures
 //   spherical_lossless_benchmark layouts FOLDER [SCENE]… both layouts of the map over given scenes, torus, knot and sphere
@@ -17,9 +17,14 @@ using namespace cullscope::benchmark;
 
 std::optional<BenchmarkRun> buildRun(const std::vector<std::string>& arguments) {
     constexpr int kRounds = 15;
-    const int rounds = arguments.size() == 3 ? std::atoi(arguments[2].c_str()) : kRounds;
-    if (arguments.size() > 3 || rounds < 1) return std::nullopt;
-    return BenchmarkRun{losslessBuild(arguments[1], rounds)};
+    std::vector<std::string> scenes(arguments.begin() + 1, arguments.end());
+    int rounds = kRounds;
+    if (scenes.size() > 1 && scenes.back().find_first_not_of("0123456789") == std::string::npos) {
+        rounds = std::atoi(scenes.back().c_str());
+        scenes.pop_back();
+    }
+    if (rounds < 1) return std::nullopt;
+    return BenchmarkRun{losslessBuild(scenes, rounds)};
 }
 
 BenchmarkRun layoutsRun(const std::vector<std::string>& arguments) {
@@ -42,6 +47,6 @@ std::optional<BenchmarkRun> runOf(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     return benchmarkMain(
-        argc, argv, "spherical_lossless_benchmark build SCENE [ROUNDS] | growth FOLDER | cull FOLDER | layouts FOLDER [SCENE]...",
-        runOf);
+        argc, argv,
+        "spherical_lossless_benchmark build SCENE... [ROUNDS] | growth FOLDER | cull FOLDER | layouts FOLDER [SCENE]...", runOf);
 }

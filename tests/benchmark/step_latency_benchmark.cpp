@@ -12,6 +12,7 @@
 #include <QDir>
 #include <QScreen>
 #include <QTest>
+#include <array>
 #include <chrono>
 #include <cstdio>
 #include <set>
@@ -34,6 +35,7 @@ constexpr int kQuiet = 60;                                 // ms after a step, i
 constexpr double kSmallLimit = 50.0, kLargeLimit = 100.0;  // ms
 constexpr int kUsualTimes = 40;                            // steps of a kind
 constexpr size_t kPolygons = 500;
+const std::array<std::string, 3> kKinds{"on", "back", "jump"};
 constexpr const char* kSixMethods[] = {"backface", "depth-buffer", "scan-line", "octree-query", "painter", "bsp"};
 
 /// What is stepped: a scene that is opened by its specification, or polygons made here.
@@ -163,6 +165,7 @@ public:
     MainWindow window;
 };
 
+/// `kind`: of kKinds.
 Row rowOf(SteppedWindow& stepped, int kind, int times) {
     Stepper& stepper = stepped.window.stepper();
     const size_t count = stepper.place()->count();
@@ -184,10 +187,11 @@ Row rowOf(SteppedWindow& stepped, int kind, int times) {
                 stepped.postKey(kind == 0 ? Qt::Key_PageDown : Qt::Key_PageUp);
         }));
     }
-    const char* names[] = {"on", "back", "jump"};
-    return {{"step", std::string(names[kind])},      {"steps", double(count)},
-            {"times", double(taken.size())},         {"shown_ms", quantile(taken, 0.5)},
-            {"shown_ms_p99", quantile(taken, 0.99)}, {"shown_ms_longest", quantile(taken, 1.0)}};
+    return {{"steps", double(count)},
+            {"times", double(taken.size())},
+            {"shown_ms", quantile(taken, 0.5)},
+            {"shown_ms_p99", quantile(taken, 0.99)},
+            {"shown_ms_longest", quantile(taken, 1.0)}};
 }
 
 Experiment stepLatency(SteppedWindow& stepped, const std::vector<SteppedScene>& scenes, int times) {
@@ -195,14 +199,26 @@ Experiment stepLatency(SteppedWindow& stepped, const std::vector<SteppedScene>& 
     experiment.id = "step-latency";
     experiment.title = "From a step's key until its picture is shown";
     experiment.notes = {{"one view of 640 x 480", {}}};
-    std::vector<CellValue> numbers;
-    for (size_t i = 0; i < scenes.size(); ++i) numbers.emplace_back(double(i));
-    experiment.axes = {{"case", "case", Axis::Kind::Label, numbers},
-                       {"kind", "kind of step", Axis::Kind::Label, {0.0, 1.0, 2.0}}};
-    experiment.settings = settingsOf(experiment.axes);
-    for (const char* key : {"scene", "strategy", "step"}) experiment.columns.push_back({key, key, ResultColumn::Origin::Axis});
+    Axis names{"scene", "scene", Axis::Kind::Label, {}}, strategies{"strategy", "strategy", Axis::Kind::Label, {}};
+    const Axis kinds{"step", "step", Axis::Kind::Label, {kKinds.begin(), kKinds.end()}};
+    for (const SteppedScene& scene : scenes) {
+        const Axis name{"scene", "", Axis::Kind::Label, {scene.name}},
+            strategy{"strategy", "", Axis::Kind::Label, {scene.strategy}};
+        for (Setting& setting : settingsOf({name, strategy, kinds})) experiment.settings.push_back(std::move(setting));
+        for (const auto& [axis, value] : {std::pair(&names, scene.name), std::pair(&strategies, scene.strategy)})
+            if (std::ranges::find(axis->values, CellValue(value)) == axis->values.end()) axis->values.emplace_back(value);
+    }
+    experiment.axes = {names, strategies, kinds};
+    experiment.columns = columnsOf(experiment.axes);
     for (const char* key : {"triangles", "steps", "times", "shown_ms", "shown_ms_p99", "shown_ms_longest", "limit_ms"})
         experiment.columns.push_back({key, key});
+    RowPlot shown{logPlot("%1: from a step's key until its picture is shown", "steps of the frame", "ms")};
+    shown.x = "steps";
+    shown.y = {{"shown_ms", "median"}, {"shown_ms_longest", "slowest"}};
+    shown.lines = {"step"};
+    shown.separate = {"scene"};
+    shown.byX = true;
+    experiment.plots = {shown};
     std::set<double> limits;
     for (const SteppedScene& scene : scenes) limits.insert(scene.limit);
     for (const double limit : limits)
@@ -210,12 +226,13 @@ Experiment stepLatency(SteppedWindow& stepped, const std::vector<SteppedScene>& 
             everyRowCheck("slowest step, ms", {{"limit_ms", {limit}}}, "shown_ms_longest", {.most = limit}));
     experiment.measured = [&stepped, scenes, times](const Setting& setting, const ScenePointer& /*scene*/,
                                                     const Progress& /*progress*/) {
-        const SteppedScene& scene = scenes[size_t(setting.number("case"))];
-        const int kind = int(setting.number("kind"));
+        const auto isIt = [&](const SteppedScene& scene) {
+            return scene.name == setting.words("scene") && scene.strategy == setting.words("strategy");
+        };
+        const SteppedScene& scene = *std::ranges::find_if(scenes, isIt);
+        const auto kind = std::ranges::find(kKinds, setting.words("step")) - kKinds.begin();
         if (kind == 0) stepped.step(scene);
-        Row row = rowOf(stepped, kind, times);
-        row["scene"] = scene.name;
-        row["strategy"] = scene.strategy;
+        Row row = rowOf(stepped, int(kind), times);
         row["triangles"] = double(stepped.session.scene()->triangleCount());
         row["limit_ms"] = scene.limit;
         return Rows{row};

@@ -265,11 +265,9 @@ std::vector<Offence> showWordOffences(const fs::path& root, const std::vector<st
 }
 
 std::vector<Offence> meteringOffences(const fs::path& root) {
-    // Times pictures in memory and frames in the same turns.
-    static const fs::path kMixed = "tests/benchmark/software_raster.cpp";
     std::vector<Offence> offences;
     for (const Include& include : includesBelow(root, {"core", "ui", "app", "tests/benchmark"}))
-        if (include.name == "core/measure/render_frame.h" && layerOf(include.file) != "measure" && include.file != kMixed)
+        if (include.name == "core/measure/render_frame.h" && layerOf(include.file) != "measure")
             offences.push_back({include.file, include.line, "times frames outside core/measure: " + include.name});
     return offences;
 }

@@ -48,6 +48,11 @@ std::ostream& operator<<(std::ostream& out, const Offence& offence);
 /// the registry. Texts of widgets, in tr(), are no ids.
 [[nodiscard]] std::vector<Offence> strategyIdOffences(const std::filesystem::path& root, const std::vector<std::string>& ids);
 
+/// String literals of ui, app, core/image and core/measure, those of tr() too, that contain the id of a strategy as a word, and
+/// identifiers there that are named by one, as "ratioToBackface" is: sentences get the ids from the registry, and what is meant
+/// is a strategy's role. Ids that are words of other things, such as "all", are left out.
+[[nodiscard]] std::vector<Offence> strategyWordOffences(const std::filesystem::path& root, const std::vector<std::string>& ids);
+
 /// String literals of app and ui that contain one of these words, whatever the case of their letters: what a strategy's shows are
 /// called is said where it declares them, and nowhere else.
 [[nodiscard]] std::vector<Offence> showWordOffences(const std::filesystem::path& root, const std::vector<std::string>& words);

@@ -137,6 +137,23 @@ TEST_F(PlantedTree, idOfAStrategyIsReported) {
                                                              Offence{"app/bench.cpp", 1, "names the strategy frustum"}));
 }
 
+TEST_F(PlantedTree, idOfAStrategyWithinASentenceOrAnIdentifierIsReported) {
+    const std::vector<std::string> ids{"all", "backface", "frustum-octree", "scan-line"};
+    write("ui/panel.cpp",
+          "#include \"ui/backface.h\"\n"
+          "label->setText(tr(\"Speed against\\nbackface [95 %]\"));  // backface\n"
+          "label->setText(tr(\"all of them\") + tr(\"back faces\") + tr(\"backfaces\"));\n"
+          "painter.scanLine(0);\n");
+    write("core/measure/meter.h", "double ratioToBackface = 0.0;\nint backfaced, theBackfaces;  // ratioToBackface\n");
+    write("app/bench.cpp", "say(\"scan-line draws\");\nconst Tree frustumOctreeOf(int x);\n");
+    write("core/visibility/baseline/backface.cpp", "say(\"backface draws\");\n");
+    const auto what = [](const std::string& id) { return "has the strategy " + id + " in a word"; };
+    EXPECT_THAT(strategyWordOffences(root(), ids), UnorderedElementsAre(Offence{"ui/panel.cpp", 2, what("backface")},
+                                                                        Offence{"core/measure/meter.h", 1, what("backface")},
+                                                                        Offence{"app/bench.cpp", 1, what("scan-line")},
+                                                                        Offence{"app/bench.cpp", 2, what("frustum-octree")}));
+}
+
 TEST_F(PlantedTree, wordOfAStrategysShowIsReported) {
     write("ui/panel.cpp", "label->setText(tr(\"Has no index map.\"));\n#include \"ui/index map.h\"\n");
     write("app/bench.cpp", "say(\"give --overlay index-map\");\n");
@@ -286,15 +303,18 @@ TEST(SourceRules, strategiesAreListedByTheRegistryAlone) {
     std::vector<std::string> ids;
     for (const RegisteredStrategy& strategy : strategies()) ids.push_back(strategy.info.id);
     EXPECT_THAT(strategyIdOffences(project(), ids), IsEmpty());
+    EXPECT_THAT(strategyWordOffences(project(), ids), IsEmpty());
 }
 TEST(SourceRules, whatStrategiesShowIsNamedWhereItIsDeclared) {
     std::vector<std::string> words;
+    for (const Show& show : commonShows())
+        if (show.id.find('-') != std::string::npos) words.push_back(show.id);
     for (const Show* show : declaredShows()) {
         if (!show->title.empty()) words.push_back(show->title);
         // An id of one word, as "boxes" and "distance", is a word of other things, too.
         if (show->id.find('-') != std::string::npos) words.push_back(show->id);
     }
-    EXPECT_THAT(words, IsSupersetOf({"index-map", "index map", "Contour bands"}));
+    EXPECT_THAT(words, IsSupersetOf({"index-map", "index map", "Contour bands", "spherical-model"}));
     EXPECT_THAT(showWordOffences(project(), words), IsEmpty());
 }
 TEST(SourceRules, framesAreTimedByTheOneMeter) { EXPECT_THAT(meteringOffences(project()), IsEmpty()); }

@@ -45,10 +45,17 @@ protected:
 /// That strategy over one scene after another.
 class GroupedCuller : public Culler {
 public:
-    GroupedCuller() : Culler({{"grouped-frustum", "", "", "", {}}, std::make_shared<GroupedFrustum>()}) {}
+    GroupedCuller() : Culler({info(), std::make_shared<GroupedFrustum>()}) {}
 
     [[nodiscard]] const InstanceOctree& octree() const {
         return static_cast<const GroupedObjects&>(*built()->structure()).octree;
+    }
+
+private:
+    static StrategyInfo info() {
+        StrategyInfo info{"grouped-frustum", "", "", "", {}};
+        info.shows = {treeShow()};
+        return info;
     }
 };
 

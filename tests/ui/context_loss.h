@@ -71,7 +71,7 @@ inline void setUp(Session& session) {
     session.setSetup(1, arrays);
     session.observe(2, 0);
     ViewSetup observer = session.setup(2);
-    observer.look = {Colouring::Verdicts, true, true, true};
+    observer.look = {"verdicts", "frustum", "boxes"};
     session.setSetup(2, observer);
     session.setFrozen(3, true);
     std::vector<bool> hidden(session.hidden().size(), false);

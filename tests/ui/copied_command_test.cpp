@@ -57,16 +57,16 @@ struct CopiedCommand : ::testing::Test {
 TEST_F(CopiedCommand, repeatsALinkedView) { expectSame(first); }
 
 TEST_F(CopiedCommand, repeatsALinkedViewWithVerdicts) {
-    change(0, [](ViewSetup& setup) { setup.look.colouring = Colouring::Verdicts; });
+    change(0, [](ViewSetup& setup) { setup.look.show("verdicts", true); });
     expectSame(first);
 }
 
 TEST_F(CopiedCommand, repeatsAnObserverWithVerdictsBoxesAndFrustum) {
     session.observe(1, 0);
-    change(1, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, true, true, true}; });
+    change(1, [](ViewSetup& setup) { setup.look = {"verdicts", "frustum", "boxes"}; });
     expectSame(second);
     session.slot(0).choose("frustum-octree");
-    change(1, [](ViewSetup& setup) { showBoxesByPlane(setup.look, true); });
+    change(1, [](ViewSetup& setup) { setup.look.showWithAll(commonShow(Show::Kind::Planes), true); });
     expectSame(second);
     session.slot(0).choose("frustum-query");
     settle();
@@ -80,7 +80,7 @@ TEST_F(CopiedCommand, repeatsAnObserverWithVerdictsBoxesAndFrustum) {
 TEST_F(CopiedCommand, repeatsAnObserverOfAnotherSizeThanWhatItWatches) {
     session.observe(1, 0);
     change(1, [](ViewSetup& setup) {
-        setup.look = {Colouring::Verdicts, true, true, false};
+        setup.look = {"verdicts", "frustum"};
         setup.size = Viewport{333, 444};
     });
     expectSame(second);
@@ -89,7 +89,10 @@ TEST_F(CopiedCommand, repeatsAnObserverOfAnotherSizeThanWhatItWatches) {
 TEST_F(CopiedCommand, repeatsFrozenCullingWithOnlyWhatWasDrawn) {
     session.setFrozen(0, true);
     session.setViewingCamera(0, turned(session.viewingCamera(0), UpAxis::Y, Angle::fromDegrees(90.0), {}));
-    change(0, [](ViewSetup& setup) { setup.look = {Colouring::Verdicts, false, true, false}; });
+    change(0, [](ViewSetup& setup) {
+        setup.look = {"verdicts", "frustum"};
+        setup.look.show("culled_too", false);
+    });
     expectSame(first);
     change(0, [](ViewSetup& setup) { setup.look = {}; });
     expectSame(first);
@@ -98,17 +101,17 @@ TEST_F(CopiedCommand, repeatsFrozenCullingWithOnlyWhatWasDrawn) {
 TEST_F(CopiedCommand, repeatsASphericalStrategysOverlays) {
     session.observe(1, 0);
     session.slot(0).choose("spherical");
-    change(1, [](ViewSetup& setup) { setup.look = {.boxes = true, .overlays = {"bands"}}; });
-    EXPECT_TRUE(second.subject().look.boxes && second.subject().look.shows("bands"));
+    change(1, [](ViewSetup& setup) { setup.look = {"boxes", "bands"}; });
+    EXPECT_TRUE(second.subject().look.shows("boxes") && second.subject().look.shows("bands"));
     expectSame(second);
     change(1, [](ViewSetup& setup) {
-        setup.look.sphericalModel = true;
+        setup.look.show("spherical-model", true);
         setup.wipe.mode = Wipe::Mode::Truth;
     });
     expectSame(second);
     // A strategy without bands shows none, and the command has no option for them.
     session.slot(0).choose("frustum");
-    change(1, [](ViewSetup& setup) { setup.look.sphericalModel = false; });
+    change(1, [](ViewSetup& setup) { setup.look.show("spherical-model", false); });
     EXPECT_FALSE(second.subject().look.shows("bands"));
 }
 

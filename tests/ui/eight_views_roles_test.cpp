@@ -98,7 +98,7 @@ TEST_F(EightViews, anObserverShowsTheVerdictsOfAnotherViewFromItsOwnCamera) {
     session.setCamera(zoomed(session.camera(), session.camera().target, 0.25, 1.0));
     session.observe(1, 0);
     ViewSetup setup = session.setup(1);
-    setup.look = {Colouring::Verdicts, true, true, false};
+    setup.look = {"verdicts", "frustum"};
     session.setSetup(1, setup);
     settle();
     EXPECT_EQ(session.culledBy(1), 0);

@@ -224,10 +224,10 @@ TEST_F(FrustumFamily, legendCountsTheBoxesOfThePicture) {
     ASSERT_NE(planes, nullptr);
     EXPECT_FALSE(planes->isVisible());
     ViewSetup setup = session->setup(0);
-    showBoxesByPlane(setup.look, true);
+    setup.look.showWithAll(commonShow(Show::Kind::Planes), true);
     session->setSetup(0, setup);
     settle();
-    ASSERT_TRUE(session->picture(0) && session->picture(0)->request.look.byPlane());
+    ASSERT_TRUE(session->picture(0) && session->picture(0)->request.look.has(Show::Kind::Planes));
     EXPECT_TRUE(planes->isVisible());
     const PlaneCounts& counts = session->picture(0)->planes;
     uint64_t all = counts.kept + counts.withoutPlane;
@@ -239,8 +239,8 @@ TEST_F(FrustumFamily, legendCountsTheBoxesOfThePicture) {
     for (const QLabel* label : planes->findChildren<QLabel*>()) texts << label->text();
     EXPECT_TRUE(texts.contains(QString::number(counts.kept))) << texts.join(QLatin1Char('|')).toStdString();
     setup = session->setup(0);
-    showBoxesByPlane(setup.look, false);
-    EXPECT_TRUE(setup.look.boxes) << "they stay, by verdict";
+    setup.look.showWithAll(commonShow(Show::Kind::Planes), false);
+    EXPECT_TRUE(setup.look.shows("boxes")) << "they stay, by verdict";
     session->setSetup(0, setup);
     EXPECT_FALSE(planes->isVisible());
 }

@@ -120,15 +120,17 @@ TEST_F(ListingPanelTest, linesThatDecidedAboutThePickAreMarked) {
     const uint32_t culled = instanceWith(true), drawn = instanceWith(false);
     pickObject(session, culled);
     settle();
-    EXPECT_EQ(mark(3), QStringLiteral("•"));
-    EXPECT_EQ(mark(4), QStringLiteral("▶")) << "the line that left it out";
-    EXPECT_TRUE(mark(5).isEmpty());
-    EXPECT_TRUE(panel.listing().summary().endsWith(QStringLiteral("decided at line 4.")))
+    EXPECT_EQ(mark(4), QStringLiteral("•")) << "a plane that it lies outside of";
+    EXPECT_EQ(mark(6), QStringLiteral("▶")) << "the line that left it out";
+    EXPECT_TRUE(mark(7).isEmpty());
+    EXPECT_TRUE(panel.listing().summary().endsWith(QStringLiteral("decided at line 6.")))
         << panel.listing().summary().toStdString();
     pickObject(session, drawn);
     settle();
-    EXPECT_EQ(mark(5), QStringLiteral("▶"));
+    EXPECT_EQ(mark(3), QStringLiteral("•"));
+    EXPECT_EQ(mark(7), QStringLiteral("▶"));
     EXPECT_TRUE(mark(4).isEmpty());
+    EXPECT_TRUE(mark(6).isEmpty());
     session.setPick(std::nullopt);
     settle();
     EXPECT_TRUE(mark(3).isEmpty()) << "without a pick the last line alone";

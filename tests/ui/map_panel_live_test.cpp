@@ -5,6 +5,7 @@
 #include "tests/ui/test_scene.h"
 #include "ui/panels/map_panel.h"
 #include "ui/session/object_pick.h"
+#include "ui/session/stepper.h"
 #include "ui/text/terms.h"
 
 namespace cullscope::ui::map_panel_live_test {
@@ -80,6 +81,39 @@ TEST_F(LiveMapPanelTest, theMapStaysWhileANewOneIsRead) {
     const CellMapPointer before = shown().map;
     settle();
     EXPECT_NE(shown().map, before);
+}
+
+TEST_F(LiveMapPanelTest, aStepIsPaintedOnce) {
+    struct Paints : QObject {
+        int count = 0;
+        bool eventFilter(QObject* /*watched*/, QEvent* event) override {
+            count += event->type() == QEvent::Paint ? 1 : 0;
+            return false;
+        }
+    } paints;
+    Stepper stepper(session);
+    stepper.start();
+    ASSERT_TRUE(waitUntil([&] { return stepper.place() && session.step(); }));
+    panel.map().installEventFilter(&paints);
+    const FrameLog& log = session.step()->frame->log;
+    const auto atStep = [&] { return reader.fresh() && reader.reading()->upTo == session.step()->place; };
+    stepper.toEnd();
+    ASSERT_TRUE(waitUntil([&] { return atStep() && !shown().empty(); }));
+    QApplication::processEvents();
+    int painted = 0;
+    size_t looked = 0;
+    for (size_t step = 1; step < log.decisions.size() && looked < 8; ++step) {
+        const Subject& subject = log.decisions[step - 1].subject;
+        if (subject.kind == Subject::Kind::Object || shown().empty() || subject.object != shown().map->object) continue;
+        paints.count = 0;
+        stepper.jump(step);
+        ASSERT_TRUE(waitUntil(atStep));
+        QApplication::processEvents();
+        EXPECT_LE(paints.count, 1) << step;
+        painted += paints.count;
+        ++looked;
+    }
+    EXPECT_GT(painted, 0);
 }
 
 TEST_F(LiveMapPanelTest, aStrategyThatIsStillBuiltIsSaidToBePrepared) {

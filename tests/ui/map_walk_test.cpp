@@ -179,7 +179,7 @@ TEST_F(WalkMap, aCellPicksATriangleAndThePickMarksItsCells) {
 }
 
 TEST_F(WalkMap, kernelsOfStrategiesWithoutOneAreNotAskedFor) {
-    const ViewLook wanted{.overlays = {"kernel"}};
+    const ViewLook wanted{"kernel"};
     EXPECT_TRUE(shownLook(*session.picture(1)->frame, wanted).shows("kernel"));
     PictureSubject picture;
     picture.scene = "bunny";

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "core/experiments/experiment_list.h"
+#include "core/experiments/lecture_table.h"
 #include "core/visibility/registry.h"
 #include "tests/ui/test_scene.h"
 
@@ -193,6 +196,29 @@ TEST_F(Papers, structuresAreBuiltBesideTheWindow) {
     ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
     EXPECT_EQ(runner.table().rows.size(), 5u);
     expectSessionIsBack();
+}
+
+/// As any timed table: on the window's thread, between the pictures of the setting's views.
+TEST_F(Papers, lectureTableIsMeasuredInTheWindow) {
+    LectureTableSize size;
+    size.overlaps = {2};
+    size.surfaces = {10};
+    size.views = {1, 3};
+    size.size = {64, 48};
+    size.repetitions = 1;
+    const Experiment experiment = lectureTable(size);
+    std::set<std::string> shown;
+    QObject::connect(&session, &Session::cameraChanged, [&] {
+        if (session.opened() != opened) shown.insert(session.opened()->specification + " " + session.slot(0).id());
+    });
+    runner.start(experiment);
+    ASSERT_TRUE(waitUntil([this] { return endings == 1; }));
+    EXPECT_EQ(runner.table().rows.size(), 2 * lectureMethods().size());
+    EXPECT_TRUE(shown.contains(experiment.settings[0].scene + " backface"));
+    for (size_t row = 0; row < runner.table().rows.size(); ++row)
+        EXPECT_EQ(numberOf(runner.table().value(row, "missed_pixels")), 0.0);
+    expectSessionIsBack();
+    EXPECT_TRUE(messages.empty()) << messages.front();
 }
 
 TEST_F(Papers, pointsComeBeforeTheEnd) {

@@ -120,7 +120,7 @@ TEST_F(QuestionAboutParts, leafIsNamedForEachPart) {
 }
 
 TEST_F(QuestionAboutParts, strategyWithoutLeavesSaysSo) {
-    choose("bsp", "plane", "balance");
+    choose("painter", "sort", "newell");
     ask(Prediction::Question::Place);
     ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));
     EXPECT_TRUE(window.questionBar().place().isHidden());
@@ -253,6 +253,49 @@ TEST_F(QuestionAboutParts, dragWithControlNamesWhatLiesInTheRectangle) {
     window.actions().questionFirst->trigger();
     drag();
     EXPECT_NE(session.camera().eye, before.eye) << "without a question it turns the camera";
+}
+
+TEST_F(QuestionAboutParts, leavesAreAskedForInAnyScene) {
+    openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=80,n=3"));
+    choose("octree-query", "leaf", "1");
+    ask(Prediction::Question::Place);
+    QuestionTree& tree = window.questionTree();
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() && tree.model().rowCount() > 1; }));
+    const NamedParts parts = *session.questionParts();
+    ASSERT_EQ(parts.parts.size(), 9u);
+    ASSERT_EQ(parts.places.size(), 9u);
+    EXPECT_EQ(window.questionBar().place().count(), 10);
+    const QString object = QString::fromStdString(parts.parts[4].name);
+    const QModelIndex row = rowOf(tree, object);
+    ASSERT_TRUE(row.isValid());
+    EXPECT_FALSE(row.parent().isValid()) << "its place in the tree would be the answer";
+    emit tree.view().clicked(row);
+    EXPECT_EQ(session.question()->items, std::vector<uint64_t>{4}) << "a row names an object, whether a view shows it or not";
+    const auto leafRow = [&](size_t place) {
+        return rowOf(tree, QStringLiteral("Node %1").arg(QString::fromStdString(parts.places[place])));
+    };
+    ASSERT_TRUE(leafRow(*parts.parts[4].place).isValid());
+    emit tree.view().clicked(leafRow(*parts.parts[4].place));
+    EXPECT_EQ(session.question()->places.back(), parts.parts[4].place);
+    emit tree.view().clicked(rowOf(tree, QString::fromStdString(parts.parts[2].name)));
+    emit tree.view().clicked(leafRow(*parts.parts[4].place));
+    // In a question about something else objects stand where they lie again.
+    AnswerDialog* answer = reveal();
+    ASSERT_NE(answer, nullptr);
+    EXPECT_EQ(answer->model().score(), QStringLiteral("Right: 1 of 2"));
+    answer->close();
+    ask(Prediction::Question::Vanish);
+    ASSERT_TRUE(waitUntil([&] { return rowOf(tree, object).isValid() && rowOf(tree, object).parent().isValid(); }));
+}
+
+TEST_F(QuestionAboutParts, tooManyLeavesAreCounted) {
+    openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=80,n=10"));
+    choose("octree-query", "leaf", "1");
+    ask(Prediction::Question::Place);
+    ASSERT_TRUE(waitUntil([&] { return session.questionParts() != nullptr; }));
+    EXPECT_TRUE(window.questionBar().place().isHidden());
+    EXPECT_TRUE(window.questionBar().words().contains(QStringLiteral("has 100 leaves here: more than 64")))
+        << window.questionBar().words().toStdString();
 }
 
 }  // namespace

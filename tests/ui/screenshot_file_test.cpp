@@ -75,7 +75,11 @@ TEST_F(ScreenshotTest, everyFormatTellsWhatItShows) {
         EXPECT_EQ(metadata.at("cullscope:strategy"), "frustum");
         EXPECT_EQ(metadata.at("cullscope:parameter:box"), "length");
         EXPECT_EQ(metadata.at("cullscope:missed_pixels"), "0");
-        EXPECT_GT(std::stod(metadata.at("cullscope:ratio_to_backface")), 0.0);
+        const double ratio = std::stod(metadata.at("cullscope:ratio_to_backface"));
+        const std::string interval = metadata.at("cullscope:ratio_to_backface_ci95");
+        EXPECT_GT(ratio, 0.0);
+        EXPECT_LE(std::stod(interval), ratio);
+        EXPECT_GE(std::stod(interval.substr(interval.find(',') + 1)), ratio);
         EXPECT_FALSE(metadata.contains("cullscope:speedup_vs_backface")) << "it is a ratio of times, not a mean of ratios";
         EXPECT_EQ(metadata.at("cullscope:submitted_triangles"), std::to_string(session.figures(0).consideredTriangles));
         EXPECT_EQ(metadata.at("cullscope:gl_renderer"), session.gpu()->info().renderer);
@@ -179,7 +183,7 @@ TEST_F(ScreenshotTest, theClipboardTakesThePictureWithAndWithoutOverlays) {
     EXPECT_EQ(without.size(), shownImage(1).size());
     EXPECT_NE(without, shownImage(1));
     ViewSetup setup = session.setup(1);
-    setup.look.frustum = false;
+    setup.look.show("frustum", false);
     session.setSetup(1, setup);
     settle();
     EXPECT_EQ(without, shownImage(1));

@@ -49,7 +49,7 @@ struct ScreenshotTest : ::testing::Test {
     void observe() {
         session.observe(1, 0);
         ViewSetup setup = session.setup(1);
-        setup.look = {Colouring::Verdicts, true, true, false};
+        setup.look = {"verdicts", "frustum"};
         session.setSetup(1, setup);
         session.setActiveView(1);
         settle();

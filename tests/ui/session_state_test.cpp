@@ -32,7 +32,7 @@ TEST(SessionState, appliesToAllRoles) {
                 from.setViewingCamera(view, turned(from.viewingCamera(view), from.upAxis(),
                                                    Angle::fromDegrees(random.between(-90.0, 90.0)), Angle::fromDegrees(3.0)));
             ViewSetup setup = from.setup(view);
-            setup.look.frustum = random.unit() < 0.5;
+            setup.look.show("frustum", random.unit() < 0.5);
             setup.wipe.position = random.unit();
             from.setSetup(view, setup);
         }
@@ -100,7 +100,7 @@ TEST(SessionState, picturesComeBackPixelForPixel) {
     session.setCamera(zoomed(session.camera(), session.camera().target, 0.4, 10.0));
     session.observe(1, 0);
     ViewSetup observer = session.setup(1);
-    observer.look = {Colouring::Verdicts, true, true, true};
+    observer.look = {"verdicts", "frustum", "boxes"};
     session.setSetup(1, observer);
     session.setFrozen(2, true);
     session.setViewingCamera(2, turned(session.viewingCamera(2), UpAxis::Y, Angle::fromDegrees(50.0), {}));

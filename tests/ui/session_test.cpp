@@ -137,6 +137,20 @@ TEST(Session, homeFollowsTheUpAxis) {
     EXPECT_EQ(session.camera().up, Vec3(0, 1, 0));
 }
 
+TEST(Session, aSceneThatSaysWhatIsUpOpensStandingAndLeavesTheChoiceForOthers) {
+    Session session(sessionOptions(false));
+    openAndWait(session, QStringLiteral("plant:pipelines=1"));
+    EXPECT_EQ(session.upAxis(), UpAxis::Z);
+    EXPECT_EQ(session.camera().up, Vec3(0, 0, 1));
+    EXPECT_GT(session.camera().eye.z, session.camera().target.z);
+    openAndWait(session, QStringLiteral("sphere:triangles=320"));
+    EXPECT_EQ(session.upAxis(), UpAxis::Y);
+    EXPECT_EQ(session.camera().up, Vec3(0, 1, 0));
+    session.setUpAxis(UpAxis::Z);
+    openAndWait(session, QStringLiteral("torus:triangles=320"));
+    EXPECT_EQ(session.upAxis(), UpAxis::Z) << "chosen for scenes that do not say it";
+}
+
 TEST(CullbenchCommand, repeatsTheView) {
     PictureSubject picture;
     picture.scene = "/my models/it's.obj";

@@ -45,17 +45,17 @@ struct SphericalLook : ::testing::Test {
 
 TEST_F(SphericalLook, commandsChangeThePictureOfTheActiveViewOnly) {
     const QImage plain = session.picture(0)->colour;
-    const QImage bands = pictureAfter(window.actions().overlay("bands"));
-    EXPECT_TRUE(session.setup(0).look.shows("bands") && window.actions().overlay("bands")->isChecked());
+    const QImage bands = pictureAfter(window.actions().show("bands"));
+    EXPECT_TRUE(session.setup(0).look.shows("bands") && window.actions().show("bands")->isChecked());
     EXPECT_FALSE(session.setup(1).look.shows("bands")) << "of the active view only";
-    const QImage model = pictureAfter(window.actions().sphericalModel);
-    EXPECT_TRUE(session.setup(0).look.sphericalModel && window.actions().sphericalModel->isChecked());
+    const QImage model = pictureAfter(window.actions().show("spherical-model"));
+    EXPECT_TRUE(session.setup(0).look.shows("spherical-model") && window.actions().show("spherical-model")->isChecked());
     EXPECT_TRUE(plain != bands && plain != model && bands != model);
-    EXPECT_EQ(pictureAfter(window.actions().sphericalModel), bands);
-    EXPECT_EQ(pictureAfter(window.actions().overlay("bands")), plain);
+    EXPECT_EQ(pictureAfter(window.actions().show("spherical-model")), bands);
+    EXPECT_EQ(pictureAfter(window.actions().show("bands")), plain);
     session.setActiveView(1);
     session.setActiveView(0);
-    EXPECT_FALSE(window.actions().overlay("bands")->isChecked());
+    EXPECT_FALSE(window.actions().show("bands")->isChecked());
 }
 
 TEST_F(SphericalLook, viewsMenuHasThem) {
@@ -72,15 +72,15 @@ TEST_F(SphericalLook, viewsMenuHasThem) {
         EXPECT_FALSE(entry(text)->isChecked());
         entry(text)->trigger();
     }
-    EXPECT_TRUE(session.setup(0).look.shows("bands") && session.setup(0).look.sphericalModel);
+    EXPECT_TRUE(session.setup(0).look.shows("bands") && session.setup(0).look.shows("spherical-model"));
 }
 
 TEST_F(SphericalLook, nothingThatACameraSeesLiesOverTheModel) {
-    window.actions().boxes->trigger();
-    window.actions().verdicts->trigger();
+    window.actions().show("boxes")->trigger();
+    window.actions().show("verdicts")->trigger();
     window.actions().truth->trigger();
-    const QImage model = pictureAfter(window.actions().sphericalModel);
-    EXPECT_EQ(session.viewRequest(0)->look, (ViewLook{.sphericalModel = true}));
+    const QImage model = pictureAfter(window.actions().show("spherical-model"));
+    EXPECT_EQ(session.viewRequest(0)->look, (ViewLook{"spherical-model"}));
     EXPECT_EQ(session.viewRequest(0)->wipe, Wipe::Mode::None);
     EXPECT_FALSE(picture().axes()) << "the axes of a camera";
     EXPECT_EQ(picture().extras().wipe.mode, Wipe::Mode::None);
@@ -94,36 +94,41 @@ TEST_F(SphericalLook, chipCountsNoLossesInDirections) {
     const QString counts = QStringLiteral("missed pixels");
     (void)pictureAfter(window.actions().loss);
     EXPECT_TRUE(chipSays(counts));
-    (void)pictureAfter(window.actions().sphericalModel);
+    (void)pictureAfter(window.actions().show("spherical-model"));
     EXPECT_FALSE(chipSays(counts));
     EXPECT_TRUE(session.picture(0)->marks.isNull());
-    (void)pictureAfter(window.actions().sphericalModel);
+    (void)pictureAfter(window.actions().show("spherical-model"));
     EXPECT_TRUE(chipSays(counts)) << "what was chosen before stays chosen";
 }
 
 TEST_F(SphericalLook, commandsWithoutEffectAreGrey) {
     const WindowActions& actions = window.actions();
-    const std::array camerasOnly{actions.verdicts, actions.frustum, actions.boxes, actions.overlay("bands"),
-                                 actions.axes,     actions.truth,   actions.loss};
-    const QString tip = actions.overlay("bands")->toolTip();
-    (void)pictureAfter(actions.sphericalModel);
+    const std::array camerasOnly{actions.show("verdicts"),
+                                 actions.show("frustum"),
+                                 actions.show("boxes"),
+                                 actions.show("bands"),
+                                 actions.axes,
+                                 actions.truth,
+                                 actions.loss};
+    const QString tip = actions.show("bands")->toolTip();
+    (void)pictureAfter(actions.show("spherical-model"));
     for (const QAction* action : camerasOnly) {
         EXPECT_FALSE(action->isEnabled()) << action->text().toStdString();
         EXPECT_EQ(action->toolTip(), WindowActions::modelStandsInPlace()) << action->text().toStdString();
     }
     EXPECT_FALSE(actions.nextLoss->isEnabled());
-    EXPECT_TRUE(actions.sphericalModel->isEnabled() && actions.freeze->isEnabled() && actions.loupe->isEnabled());
+    EXPECT_TRUE(actions.show("spherical-model")->isEnabled() && actions.freeze->isEnabled() && actions.loupe->isEnabled());
     session.setActiveView(1);
-    EXPECT_TRUE(actions.overlay("bands")->isEnabled()) << "of the active view only";
+    EXPECT_TRUE(actions.show("bands")->isEnabled()) << "of the active view only";
     session.setActiveView(0);
-    (void)pictureAfter(actions.sphericalModel);
+    (void)pictureAfter(actions.show("spherical-model"));
     for (const QAction* action : camerasOnly) EXPECT_TRUE(action->isEnabled()) << action->text().toStdString();
-    EXPECT_EQ(actions.overlay("bands")->toolTip(), tip);
+    EXPECT_EQ(actions.show("bands")->toolTip(), tip);
 }
 
 TEST_F(SphericalLook, viewsMenuGreysWhatHasNoEffect) {
     for (const bool model : {false, true}) {
-        if (model) (void)pictureAfter(window.actions().sphericalModel);
+        if (model) (void)pictureAfter(window.actions().show("spherical-model"));
         QMenu menu;
         ViewMenu filler(session, window.views().pane(0), menu);
         filler.addLook();
@@ -163,7 +168,7 @@ TEST_F(SphericalLook, scalesAndTheHintArePainted) {
             }
         return ink;
     };
-    (void)pictureAfter(window.actions().sphericalModel);
+    (void)pictureAfter(window.actions().show("spherical-model"));
     const PictureExtras extras = picture().extras();
     const std::array part = inkOf(extras);
     EXPECT_GT(part[0], 30) << "θ";
@@ -182,7 +187,7 @@ TEST_F(SphericalLook, scalesAndTheHintArePainted) {
 }
 
 TEST_F(SphericalLook, clickPicksWhatLiesInThatDirection) {
-    (void)pictureAfter(window.actions().sphericalModel);
+    (void)pictureAfter(window.actions().show("spherical-model"));
     const Viewport size = session.viewRequest(0)->size;
     const Scene& scene = *session.opened()->scene;
     const Vec3 centre = scene.meshOf(0).localSphere().centre;
@@ -200,7 +205,7 @@ TEST_F(SphericalLook, clickPicksWhatLiesInThatDirection) {
 }
 
 TEST_F(SphericalLook, screenshotWithoutOverlaysHasNoBands) {
-    window.actions().overlay("bands")->trigger();
+    window.actions().show("bands")->trigger();
     settle();
     ScreenshotOptions options;
     const auto extras = [](int) { return PictureExtras{}; };
@@ -208,7 +213,7 @@ TEST_F(SphericalLook, screenshotWithoutOverlaysHasNoBands) {
     options.overlays = false;
     EXPECT_FALSE(planScreenshot(session, options, extras, false).parts.front().request.look.shows("bands"));
     options.overlays = true;
-    (void)pictureAfter(window.actions().sphericalModel);
+    (void)pictureAfter(window.actions().show("spherical-model"));
     EXPECT_FALSE(planScreenshot(session, options, extras, true).parts.front().wanted.items) << "directions have no depth";
     const auto shown = [this](int) { return picture().extras(); };
     const ScreenshotPlan plan = planScreenshot(session, options, shown, false);

@@ -56,7 +56,7 @@ TEST(ResultTable, rowsSayWhatWasMeasured) {
     ASSERT_EQ(model.rowCount(), 3);
     EXPECT_TRUE(cell(model, 2, ResultTableModel::Name).endsWith(QStringLiteral("box=length")));
     EXPECT_EQ(cell(model, 2, ResultTableModel::Speedup), QStringLiteral("×2.00 [1.75, 2.25]"));
-    EXPECT_EQ(cell(model, 2, ResultTableModel::SpeedupAll), QStringLiteral("×2.50 [2.25, 2.75]"));
+    EXPECT_EQ(cell(model, 2, ResultTableModel::SpeedupOverTriangles), QStringLiteral("×2.50 [2.25, 2.75]"));
     EXPECT_EQ(cell(model, 2, ResultTableModel::Fps), QStringLiteral("250"));
     EXPECT_EQ(cell(model, 2, ResultTableModel::CullShare), QStringLiteral("25 %"));
     EXPECT_EQ(cell(model, 2, ResultTableModel::Submitted), QStringLiteral("40 %"));

@@ -191,6 +191,21 @@ TEST_F(Stepping, anotherSceneEndsIt) {
     settleAll();
 }
 
+TEST_F(Stepping, barSaysWhereTheMethodRecordsCoarser) {
+    begin();
+    EXPECT_FALSE(window.stepBar().placeText().contains(QLatin1Char('('))) << "every decision of a small scene is recorded";
+    session.slot(0).choose("painter");
+    settleAll();
+    const auto says = [&] {
+        return window.stepBar().placeText().endsWith(QStringLiteral("(without depths and tests 1 and 2, above 1000 triangles)"));
+    };
+    EXPECT_TRUE(waitUntil(says)) << window.stepBar().placeText().toStdString();
+    const QList<QLabel*> labels = window.stepBar().findChildren<QLabel*>();
+    EXPECT_TRUE(std::ranges::any_of(labels, [](const QLabel* label) {
+        return label->toolTip().contains(QStringLiteral("\n• without depths and tests 1 and 2"));
+    }));
+}
+
 TEST_F(Stepping, measuredFramesAreNotRecorded) {
     begin();
     showStep(3);
@@ -213,14 +228,14 @@ TEST_F(Stepping, openQuestionTellsNothingUntilItIsRevealed) {
     session.slot(0).choose("frustum");
     settleAll();
     ViewSetup setup = session.setup(0);
-    setup.look.colouring = Colouring::Verdicts;
+    setup.look.show("verdicts", true);
     session.setSetup(0, setup);
     settleAll();
     window.actions().questionFirst->trigger();
     ASSERT_TRUE(session.question());
     ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0); }));
     EXPECT_EQ(session.picture(0)->consideredTriangles, session.scene()->triangleCount()) << "all objects are shown";
-    EXPECT_EQ(session.viewRequest(0)->look.colouring, Colouring::Shaded);
+    EXPECT_FALSE(session.viewRequest(0)->look.shows("verdicts"));
     EXPECT_FALSE(window.views().pane(0).header().secondLine().contains(QChar(u'×')));
     EXPECT_FALSE(window.tabs().isVisible());
     const std::optional<Pick> before = session.pick();

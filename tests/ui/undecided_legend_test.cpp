@@ -22,7 +22,7 @@ TEST_F(UndecidedLegend, isShownWhileStepping) {
     session.setActiveView(0);
     session.slot(0).choose("frustum");
     ViewSetup setup = session.setup(0);
-    setup.look.colouring = Colouring::Verdicts;
+    setup.look.show("verdicts", true);
     session.setSetup(0, setup);
     settle();
     EXPECT_FALSE(shown());

@@ -51,8 +51,8 @@ TEST_F(ViewFramesTest, aFrameIsDecidedOnceForPictureVerdictsPanelsFiguresAndPick
     EXPECT_EQ(session.figures(1).frame, session.picture(1)->frame) << "the frame that is judged is the one that is shown";
     EXPECT_EQ(reader.reading()->frame, session.picture(1)->frame);
     ViewSetup setup = session.setup(1);
-    setup.look.colouring = Colouring::Verdicts;
-    setup.look.boxes = true;
+    setup.look.show("verdicts", true);
+    setup.look.show("boxes", true);
     session.setSetup(1, setup);
     settle();
     session.pickAt(1, 80, 60);
@@ -74,8 +74,8 @@ TEST_F(ViewFramesTest, aFrameOfManyObjectsIsDecidedOnceThoughItsDecisionsAreRead
     EXPECT_EQ(decided(1), before + 1) << "the picture";
     why.show();
     ViewSetup setup = session.setup(1);
-    setup.look.colouring = Colouring::Verdicts;
-    setup.look.boxes = true;
+    setup.look.show("verdicts", true);
+    setup.look.show("boxes", true);
     session.setSetup(1, setup);
     settle();
     session.pickAt(1, 80, 60);
@@ -137,7 +137,7 @@ TEST_F(ViewFramesTest, aFrameBesideAnotherViewsPictureIsDecidedOnceWithItsViewsM
         const uint64_t drawn = session.picture(0)->otherFrame->log.consideredTriangles();
         EXPECT_LT(drawn, session.scene()->triangleCount()) << move;
         ViewSetup setup = session.setup(0);
-        setup.look.frustum = !setup.look.frustum;
+        setup.look.show("frustum", !setup.look.shows("frustum"));
         session.setSetup(0, setup);
         ASSERT_TRUE(waitUntil([&] { return session.pictures()->isCurrent(0) && !session.pictures()->busy(); }));
         EXPECT_EQ(decided(1), before + 1) << "another look of the same frames";

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <nlohmann/json.hpp>
 
+#include "core/experiments/experiment.h"
 #include "core/experiments/result_file.h"
 #include "tests/support/cut_scenes.h"
 #include "tests/support/small_experiment.h"
@@ -145,6 +146,53 @@ TEST_F(ViewMeterTest, aFrameThatIsNotShownYetIsDecidedForTheFiguresAndIsTheOneOf
     EXPECT_EQ(frames->decided(0), 1u);
 }
 
+/// The times of a real measurement of one pose, played back in the order in which each strategy's frames took them.
+TimingProtocol playedBack(const MeasureResult& recorded) {
+    TimingProtocol protocol;
+    protocol.warmUp = 0;
+    auto times = std::make_shared<std::map<std::string, std::vector<double>>>();
+    for (const RunMeasurement& run : recorded.runs) {
+        (*times)[run.strategy.id] = run.frames.front().frameTimes;
+        protocol.fixedRepetitions = run.frames.front().repetitions;
+    }
+    protocol.madeUpTime = [times, next = std::map<std::string, size_t>()](const BuiltStrategy& strategy) mutable {
+        const std::vector<double>& own = times->at(strategy.id());
+        return own.at(next[strategy.id()]++ % own.size());
+    };
+    return protocol;
+}
+
+TEST_F(ViewMeterTest, headersRatioIsTheTablesAndCullbenchsToTheDigitForTheSameRecordedFrames) {
+    // What `cullbench measure` does: frames that were really drawn and timed, of two strategies beside the baselines.
+    experiment.strategies = {test::request("frustum"), test::request("frustum-octree")};
+    experiment.path.poses.resize(1);
+    experiment.timing.fixedRepetitions = 7;
+    experiment.baselinesToo = true;
+    const MeasureResult recorded = measuredOnPath();
+    const auto json = nlohmann::json::parse(resultJson(recorded));
+    // What a table does with the same frames.
+    Experiment shown;
+    shown.axes = {{"strategy", "strategy", Axis::Kind::Strategy, {std::string("frustum"), std::string("frustum-octree")}}};
+    shown.settings = settingsOf(shown.axes);
+    shown.columns = columnsOf(shown.axes);
+    shown.columns.push_back({"ratio_to_backface", "ratio"});
+    ResultTable table = emptyTable(shown);
+    addRuns(table, shown, shown.settings.front(), recorded);
+    for (size_t run = 0; run < 2; ++run) {
+        const std::string& id = recorded.runs[run].strategy.id;
+        const BuiltStrategyPointer strategy =
+            buildStrategy(id, ParameterSet(findStrategy(id).info.parameters), experiment.scene, *structures);
+        const ViewMetrics header = measured(subject(strategy, 0), playedBack(recorded)).back();
+        ASSERT_TRUE(header.speedup.has_value());
+        EXPECT_EQ(*header.speedup, recorded.runs[run].summary.ratioToBackface) << id;
+        EXPECT_EQ(*header.speedup, std::get<RatioEstimate>(table.value(run, "ratio_to_backface"))) << id;
+        EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_backface"], header.speedup->ratio) << id;
+        EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_backface_ci95"], header.speedup->ci95) << id;
+        EXPECT_EQ(resultRows(recorded)[run].speedup, header.speedup) << "the desktop's table";
+        EXPECT_LT(header.speedup->ci95[0], header.speedup->ci95[1]) << "real times differ";
+    }
+}
+
 TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
     const CameraPath path = experiment.path;
     const BuiltStrategyPointer strategy =
@@ -158,7 +206,7 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
         const MeasureResult table = measuredOnPath();
         experiment.path = path;
         ASSERT_TRUE(header.speedup.has_value());
-        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToBackface) << "at pose " << pose;
+        EXPECT_EQ(*header.speedup, table.runs[0].summary.ratioToFrontFaces) << "at pose " << pose;
         EXPECT_EQ(resultRows(table).front().speedup, header.speedup);
         EXPECT_EQ(header.frameMilliseconds, table.runs[0].summary.frameMillisecondsMedian);
         const auto json = nlohmann::json::parse(resultJson(table));
@@ -174,7 +222,7 @@ TEST_F(ViewMeterTest, headersRatioIsThatOfATableAndOfCullbenchForTheSameView) {
     }
     // Over all views the table has one ratio of total times, which lies among those of the views.
     experiment.timing = madeUpTimes();
-    const double all = measuredOnPath().runs[0].summary.ratioToBackface.ratio;
+    const double all = measuredOnPath().runs[0].summary.ratioToFrontFaces.ratio;
     EXPECT_GE(all, *std::ranges::min_element(ratios) - 0.1);
     EXPECT_LE(all, *std::ranges::max_element(ratios) + 0.1);
 }

@@ -153,9 +153,7 @@ ViewFramePointer frameUpTo(const ViewFramePointer& frame, const std::optional<Lo
 }
 
 ViewLook shownLook(const ViewFrame& frame, ViewLook look) {
-    const BuiltStrategy& strategy = *frame.request.strategy;
-    look.boxes = look.boxes && !strategy.snapshot(frame.log).nodes.empty();
-    std::erase_if(look.overlays, [&](const std::string& id) { return strategy.whyNotShown(id, {}, frame.log).has_value(); });
+    look.keepShownOf(*frame.request.strategy, frame.log);
     return look;
 }
 

@@ -76,14 +76,14 @@ PictureDrawing::PictureDrawing(const ViewRequest& request, const ViewFramePointe
     : m_picture(std::make_shared<ViewPicture>()), m_viewing(request.viewing, request.size), m_states(request.states) {
     m_picture->request = request;
     m_picture->frame = shownFrame(request, frame);
-    if (request.upTo && !request.unanswered && request.look.colouring == Colouring::Shaded && !request.look.sphericalModel)
+    if (request.upTo && !request.unanswered && !request.look.has(Show::Kind::Verdicts) && !request.look.inPlace())
         m_ahead = decidedAhead(frame->log, entriesUpTo(*frame, *request.upTo));
     if (!m_ahead.ranges.empty()) m_picture->ahead = newImage(request.size, QImage::Format_RGBA8888);
     const Scene& scene = request.buffers->scene();
     m_picture->consideredTriangles = log().consideredTriangles();
-    if (request.look.byPlane()) m_picture->planes = countByPlane(request.strategy->snapshot(log()));
-    m_picture->partOfModel = request.look.sphericalModel && !hasWholeModel(scene, drawnTriangles(scene, log()));
-    if (request.look.colouring == Colouring::Verdicts && !m_states)
+    if (request.look.has(Show::Kind::Planes)) m_picture->planes = countByPlane(request.strategy->snapshot(log()));
+    m_picture->partOfModel = request.look.has(Show::Kind::Model) && !hasWholeModel(scene, drawnTriangles(scene, log()));
+    if (request.look.has(Show::Kind::Verdicts) && !m_states)
         m_states = std::make_shared<const TriangleStates>(triangleStates(scene, log(), std::nullopt));
     const size_t pixels = size_t(request.size.width) * size_t(request.size.height);
     m_picture->colour = newImage(request.size, QImage::Format_RGBA8888);
@@ -159,13 +159,13 @@ ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
 std::optional<ViewPictureDrawer::Picked> ViewPictureDrawer::pick(const ViewRequest& request, int x, int y) {
     const Scene& scene = request.buffers->scene();
     const ViewFramePointer frame = shownFrame(request, m_frames->of(request.frame(), renderer()));
-    if (request.look.sphericalModel) {
+    if (request.look.has(Show::Kind::Model)) {
         const std::optional<DirectionPick> found =
             pickSphericalModel(scene, drawnTriangles(scene, frame->log), request.size, request.style, x, y);
         return found ? std::optional(Picked{found->triangle, found->point}) : std::nullopt;
     }
     const View viewing(request.viewing, request.size);
-    const bool all = request.look.colouring == Colouring::Verdicts && request.look.culledToo;
+    const bool all = request.look.has(Show::Kind::Left);
     const std::optional<PickedTriangle> picked =
         all ? renderer().pick(*request.buffers, viewing, everything(scene, Facing::TwoSided), x, y)
             : renderer().pick(*request.buffers, viewing, frame->log, x, y);

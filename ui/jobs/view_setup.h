@@ -49,10 +49,4 @@ struct ViewSetup {
     bool operator==(const ViewSetup&) const = default;
 };
 
-/// Turns colouring of boxes by plane on, which also shows the boxes; off: boxes are coloured by verdict and stay shown.
-inline void showBoxesByPlane(ViewLook& look, bool on) {
-    look.boxes = look.boxes || on;
-    look.boxColouring = on ? BoxColouring::Plane : BoxColouring::Verdict;
-}
-
 }  // namespace cullscope::ui

@@ -23,7 +23,7 @@ void MetricsModel::setFigures(int view, const ViewMetrics& figures) {
 QString MetricsModel::title(int row) {
     switch (row) {
         case Speedup:
-            return tr("Speed against backface");
+            return tr("Speed against %1", "a strategy").arg(baselineWord(BaselineRole::FrontFaces));
         case Frame:
             return tr("Frame");
         case Fps:
@@ -52,7 +52,8 @@ QString MetricsModel::title(int row) {
 QString MetricsModel::explanation(int row) {
     switch (row) {
         case Speedup:
-            return tr("Frame time of the strategy backface divided by this strategy's, measured in turns at the same camera");
+            return tr("Frame time of the strategy %1 divided by this strategy's, measured in turns at the same camera")
+                .arg(baselineWord(BaselineRole::FrontFaces));
         case Frame:
             return tr(
                 "Culling and drawing into the view's own picture until OpenGL has finished; the window itself is not counted");

@@ -22,14 +22,15 @@ QString metricsLine(const ViewMetrics& figures) {
             break;
     }
     const QString speed = figures.speedup ? speedText(*figures.speedup) : QStringLiteral("×…");
-    //: Line 2 of a view's header: speed against `backface`, share of the triangles submitted, missed pixels.
+    //: Line 2 of a view's header: speed against the baseline, share of the triangles submitted, missed pixels.
     return QCoreApplication::translate("Wording", "%1 · %2 % · %3 missed")
         .arg(speed, percentText(figures.submittedShare()), countText(figures.accuracy.missedPixels));
 }
 
 QString speedSentence(const RatioEstimate& speed) {
-    //: Speed against `backface` and its 95 % interval: "×3.1 (2.9 – 3.3)".
-    return QCoreApplication::translate("Wording", "%1 against backface, with its 95 % interval").arg(speedWithInterval(speed));
+    //: Speed against a baseline, %2, and its 95 % interval: "×3.1 (2.9 – 3.3)".
+    return QCoreApplication::translate("Wording", "%1 against %2, with its 95 % interval")
+        .arg(speedWithInterval(speed), baselineWord(BaselineRole::FrontFaces));
 }
 
 QString fragmentsSentence(const Submitted& submitted) {

@@ -181,7 +181,8 @@ void LegendPanel::showToAudience() {
 }
 
 void LegendPanel::refresh() {
-    m_figures->setText(tr("Over each picture: speed against backface · triangles submitted · pixels missed"));
+    m_figures->setText(tr("Over each picture: speed against %1 · triangles submitted · pixels missed")
+                           .arg(baselineWord(BaselineRole::FrontFaces)));
     for (int i = 0; i < m_promises.size(); ++i) {
         const Promise promise = kPromises[size_t(i)];
         m_promises[i]->setText(promiseWord(promise));
@@ -201,10 +202,10 @@ void LegendPanel::showPlanes() {
     const int view = m_session.activeView();
     const ViewLook& look = m_session.setup(view).look;
     const ViewPicturePointer shown = m_session.picture(view);
-    const bool known = shown && shown->request.look.byPlane();
+    const bool known = shown && shown->request.look.has(Show::Kind::Planes);
     // A strategy that tests no boxes has no boxes to colour.
     const bool boxless = known && shown->planes == PlaneCounts{};
-    m_planes->setVisible(m_session.opened() && look.byPlane() && !look.sphericalModel && !boxless);
+    m_planes->setVisible(m_session.opened() && look.has(Show::Kind::Planes) && !look.inPlace() && !boxless);
     m_planes->setCounts(known ? std::optional(shown->planes) : std::nullopt);
 }
 

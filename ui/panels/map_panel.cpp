@@ -70,6 +70,8 @@ void MapPanel::layOut() {
 
 void MapPanel::refresh() {
     const SnapshotReadingPointer reading = shownReading(m_session, m_reader);
+    // What a step has in hand is shown with its map: the reading of the step follows.
+    if (reading && !m_map->empty() && m_session.stepOf(m_session.activeView()) && !m_reader.fresh()) return;
     showMap(reading && reading->map ? ShownMap{m_session.scene(), reading->map} : ShownMap{});
 }
 

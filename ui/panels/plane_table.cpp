@@ -76,10 +76,17 @@ PlaneTable::PlaneTable(QWidget* parent) : QTableWidget(0, ColumnCount, parent) {
 
 std::vector<PlaneTable::Row> PlaneTable::rowsOf(const std::vector<WhyStep>& steps, const std::vector<PlaneDistance>& own) {
     std::vector<Row> rows;
-    for (const WhyStep& step : steps)
-        if (step.plane && step.distance && !step.ofGroup)
-            rows.push_back(
-                {{*step.plane, *step.distance, step.bound.value_or(0.0), step.containment}, translated(step.sentence)});
+    for (const WhyStep& step : steps) {
+        if (!step.plane || !step.distance || step.ofGroup) continue;
+        const Row row{{*step.plane, *step.distance, step.bound.value_or(0.0), step.containment}, translated(step.sentence)};
+        // Of several bounds that were tested against a plane, such as a sphere and a box, the tightest says where the object
+        // lies.
+        const auto known = std::ranges::find(rows, *step.plane, [](const Row& other) { return other.test.plane; });
+        if (known == rows.end())
+            rows.push_back(row);
+        else if (row.test.distance + row.test.bound < known->test.distance + known->test.bound)
+            *known = row;
+    }
     for (const PlaneDistance& one : own) {
         const auto ofPlane = [&](const Row& row) { return row.test.plane == one.plane; };
         if (std::none_of(rows.begin(), rows.end(), ofPlane))

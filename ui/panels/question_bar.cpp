@@ -80,6 +80,10 @@ QString QuestionBar::words() const {
     if (question.question != Prediction::Question::Place)
         return tr("Click what you expect; a second click takes it back. Named: %1").arg(named);
     if (!parts) return {};
+    if (parts->places.empty() && parts->leaves > 0)
+        return tr("The active view's strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other "
+                  "parameters.")
+            .arg(countText(parts->leaves), countText(NamedParts::kMostLeaves));
     if (parts->places.empty())
         return tr(
             "The active view's strategy has no leaves that could be named. Choose another strategy, other parameters, or "

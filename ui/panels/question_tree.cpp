@@ -67,14 +67,17 @@ void QuestionTree::refresh() {
     m_words->setText(tr("A click on a row answers, too."));
     m_view->setAccessibleName(tr("Tree to answer by"));
     const SnapshotReadingPointer& reading = m_reader.reading();
-    if (!m_session.question() || reading == m_shown) return;
+    if (!m_session.question()) return;
+    const bool placed = m_session.question()->question == Prediction::Question::Place;
+    const bool another = std::exchange(m_placed, placed) != placed;
+    if (reading == m_shown && !another) return;
     // Another frame may list the same boxes in another order, and then a row is another one of them.
     const auto boxes = [](const SnapshotNode& node) { return std::tuple(node.parent, node.instance, node.number); };
     const std::shared_ptr<const StructureSnapshot> before = std::exchange(m_tree, reading ? treeOf(*reading) : nullptr);
     const bool same = m_shown && before && m_tree && reading->strategy == m_shown->strategy &&
                       std::ranges::equal(before->nodes, m_tree->nodes, {}, boxes, boxes);
     m_shown = reading;
-    if (same) return;
+    if (same && !another) return;
     m_model->clear();
     const bool any = m_tree && !m_tree->nodes.empty() && m_tree->nodes.size() <= kMostRows;
     m_view->setVisible(any);
@@ -94,7 +97,8 @@ void QuestionTree::refresh() {
         return std::pair(!one.isGroup(), one.isGroup() ? one.number : one.instance);
     });
     for (const size_t node : byNumber) {
-        const int32_t parent = nodes[node].parent;
+        // Where an object lies in the tree would answer a question about its place.
+        const int32_t parent = placed && !nodes[node].isGroup() ? -1 : nodes[node].parent;
         (parent < 0 ? m_model->invisibleRootItem() : rows[size_t(parent)])->appendRow(rows[node]);
     }
     m_view->expandFirstLevels(kShownRows);

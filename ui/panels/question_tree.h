@@ -40,6 +40,7 @@ private:
     QLabel* m_words;
     SnapshotReadingPointer m_shown;
     std::shared_ptr<const StructureSnapshot> m_tree;  ///< of `m_shown`
+    bool m_placed = false;                            ///< shown for a question about places
 };
 
 }  // namespace cullscope::ui

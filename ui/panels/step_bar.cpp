@@ -95,20 +95,36 @@ QString StepBar::placeText() const {
     const FrameStepper* place = m_stepper.place();
     if (!place) return {};
     const QString text = tr("%1 of %2", "a step, number of steps").arg(countText(place->step()), countText(place->count()));
-    const auto coarser = [&](const QString& size) { return tr("%1 (%2)", "place, size of the steps").arg(text, size); };
+    QStringList coarser;
     switch (place->steps().grain()) {
         case StepGrain::Entry:
             break;
         case StepGrain::Subject:
-            return coarser(tr("by subject"));
+            coarser << tr("by subject");
+            break;
         case StepGrain::Object:
-            return coarser(tr("by object"));
+            coarser << tr("by object");
+            break;
         case StepGrain::Commands:
-            return coarser(tr("by command"));
+            coarser << tr("by command");
+            break;
         case StepGrain::Share:
-            return coarser(tr("in equal parts"));
+            coarser << tr("in equal parts");
     }
-    return text;
+    // The tool tip has the others.
+    if (!place->log().coarser.empty()) coarser << translated(place->log().coarser.front());
+    return coarser.isEmpty() ? text : tr("%1 (%2)", "place, size of the steps").arg(text, coarser.join(QStringLiteral("; ")));
+}
+
+QString StepBar::placeTip() const {
+    const FrameStepper& place = *m_stepper.place();
+    QStringList lines{place.steps().grain() == StepGrain::Entry
+                          ? tr("Each step is one decision or command of the frame.")
+                          : tr("This frame has %1 decisions and commands: each step takes several of them.")
+                                .arg(countText(place.log().entries()))};
+    if (!place.log().coarser.empty()) lines << tr("The method itself records this frame coarser:");
+    for (const Message& words : place.log().coarser) lines << QStringLiteral("• ") + translated(words);
+    return lines.join(QLatin1Char('\n'));
 }
 
 void StepBar::refresh() {
@@ -128,10 +144,7 @@ void StepBar::refresh() {
     const size_t breakpoints = m_stepper.breakpoints().size();
     m_breakpointsButton->setText(breakpoints == 0 ? tr("Breakpoints") : tr("Breakpoints: %1").arg(breakpoints));
     if (!place) return;
-    m_place->setToolTip(place->steps().grain() == StepGrain::Entry
-                            ? tr("Each step is one decision or command of the frame.")
-                            : tr("This frame has %1 decisions and commands: each step takes several of them.")
-                                  .arg(countText(place->log().entries())));
+    m_place->setToolTip(placeTip());
     const QSignalBlocker quiet(m_slider);
     m_slider->setRange(0, int(std::min<size_t>(place->count(), std::numeric_limits<int>::max())));
     m_slider->setPageStep(std::max(1, m_slider->maximum() / 20));

@@ -22,7 +22,8 @@ public:
     [[nodiscard]] QSlider& slider() { return *m_slider; }
     [[nodiscard]] QToolButton& playButton() { return *m_buttons[2]; }
     [[nodiscard]] QMenu& breakpoints() { return *m_breakpoints; }
-    /// "12 of 345", with the size of the steps where they are coarser than single entries.
+    /// "12 of 345", with the size of the steps where they are coarser than single entries, and with what the frame's log itself
+    /// leaves out (FrameLog::coarser), the first of it.
     [[nodiscard]] QString placeText() const;
     [[nodiscard]] QString sentence() const { return m_sentence->text(); }
 
@@ -31,6 +32,8 @@ protected:
 
 private:
     void layOut();
+    /// About the size of the steps; needs a place.
+    [[nodiscard]] QString placeTip() const;
     void refresh();
     void retranslate();
     /// Lists the kinds that the frame's log contains.

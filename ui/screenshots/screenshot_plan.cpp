@@ -73,7 +73,7 @@ PictureSubject subjectOf(const Session& session, int view, const ViewRequest& re
     if (figures.state != ViewMetrics::State::Ready) return subject;
     subject.missedPixels = figures.accuracy.missedPixels;
     subject.figuresSize = figures.size;
-    if (figures.speedup) subject.ratioToBackface = figures.speedup->ratio;
+    if (figures.speedup) subject.ratioToFrontFaces = {figures.speedup->ratio, figures.speedup->ci95};
     return subject;
 }
 
@@ -110,7 +110,7 @@ void enlarge(ScreenshotPlan::Part& part, const ScreenshotPlan& plan, const Sessi
     part.request.style.unit = float(unit);
     part.wanted.reach = int(std::lround(2.0 * unit));
     if (!(part.request.cullingSize == shown.cullingSize)) part.request.states = nullptr;
-    part.wanted.truth = shown.look.colouring == Colouring::Verdicts && mayMeasure(shown) && !part.request.states;
+    part.wanted.truth = shown.look.has(Show::Kind::Verdicts) && mayMeasure(shown) && !part.request.states;
     part.extras = scaled(extras(part.view), shown.size, size, unit);
     part.subject = subjectOf(session, part.view, part.request);
     part.words = QStringLiteral("%1  %2 · %3")
@@ -126,30 +126,17 @@ void addPlanes(std::vector<LegendEntry>& legend, const Vec3f& background) {
                           QRect()});
 }
 
-std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
-    bool verdicts = false, culledToo = false, boxes = false, planes = false, marks = false;
-    std::set<TriangleState> ofOverlays;
+std::vector<LegendEntry> legendOfParts(const std::vector<ScreenshotPlan::Part>& parts, const DrawStyle& style) {
+    bool planes = false, marks = false;
+    std::set<TriangleState> states;
     for (const ScreenshotPlan::Part& part : parts) {
-        const bool coloured = part.request.look.colouring == Colouring::Verdicts;
-        verdicts = verdicts || coloured;
-        culledToo = culledToo || (coloured && part.request.look.culledToo);
-        boxes = boxes || part.request.look.boxes;
-        planes = planes || part.request.look.byPlane();
-        for (const Show* show : declaredShows(Show::Kind::Overlay))
-            if (part.request.look.shows(show->id)) ofOverlays.insert(show->legend.begin(), show->legend.end());
+        states.merge(legendOf(part.request.look));
+        planes = planes || part.request.look.has(Show::Kind::Planes);
         marks = marks || part.request.wipe == Wipe::Mode::Loss || part.request.wipe == Wipe::Mode::Difference;
     }
     std::vector<LegendEntry> legend;
     const auto palette = verdictPalette(style.background);
-    for (size_t i = 0; i < kTriangleStateCount; ++i) {
-        const auto state = TriangleState(i);
-        // Screenshots show whole frames.
-        if (state == TriangleState::Undecided) continue;
-        const bool drawn = state == TriangleState::Visible || state == TriangleState::InVain;
-        const bool ofBoxes = state == TriangleState::Visible || state == TriangleState::OutsideFrustum;
-        if ((verdicts && (drawn || culledToo)) || (boxes && ofBoxes) || ofOverlays.contains(state))
-            legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
-    }
+    for (const TriangleState state : states) legend.push_back({state, QColor(), translated(triangleStateName(state)), QRect()});
     if (planes) addPlanes(legend, style.background);
     if (marks) {
         const Vec3f lost = palette[size_t(TriangleState::WronglyCulled)].colour;
@@ -167,7 +154,7 @@ std::vector<LegendEntry> legendOf(const std::vector<ScreenshotPlan::Part>& parts
 int legendPartOf(const Session& session, const std::vector<ScreenshotPlan::Part>& parts) {
     int found = -1;
     for (size_t i = 0; i < parts.size(); ++i) {
-        if (parts[i].request.look.colouring != Colouring::Verdicts) continue;
+        if (!parts[i].request.look.has(Show::Kind::Verdicts)) continue;
         if (found >= 0 && session.culledBy(parts[size_t(found)].view) != session.culledBy(parts[i].view)) return -1;
         if (found < 0) found = int(i);
     }
@@ -188,7 +175,7 @@ ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options
     plan.style = styleOf(session, options.background);
     if (options.caption) plan.caption = options.captionText.isEmpty() ? madeCaption(session, options.grid) : options.captionText;
     for (const int view : viewsOf(session, options.grid)) plan.parts.push_back(shownPart(session, view, options.overlays));
-    if (options.legend) plan.legend = legendOf(plan.parts, plan.style);
+    if (options.legend) plan.legend = legendOfParts(plan.parts, plan.style);
     plan.legendPart = legendPartOf(session, plan.parts);
     const bool counted = !plan.legend.empty() && plan.legendPart >= 0 && mayMeasure(plan.parts[size_t(plan.legendPart)].request);
     // Reserve room for the widest heading: the size in it is known only after the layout.
@@ -197,7 +184,7 @@ ScreenshotPlan planScreenshot(Session& session, const ScreenshotOptions& options
     for (ScreenshotPlan::Part& part : plan.parts) enlarge(part, plan, session, extras);
     if (counted) plan.legend.front().words = legendHeading(plan.parts[size_t(plan.legendPart)].request.cullingSize);
     // A model in spherical coordinates has neither depths nor triangle numbers of a camera.
-    if (keepsDepth && !options.grid) plan.parts.front().wanted.items = !plan.parts.front().request.look.sphericalModel;
+    if (keepsDepth && !options.grid) plan.parts.front().wanted.items = !plan.parts.front().request.look.inPlace();
     plan.metadata = metadataOf(session, options, plan.size);
     return plan;
 }

@@ -52,9 +52,10 @@ QStringList cameraWords(const QString& prefix, const Camera& camera) {
 QStringList lookWords(const ViewLook& look) {
     QStringList words;
     for (const std::string& overlay : overlayIds(look)) words << QStringLiteral("--overlay") << QString::fromStdString(overlay);
-    if (look.sphericalModel) return words;
-    if (look.byPlane()) words << QStringLiteral("--box-colouring") << QString::fromLatin1(boxColouringId(look.boxColouring));
-    if (look.colouring == Colouring::Verdicts && !look.culledToo) words << QStringLiteral("--drawn-only");
+    for (const auto& [name, value] : unusualOf(look)) {
+        words << QStringLiteral("--") + QString::fromStdString(name).replace(QLatin1Char('_'), QLatin1Char('-'));
+        if (value != "true") words << QString::fromStdString(value);
+    }
     return words;
 }
 

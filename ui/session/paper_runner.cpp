@@ -150,7 +150,7 @@ void PaperRunner::show(size_t setting, const OpenedScenePointer& opened, std::sh
             m_session.setSetup(view, setup);
             if (!now.shown.empty()) m_session.slot(view).choose(now.shown);
         }
-        m_path = now.timed() ? cameraPath(now.path, *opened->scene) : CameraPath();
+        m_path = now.timed() ? pathOf(now, *opened->scene) : CameraPath();
     } catch (...) {
         return shown->fail(std::current_exception());
     }

@@ -34,16 +34,32 @@ Prediction::Items QuestionFirst::usualItems() const {
 void QuestionFirst::answerBy(const BuiltStrategy& strategy, const StructureSnapshot& snapshot, size_t node) {
     if (!m_session.question()) return;
     if (m_session.question()->question == Prediction::Question::Place) {
-        if (!m_session.questionParts() || m_session.question()->items.empty()) return;
-        const std::vector<std::string>& places = m_session.questionParts()->places;
-        const auto found = std::ranges::find(places, snapshot.nodes[node].name);
-        if (found != places.end()) place(size_t(found - places.begin()));
+        if (m_session.questionParts()) answerPlaceBy(snapshot.nodes[node]);
         return;
     }
     const std::vector<uint64_t> items = itemsBelow(strategy, snapshot, node);
     Prediction named = *m_session.question();
     if (!items.empty()) named.toggle(items);
     m_session.setQuestion(named);
+}
+
+void QuestionFirst::answerPlaceBy(const SnapshotNode& row) {
+    const NamedParts& parts = *m_session.questionParts();
+    Prediction placed = *m_session.question();
+    if (row.isGroup()) {
+        const auto found = std::ranges::find(parts.places, row.name.empty() ? std::to_string(row.number) : row.name);
+        if (found != parts.places.end() && !placed.items.empty()) place(size_t(found - parts.places.begin()));
+        return;
+    }
+    // An object that is one part.
+    if (std::ranges::count(parts.parts, row.instance, &NamedParts::Part::object) != 1) return;
+    const auto found = std::ranges::find(parts.parts, row.instance, &NamedParts::Part::object);
+    placed.toggle(uint64_t(found - parts.parts.begin()));
+    m_session.setQuestion(placed);
+}
+
+NamedParts QuestionFirst::partsFor(Prediction::Question question, const BuiltStrategy& strategy, const FrameLog& log) {
+    return question == Prediction::Question::Place ? strategy.partsByLeaf(log) : strategy.parts(log);
 }
 
 std::vector<uint64_t> QuestionFirst::itemsBelow(const BuiltStrategy& strategy, const StructureSnapshot& snapshot,
@@ -100,11 +116,12 @@ void QuestionFirst::readParts() {
     const std::optional<ViewRequest> request = m_session.viewRequest(m_session.activeView());
     if (!m_session.question() || m_session.question()->question == Prediction::Question::Vanish || !request) return;
     GpuThread& gpu = *m_session.gpu();
-    const auto read = [this, &gpu, request = *request, frames = m_session.frames()](GpuJobs::Step& step) {
+    const auto read = [this, &gpu, request = *request, question = m_session.question()->question,
+                       frames = m_session.frames()](GpuJobs::Step& step) {
         if (gpu.lost()) return;
         try {
             const ViewFramePointer frame = frames->of(request.frame(), gpu.renderer());
-            const auto parts = std::make_shared<const NamedParts>(request.strategy->parts(frame->log));
+            const auto parts = std::make_shared<const NamedParts>(partsFor(question, *request.strategy, frame->log));
             step.deliver([this, parts] { take(parts); });
         } catch (const Error&) {
             // The question stays one about objects; the view tells of the failure.
@@ -123,8 +140,8 @@ void QuestionFirst::take(const NamedPartsPointer& parts) {
         return;
     }
     const NamedPartsPointer& before = m_session.questionParts();
-    const bool same =
-        before && std::ranges::equal(before->parts, parts->parts, {}, &NamedParts::Part::name, &NamedParts::Part::name);
+    const bool same = before && before->places == parts->places &&
+                      std::ranges::equal(before->parts, parts->parts, {}, &NamedParts::Part::name, &NamedParts::Part::name);
     if (!same) question = Prediction{question.question};
     question.of = Prediction::Items::Parts;
     m_session.setQuestion(question, parts);
@@ -149,7 +166,7 @@ void QuestionFirst::reveal() {
         try {
             const bool ofParts = prediction.of == Prediction::Items::Parts;
             const ViewFramePointer frame = frames->of(request.frame(), gpu.renderer());
-            if (ofParts) parts = std::make_shared<const NamedParts>(request.strategy->parts(frame->log));
+            if (ofParts) parts = std::make_shared<const NamedParts>(partsFor(prediction.question, *request.strategy, frame->log));
             rows = answerTo(prediction, request.buffers->scene(), frame->log, ofParts ? *parts : NamedParts());
         } catch (const Error& error) {
             failure = error.message();

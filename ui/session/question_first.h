@@ -23,8 +23,9 @@ public:
     void ask(Prediction::Question question, const std::optional<Prediction::Items>& of = {});
     /// Says where what was named last is expected, as a number of NamedParts::places.
     void place(size_t place);
-    /// Answers by a node of the strategy's tree (StructureSnapshot::nodes): a place says where what was named last is expected;
-    /// in other questions all that lies at or below the node is named, or taken back. Both are of the shown scene.
+    /// Answers by a node of the strategy's tree (StructureSnapshot::nodes): a place says where what was named last is expected,
+    /// and an object is named; in other questions all that lies at or below the node is named, or taken back. Both are of the
+    /// shown scene.
     void answerBy(const BuiltStrategy& strategy, const StructureSnapshot& snapshot, size_t node);
     /// Closes it without an answer.
     void withdraw();
@@ -45,6 +46,10 @@ private:
     /// Reads the parts of the active view's frame, where the open question may be about them.
     void readParts();
     void take(const NamedPartsPointer& parts);
+    /// Answers a question about places by a row of the tree: a leaf, or an object, which is named.
+    void answerPlaceBy(const SnapshotNode& row);
+    /// What a question may be about.
+    [[nodiscard]] static NamedParts partsFor(Prediction::Question question, const BuiltStrategy& strategy, const FrameLog& log);
     [[nodiscard]] Prediction::Items usualItems() const;
     /// The question's items that lie at or below a node.
     [[nodiscard]] std::vector<uint64_t> itemsBelow(const BuiltStrategy& strategy, const StructureSnapshot& snapshot,

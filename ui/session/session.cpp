@@ -153,6 +153,7 @@ void Session::tellRepairs() {
 void Session::show(const OpenedScenePointer& opened) {
     m_opened = opened;
     m_hidden.assign(opened->scene->instances().size(), false);
+    m_up = opened->scene->remarks().up.value_or(m_chosenUp);
     m_chosenNear.reset();
     m_camera = Camera{};
     m_pick.reset();
@@ -289,16 +290,16 @@ std::optional<ViewRequest> Session::viewRequest(int view) const {
     request.look = setup(view).look;
     request.style = m_style;
     const ViewMetrics& known = figures(view);
-    if (request.look.colouring == Colouring::Verdicts && known.states && known.subject == *subject) request.states = known.states;
+    if (request.look.has(Show::Kind::Verdicts) && known.states && known.subject == *subject) request.states = known.states;
     const Wipe& wipe = setup(view).wipe;
     request.wipe = wipe.mode;
     if (wipe.mode == Wipe::Mode::OtherView || wipe.mode == Wipe::Mode::Difference) {
         request.otherView = culledBy(wipe.other);
         request.other = slot(request.otherView).built();
     }
-    if (request.look.sphericalModel) {
-        // The model in spherical coordinates replaces the whole picture: no comparison and no other overlay.
-        request.look = {.sphericalModel = true};
+    if (request.look.inPlace()) {
+        // What stands in place of the whole picture: no comparison and no other overlay.
+        request.look = request.look.inPlaceAlone();
         request.states = nullptr;
         request.wipe = Wipe::Mode::None;
         request.other = nullptr;

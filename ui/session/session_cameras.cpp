@@ -20,6 +20,8 @@ void Session::setCamera(const Camera& camera) {
 }
 
 void Session::setUpAxis(UpAxis up) {
+    // What a scene says of itself is no choice for the next one.
+    if (!m_opened || m_opened->scene->remarks().up != up) m_chosenUp = up;
     if (up == m_up) return;
     m_up = up;
     goHome();

@@ -14,9 +14,6 @@ using Word = std::pair<const char*, Enum>;
 constexpr std::array kRoles{Word<Role>{"linked", Role::Linked}, Word<Role>{"observer", Role::Observer},
                             Word<Role>{"frozen", Role::Frozen}};
 constexpr std::array kUploads{Word<Upload>{"vbo", Upload::Vbo}, Word<Upload>{"vertex-array", Upload::VertexArray}};
-constexpr std::array kColourings{Word<Colouring>{"shaded", Colouring::Shaded}, Word<Colouring>{"verdicts", Colouring::Verdicts}};
-constexpr std::array kBoxColourings{Word<BoxColouring>{"verdict", BoxColouring::Verdict},
-                                    Word<BoxColouring>{"plane", BoxColouring::Plane}};
 constexpr std::array kWipes{Word<Wipe::Mode>{"none", Wipe::Mode::None}, Word<Wipe::Mode>{"truth", Wipe::Mode::Truth},
                             Word<Wipe::Mode>{"loss", Wipe::Mode::Loss}, Word<Wipe::Mode>{"other-view", Wipe::Mode::OtherView},
                             Word<Wipe::Mode>{"difference", Wipe::Mode::Difference}};
@@ -33,37 +30,35 @@ void read(const JsonField& group, const char* key, const std::array<Word<Enum>, 
     if (const auto field = group.find(key)) value = field->template oneOf<Enum>(JsonField::Words<Enum>(words));
 }
 
-void read(const JsonField& group, const char* key, bool& value) {
-    if (const auto field = group.find(key)) value = field->boolean();
-}
-
 void readViewNumber(const JsonField& group, const char* key, int& value) {
     if (const auto field = group.find(key)) value = field->wholeNumber(0, Session::kMostViews - 1);
 }
 
 Json jsonOf(const Vec3& v) { return Json::array({v.x, v.y, v.z}); }
 
+/// The key of a show in files.
+std::string keyOf(const Show& show) { return show.field.key.empty() ? show.id : show.field.key; }
+
 Json jsonOf(const ViewLook& look) {
-    Json json{{"colouring", wordOf(kColourings, look.colouring)},
-              {"culled_too", look.culledToo},
-              {kFrustumOverlay, look.frustum},
-              {kBoxesOverlay, look.boxes},
-              {"box_colouring", wordOf(kBoxColourings, look.boxColouring)}};
-    for (const Show* show : declaredShows(Show::Kind::Overlay)) json[show->id] = look.shows(show->id);
-    json["spherical_model"] = look.sphericalModel;
+    Json json = Json::object();
+    for (const Show* show : pictureShows()) {
+        const bool on = look.shows(show->id);
+        if (show->field.on.empty())
+            json[keyOf(*show)] = on;
+        else
+            json[keyOf(*show)] = on ? show->field.on : show->field.off;
+    }
     return json;
 }
 
 ViewLook readLook(const JsonField& field) {
     ViewLook look;
-    read(field, "colouring", kColourings, look.colouring);
-    read(field, "culled_too", look.culledToo);
-    read(field, kFrustumOverlay, look.frustum);
-    read(field, kBoxesOverlay, look.boxes);
-    read(field, "box_colouring", kBoxColourings, look.boxColouring);
-    for (const Show* show : declaredShows(Show::Kind::Overlay))
-        if (const auto shown = field.find(show->id.c_str())) look.show(show->id, shown->boolean());
-    read(field, "spherical_model", look.sphericalModel);
+    for (const Show* show : pictureShows()) {
+        const auto found = field.find(keyOf(*show).c_str());
+        if (!found) continue;
+        const std::array words{Word<bool>{show->field.off.c_str(), false}, Word<bool>{show->field.on.c_str(), true}};
+        look.show(show->id, show->field.on.empty() ? found->boolean() : found->oneOf<bool>(JsonField::Words<bool>(words)));
+    }
     return look;
 }
 

@@ -10,7 +10,7 @@ void showFirstViews(Session& session, const std::vector<StrategyRequest>& chosen
         session.slot(0).choose(baselines().back()->id);
         session.observe(1, 0);
         ViewSetup watching = session.setup(1);
-        watching.look = {Colouring::Verdicts, true, true, false};
+        watching.look.watch();
         session.setSetup(1, watching);
         return;
     }

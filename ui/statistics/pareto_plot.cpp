@@ -37,9 +37,9 @@ QString ParetoPlot::emptySentence() const {
 QString ParetoPlot::description() const {
     QStringList lines;
     for (const RunFigures& run : m_runs)
-        lines << tr("%1, %2: ×%3 against backface, %4 per million missed")
+        lines << tr("%1, %2: ×%3 against %5, %4 per million missed")
                      .arg(run.label, promiseWord(run.promise), ratioText(run.speedup.ratio),
-                          *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel());
+                          *run.missedPpm > 0.0 ? ppmText(*run.missedPpm) : zeroLabel(), baselineWord(BaselineRole::FrontFaces));
     return lines.join(QLatin1Char('\n'));
 }
 
@@ -147,7 +147,8 @@ void ParetoPlot::addRuns(LinePlot& plot, const PlotColours& colours) const {
 std::vector<LinePlot> ParetoPlot::plots(const QPalette& palette) const {
     const PlotColours colours(palette);
     LinePlot plot;
-    plot.x = {tr("Speed against backface").toStdString(), PlotScale::Linear, 0.0, 0.0, true};
+    const QString axis = tr("Speed against %1", "a strategy").arg(baselineWord(BaselineRole::FrontFaces));
+    plot.x = {axis.toStdString(), PlotScale::Linear, 0.0, 0.0, true};
     plot.y = lossAxis();
     plot.lines = {plainLine({}, {{1.0, plot.y.least}, {1.0, plot.y.most}}, {colours.faintText.rgba(), 1.0, PlotStroke::Dashed})};
     addSweeps(plot, colours);

@@ -47,8 +47,8 @@ std::vector<ResultRow> resultRows(const MeasureResult& result) {
         ResultRow row = emptyRow(run.strategy, run.promise);
         const Summary& summary = run.summary;
         row.promiseBroken = run.promiseBroken();
-        row.speedup = summary.ratioToBackface;
-        row.speedupAll = summary.ratioToAll;
+        row.speedup = summary.ratioToFrontFaces;
+        row.speedupOverTriangles = summary.ratioToTriangles;
         row.fpsOverall = summary.fpsOverall;
         row.fpsMin = summary.fpsMin;
         row.fpsMax = summary.fpsMax;
@@ -98,9 +98,9 @@ QString ResultTableModel::title(int column) {
         case Name:
             return tr("Strategy");
         case Speedup:
-            return tr("Speed against\nbackface [95 %]");
-        case SpeedupAll:
-            return tr("Speed against\nall [95 %]");
+            return tr("Speed against\n%1 [95 %]", "a strategy").arg(baselineWord(BaselineRole::FrontFaces));
+        case SpeedupOverTriangles:
+            return tr("Speed against\n%1 [95 %]", "a strategy").arg(baselineWord(BaselineRole::Triangles));
         case Fps:
             return tr("fps");
         case FpsRange:
@@ -127,9 +127,11 @@ QString ResultTableModel::explanation(int column) {
         case Name:
             return tr("The strategy, and its parameters where they are not at their defaults");
         case Speedup:
-            return tr("Total time of backface over the views divided by this strategy's, with its 95 % interval");
-        case SpeedupAll:
-            return tr("Total time of all over the views divided by this strategy's, with its 95 % interval");
+            return tr("Total time of %1 over the views divided by this strategy's, with its 95 % interval", "a strategy")
+                .arg(baselineWord(BaselineRole::FrontFaces));
+        case SpeedupOverTriangles:
+            return tr("Total time of %1 over the views divided by this strategy's, with its 95 % interval", "a strategy")
+                .arg(baselineWord(BaselineRole::Triangles));
         case Fps:
             return tr("Views divided by the time of all of them; a frame is cull + draw");
         case FpsRange:
@@ -170,8 +172,8 @@ QString ResultTableModel::value(const ResultRow& row, int column) {
             return row.name;
         case Speedup:
             return speed(row.speedup);
-        case SpeedupAll:
-            return speed(row.speedupAll);
+        case SpeedupOverTriangles:
+            return speed(row.speedupOverTriangles);
         case Fps:
             return row.fpsOverall ? ratioText(*row.fpsOverall) : QString();
         case FpsRange:

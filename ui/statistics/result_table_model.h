@@ -23,7 +23,7 @@ struct ResultRow {
     QString id;
     Promise promise = Promise::Approximate;
     bool promiseBroken = false;
-    std::optional<RatioEstimate> speedup, speedupAll;  ///< over `backface` and over `all`
+    std::optional<RatioEstimate> speedup, speedupOverTriangles;  ///< over `backface` and over `all`
     std::optional<double> fpsOverall, fpsMin, fpsMax;
     std::optional<double> cullShare, submittedShare;
     std::optional<uint64_t> missedPixels, missedBeyondSnapping;
@@ -39,7 +39,20 @@ class ResultTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, Speedup, SpeedupAll, Fps, FpsRange, CullShare, Submitted, Missed, Beyond, MissedPpm, Worst, ColumnCount };
+    enum Column {
+        Name,
+        Speedup,
+        SpeedupOverTriangles,
+        Fps,
+        FpsRange,
+        CullShare,
+        Submitted,
+        Missed,
+        Beyond,
+        MissedPpm,
+        Worst,
+        ColumnCount
+    };
     /// The number of the worst pose as an int, if there is one.
     static constexpr int kPoseRole = Qt::UserRole;
 

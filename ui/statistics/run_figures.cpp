@@ -45,7 +45,7 @@ std::vector<RunFigures> runFigures(const MeasureResult& result) {
         figures.promise = run.promise;
         figures.frameMilliseconds = 1000.0 / run.summary.fpsOverall;
         figures.cullMilliseconds = run.summary.cullShare * figures.frameMilliseconds;
-        figures.speedup = run.summary.ratioToBackface;
+        figures.speedup = run.summary.ratioToFrontFaces;
         if (run.summary.missedPixelRate) figures.missedPpm = kPartsPerMillion * *run.summary.missedPixelRate;
         for (const FrameMeasurement& frame : run.frames) figures.poses.push_back(poseFigures(frame, result));
         all.push_back(std::move(figures));

@@ -73,7 +73,8 @@ void TimeBar::paintLegend(QPainter& painter, const QRectF& place, const PlotColo
     }
     painter.setPen(colours.faintText);
     painter.drawText(QRectF(x, place.top(), place.right() - x, place.height()), Qt::AlignVCenter | Qt::AlignRight,
-                     tr("grey: all and backface"));
+                     tr("grey: %1 and %2", "two strategies")
+                         .arg(baselineWord(BaselineRole::Triangles), baselineWord(BaselineRole::FrontFaces)));
 }
 
 void TimeBar::paintRow(QPainter& painter, const QRectF& row, const Columns& parts, const Entry& entry,

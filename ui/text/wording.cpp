@@ -43,6 +43,8 @@ QString strategyWords(const StrategyRequest& strategy) {
     return words;
 }
 
+QString baselineWord(BaselineRole role) { return QString::fromStdString(baselineOf(role).id); }
+
 QString viewLetter(int view) { return QString(QChar(u'A' + view)); }
 
 QString ratioText(double ratio) {

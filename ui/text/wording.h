@@ -16,6 +16,8 @@ namespace cullscope::ui {
 [[nodiscard]] QString facingWord(Facing facing);
 /// "Frustum", or "Frustum box=length" where a parameter is not at its default.
 [[nodiscard]] QString strategyWords(const StrategyRequest& strategy);
+/// What sentences call the baseline with a role, which is not BaselineRole::None.
+[[nodiscard]] QString baselineWord(BaselineRole role);
 /// "A", "B".
 [[nodiscard]] QString viewLetter(int view);
 

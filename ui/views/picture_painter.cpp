@@ -113,7 +113,7 @@ void paintPicture(QPainter& painter, const QRectF& target, const ViewPicture& pi
         ring.addEllipse(middle, radius, radius);
         strokeTwice(painter, ring, extras.unit);
     }
-    if (extras.modelScales && picture.request.look.sphericalModel) paintModelScales(painter, target, picture, extras.unit);
+    if (extras.modelScales && picture.request.look.inPlace()) paintModelScales(painter, target, picture, extras.unit);
     if (extras.loupe) paintLoupe(painter, target, picture, extras);
     painter.restore();
 }

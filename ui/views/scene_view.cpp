@@ -112,7 +112,7 @@ PictureSubject SceneView::subject() const {
 
 PictureExtras SceneView::extras() const {
     PictureExtras extras;
-    if (m_session.setup(m_view).look.sphericalModel) {
+    if (m_session.setup(m_view).look.inPlace()) {
         // The pixels of this picture are directions: overlays with camera positions cannot be placed on it.
         extras.modelScales = true;
         if (m_loupe) extras.loupe = m_loupePlace;
@@ -177,7 +177,7 @@ void SceneView::setAxes(bool on) {
 
 std::optional<OrientationGizmo> SceneView::axes() const {
     const ViewPicturePointer shown = m_session.picture(m_view);
-    if (!m_axes || !shown || shown->request.look.sphericalModel) return std::nullopt;
+    if (!m_axes || !shown || shown->request.look.inPlace()) return std::nullopt;
     return OrientationGizmo(View(shown->request.viewing, shown->request.size), pictureLayout().rect());
 }
 
@@ -220,7 +220,7 @@ void SceneView::paintEvent(QPaintEvent*) {
                                                          m_session.drawStyle().background.z));
     paintStep(painter, layout);
     if (const OpenedScenePointer& opened = m_session.opened();
-        shown && opened && m_session.pick() && !m_session.question() && !shown->request.look.sphericalModel)
+        shown && opened && m_session.pick() && !m_session.question() && !shown->request.look.inPlace())
         paintPick(painter, *opened->scene, *m_session.pick(), View(shown->request.viewing, shown->request.size), layout);
     if (const std::optional<OrientationGizmo> gizmo = axes()) gizmo->paint(painter);
     if (m_region) paintRegion(painter, *m_region, layout);
@@ -239,9 +239,9 @@ void SceneView::paintStep(QPainter& painter, const PictureLayout& layout) const 
         paintPrediction(painter, *m_session.scene(), *m_session.question(), m_session.questionParts().get(),
                         View(shown->request.viewing, shown->request.size), layout);
     const ChosenGroup* group = m_session.groupOf(m_view);
-    if (shown && group && shown->frame->request.strategy == group->strategy && !shown->request.look.sphericalModel)
+    if (shown && group && shown->frame->request.strategy == group->strategy && !shown->request.look.inPlace())
         paintGroup(painter, group->shape, View(shown->request.viewing, shown->request.size), layout);
-    if (!shown || !step || m_session.question() || shown->request.look.sphericalModel) return;
+    if (!shown || !step || m_session.question() || shown->request.look.inPlace()) return;
     if (!shown->ahead.isNull()) {
         painter.setOpacity(kAheadOpacity);
         painter.drawImage(layout.rect(), shown->ahead);

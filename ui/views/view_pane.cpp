@@ -95,7 +95,7 @@ QString ViewPane::chipText() const {
         parts << tr("%1 pixels differ from view %2").arg(countText(shown->missed + shown->added), viewLetter(extras.wipe.other));
     if (const QString sets = visibleSets(); !sets.isEmpty()) parts << sets;
     const std::vector<Hole>& holes = m_session.figures(m_view).holes;
-    if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size() && !setup.look.sphericalModel)
+    if (const std::optional<size_t> loss = m_picture->markedLoss(); loss && *loss < holes.size() && !setup.look.inPlace())
         parts << tr("loss %1 of %2, pixels: %3").arg(*loss + 1).arg(holes.size()).arg(countText(holes[*loss].pixels));
     return parts.join(QStringLiteral(" · "));
 }

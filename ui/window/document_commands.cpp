@@ -5,6 +5,7 @@
 
 #include "core/mesh/load.h"
 #include "core/scene/polygon_scene.h"
+#include "core/scene/rvm/rvm_scene.h"
 #include "ui/session/session_file.h"
 
 namespace cullscope::ui {
@@ -74,8 +75,10 @@ QString DocumentCommands::fileTypes() {
         names << QString::fromStdString(extension);
         patterns << pattern(names.back());
     }
-    names << QString::fromLatin1(kPolygonExtension);
-    patterns << pattern(names.back());
+    for (const char* extension : {kPolygonExtension, kRvmExtension}) {
+        names << QString::fromLatin1(extension);
+        patterns << pattern(names.back());
+    }
     const QString session = QString::fromLatin1(kSessionExtension);
     return QStringLiteral("%1 (%2);;%3 (%4);;%5 (*.png *.jpg *.tif *.exr);;%6 (*)")
         .arg(tr("Meshes (%1)").arg(names.join(QStringLiteral(", "))), patterns.join(QLatin1Char(' ')), tr("Sessions"),

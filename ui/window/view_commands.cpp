@@ -38,20 +38,9 @@ void ViewCommands::edit(const std::function<void(ViewSetup&)>& change) {
 
 void ViewCommands::wire() {
     connect(m_actions.freeze, &QAction::triggered, this, [this](bool on) { m_session.setFrozen(m_session.activeView(), on); });
-    connect(m_actions.verdicts, &QAction::triggered, this, [this](bool on) {
-        edit([on](ViewSetup& setup) { setup.look.colouring = on ? Colouring::Verdicts : Colouring::Shaded; });
-    });
-    connect(m_actions.frustum, &QAction::triggered, this,
-            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.frustum = on; }); });
-    connect(m_actions.boxes, &QAction::triggered, this,
-            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.boxes = on; }); });
-    connect(m_actions.boxesByPlane, &QAction::triggered, this,
-            [this](bool on) { edit([on](ViewSetup& setup) { showBoxesByPlane(setup.look, on); }); });
-    for (const auto& [id, action] : m_actions.overlays)
+    for (const auto& [show, action] : m_actions.shows)
         connect(action, &QAction::triggered, this,
-                [this, id = id](bool on) { edit([&](ViewSetup& setup) { setup.look.show(id, on); }); });
-    connect(m_actions.sphericalModel, &QAction::triggered, this,
-            [this](bool on) { edit([on](ViewSetup& setup) { setup.look.sphericalModel = on; }); });
+                [this, show = show](bool on) { edit([&](ViewSetup& setup) { setup.look.showWithAll(*show, on); }); });
     connect(m_actions.truth, &QAction::triggered, this,
             [this](bool on) { edit([on](ViewSetup& setup) { setup.wipe.mode = on ? Wipe::Mode::Truth : Wipe::Mode::None; }); });
     connect(m_actions.loss, &QAction::triggered, this,
@@ -76,15 +65,10 @@ void ViewCommands::refresh() {
     const int view = m_session.activeView();
     const ViewSetup& setup = m_session.setup(view);
     const bool scene = m_session.opened() != nullptr;
-    const bool model = scene && setup.look.sphericalModel;
+    const bool model = scene && setup.look.inPlace();
     m_actions.setPictureUsable(scene, model);
     m_actions.freeze->setChecked(setup.role == Role::Frozen);
-    m_actions.verdicts->setChecked(setup.look.colouring == Colouring::Verdicts);
-    m_actions.frustum->setChecked(setup.look.frustum);
-    m_actions.boxes->setChecked(setup.look.boxes);
-    m_actions.boxesByPlane->setChecked(setup.look.byPlane());
-    for (const auto& [id, action] : m_actions.overlays) action->setChecked(setup.look.shows(id));
-    m_actions.sphericalModel->setChecked(setup.look.sphericalModel);
+    for (const auto& [show, action] : m_actions.shows) action->setChecked(setup.look.has(*show));
     m_actions.truth->setChecked(setup.wipe.mode == Wipe::Mode::Truth);
     m_actions.loss->setChecked(setup.wipe.mode == Wipe::Mode::Loss);
     m_actions.nextLoss->setEnabled(scene && !model && setup.role == Role::Linked && !m_session.figures(view).holes.empty());

@@ -32,7 +32,7 @@ QAction* ViewMenu::change(QMenu& menu, const QString& text, bool checked, const 
 }
 
 void ViewMenu::needsCameraPicture(QAction* action) const {
-    if (!setup().look.sphericalModel) return;
+    if (!setup().look.inPlace()) return;
     action->setEnabled(false);
     action->setToolTip(WindowActions::modelStandsInPlace());
 }
@@ -65,8 +65,7 @@ void ViewMenu::addCameras() {
                setup().role == Role::Observer && setup().observed == other, [session, view, other] {
                    session->observe(view, other);
                    ViewSetup changed = session->setup(view);
-                   changed.look.colouring = Colouring::Verdicts;
-                   changed.look.culledToo = changed.look.frustum = true;
+                   changed.look.watch();
                    session->setSetup(view, changed);
                });
     }
@@ -76,24 +75,16 @@ void ViewMenu::addLook() {
     QMenu* menu = m_menu.addMenu(tr("Show"));
     menu->setToolTipsVisible(true);
     const ViewLook& look = setup().look;
-    const bool verdicts = look.colouring == Colouring::Verdicts;
-    change(*menu, tr("Colours by verdict"), verdicts, [verdicts](ViewSetup& setup) {
-        setup.look.colouring = verdicts ? Colouring::Shaded : Colouring::Verdicts;
-    })->setShortcut(Qt::Key_V);
-    change(*menu, tr("With verdicts, what was left out too"), look.culledToo, [](ViewSetup& setup) {
-        setup.look.culledToo = !setup.look.culledToo;
-    })->setEnabled(verdicts);
-    change(*menu, tr("The culling camera's frustum"), look.frustum,
-           [](ViewSetup& setup) { setup.look.frustum = !setup.look.frustum; });
-    change(*menu, tr("The boxes that were tested"), look.boxes, [](ViewSetup& setup) { setup.look.boxes = !setup.look.boxes; });
-    change(*menu, tr("Boxes by the plane that rejected them"), look.byPlane(),
-           [](ViewSetup& setup) { showBoxesByPlane(setup.look, !setup.look.byPlane()); });
-    for (const Show* show : declaredShows(Show::Kind::Overlay))
-        change(*menu, translated(show->title), look.shows(show->id),
-               [id = show->id](ViewSetup& setup) { setup.look.show(id, !setup.look.shows(id)); });
-    for (QAction* action : menu->actions()) needsCameraPicture(action);
-    change(*menu, tr("Model in spherical coordinates"), look.sphericalModel,
-           [](ViewSetup& setup) { setup.look.sphericalModel = !setup.look.sphericalModel; });
+    for (const Show* show : pictureShows()) {
+        // What stands in this menu alone belongs to the show before it, and can be chosen while that one is seen.
+        const bool part = show->action.empty();
+        const bool on = part ? look.shows(show->id) : look.has(*show);
+        QAction* action =
+            change(*menu, translated(show->title), on, [show, on](ViewSetup& setup) { setup.look.showWithAll(*show, !on); });
+        if (!show->key.empty()) action->setShortcut(QKeySequence(QString::fromStdString(show->key)));
+        if (part && show->with() && !look.has(*show->with())) action->setEnabled(false);
+        if (!show->inPlace()) needsCameraPicture(action);
+    }
 }
 
 void ViewMenu::addComparisons() {

@@ -88,12 +88,9 @@ void WindowActions::makeView() {
 
 void WindowActions::makePicture() {
     freeze = toggle(Qt::Key_F, QStringLiteral("freeze"));
-    verdicts = toggle(Qt::Key_V, QStringLiteral("verdicts"));
-    frustum = toggle({});
-    boxes = toggle({});
-    boxesByPlane = toggle({});
-    for (const Show* show : declaredShows(Show::Kind::Overlay)) overlays.emplace_back(show->id, toggle({}));
-    sphericalModel = toggle({});
+    for (const Show* show : pictureShows())
+        if (!show->action.empty())
+            shows.emplace_back(show, toggle(QKeySequence(QString::fromStdString(show->key)), QString::fromStdString(show->icon)));
     truth = toggle(Qt::Key_T, QStringLiteral("wipe"));
     loss = toggle(Qt::Key_M);
     nextLoss = command(Qt::Key_N);
@@ -115,14 +112,15 @@ QAction* WindowActions::command(const QKeySequence& shortcut, const QString& ico
     return action;
 }
 
-QAction* WindowActions::overlay(const std::string& id) const {
-    const auto found = std::ranges::find_if(overlays, [&](const auto& entry) { return entry.first == id; });
-    return found == overlays.end() ? nullptr : found->second;
+QAction* WindowActions::show(const std::string& id) const {
+    const auto found = std::ranges::find_if(shows, [&](const auto& entry) { return entry.first->id == id; });
+    return found == shows.end() ? nullptr : found->second;
 }
 
 QList<QAction*> WindowActions::ofCameraPictures() const {
-    QList<QAction*> actions{verdicts, frustum, boxes, boxesByPlane};
-    for (const auto& [id, action] : overlays) actions << action;
+    QList<QAction*> actions;
+    for (const auto& [show, action] : shows)
+        if (!show->inPlace()) actions << action;
     return actions << axes << truth << loss << nextLoss;
 }
 
@@ -171,9 +169,9 @@ void WindowActions::fill(QMenuBar& bar) {
     m_viewMenu->addAction(resetLayout);
     m_viewMenu->addMenu(m_appearanceMenu);
     m_appearanceMenu->addActions(appearance->actions());
-    m_pictureMenu->addActions({freeze, verdicts, frustum, boxes, boxesByPlane});
-    for (const auto& [id, action] : overlays) m_pictureMenu->addAction(action);
-    m_pictureMenu->addActions({sphericalModel, axes});
+    m_pictureMenu->addAction(freeze);
+    for (const auto& [show, action] : shows) m_pictureMenu->addAction(action);
+    m_pictureMenu->addAction(axes);
     m_pictureMenu->setToolTipsVisible(true);
     m_pictureMenu->addSeparator();
     m_pictureMenu->addActions({truth, loss, nextLoss, loupe});
@@ -194,7 +192,10 @@ void WindowActions::fill(QToolBar& bar) {
     bar.addSeparator();
     bar.addActions({home, frame});
     bar.addSeparator();
-    bar.addActions({freeze, verdicts, truth});
+    bar.addAction(freeze);
+    for (const auto& [show, action] : shows)
+        if (!show->icon.empty()) bar.addAction(action);
+    bar.addAction(truth);
     bar.addSeparator();
     bar.addActions({undo, redo});
     bar.addSeparator();
@@ -242,7 +243,9 @@ QString WindowActions::modelStandsInPlace() {
 }
 
 void WindowActions::setPictureUsable(bool scene, bool model) {
-    for (QAction* action : {freeze, sphericalModel, loupe}) action->setEnabled(scene);
+    for (QAction* action : {freeze, loupe}) action->setEnabled(scene);
+    for (const auto& [show, action] : shows)
+        if (show->inPlace()) action->setEnabled(scene);
     for (QAction* action : ofCameraPictures()) action->setEnabled(scene && !model);
     // The orientation gizmo does not depend on a scene: it can be switched before one is opened.
     axes->setEnabled(!model);
@@ -296,16 +299,7 @@ void WindowActions::retranslateView() {
 
 void WindowActions::retranslatePicture() {
     say(freeze, tr("&Freeze culling"), tr("The culling camera stands while you fly on in the active view"));
-    say(verdicts, tr("Colours by &verdict"), tr("Colour the active view by what became of each triangle"));
-    say(frustum, tr("F&rustum"), tr("Show the culling camera's frustum in the active view"));
-    say(boxes, tr("&Boxes"), tr("Show the boxes that the strategy tested in the active view"));
-    say(boxesByPlane, tr("Boxes by rejecting &plane"),
-        tr("Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum's planes "
-           "have the same colours"));
-    for (const Show* show : declaredShows(Show::Kind::Overlay))
-        say(overlay(show->id), translated(show->action), translated(show->explanation));
-    say(sphericalModel, tr("Model in &spherical coordinates"),
-        tr("Show what was drawn of one object over azimuth and zenith angle in the active view"));
+    for (const auto& [show, action] : shows) say(action, translated(show->action), translated(show->explanation));
     say(truth, tr("Wipe: &truth | strategy"), tr("Put the truth beside the strategy's picture; drag the line"));
     say(loss, tr("&Missed pixels"), tr("Mark the pixels that the strategy missed or added"));
     say(nextLoss, tr("&Next loss"), tr("Go to the next lost pixels, largest hole first"));

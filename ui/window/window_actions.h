@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "core/visibility/show.h"
+
 namespace cullscope::ui {
 
 /// All actions of the window, with their menus, toolbar and texts. The window connects their signals.
@@ -47,10 +49,10 @@ public:
     /// Menu for the docks' toggle actions.
     QMenu* panels;
     // Picture: actions for the active view
-    QAction *freeze, *verdicts, *frustum, *boxes, *boxesByPlane, *sphericalModel, *truth, *loss, *nextLoss, *loupe, *axes;
-    /// The overlays that strategies declare, by id, in the order of the menu.
-    std::vector<std::pair<std::string, QAction*>> overlays;
-    [[nodiscard]] QAction* overlay(const std::string& id) const;
+    QAction *freeze, *truth, *loss, *nextLoss, *loupe, *axes;
+    /// What a picture shows or not (visibility/show.h), in the order of the menu.
+    std::vector<std::pair<const Show*, QAction*>> shows;
+    [[nodiscard]] QAction* show(const std::string& id) const;
     // Path
     QAction *record, *addPose, *savePath, *openPath, *play, *stop;
     // Help

@@ -151,7 +151,7 @@ RegisteredStrategy drawDistance() {
                       "",
                       {facingParameter(), distanceParameter()}};
     info.sweeps = {{kDistance, {"1", "1.5", "2", "3", "4", "6"}}};
-    info.shows = {rings(), listing()};
+    info.shows = {rings(), treeShow(), listing()};
     return {std::move(info), std::make_shared<DrawDistance>()};
 }
 

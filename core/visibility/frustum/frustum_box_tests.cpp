@@ -234,7 +234,7 @@ RegisteredStrategy frustumSelect() {
     info.withoutProfile = CULLSCOPE_TR(
         "\"%1\" draws in OpenGL's selection mode, which was removed from the core profile, and this OpenGL "
         "(%2) gives no compatibility profile: \"frustum-query\" asks the same without it.");
-    info.shows = {boxListing(CULLSCOPE_TR("draw grown boxes for selection"), false)};
+    info.shows = {treeShow(), boxListing(CULLSCOPE_TR("draw grown boxes for selection"), false)};
     return {std::move(info), std::make_shared<FrustumSelect>()};
 }
 
@@ -246,7 +246,7 @@ RegisteredStrategy frustumQuery() {
         "",
         {facingParameter()},
         GlRequirement::Context};
-    info.shows = {boxListing(CULLSCOPE_TR("draw grown boxes, a query each"), true)};
+    info.shows = {treeShow(), boxListing(CULLSCOPE_TR("draw grown boxes, a query each"), true)};
     return {std::move(info), std::make_shared<FrustumQuery>()};
 }
 

@@ -12,7 +12,7 @@ namespace cullscope::frustum {
 namespace {
 
 /// The lines of the listing (frustumListing).
-enum class FrustumLine : uint8_t { Objects = 1, Planes, Distance, Outside, Draw };
+enum class FrustumLine : uint8_t { Batches = 1, Planes, Distance, Beyond, Objects, Outside, Draw };
 
 enum class BoxTest { PVertex, Oriented, Length };
 
@@ -67,33 +67,30 @@ public:
     ObjectTests(FrameContext& frame, const ObjectBatches& batches, BoxTest test)
         : m_frame(frame), m_batches(batches), m_test(test), m_frustum(frame.view().frustum(), frame.view().eye()) {
         findOutsideObjects();
-        // The answers are the batches'; of the numbers that led to them a batch keeps none, so that they are said here, as
-        // BatchFrustum::distances gives them: bit-identical to the batch's.
-        if (frame.recording()) sayTests();
     }
 
-    [[nodiscard]] bool isOutside(uint32_t instance) const { return isSet(m_outside, instance); }
+    [[nodiscard]] bool isOutside(uint32_t instance) const { return (m_outside[instance / 64] >> (instance % 64) & 1) != 0; }
 
 private:
-    [[nodiscard]] static bool isSet(const std::vector<uint64_t>& bits, uint32_t instance) {
-        return !bits.empty() && (bits[instance / 64] >> (instance % 64) & 1) != 0;
-    }
-
-    /// Sets the bit of every object that is outside.
+    /// Sets the bit of every object that is outside. While the frame is recorded, each test is said where the batch makes it.
     void findOutsideObjects() {
         if (m_test == BoxTest::Length) {
             m_outside.assign(m_batches.boxes->wordCount(), 0);
             addOutside();
             return;
         }
-        findOutside(*m_batches.spheres, m_frustum, bestSimdLevel(), m_outside);
+        BatchTestTold told;
+        if (m_frame.recording())
+            told = [this](uint32_t i, FrustumPlane plane, const BatchDistances& distances) {
+                say(i, plane, {distances.farthestInside, distances.farthestOutside, distances.margin});
+            };
+        findOutside(*m_batches.spheres, m_frustum, bestSimdLevel(), m_outside, told);
         if (m_test == BoxTest::Oriented) {
-            if (m_frame.recording()) m_outsideBySphere = m_outside;
             addOutside();
             return;
         }
         std::vector<uint64_t> outsideByBox;
-        findOutside(*m_batches.boxes, m_frustum, bestSimdLevel(), outsideByBox);
+        findOutside(*m_batches.boxes, m_frustum, bestSimdLevel(), outsideByBox, told);
         for (size_t word = 0; word < m_outside.size(); ++word) m_outside[word] |= outsideByBox[word];
     }
 
@@ -106,39 +103,25 @@ private:
 
     /// Whether an object is outside a plane.
     [[nodiscard]] bool testOne(uint32_t instance) const {
-        for (uint32_t p = 0; p < kFrustumPlaneCount; ++p)
-            if (testOf(instance, static_cast<FrustumPlane>(p)).outside()) return true;
+        for (uint32_t p = 0; p < kFrustumPlaneCount; ++p) {
+            const auto plane = static_cast<FrustumPlane>(p);
+            const PlaneTest test = testOf(instance, plane);
+            if (m_frame.recording()) say(instance, plane, test);
+            if (test.outside()) return true;
+        }
         return false;
     }
 
-    /// Says the tests of every object, of one that is outside up to the first plane that it lies outside of, and the answer. An
-    /// object that is outside by its sphere has no test of its own box where boxes are tested after spheres.
-    void sayTests() const {
-        for (uint32_t i = 0; i < m_batches.boxes->size(); ++i) {
-            if (scene().meshOf(i).triangleCount() == 0) continue;
-            const Subject subject = Subject::ofObject(i);
-            bool rejected = false;
-            for (uint32_t p = 0; p < kFrustumPlaneCount && !rejected; ++p) {
-                const auto plane = static_cast<FrustumPlane>(p);
-                const PlaneTest test = isSet(m_outsideBySphere, i) ? ofSphere(i, plane) : testOf(i, plane);
-                m_frame.say(atLine(FrustumLine::Distance, planeTest(subject, plane, test.inner, test.outer, test.bound)));
-                rejected = test.outside();
-            }
-            m_frame.say(isOutside(i) ? atLine(FrustumLine::Outside, ending(subject, Decision::Outcome::Culled))
-                                     : atLine(FrustumLine::Draw, ending(subject, Decision::Outcome::Drawn)));
-        }
+    void say(uint32_t instance, FrustumPlane plane, const PlaneTest& test) const {
+        if (scene().meshOf(instance).triangleCount() == 0) return;
+        m_frame.say(atLine(test.outside() ? FrustumLine::Beyond : FrustumLine::Distance,
+                           planeTest(Subject::ofObject(instance), plane, test.inner, test.outer, test.bound)));
     }
 
-    [[nodiscard]] PlaneTest ofSphere(uint32_t instance, FrustumPlane which) const {
-        const BatchDistances sphere = m_frustum.distances(which, scene().instanceSphere(instance));
-        return {sphere.farthestInside, sphere.farthestOutside, sphere.margin};
-    }
-
-    /// The test of one object against one plane, as the batches apply it.
+    /// The test of one object by itself against one plane.
     [[nodiscard]] PlaneTest testOf(uint32_t instance, FrustumPlane which) const {
         const View& view = m_frame.view();
         const BatchDistances sphere = m_frustum.distances(which, scene().instanceSphere(instance));
-        if (m_test == BoxTest::PVertex) return tighter(sphere, m_frustum.distances(which, scene().instanceBox(instance)));
         const Plane& plane = view.frustum().planes[static_cast<size_t>(which)];
         const EyeBounds bounds = boundsFromEye(scene(), instance, view.eye());
         if (m_test == BoxTest::Length) {
@@ -158,7 +141,6 @@ private:
     BoxTest m_test;
     BatchFrustum m_frustum;
     std::vector<uint64_t> m_outside;
-    std::vector<uint64_t> m_outsideBySphere;  ///< while recording, of objects whose boxes are tested after their spheres
 };
 
 class FrustumCulling final : public StrategyWith<ObjectBatches> {
@@ -208,10 +190,15 @@ private:
             for (uint32_t i = 0; i < frame.scene().instances().size(); ++i) {
                 const uint64_t triangles = frame.scene().meshOf(i).triangleCount();
                 if (triangles == 0) continue;
-                if (tests->isOutside(i))
+                const bool outside = tests->isOutside(i);
+                if (outside)
                     frame.counters().culledTriangles[static_cast<size_t>(Cause::OutsideFrustum)] += triangles;
                 else
                     list.ranges.push_back({i, 0, static_cast<uint32_t>(triangles * 3)});
+                if (frame.recording())
+                    frame.say(
+                        atLine(outside ? FrustumLine::Outside : FrustumLine::Draw,
+                               ending(Subject::ofObject(i), outside ? Decision::Outcome::Culled : Decision::Outcome::Drawn)));
             }
             frame.counters().nodesVisited = frame.scene().instances().size();
             frame.counters().bytesTouched = batches.report.bytes;
@@ -221,11 +208,13 @@ private:
 };
 
 Show frustumListing() {
-    return listingShow({{CULLSCOPE_TR("for each object"), 0},
-                        {CULLSCOPE_TR("for each of the six planes"), 1},
-                        {CULLSCOPE_TR("d = how far its bounds reach in"), 2},
-                        {CULLSCOPE_TR("if d < −margin: leave it out"), 2},
-                        {CULLSCOPE_TR("draw it"), 1}});
+    return listingShow({{CULLSCOPE_TR("for batches of spheres, then of boxes"), 0},
+                        {CULLSCOPE_TR("for each plane, until all are outside"), 1},
+                        {CULLSCOPE_TR("d = how far each one reaches in"), 2},
+                        {CULLSCOPE_TR("outside: those with d < −margin"), 2},
+                        {CULLSCOPE_TR("for each object"), 0},
+                        {CULLSCOPE_TR("outside: leave it out"), 1},
+                        {CULLSCOPE_TR("else draw it"), 1}});
 }
 
 }  // namespace
@@ -241,8 +230,7 @@ RegisteredStrategy frustum() {
                          {{"p-vertex", CULLSCOPE_TR("by its corner farthest inside")},
                           {"oriented", CULLSCOPE_TR("the mesh's own box, turned with the object, by its corner farthest inside")},
                           {"length", CULLSCOPE_TR("by the length of its extent vector (wastes corners)")}})}};
-    info.byPlanes = true;
-    info.shows = {frustumListing(), rejectedObjectsShow()};
+    info.shows = {treeShow(), planesShow(), frustumListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumCulling>()};
 }
 

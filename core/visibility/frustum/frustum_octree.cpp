@@ -44,9 +44,9 @@ public:
     }
 
 protected:
-    void fill(ObjectOctree& structure, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {
+    void fill(ObjectOctree& structure, const ParameterSet& /*parameters*/, const Progress& progress) const override {
         const Scene& scene = structure.scene();
-        structure.octree = InstanceOctree(scene);
+        structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
         const std::vector<InstanceOctree::Node>& nodes = structure.octree.nodes();
         // With the memory of one view.
         structure.report.bytes = structure.octree.bytes() + LastFailedPlanes(nodes.size(), scene.instances().size()).bytes();
@@ -130,8 +130,7 @@ RegisteredStrategy frustumOctree() {
          booleanParameter("refine", true,
                           CULLSCOPE_TR("Whether what several planes cut is tested by separating axes too, which leaves out "
                                        "what lies beside the frustum's edges."))}};
-    info.byPlanes = true;
-    info.shows = {octreeListing(), rejectedObjectsShow()};
+    info.shows = {treeShow(), planesShow(), octreeListing(), rejectedObjectsShow()};
     return {std::move(info), std::make_shared<FrustumOctree>()};
 }
 

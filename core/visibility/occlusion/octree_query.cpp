@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/base/message.h"
+#include "core/frame/named_parts.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/occlusion/query_walk.h"
@@ -50,9 +51,13 @@ public:
                  {CULLSCOPE_TR("objects drawn"), count(QueryLine::Draw), TriangleState::Visible}}};
     }
 
+    [[nodiscard]] NamedParts partsByLeaf(const Structure& structure, const FrameLog& /*log*/) const override {
+        return objectsByLeaf(own(structure).octree, structure.scene());
+    }
+
 protected:
-    void fill(QueryOctree& structure, const ParameterSet& parameters, const Progress& /*progress*/) const override {
-        structure.octree = InstanceOctree(structure.scene(), uint32_t(parameters.integer(kLeaf)));
+    void fill(QueryOctree& structure, const ParameterSet& parameters, const Progress& progress) const override {
+        structure.octree = InstanceOctree(structure.scene(), uint32_t(parameters.integer(kLeaf)), progress);
         structure.report.bytes = structure.octree.bytes();
         uint8_t depth = 0;
         size_t leaves = 0;
@@ -127,7 +132,7 @@ RegisteredStrategy octreeQuery() {
         GlRequirement::Context};
     info.remembers = true;
     info.sweeps = {{kLatency, {"0", "1", "2"}}, {kBatch, {"1", "4", "16", "64", "256"}}};
-    info.shows = {queryListing(), barsShow("asked-groups", CULLSCOPE_TR("Groups by what was asked"))};
+    info.shows = {treeShow(), queryListing(), barsShow("asked-groups", CULLSCOPE_TR("Groups by what was asked"))};
     return {std::move(info), std::make_shared<OctreeQuery>()};
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/work_check.h"
 #include "core/geometry/separation.h"
 #include "core/visibility/eye_bounds.h"
 
@@ -43,7 +44,9 @@ public:
           m_eye(frame.view().eye()),
           m_recording(frame.recording()),
           m_options(options),
-          m_past(past) {}
+          m_past(past),
+          m_progress{nullptr, frame.stop()},
+          m_work(m_progress) {}
 
     QueryCounters run() {
         takeAnswers();
@@ -54,7 +57,7 @@ public:
             if (!questions.empty()) ask(std::move(questions));
         }
         drawGathered();
-        if (m_options.latency > 0) m_past.push_back(std::move(m_asked));
+        remember();
         m_frame.counters().nodesVisited = m_counters.visited;
         m_frame.counters().bytesTouched = m_counters.visited * sizeof(Node);
         return m_counters;
@@ -65,19 +68,31 @@ private:
 
     [[nodiscard]] const Node& node(uint32_t number) const { return m_octree.nodes()[number]; }
 
+    /// A box that is drawn for its question takes as long as this many steps (work_check.h), its answer as long as these.
+    static constexpr size_t kStepsOfAQuestion = 64, kStepsOfAnAnswer = 4;
+    void worked(size_t steps) {
+        for (size_t step = 0; step < steps; ++step) m_work.step();
+    }
+
     /// The answers of the frame that is as old as the latency.
     void takeAnswers() {
-        if (m_options.latency == 0) return m_past.clear();
+        if (m_options.latency == 0) return;
         m_known.assign(m_octree.nodes().size(), Answer::Unknown);
-        for (; m_past.size() >= m_options.latency; m_past.pop_front()) {
-            if (m_past.size() > m_options.latency) continue;
-            for (const AskedNodes& asked : m_past.front()) {
-                const std::optional<std::vector<uint32_t>> hits = m_frame.answer(*asked.ticket);
-                if (!hits) continue;
-                for (const uint32_t number : asked.nodes) m_known[number] = Answer::Hidden;
-                for (const uint32_t hit : *hits) m_known[asked.nodes[hit]] = Answer::Visible;
-            }
+        if (m_past.size() < m_options.latency) return;
+        for (const AskedNodes& asked : m_past[m_past.size() - m_options.latency]) {
+            worked(kStepsOfAnAnswer * asked.nodes.size());
+            const std::optional<std::vector<uint32_t>> hits = m_frame.answer(*asked.ticket);
+            if (!hits) continue;
+            for (const uint32_t number : asked.nodes) m_known[number] = Answer::Hidden;
+            for (const uint32_t hit : *hits) m_known[asked.nodes[hit]] = Answer::Visible;
         }
+    }
+
+    /// Keeps this frame's questions for those that use their answers. A frame that is stopped before leaves the memory as it was.
+    void remember() {
+        if (m_options.latency == 0) return m_past.clear();
+        m_past.push_back(std::move(m_asked));
+        while (m_past.size() > m_options.latency) m_past.pop_front();
     }
 
     /// Visits the next nodes, nearest first, until so many have to be asked about as a batch has.
@@ -87,6 +102,7 @@ private:
             Entry entry = m_stack.back();
             m_stack.pop_back();
             ++m_counters.visited;
+            m_work.step();
             const EyeBox box = relativeToEye(node(entry.node).box, m_eye);
             const double margin = marginFromEye(node(entry.node).box.centre(), box.centre, glm::length(box.halfExtent), m_eye);
             if (!inFrustum(entry, box, margin)) continue;
@@ -138,6 +154,7 @@ private:
     }
 
     void ask(std::vector<Question> questions) {
+        worked(kStepsOfAQuestion * questions.size());
         std::vector<EyeBox> boxes;
         for (const Question& question : questions) boxes.push_back(question.box);
         m_counters.asked += boxes.size();
@@ -181,6 +198,7 @@ private:
 
     void gather(uint32_t leaf) {
         for (const uint32_t instance : m_octree.instancesOf(node(leaf))) {
+            m_work.step();
             m_gathered.push_back({instance, 0, uint32_t(m_frame.scene().meshOf(instance).indices().size())});
             if (!m_recording) continue;
             Decision drawn = atLine(QueryLine::Draw, ending(Subject::ofObject(instance), Decision::Outcome::Drawn));
@@ -286,6 +304,8 @@ private:
     bool m_recording;
     QueryOptions m_options;
     std::deque<AskedFrame>& m_past;
+    Progress m_progress;
+    WorkCheck m_work;
     size_t m_batch = 1;                 ///< boxes that the next batch has at most
     std::vector<Answer> m_known;        ///< by node, of the frame whose answers are used; at latency 0 empty
     AskedFrame m_asked;                 ///< in this frame

@@ -33,8 +33,9 @@ struct QueryCounters {
 };
 
 /// Walks the octree of the frame's scene front to back, depth first, draws the objects of what is visible, and says every
-/// decision while the frame records. `past`: the questions of the last frames, oldest first; the walk takes out those that are as
-/// old as the latency and adds its own.
+/// decision while the frame records. `past`: the questions of the last frames, oldest first; the walk adds its own and takes out
+/// those that no frame will use. Looks for the frame's stop request after some thousand nodes or some boxes that are asked about,
+/// and between two batches; then it throws Error(Interrupted), and `past` is as it was.
 ///
 /// A node is tested against the frustum's planes, and by separating axes. Then OpenGL is asked whether its box, grown by
 /// boxGrowth, shows before what is drawn so far. A node is visible without asking

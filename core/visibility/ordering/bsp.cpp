@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/work_check.h"
 #include "core/spatial/bsp_cells.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
@@ -23,6 +24,8 @@ constexpr uint32_t kRecordedNodes = 20'000;
 /// The first nodes whose planes the overlay draws; deeper cells are too small to tell apart.
 constexpr uint32_t kPlanesShown = 60;
 
+constexpr size_t kNodeOfFragment = 2;  ///< the operand of a drawn part that is its node
+
 /// Lines of the listing.
 enum class BspLine : uint8_t { Start = 1, Side, FarSide, OnPlane, NearSide };
 
@@ -42,7 +45,7 @@ BspOptions optionsOf(const ParameterSet& parameters) {
 
 OperandRole roleInWalk(const Decision& decision, size_t operand) {
     if (decision.subject.kind == Subject::Kind::Fragment)
-        return operand == 2 ? OperandRole::Node : operand == 1 ? OperandRole::Triangle : OperandRole::Number;
+        return operand == kNodeOfFragment ? OperandRole::Node : operand == 1 ? OperandRole::Triangle : OperandRole::Number;
     const bool goesOn = decision.line == uint8_t(BspLine::FarSide) || decision.line == uint8_t(BspLine::NearSide);
     const bool node = goesOn || (decision.line == uint8_t(BspLine::Side) && operand == 1);
     return node ? OperandRole::Node : OperandRole::Number;
@@ -51,7 +54,8 @@ OperandRole roleInWalk(const Decision& decision, size_t operand) {
 /// Collects a frame's triangles in the order of the walk.
 class BspFrame {
 public:
-    BspFrame(FrameContext& frame, const BspTree& tree, bool nearFirst) : m_frame(frame), m_tree(tree), m_nearFirst(nearFirst) {
+    BspFrame(FrameContext& frame, const BspTree& tree, bool nearFirst)
+        : m_frame(frame), m_tree(tree), m_nearFirst(nearFirst), m_progress{nullptr, frame.stop()}, m_work(m_progress) {
         m_own->facing = frame.facing();
         m_own->depth = nearFirst ? DepthRule::Nearest : DepthRule::InOrder;
         const size_t triangles = tree.drawn().triangles.size();
@@ -66,6 +70,8 @@ public:
             m_frame.view().eye(), m_nearFirst, [&](uint32_t node, int side) { visit(node, side); },
             [&](uint32_t node) { show(node); });
         endRun();
+        if (m_frame.recording() && m_tree.nodes().size() > kRecordedNodes)
+            m_frame.sayCoarser({CULLSCOPE_TR("the first %1 nodes alone"), {std::to_string(kRecordedNodes)}});
         return m_own;
     }
 
@@ -81,6 +87,7 @@ private:
     }
 
     void visit(uint32_t number, int side) {
+        m_work.step();
         ++m_frame.counters().nodesVisited;
         if (!records(number)) return;
         const BspTree::Node& node = m_tree.nodes()[number];
@@ -127,6 +134,7 @@ private:
     }
 
     void add(const BspTree::Part& part) {
+        m_work.step();
         const Scene& scene = m_frame.scene();
         if (part.triangle < m_begin || part.triangle >= m_end) {
             endRun();
@@ -153,6 +161,8 @@ private:
     FrameContext& m_frame;
     const BspTree& m_tree;
     bool m_nearFirst;
+    Progress m_progress;
+    WorkCheck m_work;
     std::shared_ptr<OwnTriangles> m_own = std::make_shared<OwnTriangles>();
     size_t m_instance = 0;
     uint64_t m_begin = 0, m_end = 0;  ///< the scene triangle numbers of that instance
@@ -166,8 +176,7 @@ public:
         OverlayLines lines;
         lines.cased = true;
         const BspTree& tree = *own(structure).tree;
-        const auto count = uint32_t(std::min<size_t>(tree.nodes().size(), kPlanesShown));
-        for (uint32_t number = 0; number < count; ++number) {
+        for (uint32_t number = 0; number < std::min<size_t>(tree.nodes().size(), kPlanesShown); ++number) {
             const BspTree::Node& node = tree.nodes()[number];
             const std::vector<Vec3> polygon = planeInCell(tree, number, context.scene.bounds());
             // The side that the eye is on decides the colour, the depth in the tree how strong it is.
@@ -181,38 +190,35 @@ public:
     }
 
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
-        Bars result;
         std::map<Containment, uint64_t> counts;
         for (const Decision& decision : log.decisions)
             if (decision.line == uint8_t(BspLine::Side)) ++counts[decision.containment];
-        result.bars = {{CULLSCOPE_TR("the eye is before the plane"), counts[Containment::Inside]},
-                       {CULLSCOPE_TR("the eye is behind the plane"), counts[Containment::Outside]},
-                       {CULLSCOPE_TR("the eye is in the plane"), counts[Containment::Straddles]}};
-        return result;
+        return {{},
+                {{CULLSCOPE_TR("the eye is before the plane"), counts[Containment::Inside]},
+                 {CULLSCOPE_TR("the eye is behind the plane"), counts[Containment::Outside]},
+                 {CULLSCOPE_TR("the eye is in the plane"), counts[Containment::Straddles]}}};
     }
 
     void addWhySteps(const Structure& structure, const FrameLog& /*log*/, uint32_t instance, uint32_t triangle,
                      std::vector<WhyStep>& steps) const override {
         const uint64_t number = structure.scene().firstTriangle(instance) + triangle;
         const auto parts = std::ranges::count(own(structure).tree->parts(), number, &BspTree::Part::triangle);
-        WhyStep step{{}, {}, {}, {}, Containment::Straddles};
-        step.sentence = {CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it."),
+        Message sentence{CULLSCOPE_TR("The tree has the triangle in %1 parts, each drawn where the walk comes to it."),
                          {std::to_string(parts)}};
-        steps.push_back(std::move(step));
+        steps.push_back({std::move(sentence), {}, {}, {}, Containment::Straddles});
     }
 
     /// Its plane within its cell, its own polygons, and the box of all below it.
     [[nodiscard]] SubjectShape groupShape(const Structure& structure, const StructureSnapshot& /*snapshot*/,
                                           uint32_t number) const override {
         const BspTree& tree = *own(structure).tree;
-        const Scene& scene = structure.scene();
         const BspTree::Node& node = tree.nodes()[number];
         SubjectShape shape;
         shape.node = number;
         if (!node.box.empty()) shape.boxes.push_back(node.box);
-        if (!node.leaf) shape.polygons.push_back(planeInCell(tree, number, scene.bounds()));
+        if (!node.leaf) shape.polygons.push_back(planeInCell(tree, number, structure.scene().bounds()));
         for (const BspTree::Part& part : tree.partsOf(node))
-            for (const auto& corners : trianglesOf(tree, part, scene))
+            for (const auto& corners : trianglesOf(tree, part, structure.scene()))
                 if (shape.triangles.size() < SubjectShape::kMostTriangles) shape.triangles.push_back(corners);
         return shape;
     }
@@ -225,17 +231,11 @@ public:
         return node;
     }
 
-    /// Below given planes an object's polygons in one cell are a part, and the cells are the places.
     [[nodiscard]] NamedParts parts(const Structure& structure, const FrameLog& log) const override {
-        const TreeOfScene& built = own(structure);
-        if (built.planes == 0) return namedParts(structure.scene(), log);
-        const BspCells cells = cellsOf(*built.tree, built.planes);
-        NamedParts result = namedParts(structure.scene(), log, [&](const Decision& fragment) {
-            const auto node = uint32_t(fragment.operands[2]);
-            return PartKey{cells.rank[cells.cellOf(node)], cells.leafOf[node]};
-        });
-        for (size_t leaf = 0; leaf < cells.leaves.size(); ++leaf) result.places.push_back(BspCells::leafName(leaf));
-        return result;
+        return own(structure).planes > 0 ? partsByLeaf(structure, log) : namedParts(structure.scene(), log);
+    }
+    [[nodiscard]] NamedParts partsByLeaf(const Structure& structure, const FrameLog& log) const override {
+        return partsInCells(structure.scene(), log, *own(structure).tree, own(structure).planes, kNodeOfFragment);
     }
 
 protected:
@@ -343,7 +343,7 @@ RegisteredStrategy bsp() {
     StrategyInfo info{"bsp", CULLSCOPE_TR("BSP tree"),
                       CULLSCOPE_TR("Draws all triangles in the order of a BSP tree, cut where its planes pass through them."),
                       "Fuchs, Kedem & Naylor 1980", bspParameters()};
-    info.shows = {splittingPlanes(), bspListing(), barsShow(kSides, CULLSCOPE_TR("Nodes by the eye's side"))};
+    info.shows = {treeShow(), splittingPlanes(), bspListing(), barsShow(kSides, CULLSCOPE_TR("Nodes by the eye's side"))};
     return {std::move(info), std::make_shared<Bsp>()};
 }
 

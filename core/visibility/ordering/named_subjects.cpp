@@ -13,6 +13,24 @@ std::vector<Vec3> outlineOf(std::vector<Vec3> corners) {
 
 }  // namespace
 
+NamedParts partsInCells(const Scene& scene, const FrameLog& log, const BspTree& tree, size_t planes, size_t nodeOperand) {
+    const size_t nodes = tree.nodes().size();
+    if (planes == 0 && nodes > NamedParts::kMostLeaves) {
+        NamedParts unnamed;
+        unnamed.leaves = nodes;
+        return unnamed;
+    }
+    const BspCells cells = cellsOf(tree, planes);
+    NamedParts result = namedParts(scene, log, [&](const Decision& fragment) {
+        const auto node = uint32_t(fragment.operands[nodeOperand]);
+        return PartKey{cells.rank[cells.cellOf(node)], planes > 0 ? cells.leafOf[node] : node};
+    });
+    result.leaves = planes > 0 ? cells.leaves.size() : nodes;
+    for (size_t place = 0; place < result.leaves; ++place)
+        result.places.push_back(planes > 0 ? BspCells::leafName(place) : nodeName(tree, cells, scene, uint32_t(place)));
+    return result;
+}
+
 bool NamedSubjects::namesPartsOf(const FrameLog& log) {
     const auto few = [](const Command& command) {
         const auto* own = std::get_if<OwnTrianglesPointer>(&command);

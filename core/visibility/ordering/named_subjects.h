@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/frame/named_parts.h"
+#include "core/spatial/bsp_cells.h"
 #include "core/spatial/cut_triangles.h"
 #include "core/visibility/structure_snapshot.h"
 #include "core/visibility/subject_place.h"
@@ -17,6 +18,12 @@ struct PolygonsInHand final : DecisionDetail {
     std::vector<PlaceRun> drawn;             ///< by polygon: its triangles among the own ones; none where it was cut
     std::vector<std::vector<Vec3>> corners;  ///< by polygon, in world coordinates; empty: of none
 };
+
+/// The parts of a frame that walked a tree, by the cells in which they lie: an object's polygons in one cell are a part, and the
+/// cells are the places. Cells are the leaves below so many given planes; without those the nodes, each of which has its own
+/// polygons, where there are few. `nodeOperand`: of a drawn part's decision.
+[[nodiscard]] NamedParts partsInCells(const Scene& scene, const FrameLog& log, const BspTree& tree, size_t planes,
+                                      size_t nodeOperand);
 
 /// What an operand of a decision is.
 enum class OperandRole : uint8_t { Number, Triangle, Node };

@@ -9,11 +9,11 @@ namespace cullscope::ordering {
 namespace {
 
 constexpr const char* kTests = "newell-tests";
-/// A recorded frame says every comparison of two polygons, and lights them, in scenes of at most so many triangles; of larger
-/// ones only what is drawn.
+/// A recorded frame says every test of two polygons as it falls, and lights them, in scenes of at most so many triangles; of
+/// larger ones only what is drawn.
 constexpr uint64_t kComparedTriangles = 5'000;
-constexpr size_t kMostComparisons = 100'000;
-/// Comparisons that their depths, or tests 1 and 2, decide are many: they are said in scenes of at most so many triangles.
+constexpr size_t kMostTests = 100'000;
+/// Comparisons of depths, and tests 1 and 2, are many: they are said in scenes of at most so many triangles.
 constexpr uint64_t kExtentTriangles = 1'000;
 /// So many polygons of a frame are said to be taken, and as many to be drawn, one by one.
 constexpr size_t kRecordedPolygons = 100'000;
@@ -31,36 +31,65 @@ struct ToldTest {
     const char* sentence;
 };
 
-/// The line and the sentence of a comparison; %1 and %2 are the triangles P and Q, %3 what was compared.
-ToldTest toldTest(NewellTest test) {
-    switch (test) {
+/// The line and the sentence of a test; %1 and %2 are the triangles P and Q, %3 and %4 what was compared.
+ToldTest toldTest(const NewellStep& step) {
+    const bool passed = step.kind == NewellStep::Kind::Compared;
+    switch (step.test) {
         case NewellTest::Depth:
             return {PainterLine::Candidates,
-                    CULLSCOPE_TR("Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.")};
+                    passed
+                        ? CULLSCOPE_TR("The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle "
+                                       "%1: it lies nearer, and so do all after it.")
+                        : CULLSCOPE_TR("The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they "
+                                       "overlap in depth.")};
         case NewellTest::ExtentX:
-            return {PainterLine::Extents, CULLSCOPE_TR("Test 1: triangles %1 and %2 are apart in x, by %3 pixels.")};
+            return {PainterLine::Extents,
+                    passed ? CULLSCOPE_TR("Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.")
+                           : CULLSCOPE_TR("Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.")};
         case NewellTest::ExtentY:
-            return {PainterLine::Extents, CULLSCOPE_TR("Test 2: triangles %1 and %2 are apart in y, by %3 pixels.")};
+            return {PainterLine::Extents,
+                    passed ? CULLSCOPE_TR("Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.")
+                           : CULLSCOPE_TR("Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.")};
         case NewellTest::BehindQ:
             return {PainterLine::Behind,
-                    CULLSCOPE_TR("Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.")};
+                    passed
+                        ? CULLSCOPE_TR("Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and "
+                                       "%4 behind it: it lies wholly behind.")
+                        : CULLSCOPE_TR("Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and "
+                                       "%4 behind it: it does not lie wholly behind.")};
         case NewellTest::BeforeP:
             return {PainterLine::Before,
-                    CULLSCOPE_TR("Test 4: seen from triangle %1, triangle %2 lies wholly on the eye's side, by up to %3.")};
+                    passed
+                        ? CULLSCOPE_TR("Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and "
+                                       "%4 behind it: it lies wholly before.")
+                        : CULLSCOPE_TR("Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and "
+                                       "%4 behind it: it does not lie wholly before.")};
         case NewellTest::Swap:
-            return {PainterLine::Swap, CULLSCOPE_TR("No test lets triangle %1 come before triangle %2, which is taken first; the "
-                                                    "farthest depth of the first is %3.")};
+            return {PainterLine::Swap, CULLSCOPE_TR("No test lets triangle %1, with the farthest depth %3, come before triangle "
+                                                    "%2, with %4: the second one is taken first.")};
         case NewellTest::Cycle:
-            return {PainterLine::Cut, CULLSCOPE_TR("Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is "
-                                                   "cut; the farthest depth of the first is %3.")};
+            return {PainterLine::Cut,
+                    CULLSCOPE_TR("Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which "
+                                 "is marked: a cycle, in which one is cut.")};
         case NewellTest::Pierce:
-            return {PainterLine::Cut, CULLSCOPE_TR("Triangles %1 and %2 pass through each other: the first one is cut; the "
-                                                   "difference of 1 / depth begins at %3.")};
+            return {PainterLine::Cut,
+                    CULLSCOPE_TR("Triangles %1 and %2 pass through each other: 1 / depth of the first less that "
+                                 "of the second goes from %3 to %4. One of them is cut.")};
         default:
             break;
     }
+    if (step.byDepth)
+        return {PainterLine::Projections,
+                passed ? CULLSCOPE_TR("Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less "
+                                      "that of the second goes from %3 to %4: it is nowhere nearer.")
+                       : CULLSCOPE_TR("Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less "
+                                      "that of the second goes from %3 to %4: it is nearer somewhere.")};
     return {PainterLine::Projections,
-            CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.")};
+            passed
+                ? CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they "
+                               "count as apart.")
+                : CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not "
+                               "apart.")};
 }
 
 /// Of all lines but the last the first operands are triangles; that one begins with the share that is drawn.
@@ -114,12 +143,12 @@ private:
     /// Keeps a step: where the triangles of a polygon lie among the own ones is known when the last cut is made.
     void keep(const NewellStep& step) {
         const NewellTest test = step.test;
-        const bool compares = step.kind == NewellStep::Kind::Compared;
+        const bool compares = step.kind == NewellStep::Kind::Compared || step.kind == NewellStep::Kind::Failed;
         const bool byExtent = test == NewellTest::Depth || test == NewellTest::ExtentX || test == NewellTest::ExtentY;
         if (compares && byExtent && m_frame.scene().triangleCount() > kExtentTriangles) return;
         const bool draws = step.kind == NewellStep::Kind::Drawn;
         size_t& kept = compares ? m_compared : draws ? m_drawn : m_taken;
-        if (++kept <= (compares ? kMostComparisons : kRecordedPolygons)) m_steps.push_back(step);
+        if (++kept <= (compares ? kMostTests : kRecordedPolygons)) m_steps.push_back(step);
     }
 
     /// Says the steps in the order of the algorithm.
@@ -139,23 +168,30 @@ private:
             if (!m_options.watchDrawnOnly) m_inHand->pairs.push_back({step.p, step.q});
             if (step.kind == NewellStep::Kind::Drawn)
                 drawn(step.p);
-            else if (step.kind == NewellStep::Kind::Compared)
-                compared(step);
-            else
+            else if (step.kind == NewellStep::Kind::Taken || step.kind == NewellStep::Kind::Again)
                 taken(step);
+            else
+                tested(step);
         }
+        const auto coarser = [&](bool is, const char* sentence, size_t number) {
+            if (is) m_frame.sayCoarser({sentence, {std::to_string(number)}});
+        };
+        coarser(m_options.watchDrawnOnly, CULLSCOPE_TR("drawn polygons alone, above %1 triangles"), kComparedTriangles);
+        const bool someTests = !m_options.watchDrawnOnly && m_frame.scene().triangleCount() > kExtentTriangles;
+        coarser(someTests, CULLSCOPE_TR("without depths and tests 1 and 2, above %1 triangles"), kExtentTriangles);
+        coarser(m_compared > kMostTests, CULLSCOPE_TR("the first %1 tests alone"), kMostTests);
+        coarser(std::max(m_taken, m_drawn) > kRecordedPolygons, CULLSCOPE_TR("the first %1 polygons alone"), kRecordedPolygons);
     }
 
-    void compared(const NewellStep& step) {
-        const ToldTest told = toldTest(step.test);
+    void tested(const NewellStep& step) {
+        const ToldTest told = toldTest(step);
         Decision test;
         test.subject = subjectOf(step.p);
-        const bool later = step.test == NewellTest::Swap || step.test == NewellTest::Cycle || step.test == NewellTest::Pierce;
-        test.containment = later ? Containment::Straddles : Containment::Inside;
+        const bool first = step.kind == NewellStep::Kind::Compared && step.test <= NewellTest::Projections;
+        test.containment = first ? Containment::Inside : Containment::Straddles;
         test.sentence = told.sentence;
-        const double value = std::abs(step.first) > std::abs(step.second) || later ? step.first : step.second;
-        test.operands = {double(triangleOf(step.p)), double(triangleOf(step.q)), value};
-        test.operandCount = 3;
+        test.operands = {double(triangleOf(step.p)), double(triangleOf(step.q)), step.first, step.second};
+        test.operandCount = 4;
         m_frame.say(atLine(told.line, test));
     }
 
@@ -223,8 +259,12 @@ public:
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& /*structure*/, const FrameLog& log) const override {
         Bars result;
         std::array<uint64_t, kMostListingLines + 1> counts{};
-        for (const Decision& decision : log.decisions)
-            if (decision.line < counts.size()) ++counts[decision.line];
+        for (const Decision& decision : log.decisions) {
+            const bool isTest =
+                decision.line >= uint8_t(PainterLine::Candidates) && decision.line <= uint8_t(PainterLine::Projections);
+            const bool failed = isTest && decision.containment != Containment::Inside;
+            if (decision.line < counts.size() && !failed) ++counts[decision.line];
+        }
         const auto at = [&](PainterLine line) { return counts[size_t(line)]; };
         result.bars = {{CULLSCOPE_TR("3: P is behind Q's plane"), at(PainterLine::Behind)},
                        {CULLSCOPE_TR("4: Q is before P's plane"), at(PainterLine::Before)},

@@ -69,24 +69,25 @@ Cause causeOf(uint8_t fate) {
     }
 }
 
-void sayFates(FrameContext& frame, uint32_t object, const std::vector<uint8_t>& fates, uint8_t line, size_t& left) {
+bool sayFates(FrameContext& frame, uint32_t object, const std::vector<uint8_t>& fates, uint8_t line, size_t& left) {
     const std::span of =
         std::span(fates).subspan(frame.scene().firstTriangle(object), frame.scene().meshOf(object).triangleCount());
     std::vector<PlaceRun> runs;
     for (uint32_t first = 0, end = 0; first < of.size(); first = end) {
         for (end = first + 1; end < of.size() && of[end] == of[first];) ++end;
         if (of[first] != kShown) runs.push_back({first, end - first});
-        if (runs.size() > left) return;
+        if (runs.size() > left) return false;
     }
     left -= runs.size();
-    for (uint32_t run = 0; run < runs.size(); ++run) {
-        const uint8_t fate = of[runs[run].first];
-        Decision decision = ending(Subject::ofCell(run, object), Decision::Outcome::Culled, causeOf(fate));
+    for (const PlaceRun& run : runs) {
+        const uint8_t fate = of[run.first];
+        Decision decision = ending(Subject::ofTriangles(run.first, object), Decision::Outcome::Culled, causeOf(fate));
         decision.sentence = sentenceOf(fate);
-        decision.places = runs[run];
+        decision.places = run;
         decision.nesting = 1;
         frame.say(atLine(line, decision));
     }
+    return true;
 }
 
 }  // namespace cullscope::software

@@ -23,7 +23,7 @@ using FateCounts = std::array<uint64_t, kTriangleFates>;
 /// A recorded frame says the fates of its triangles up to so many runs of them, and beyond it only those of objects.
 inline constexpr size_t kMostRunsSaid = 5000;
 /// Says at a line of the listing what became of an object's triangles that are not shown, consecutive ones with one fate at once.
-/// Says nothing where that takes more decisions than `left`; else those are fewer afterwards.
-void sayFates(FrameContext& frame, uint32_t object, const std::vector<uint8_t>& fates, uint8_t line, size_t& left);
+/// Returns false, having said nothing, where that takes more decisions than `left`; else those are fewer afterwards.
+bool sayFates(FrameContext& frame, uint32_t object, const std::vector<uint8_t>& fates, uint8_t line, size_t& left);
 
 }  // namespace cullscope::software

@@ -60,7 +60,7 @@ void buildCells(CellScene& structure, const CellTree::Options& options, size_t l
         if (mesh->triangleCount() >= leastTrianglesForKernel) structure.meshes[i].kernel = std::make_shared<InnerKernel>(*mesh);
         structure.meshes[i].maps = LazyMaps(mesh);
     }
-    structure.octree = InstanceOctree(scene);
+    structure.octree = InstanceOctree(scene, InstanceOctree::kLeafInstances, progress);
     structure.order = orderOfCells(structure.meshes);
     reportCells(structure);
 }

@@ -26,12 +26,12 @@ struct OpenTests {
 
 class Walker {
 public:
-    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, WalkRecord recording, uint32_t instance)
+    Walker(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, ObjectRecord* record)
         : m_tree(tree),
           m_view(view),
           m_horizon(tests.horizon),
-          m_recording(recording),
-          m_instance(instance),
+          m_record(record),
+          m_tests(record != nullptr && record->tests()),
           m_snap(snapping(view)) {
         for (size_t p = 0; p < m_spread.size(); ++p) m_spread[p] = glm::abs(view.planesOnMap[p].normal);
     }
@@ -45,7 +45,7 @@ public:
         if (open.cones && facesAway(number, middle, half, open)) return leaveOut(number, Cause::BackFacing);
         if (open.horizon && node.count >= kLeastForHorizon) {
             const KernelHorizon::Comparison compared = m_horizon->compare(middle, glm::length(half));
-            if (m_recording == WalkRecord::Tests) sayHorizon(number, compared);
+            if (m_tests) sayHorizon(number, compared);
             if (compared.reach == KernelHorizon::Reach::Hidden) return leaveOut(number, Cause::Hidden);
             open.horizon = compared.reach == KernelHorizon::Reach::Open;
         }
@@ -66,7 +66,7 @@ private:
         for (size_t p = 0; p < m_spread.size(); ++p) {
             if ((planes & (1U << p)) == 0) continue;
             const double distance = m_view.planesOnMap[p].distance(middle), reach = glm::dot(m_spread[p], half);
-            if (m_recording == WalkRecord::Tests)
+            if (m_tests)
                 say(number, WalkLine::Planes,
                     planeTest(cell(number), FrustumPlane(p), distance + reach, distance - reach, m_view.margin));
             if (distance + reach < -m_view.margin) return true;
@@ -86,7 +86,7 @@ private:
         const double across = std::sqrt(std::max(0.0, distance * distance - along * along));
         if (along * node.coneCosine + across * node.coneSine + radius < 0.0) {
             open.cones = false;
-            if (m_recording == WalkRecord::Tests) sayNoneAway(number);
+            if (m_tests) sayNoneAway(number);
             return false;
         }
         // A triangle that the near plane cuts is clipped into new triangles that may be arbitrarily thin, so that no bound on
@@ -95,11 +95,12 @@ private:
         const double far = distance + radius;
         const double away = along * node.coneCosine - across * node.coneSine;
         const double needed = node.planeMargin + 4.0 * m_snap * far / node.leastHeight * far;
-        if (m_recording == WalkRecord::Tests) sayCone(number, away, needed);
+        if (m_tests) sayCone(number, away, needed);
         return away > needed;
     }
 
-    [[nodiscard]] Subject cell(uint32_t number) const { return Subject::ofCell(number, m_instance); }
+    /// While the walk is recorded.
+    [[nodiscard]] Subject cell(uint32_t number) const { return Subject::ofCell(number, m_record->subject().number); }
 
     /// Records a decision about a cell.
     void say(uint32_t number, WalkLine line, Decision decision) {
@@ -107,7 +108,7 @@ private:
         decision.subject = cell(number);
         decision.places = {node.first, node.count};
         decision.nesting = uint8_t(std::min<uint32_t>(node.level + 1u, 255u));
-        m_walk.said.push_back(atLine(line, decision));
+        m_record->say(atLine(line, decision));
     }
 
     void sayNoneAway(uint32_t number) {
@@ -155,14 +156,14 @@ private:
         const uint32_t count = m_tree.nodes()[number].count;
         m_walk.culled[size_t(cause)] += count;
         m_gap[size_t(cause)] += count;
-        if (m_recording == WalkRecord::Nothing) return;
+        if (m_record == nullptr) return;
         m_walk.judged.push_back({number, cause});
         say(number, lineOfCell(cause), ending(cell(number), Decision::Outcome::Culled, cause));
     }
 
     void draw(uint32_t number) {
         const CellTree::Node& node = m_tree.nodes()[number];
-        if (m_recording != WalkRecord::Nothing) {
+        if (m_record != nullptr) {
             m_walk.judged.push_back({number, std::nullopt});
             say(number, WalkLine::Draw, ending(cell(number), Decision::Outcome::Drawn));
         }
@@ -195,8 +196,8 @@ private:
     const CellTree& m_tree;
     const ObjectSpaceView& m_view;
     const KernelHorizon* m_horizon;
-    WalkRecord m_recording;
-    uint32_t m_instance;
+    ObjectRecord* m_record;
+    bool m_tests;
     double m_snap;
     std::array<Vec3, 6> m_spread{};             ///< components |n| of the planes' normals: |n| · half is half the box's extent
                                                 ///< along n
@@ -212,9 +213,8 @@ double snapping(const ObjectSpaceView& view) {
     return (kSteps * view.pixelSlope + 0x1p-20) * view.unevenness;
 }
 
-CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, WalkRecord recording,
-                   uint32_t instance) {
-    Walker walker(tree, view, tests, recording, instance);
+CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests, ObjectRecord* record) {
+    Walker walker(tree, view, tests, record);
     if (!tree.nodes().empty()) walker.visit(0, {tests.planes, tests.cones && view.eyeKnown, tests.horizon != nullptr});
     return walker.take(tests);
 }

@@ -15,22 +15,15 @@ struct CellTests {
     const KernelHorizon* horizon = nullptr;  ///< null: no horizon test
 };
 
-/// What is recorded of a walk.
-enum class WalkRecord {
-    Nothing,
-    Results,  ///< for each node at which the walk ended, the result
-    Tests     ///< every test of every node, too
-};
-
 /// An upper bound on the displacement of a point in the picture, in mesh units for each unit of distance from the eye: by
 /// snapping to 1/256 pixel (taken in full instead of half, once for x and y) and by OpenGL's float rounding.
 [[nodiscard]] double snapping(const ObjectSpaceView& view);
 
 /// Walks the quadtree of an object. A node that is outside one plane, completely back-facing, or hidden behind the kernel is
 /// culled with its subtree; one with no undecided test is drawn without visiting its children; leaves are drawn. Conservative:
-/// nothing visible in the picture is culled, its rounding and its snapping to 1/256 pixel included.
-/// `instance`: that the recorded decisions are about.
+/// nothing visible in the picture is culled, its rounding and its snapping to 1/256 pixel included. `record`, if it is not null,
+/// is told of the tests where they fall, and of the result for each node at which the walk ended.
 [[nodiscard]] CellWalk walkCells(const CellTree& tree, const ObjectSpaceView& view, const CellTests& tests,
-                                 WalkRecord recording = WalkRecord::Nothing, uint32_t instance = 0);
+                                 ObjectRecord* record = nullptr);
 
 }  // namespace cullscope::spherical

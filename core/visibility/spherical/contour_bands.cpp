@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/visibility/spherical/recorded_tests.h"
+
 namespace cullscope::spherical {
 namespace {
 
@@ -30,8 +32,8 @@ private:
 };
 
 /// For each sector, from near to far: drawn up to the first band beyond 90° whose S does not exceed the largest S before it. A
-/// band without triangles has no S and changes nothing.
-void compareWithNearer(ContourBands& bands) {
+/// band without triangles has no S and changes nothing. Until then `within` says whether a sector has cells within 90°.
+void compareWithNearer(ContourBands& bands, ObjectRecord* record) {
     for (uint32_t sector = 0; sector < bands.sectors; ++sector) {
         double largest = 0.0;
         bool cut = false;
@@ -41,6 +43,8 @@ void compareWithNearer(ContourBands& bands) {
             const bool near = (band + 1) * bands.width <= std::numbers::pi / 2 * (1.0 + 1e-12);
             cut = cut || (!near && entry.size > 0.0 && entry.size <= largest);
             entry.drawn = !cut;
+            entry.within = entry.within && cut;
+            if (record != nullptr) saySector(bands, band, sector, *record);
             largest = std::max(largest, entry.size);
         }
     }
@@ -71,7 +75,7 @@ ContourBands makeBands(const Vec3& eye, double width, uint32_t sectors) {
     return bands;
 }
 
-std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands) {
+std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, ObjectRecord* record) {
     const Placing placing(bands);
     std::vector<Place> places(cells.cells.size());
     for (size_t i = 0; i < places.size(); ++i) {
@@ -79,14 +83,12 @@ std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands) {
         places[i] = placing.of(cells.directions.middle({cell.row, cell.column}));
         BandSector& entry = bands.table[places[i].entry];
         entry.size = std::max(entry.size, cell.farthestCentroid * places[i].across);
+        entry.within = entry.within || places[i].alongAxis >= 0.0;
     }
-    compareWithNearer(bands);
+    compareWithNearer(bands, record);
     RunCollector runs;
     for (size_t i = 0; i < places.size(); ++i) {
-        BandSector& entry = bands.table[places[i].entry];
-        const bool near = places[i].alongAxis >= 0.0;
-        entry.within = entry.within || (near && !entry.drawn);
-        runs.add(cells.cells[i].number, near || entry.drawn);
+        runs.add(cells.cells[i].number, places[i].alongAxis >= 0.0 || bands.table[places[i].entry].drawn);
     }
     return runs.take();
 }

@@ -7,6 +7,8 @@
 
 namespace cullscope::spherical {
 
+class ObjectRecord;
+
 /// The data of a mesh's maps that the band tests of both spherical strategies need, computed once.
 struct BandCells {
     struct Cell {
@@ -30,8 +32,9 @@ struct BandCells {
 /// largest of its cells. Cells within 90° of the axis are drawn. Beyond, a sector is drawn as long as each band's S exceeds the
 /// largest S before it; from the first band where it does not, nothing is drawn. A band across 90° is compared
 /// as one beyond, but its cells within 90° are drawn (BandSector::within). Fills the bands and returns the drawn cells in
-/// runs (which may include empty cells).
-[[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands);
+/// runs (which may include empty cells). `record`, if it is not null, is told of each sector's test where it falls, sector by
+/// sector and in each from the near point on.
+[[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, ObjectRecord* record = nullptr);
 
 /// Collects cells in ascending order into runs; between two cells of a run there may only be cells without triangles.
 class RunCollector {

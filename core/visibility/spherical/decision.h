@@ -94,7 +94,6 @@ struct CellWalk {
     std::array<uint64_t, kCauseCount> culled{};  ///< triangles, by Cause
     uint64_t nodesVisited = 0;
     std::vector<JudgedCell> judged;  ///< only while a frame is recorded, and as read from it: ascending, disjoint
-    std::vector<Decision> said;      ///< only while a frame is recorded: tests of cells and their results, as they fell
     std::vector<Vec3> outline;       ///< only in a recorded frame, with `horizon`: the kernel's outline as seen from the eye
 };
 
@@ -118,7 +117,6 @@ struct SphericalDecision {
     std::array<CornerRay, 4> rays;        ///< with Cut, of `spherical`
     std::optional<VisibleRegion> region;  ///< with Cut, of `spherical`
     std::optional<ContourBands> bands;    ///< where cells were tested by bands
-    std::vector<SlopeTest> slopes;        ///< only while a frame is recorded, of `spherical-horizon`: by BandCells::cells
     std::vector<CellRun> drawn;           ///< ascending, disjoint: cells whose triangles are submitted
     std::optional<CellWalk> walk;         ///< of `spherical-lossless`, where the object is not outside: in place of `drawn`
     uint64_t drawnTriangles = 0;

@@ -41,9 +41,9 @@ Cause mainCause(const CellWalk& walk) {
 struct WalkedObject {
     uint32_t instance = 0;
     SphereRelation relation = SphereRelation::Outside;
-    bool whole = false;    ///< drawn completely, without a walk
-    ObjectSpaceView seen;  ///< unless `whole`
+    bool whole = false;  ///< drawn completely, without a walk
     CellWalk walk;
+    std::optional<ObjectRecord> record{};  ///< only while the frame is recorded
 };
 
 /// The decisions of one frame.
@@ -60,7 +60,8 @@ public:
         if (m_frame.recording() && m_horizon && m_frame.said() > 0) m_frame.attach(std::make_shared<KernelsDetail>());
         sortNearestFirst(kept, scene(), m_frame.view().eye());
         std::vector<WalkedObject> decided(kept.size());
-        if (m_frame.recording()) m_record = kept.size() <= kMostWithTests ? WalkRecord::Tests : WalkRecord::Results;
+        m_tests = kept.size() <= kMostWithTests;
+        if (m_frame.recording() && !m_tests) sayResultsAlone(m_frame);
         {
             const StageTimer stage(m_frame, CULLSCOPE_TR("cells"));
             const auto decideOne = [&](size_t i) { decided[i] = decideAbout(kept[i]); };
@@ -76,8 +77,11 @@ public:
                 {CULLSCOPE_TR("cells against the frustum"), 0, counters().culledTriangles[size_t(Cause::OutsideFrustum)]},
                 {CULLSCOPE_TR("normal cones"), 0, 0},
                 {CULLSCOPE_TR("horizon of the kernel"), 0, 0}};
-            for (const WalkedObject& object : decided) submit(object, list);
-            if (m_frame.recording()) record(decided);
+            if (m_frame.recording()) m_frame.countPlacesIn(m_structure.order);
+            for (const WalkedObject& object : decided) {
+                submit(object, list);
+                if (object.record) object.record->sayTo(m_frame);
+            }
         }
         m_frame.draw(std::move(list));
     }
@@ -98,19 +102,58 @@ private:
 
     [[nodiscard]] WalkedObject decideAbout(const KeptObject& object) const {
         const MeshCells& mesh = m_structure.meshOf(object.instance);
-        WalkedObject result{object.instance, object.planes == 0 ? SphereRelation::Within : SphereRelation::Cut, true, {}, {}};
-        if (!mesh.tree->divided()) return result;
+        WalkedObject result{object.instance, object.planes == 0 ? SphereRelation::Within : SphereRelation::Cut, true, {}};
+        if (m_frame.recording()) result.record.emplace(object.instance, m_tests);
+        ObjectRecord* record = result.record ? &*result.record : nullptr;
+        if (!mesh.tree->divided()) {
+            if (record != nullptr) sayWhole(result, *record);
+            return result;
+        }
         result.whole = false;
-        const ObjectSpaceView seen = objectSpaceView(scene(), object.instance, mesh.tree->sphere(), m_frame.view());
+        const ObjectSpaceView seen =
+            objectSpaceView(scene(), object.instance, mesh.tree->sphere(), m_frame.view(), record, uint8_t(WalkLine::Sphere));
         result.relation = seen.relation;
-        if (m_frame.recording()) result.seen = seen;
-        if (seen.relation == SphereRelation::Outside) return result;
+        if (seen.relation == SphereRelation::Outside) {
+            if (record != nullptr) record->say(atLine(WalkLine::Sphere, ending(record->subject(), Decision::Outcome::Culled)));
+            return result;
+        }
         CellTests tests{planesToTest(object, seen), m_frame.facing() == Facing::Front && m_cones && seen.eyeKnown};
         const std::optional<KernelHorizon> horizon = horizonOf(mesh, seen);
         tests.horizon = horizon ? &*horizon : nullptr;
-        result.walk = walkCells(*mesh.tree, seen, tests, m_record, object.instance);
-        if (m_frame.recording() && horizon) result.walk.outline = horizon->outline(*mesh.kernel);
+        if (record == nullptr)
+            result.walk = walkCells(*mesh.tree, seen, tests);
+        else
+            result.walk = recordedWalk(mesh, seen, tests, *record);
         return result;
+    }
+
+    /// The same walk, of which it is said how it begins, then all that falls, then what became of the object.
+    [[nodiscard]] static CellWalk recordedWalk(const MeshCells& mesh, const ObjectSpaceView& seen, const CellTests& tests,
+                                               ObjectRecord& record) {
+        const auto begin = std::make_shared<WalkDetail>();
+        begin->cones = tests.cones;
+        begin->horizon = tests.horizon != nullptr;
+        if (tests.horizon != nullptr) begin->outline = tests.horizon->outline(*mesh.kernel);
+        record.attach(begin);
+        CellWalk walk = walkCells(*mesh.tree, seen, tests, &record);
+        begin->nodesVisited = walk.nodesVisited;
+        uint64_t drawn = 0;
+        for (const PlaceRun& run : walk.drawn) drawn += run.count;
+        const auto outcome = drawn == mesh.tree->mesh().triangleCount() ? Decision::Outcome::Drawn
+                             : drawn > 0                                ? Decision::Outcome::PartlyDrawn
+                                                                        : Decision::Outcome::Culled;
+        // What became of an object's cells was decided cell by cell: their sum falls at no line.
+        record.say(
+            ending(record.subject(), outcome, outcome == Decision::Outcome::Drawn ? Cause::OutsideFrustum : mainCause(walk)));
+        return walk;
+    }
+
+    void sayWhole(const WalkedObject& object, ObjectRecord& record) const {
+        record.say(atLine(WalkLine::Objects, ending(record.subject(), Decision::Outcome::Drawn)));
+        record.attach(std::make_shared<SphereDetail>(object.relation, Vec3(0.0)));
+        auto walk = std::make_shared<WalkDetail>();
+        walk->whole = scene().meshOf(object.instance).triangleCount();
+        record.attach(std::move(walk));
     }
 
     /// The planes that cut both the box and the sphere of the object.
@@ -156,47 +199,10 @@ private:
         counters().bytesTouched += walk.nodesVisited * sizeof(CellTree::Node);
     }
 
-    void record(const std::vector<WalkedObject>& decided) {
-        m_frame.countPlacesIn(m_structure.order);
-        for (const WalkedObject& object : decided) object.whole ? recordWhole(object) : recordWalk(object);
-    }
-
-    void recordWhole(const WalkedObject& object) {
-        const Subject subject = Subject::ofObject(object.instance);
-        m_frame.say(atLine(WalkLine::Objects, ending(subject, Decision::Outcome::Drawn)));
-        m_frame.attach(std::make_shared<SphereDetail>(object.relation, Vec3(0.0)));
-        auto walk = std::make_shared<WalkDetail>();
-        walk->whole = scene().meshOf(object.instance).triangleCount();
-        m_frame.attach(std::move(walk));
-    }
-
-    void recordWalk(const WalkedObject& object) {
-        const Subject subject = Subject::ofObject(object.instance);
-        recordTests(object.seen, subject, uint8_t(WalkLine::Sphere), m_frame);
-        m_frame.attach(std::make_shared<SphereDetail>(object.relation, object.seen.eye));
-        if (object.relation == SphereRelation::Outside)
-            return m_frame.say(atLine(WalkLine::Sphere, ending(subject, Decision::Outcome::Culled)));
-        auto walk = std::make_shared<WalkDetail>();
-        walk->cones = object.walk.cones;
-        walk->horizon = object.walk.horizon;
-        walk->nodesVisited = object.walk.nodesVisited;
-        walk->outline = object.walk.outline;
-        m_frame.attach(std::move(walk));
-        for (const Decision& said : object.walk.said) m_frame.say(said);
-        uint64_t drawn = 0;
-        for (const PlaceRun& run : object.walk.drawn) drawn += run.count;
-        const auto outcome = drawn == scene().meshOf(object.instance).triangleCount() ? Decision::Outcome::Drawn
-                             : drawn > 0                                              ? Decision::Outcome::PartlyDrawn
-                                                                                      : Decision::Outcome::Culled;
-        // What became of an object's cells was decided cell by cell: their sum falls at no line.
-        m_frame.say(
-            ending(subject, outcome, outcome == Decision::Outcome::Drawn ? Cause::OutsideFrustum : mainCause(object.walk)));
-    }
-
     FrameContext& m_frame;
     const CellScene& m_structure;
     bool m_cones, m_horizon;
-    WalkRecord m_record = WalkRecord::Nothing;
+    bool m_tests = false;  ///< whether a record holds tests
 };
 
 class SphericalLossless final : public StrategyWithMaps<CellScene> {

@@ -36,7 +36,7 @@ Message noMap(const std::string& option, const std::string& strategy, const std:
 Show boxesShow() {
     Show show;
     show.kind = Show::Kind::Boxes;
-    show.id = kBoxesOverlay;
+    show.id = kBoxesShow;
     show.help = "bounding spheres, visible region and corner rays of spherical strategies, judged cells of spherical-lossless";
     return show;
 }
@@ -131,14 +131,14 @@ std::string walkLine(const CellWalk& walk) {
 
 }  // namespace
 
-std::vector<Show> showsOfBands() { return {boxesShow(), bandsShow(), bandCurveShow(), indexMapShow(false)}; }
-std::vector<Show> showsOfCells() { return {boxesShow(), kernelShow(), indexMapShow(true)}; }
+std::vector<Show> showsOfBands() { return {treeShow(), boxesShow(), bandsShow(), bandCurveShow(), indexMapShow(false)}; }
+std::vector<Show> showsOfCells() { return {treeShow(), boxesShow(), kernelShow(), indexMapShow(true)}; }
 
 std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& context, const StructureSnapshot& snapshot) {
     const std::vector<MapSnapshot>& maps = mapsOf(snapshot);
     if (id == kBands) return bandOverlay(context, maps);
     if (id == kKernel) return kernelOverlay(context, maps);
-    if (id != kBoxesOverlay) return {};
+    if (id != kBoxesShow) return {};
     std::vector<OverlayLines> overlays{groupOverlay(context, snapshot)};
     std::ranges::move(sphereOverlay(context, maps), std::back_inserter(overlays));
     return overlays;
@@ -146,7 +146,7 @@ std::vector<OverlayLines> mapOverlay(std::string_view id, const OverlayContext& 
 
 std::optional<Message> whyNoMapShow(std::string_view id, std::string_view colouring, std::string_view strategy,
                                     const StructureSnapshot& snapshot, const Scene& scene) {
-    if (id == kBoxesOverlay) return std::nullopt;
+    if (id == kBoxesShow) return std::nullopt;
     const std::vector<MapSnapshot>& maps = mapsOf(snapshot);
     const std::string option = commandLineOption(id);
     if (maps.empty()) {

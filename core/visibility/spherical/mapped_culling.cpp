@@ -19,12 +19,6 @@ SnapshotNode nodeOf(const Scene& scene, const SphericalDecision& decision) {
     return node;
 }
 
-/// The same bands before anything was said of their sectors.
-ContourBands unsaid(ContourBands bands) {
-    bands.table.assign(bands.table.size(), {});
-    return bands;
-}
-
 }  // namespace
 
 void MappedCulling::fill(MappedScene& structure, const ParameterSet& parameters, const Progress& progress) const {
@@ -46,16 +40,19 @@ void MappedCulling::fill(MappedScene& structure, const ParameterSet& parameters,
 
 void MappedCulling::decide(FrameContext& frame, const MappedScene& structure, ViewState& /*state*/,
                            const ParameterSet& parameters) const {
-    const std::vector<MappedObject> decided = decideAll(frame, structure, parameters);
+    std::vector<MappedObject> decided = decideAll(frame, structure, parameters);
     DrawList list{frame.facing(), {}, structure.order};
     {
         const StageTimer stage(frame, CULLSCOPE_TR("draw list"));
         if (frame.recording()) frame.countPlacesIn(structure.order);
-        for (const MappedObject& object : decided) {
+        if (frame.recording() && decided.size() > kMostWithTests) sayResultsAlone(frame);
+        for (MappedObject& object : decided) {
             const MappedMesh& mesh = structure.meshOf(object.decision.instance);
             if (!mesh.maps) continue;
             submit(mesh, object.decision, list, frame.counters());
-            if (frame.recording()) record(mesh, object, decided.size() <= kMostWithTests, frame);
+            if (!object.record) continue;
+            object.record->sayTo(frame);
+            object.record.reset();
         }
     }
     frame.draw(std::move(list));
@@ -67,19 +64,42 @@ std::vector<MappedObject> MappedCulling::decideAll(FrameContext& frame, const Ma
     std::vector<MappedObject> decided(frame.scene().instances().size());
     tbb::parallel_for(uint32_t{0}, uint32_t(decided.size()), [&](uint32_t i) {
         const MappedMesh& mesh = structure.meshOf(i);
-        SphericalDecision& decision = decided[i].decision;
-        decision.instance = i;
+        decided[i].decision.instance = i;
         if (!mesh.maps) return;
-        const ObjectSpaceView seen = decided[i].seen = objectSpaceView(frame.scene(), i, mesh.maps->sphere(), frame.view());
-        decision.relation = seen.relation;
-        decision.eye = seen.eye;
-        if (seen.relation == SphereRelation::AroundEye)
-            decision.drawn = {{0, mesh.maps->grid().cellCount()}};
-        else if (seen.relation != SphereRelation::Outside)
-            decideAbout(mesh, seen, parameters, decision, frame.recording());
-        for (const CellRun& run : decision.drawn) decision.drawnTriangles += mesh.maps->run(run.first, run.last).second;
+        if (frame.recording()) decided[i].record.emplace(i, decided.size() <= kMostWithTests);
+        decideOne(frame, mesh, parameters, decided[i]);
     });
     return decided;
+}
+
+void MappedCulling::decideOne(const FrameContext& frame, const MappedMesh& mesh, const ParameterSet& parameters,
+                              MappedObject& object) const {
+    SphericalDecision& decision = object.decision;
+    ObjectRecord* record = object.record ? &*object.record : nullptr;
+    const ObjectSpaceView seen =
+        objectSpaceView(frame.scene(), decision.instance, mesh.maps->sphere(), frame.view(), record, uint8_t(BandsLine::Sphere));
+    decision.relation = seen.relation;
+    decision.eye = seen.eye;
+    if (seen.relation == SphereRelation::AroundEye)
+        decision.drawn = {{0, mesh.maps->grid().cellCount()}};
+    else if (seen.relation != SphereRelation::Outside)
+        decideAbout(mesh, seen, parameters, decision, record);
+    for (size_t i = 0; i < decision.drawn.size(); ++i) {
+        decision.drawnTriangles += mesh.maps->run(decision.drawn[i].first, decision.drawn[i].last).second;
+        if (record != nullptr && saysRanges()) sayRange(*mesh.maps, decision, i, uint8_t(lineOf(decision)), *record);
+    }
+    if (record != nullptr) sayEnd(mesh, decision, *record);
+}
+
+void MappedCulling::sayEnd(const MappedMesh& mesh, const SphericalDecision& decision, ObjectRecord& record) const {
+    const bool outside = decision.relation == SphereRelation::Outside;
+    Decision end =
+        ending(record.subject(), decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
+               outside ? Cause::OutsideFrustum : causeOf(decision.relation));
+    if (decision.drawnTriangles == mesh.maps->mesh().triangleCount()) end = ending(record.subject(), Decision::Outcome::Drawn);
+    record.say(atLine(outside ? BandsLine::Outside : lineOf(decision), end));
+    const bool said = record.tests() && (decision.region || decision.bands);
+    if (!said) record.attach(std::make_shared<RunsDetail>(decision.drawn, decision.drawnTriangles));
 }
 
 void MappedCulling::submit(const MappedMesh& mesh, const SphericalDecision& decision, DrawList& list,
@@ -98,28 +118,6 @@ void MappedCulling::submit(const MappedMesh& mesh, const SphericalDecision& deci
     }
     // Of the first object that the frustum cuts.
     if (decision.region && counters.figures.empty()) counters.figures.push_back({"case", double(decision.region->caseNumber)});
-}
-
-void MappedCulling::record(const MappedMesh& mesh, const MappedObject& object, bool tests, FrameContext& frame) const {
-    const auto& [seen, decision] = object;
-    const Subject subject = Subject::ofObject(decision.instance);
-    recordTests(seen, subject, uint8_t(BandsLine::Sphere), frame);
-    frame.attach(std::make_shared<SphereDetail>(decision.relation, decision.eye));
-    if (decision.bands) frame.attach(std::make_shared<BandsDetail>(tests ? unsaid(*decision.bands) : *decision.bands));
-    const size_t before = frame.said();
-    if (tests) sayTests(mesh, decision, frame);
-    for (uint32_t i = 0; i < decision.rays.size(); ++i)
-        if (decision.rays[i].followed)
-            frame.attach(std::make_shared<RayDetail>(i, decision.rays[i]), {Subject::Kind::Ray, i, decision.instance}, before);
-    if (decision.region)
-        frame.attach(std::make_shared<RegionDetail>(*decision.region),
-                     {Subject::Kind::Cells, CellGroups::kRegion, decision.instance}, before);
-    const bool outside = decision.relation == SphereRelation::Outside;
-    Decision end = ending(subject, decision.drawnTriangles > 0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Culled,
-                          outside ? Cause::OutsideFrustum : causeOf(decision.relation));
-    if (decision.drawnTriangles == mesh.maps->mesh().triangleCount()) end = ending(subject, Decision::Outcome::Drawn);
-    frame.say(atLine(outside ? BandsLine::Outside : lineOf(decision), end));
-    frame.attach(std::make_shared<RunsDetail>(decision.drawn, decision.drawnTriangles));
 }
 
 StructureSnapshot MappedCulling::snapshotOf(const MappedScene& structure, const FrameLog& log) const {

@@ -9,8 +9,8 @@ namespace cullscope::spherical {
 
 /// The decision about one object. It does not depend on other objects, so that objects are decided in parallel.
 struct MappedObject {
-    ObjectSpaceView seen;
     SphericalDecision decision;
+    std::optional<ObjectRecord> record;  ///< only while the frame is recorded
 };
 
 /// The common part of the strategies that decide by cells of maps: maps, relation to the frustum, draw list, records.
@@ -19,14 +19,15 @@ class MappedCulling : public StrategyWithMaps<MappedScene> {
 
 protected:
     /// Decides about an object that intersects the frustum: fills `drawn` and the parts of the decision that are displayed.
+    /// `record`, if it is not null, is told of the tests of rays, bands and cells where they fall.
     virtual void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
-                             SphericalDecision& decision, bool recording) const = 0;
+                             SphericalDecision& decision, ObjectRecord* record) const = 0;
     /// The cause of triangles that `decideAbout` culls.
     [[nodiscard]] virtual Cause causeOf(SphereRelation relation) const = 0;
     /// The line of the listing at which an object was decided that is not outside.
     [[nodiscard]] virtual BandsLine lineOf(const SphericalDecision& decision) const = 0;
-    /// Says the tests that `decideAbout` made of an object's rays, bands or cells.
-    virtual void sayTests(const MappedMesh& mesh, const SphericalDecision& decision, FrameContext& frame) const = 0;
+    /// Whether the ranges of cells that are drawn are said.
+    [[nodiscard]] virtual bool saysRanges() const { return true; }
     /// What the strategy builds for a mesh besides its maps.
     virtual void buildFor(MappedScene& /*structure*/, MappedMesh& /*mesh*/) const {}
 
@@ -40,9 +41,10 @@ protected:
 private:
     [[nodiscard]] std::vector<MappedObject> decideAll(FrameContext& frame, const MappedScene& structure,
                                                       const ParameterSet& parameters) const;
+    void decideOne(const FrameContext& frame, const MappedMesh& mesh, const ParameterSet& parameters, MappedObject& object) const;
+    /// Says what became of an object.
+    void sayEnd(const MappedMesh& mesh, const SphericalDecision& decision, ObjectRecord& record) const;
     void submit(const MappedMesh& mesh, const SphericalDecision& decision, DrawList& list, FrameCounters& counters) const;
-    /// `tests`: those of rays, bands and cells, too.
-    void record(const MappedMesh& mesh, const MappedObject& object, bool tests, FrameContext& frame) const;
 };
 
 }  // namespace cullscope::spherical

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/visibility/eye_bounds.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -57,15 +58,14 @@ ObjectSpaceView::PlaneTest test(const Plane& plane, const EyeFromMap& object, do
     return result;
 }
 
-}  // namespace
-
-ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view) {
-    const EyeFromMap object = eyeFromMap(scene, instance, sphere, view.eye());
-    const double radius = sphere.radius;
+ObjectSpaceView seenFrom(const View& view, const EyeFromMap& object, double radius, ObjectRecord* record, uint8_t line) {
     ObjectSpaceView result;
     bool within = true;
     for (const Plane& plane : view.frustum().planes) {
+        const auto number = FrustumPlane(result.planesTested);
         const ObjectSpaceView::PlaneTest tested = result.planes[result.planesTested++] = test(plane, object, radius);
+        if (record != nullptr)
+            record->say(atLine(line, planeTest(record->subject(), number, tested.distance, tested.outer, tested.bound)));
         within = within && tested.containment == Containment::Inside;
         if (tested.containment != Containment::Outside) continue;
         result.relation = SphereRelation::Outside;
@@ -97,11 +97,13 @@ ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sph
     return result;
 }
 
-void recordTests(const ObjectSpaceView& seen, const Subject& subject, uint8_t line, FrameContext& frame) {
-    for (size_t p = 0; p < seen.planesTested; ++p) {
-        const ObjectSpaceView::PlaneTest& test = seen.planes[p];
-        frame.say(atLine(line, planeTest(subject, static_cast<FrustumPlane>(p), test.distance, test.outer, test.bound)));
-    }
+}  // namespace
+
+ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view,
+                                ObjectRecord* record, uint8_t line) {
+    const ObjectSpaceView seen = seenFrom(view, eyeFromMap(scene, instance, sphere, view.eye()), sphere.radius, record, line);
+    if (record != nullptr) record->attach(std::make_shared<SphereDetail>(seen.relation, seen.eye));
+    return seen;
 }
 
 }  // namespace cullscope::spherical

@@ -2,10 +2,10 @@
 
 #include <array>
 
-#include "core/frame/frame_context.h"
 #include "core/scene/camera.h"
 #include "core/scene/scene.h"
 #include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/object_record.h"
 
 namespace cullscope::spherical {
 
@@ -39,10 +39,9 @@ struct ObjectSpaceView {
 };
 
 /// The view of an instance. The relation is never Outside for a sphere that intersects the frustum (margin: geometry/frustum.h,
-/// conservativeMargin). `sphere`: the mesh's bounding sphere, relative to its origin.
-[[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view);
-
-/// Says the tests of the sphere against the planes, as they were made; `line`: of the strategy's listing.
-void recordTests(const ObjectSpaceView& seen, const Subject& subject, uint8_t line, FrameContext& frame);
+/// conservativeMargin). `sphere`: the mesh's bounding sphere, relative to its origin. `record`, if it is not null, is told of the
+/// sphere's tests where they fall, and then of the relation; `line`: of the strategy's listing.
+[[nodiscard]] ObjectSpaceView objectSpaceView(const Scene& scene, uint32_t instance, const Sphere& sphere, const View& view,
+                                              ObjectRecord* record = nullptr, uint8_t line = 0);
 
 }  // namespace cullscope::spherical

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "core/visibility/spherical/contour_bands.h"
+#include "core/visibility/spherical/recorded_tests.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -68,11 +69,14 @@ private:
         if (decision.subject.kind == Kind::Object && culled) objectOf(decision.subject.number);
         if (decision.subject.kind == Kind::Node && culled)
             for (const uint32_t instance : m_log.objectsOf(decision)) objectOf(instance);
-        if (decision.subject.kind != Kind::Band && decision.subject.kind != Kind::Cell) return;
         const auto found = m_objects.find(decision.subject.object);
         if (found == m_objects.end()) return;
         if (decision.subject.kind == Kind::Band)
             addBand(found->second, decision);
+        else if (decision.subject.kind == Kind::Cells)
+            addRange(found->second.decision, decision);
+        else if (decision.subject.kind != Kind::Cell)
+            return;
         else if (found->second.decision.walk)
             addToWalk(*found->second.decision.walk, found->second.decision, decision);
         else if (decision.outcome != Decision::Outcome::Open)
@@ -86,6 +90,15 @@ private:
         object.decision.bands->table[decision.subject.number] = {decision.operands[0], decision.operands[1],
                                                                  !within && decision.containment != Containment::Outside, within};
         object.bandsSaid = true;
+    }
+
+    /// Of the groups of cells the ranges are drawn. One without triangles is not said.
+    static void addRange(SphericalDecision& object, const Decision& decision) {
+        const std::optional<size_t> index = CellGroups(object).rangeOf(decision.subject.number);
+        if (!index || decision.outcome != Decision::Outcome::Drawn) return;
+        if (object.drawn.size() <= *index) object.drawn.resize(*index + 1);
+        object.drawn[*index] = {uint32_t(decision.operands[0]), uint32_t(decision.operands[1]) + 1};
+        object.drawnTriangles += decision.places.count;
     }
 
     static void addCell(Object& object, const Decision& decision) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/object_record.h"
 
 namespace cullscope::spherical {
 
@@ -33,7 +34,13 @@ struct BandsDetail : DecisionDetail {
     ContourBands bands;
 };
 
-/// At the end of an object that was decided by cells of maps.
+/// Attaches an object's bands to its record: before their tests without what these find; where the record holds no tests, after
+/// them with all of it. Called at both times; `tested`: which one it is. `record`: null: nothing.
+inline void attachBands(const ContourBands& bands, bool tested, ObjectRecord* record) {
+    if (record != nullptr && record->tests() != tested) record->attach(std::make_shared<BandsDetail>(bands));
+}
+
+/// At the end of an object that was decided by cells of maps, where neither its cells nor its ranges of cells were said.
 struct RunsDetail : DecisionDetail {
     RunsDetail(std::vector<CellRun> runs, uint64_t triangles) : drawn(std::move(runs)), drawnTriangles(triangles) {}
     std::vector<CellRun> drawn;

@@ -8,21 +8,6 @@
 namespace cullscope::spherical {
 namespace {
 
-void sayBands(const ContourBands& bands, uint32_t instance, FrameContext& frame) {
-    for (uint32_t sector = 0; sector < bands.sectors; ++sector)
-        for (uint32_t band = 0; band < bands.bands; ++band) {
-            const BandSector& entry = bands.at(band, sector);
-            if (entry.size <= 0.0) continue;
-            Decision slope;
-            slope.subject = {Subject::Kind::Band, band * bands.sectors + sector, instance};
-            slope.operands = {entry.size, entry.horizon, (band + 1) * bands.width * 180.0 / std::numbers::pi, sector + 1.0};
-            slope.operandCount = 4;
-            slope.sentence =
-                CULLSCOPE_TR("Sector %4, band up to α = %3°: the surface's slope is at least %1, and the horizon before it %2.");
-            frame.say(atLine(BandsLine::Slopes, slope));
-        }
-}
-
 const char* sentenceOf(SlopeTest::Result result) {
     switch (result) {
         case SlopeTest::Result::Hidden:
@@ -39,25 +24,34 @@ const char* sentenceOf(SlopeTest::Result result) {
 
 }  // namespace
 
-void recordSlopes(const SphericalMaps& maps, const BandCells& cells, const SphericalDecision& decision, FrameContext& frame) {
-    if (!decision.bands) return;
-    sayBands(*decision.bands, decision.instance, frame);
-    for (size_t i = 0; i < cells.cells.size(); ++i) {
-        const uint32_t number = cells.cells[i].number;
-        const SlopeTest& test = decision.slopes[i];
-        const bool hidden = test.result == SlopeTest::Result::Hidden;
-        const auto [first, count] = maps.run(number, number + 1);
-        Decision cell = ending(Subject::ofCell(number, decision.instance),
-                               hidden ? Decision::Outcome::Culled : Decision::Outcome::Drawn, Cause::Hidden);
-        cell.places = {uint32_t(first), uint32_t(count)};
-        cell.nesting = 1;
-        cell.sentence = sentenceOf(test.result);
-        if (test.result != SlopeTest::Result::Untested) {
-            cell.operands = {test.slope, test.horizon};
-            cell.operandCount = 2;
+void sayBandSlopes(const ContourBands& bands, ObjectRecord& record) {
+    for (uint32_t sector = 0; sector < bands.sectors; ++sector)
+        for (uint32_t band = 0; band < bands.bands; ++band) {
+            const BandSector& entry = bands.at(band, sector);
+            if (entry.size <= 0.0) continue;
+            Decision slope;
+            slope.subject = {Subject::Kind::Band, band * bands.sectors + sector, record.subject().number};
+            slope.operands = {entry.size, entry.horizon, (band + 1) * bands.width * 180.0 / std::numbers::pi, sector + 1.0};
+            slope.operandCount = 4;
+            slope.sentence =
+                CULLSCOPE_TR("Sector %4, band up to α = %3°: the surface's slope is at least %1, and the horizon before it %2.");
+            record.say(atLine(BandsLine::Slopes, slope));
         }
-        frame.say(atLine(BandsLine::Slopes, cell));
+}
+
+void saySlopeTest(const SphericalMaps& maps, uint32_t cell, const SlopeTest& test, ObjectRecord& record) {
+    const bool hidden = test.result == SlopeTest::Result::Hidden;
+    const auto [first, count] = maps.run(cell, cell + 1);
+    Decision decision = ending(Subject::ofCell(cell, record.subject().number),
+                               hidden ? Decision::Outcome::Culled : Decision::Outcome::Drawn, Cause::Hidden);
+    decision.places = {uint32_t(first), uint32_t(count)};
+    decision.nesting = 1;
+    decision.sentence = sentenceOf(test.result);
+    if (test.result != SlopeTest::Result::Untested) {
+        decision.operands = {test.slope, test.horizon};
+        decision.operandCount = 2;
     }
+    record.say(atLine(BandsLine::Slopes, decision));
 }
 
 }  // namespace cullscope::spherical

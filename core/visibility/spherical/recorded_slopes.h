@@ -1,12 +1,13 @@
 #pragma once
 
-#include "core/frame/frame_context.h"
-#include "core/visibility/spherical/contour_bands.h"
+#include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/object_record.h"
 
 namespace cullscope::spherical {
 
-/// Says the slopes of an object's bands from the near point on, which are no tests yet, then the test of each of its cells
-/// against them; nothing for an object that was not decided by slopes.
-void recordSlopes(const SphericalMaps& maps, const BandCells& cells, const SphericalDecision& decision, FrameContext& frame);
+/// Says the slopes of an object's bands from the near point on, which are no tests yet.
+void sayBandSlopes(const ContourBands& bands, ObjectRecord& record);
+/// Says the test of a cell against them.
+void saySlopeTest(const SphericalMaps& maps, uint32_t cell, const SlopeTest& test, ObjectRecord& record);
 
 }  // namespace cullscope::spherical

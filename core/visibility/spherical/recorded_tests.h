@@ -1,13 +1,9 @@
 #pragma once
 
-#include "core/frame/frame_context.h"
 #include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/object_record.h"
 
 namespace cullscope::spherical {
-
-/// In a scene of more objects the tests of an object's rays, bands and cells are not recorded, only their results: they would
-/// take hundreds of megabytes.
-inline constexpr size_t kMostWithTests = 64;
 
 /// The numbers of the groups of cells (Subject::Kind::Cells) of which decisions speak: the visible region, the boxes around it,
 /// and the ranges of SphericalDecision::drawn.
@@ -17,7 +13,7 @@ struct CellGroups {
     explicit CellGroups(const SphericalDecision& decision)
         : boxes(decision.region ? uint32_t(decision.region->boxes.size()) : 0) {}
 
-    [[nodiscard]] uint32_t box(size_t index) const { return 1 + uint32_t(index); }
+    [[nodiscard]] static uint32_t box(size_t index) { return 1 + uint32_t(index); }
     [[nodiscard]] uint32_t range(size_t index) const { return 1 + boxes + uint32_t(index); }
     /// The box or the range that has a number; none: it is that of another group.
     [[nodiscard]] std::optional<size_t> boxOf(uint32_t number) const;
@@ -26,15 +22,21 @@ struct CellGroups {
     uint32_t boxes;
 };
 
-/// Says the search along the four corner rays, cell by cell, then the region between their points and the boxes around it;
-/// nothing for an object that was not decided by rays.
-void recordRays(const SphericalMaps& maps, const SphericalDecision& decision, FrameContext& frame);
+// Each of these is called where what it says was found. Where a record holds no tests, they say nothing; what was found besides
+// is attached all the same.
 
-/// Says the tests of the contour bands, sector by sector and in each from the near point on; nothing for an object that was not
-/// decided by bands.
-void recordBands(const SphericalDecision& decision, FrameContext& frame);
-
-/// Says the ranges of cells that are drawn of an object that was decided by rays or bands. `line`: of the strategy's listing.
-void recordRanges(const SphericalMaps& maps, const SphericalDecision& decision, uint8_t line, FrameContext& frame);
+/// The entry of corner ray `number`, from 0, into the bounding sphere.
+void sayEntry(const CornerRay& ray, uint32_t number, ObjectRecord& record);
+/// What the search along a corner ray found in a cell.
+void sayWalkedCell(const SphericalMaps& maps, const WalkedCell& walked, uint32_t number, ObjectRecord& record);
+/// What a corner ray found in the end.
+void sayRay(const CornerRay& ray, uint32_t number, ObjectRecord& record);
+/// The region between the rays' points with so many triangles in its cells, then the boxes around it.
+void sayRegion(const VisibleRegion& region, uint64_t triangles, ObjectRecord& record);
+/// The test of a sector of a contour band by S.
+void saySector(const ContourBands& bands, uint32_t band, uint32_t sector, ObjectRecord& record);
+/// The range of cells with this index in SphericalDecision::drawn, which is drawn; nothing for one without triangles, and for an
+/// object that was not decided by rays or bands. `line`: of the strategy's listing.
+void sayRange(const SphericalMaps& maps, const SphericalDecision& decision, size_t index, uint8_t line, ObjectRecord& record);
 
 }  // namespace cullscope::spherical

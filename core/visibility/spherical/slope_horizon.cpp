@@ -8,6 +8,7 @@
 
 #include "core/geometry/angle.h"
 #include "core/geometry/triangle.h"
+#include "core/visibility/spherical/recorded_slopes.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -240,19 +241,25 @@ HorizonCells::HorizonCells(const SphericalMaps& maps, const BandCells& cells)
 }
 
 std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells, const HorizonCells& horizonCells,
-                                  const ObjectSpaceView& view, ContourBands& bands, std::vector<SlopeTest>* tests) {
+                                  const ObjectSpaceView& view, ContourBands& bands, ObjectRecord* record) {
     bands.slopes = true;
     fillHorizon(bands, leastSlopes(horizonCells, bands, glm::length(view.eye)));
+    const bool said = record != nullptr && record->tests();
+    if (said) sayBandSlopes(bands, *record);
     const HorizonTest horizon(maps, view, bands);
     std::vector<char> drawn(cells.cells.size());
-    if (tests != nullptr) tests->resize(drawn.size());
-    tbb::parallel_for(tbb::blocked_range<size_t>(0, drawn.size(), 2048), [&](const auto& block) {
+    const auto testCells = [&](const auto& block) {
         for (size_t i = block.begin(); i < block.end(); ++i) {
             const SlopeTest test = horizon.test(cells.directions, cells.cells[i], horizonCells.caps[i]);
             drawn[i] = test.result == SlopeTest::Result::Hidden ? 0 : 1;
-            if (tests != nullptr) (*tests)[i] = test;
+            if (said) saySlopeTest(maps, cells.cells[i].number, test, *record);
         }
-    });
+    };
+    const tbb::blocked_range<size_t> all(0, drawn.size(), 2048);
+    if (said)
+        testCells(all);
+    else
+        tbb::parallel_for(all, testCells);
     RunCollector runs;
     for (size_t i = 0; i < drawn.size(); ++i) runs.add(cells.cells[i].number, drawn[i] != 0);
     return runs.take();

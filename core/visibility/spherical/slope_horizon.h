@@ -34,11 +34,11 @@ struct HorizonCells {
 /// point with a lower slope than the surface at a smaller α is hidden. A band's sector gets the lowest slope that its surface can
 /// have, by the index map's smallest radii; a cell gets the highest slope of its triangles, over all bands and sectors that they
 /// touch. Both are widened for the picture's snapping to 1/256 pixel (1/64 is used). Fills the bands and returns the drawn cells.
-/// Conservative where the surface is star-shaped around the centre and completely beyond the near plane. `tests`, if it is not
-/// null, gets the test of each of the cells.
+/// Conservative where the surface is star-shaped around the centre and completely beyond the near plane. `record`, if it is not
+/// null, is told of the bands' slopes and of each cell's test where they fall; the cells are then tested one after the other.
 [[nodiscard]] std::vector<CellRun> drawnBySlope(const SphericalMaps& maps, const BandCells& cells,
                                                 const HorizonCells& horizonCells, const ObjectSpaceView& view,
-                                                ContourBands& bands, std::vector<SlopeTest>* tests = nullptr);
+                                                ContourBands& bands, ObjectRecord* record = nullptr);
 
 /// Sets for each sector of a band whether a cell that was decided to be drawn intersects it; for display only.
 void markDrawnSectors(const SphericalMaps& maps, const BandCells& cells, std::span<const CellRun> drawn, ContourBands& bands);

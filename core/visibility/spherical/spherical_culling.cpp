@@ -5,6 +5,7 @@
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/spherical/mapped_culling.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/recorded_tests.h"
 #include "core/visibility/spherical/visible_region.h"
 
@@ -23,26 +24,27 @@ protected:
         return relation == SphereRelation::Within ? Cause::Hidden : Cause::OutsideFrustum;
     }
     [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfBands(decision); }
-    void sayTests(const MappedMesh& mesh, const SphericalDecision& decision, FrameContext& frame) const override {
-        recordRays(*mesh.maps, decision, frame);
-        recordBands(decision, frame);
-        recordRanges(*mesh.maps, decision, uint8_t(lineOf(decision)), frame);
-    }
 
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
-                     SphericalDecision& decision, bool recording) const override {
+                     SphericalDecision& decision, ObjectRecord* record) const override {
         if (view.relation == SphereRelation::Within) {
             decision.bands = bandsFor(view.eye, parameters);
-            decision.drawn = drawnByS(*mesh.bandCells, *decision.bands);
+            attachBands(*decision.bands, false, record);
+            decision.drawn = drawnByS(*mesh.bandCells, *decision.bands, record);
+            attachBands(*decision.bands, true, record);
             return;
         }
-        for (size_t i = 0; i < decision.rays.size(); ++i)
+        for (uint32_t i = 0; i < decision.rays.size(); ++i)
             // The ray starts at the near plane: nothing before it is visible.
             decision.rays[i] =
-                followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, recording);
+                followCorner(*mesh.maps, {view.eye + view.cornerDirections[i], view.cornerDirections[i]}, i, record);
         const Join join = parameters.choice("joined") == "arcs" ? Join::Arcs : Join::Chart;
         decision.region = visibleRegion(*mesh.maps, decision.rays, join);
         decision.drawn = runsOf(mesh.maps->grid(), *decision.region);
+        if (record == nullptr) return;
+        uint64_t triangles = 0;
+        for (const CellRun& run : decision.drawn) triangles += mesh.maps->run(run.first, run.last).second;
+        sayRegion(*decision.region, triangles, *record);
     }
 };
 

@@ -5,7 +5,7 @@
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
 #include "core/visibility/spherical/mapped_culling.h"
-#include "core/visibility/spherical/recorded_slopes.h"
+#include "core/visibility/spherical/recorded_decisions.h"
 #include "core/visibility/spherical/slope_horizon.h"
 
 namespace cullscope::spherical {
@@ -39,19 +39,20 @@ protected:
     [[nodiscard]] Cause causeOf(SphereRelation /*relation*/) const override { return Cause::Hidden; }
     [[nodiscard]] BandsLine lineOf(const SphericalDecision& decision) const override { return lineOfHorizon(decision); }
     void decideAbout(const MappedMesh& mesh, const ObjectSpaceView& view, const ParameterSet& parameters,
-                     SphericalDecision& decision, bool recording) const override {
+                     SphericalDecision& decision, ObjectRecord* record) const override {
         // A surface that the near plane cuts hides nothing, and an object of few triangles is drawn faster than it is tested.
         if (!view.beyondNear || mesh.maps->mesh().triangleCount() < kFewTriangles) {
             decision.drawn = {{0, mesh.maps->grid().cellCount()}};
             return;
         }
         decision.bands = bandsFor(view.eye, parameters);
-        decision.drawn = drawnBySlope(*mesh.maps, *mesh.bandCells, *mesh.horizonCells, view, *decision.bands,
-                                      recording ? &decision.slopes : nullptr);
+        decision.bands->slopes = true;
+        attachBands(*decision.bands, false, record);
+        decision.drawn = drawnBySlope(*mesh.maps, *mesh.bandCells, *mesh.horizonCells, view, *decision.bands, record);
+        attachBands(*decision.bands, true, record);
     }
-    void sayTests(const MappedMesh& mesh, const SphericalDecision& decision, FrameContext& frame) const override {
-        recordSlopes(*mesh.maps, *mesh.bandCells, decision, frame);
-    }
+    /// Each cell that is drawn was said by itself.
+    [[nodiscard]] bool saysRanges() const override { return false; }
     /// The sectors that are drawn in part at least are those that the cells touch that were decided to be drawn.
     [[nodiscard]] MapSnapshot mapOfDecision(const MappedScene& structure, const FrameLog& log,
                                             const SphericalDecision& decision) const override {

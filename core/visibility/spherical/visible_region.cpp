@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/geometry/angle.h"
+#include "core/visibility/spherical/recorded_tests.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -105,9 +106,7 @@ std::vector<CellBox> boxesOf(const SphericalGrid& grid, const Outline& outline, 
     return {{firstRow, lastRow, from, last}, {firstRow, lastRow, 0, to}};
 }
 
-}  // namespace
-
-CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, bool keepWalkedCells) {
+CornerRay cornerOf(const SphericalMaps& maps, const Ray& ray, uint32_t number, ObjectRecord* record) {
     CornerRay corner;
     corner.followed = true;
     corner.ray = ray;
@@ -120,8 +119,24 @@ CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, bool keepWalke
         corner.point = nearest * (radius / glm::length(nearest));
         return corner;
     }
-    corner.hit = searchTriangle(maps, ray, keepWalkedCells ? &corner.walkedCells : nullptr);
+    if (record == nullptr) {
+        corner.hit = searchTriangle(maps, ray);
+    } else {
+        sayEntry(corner, number, *record);
+        corner.hit = searchTriangle(maps, ray, [&](const WalkedCell& walked) {
+            corner.walkedCells.push_back(walked);
+            sayWalkedCell(maps, walked, number, *record);
+        });
+    }
     corner.point = ray.at(corner.hit ? corner.hit->t : corner.span->from);
+    return corner;
+}
+
+}  // namespace
+
+CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, uint32_t number, ObjectRecord* record) {
+    CornerRay corner = cornerOf(maps, ray, number, record);
+    if (record != nullptr) sayRay(corner, number, *record);
     return corner;
 }
 

@@ -3,13 +3,15 @@
 #include <span>
 
 #include "core/visibility/spherical/decision.h"
+#include "core/visibility/spherical/object_record.h"
 
 namespace cullscope::spherical {
 
 /// Follows one corner ray as in Han & Hong 2008, Appendix 1: its entry into the bounding sphere, the walk through the index map,
 /// and the confirmed triangle. The region's corner is the hit. Without a hit it is the sphere's point nearest to the ray (its
-/// entry point, if it enters the sphere); the paper does not define this case.
-[[nodiscard]] CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, bool keepWalkedCells);
+/// entry point, if it enters the sphere); the paper does not define this case. `number`: of the corner. `record`, if it is not
+/// null, is told of the entry and of every cell where they fall, and then of what was found.
+[[nodiscard]] CornerRay followCorner(const SphericalMaps& maps, const Ray& ray, uint32_t number, ObjectRecord* record);
 
 /// How the region's corners are connected, which the paper does not specify.
 enum class Join {

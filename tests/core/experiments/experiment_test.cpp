@@ -46,6 +46,31 @@ TEST(Settings, haveTheStrategiesOfTheirParameters) {
     EXPECT_THROW((void)settingsOf({{"rows", "", Kind::Parameter, words({"many"}), "spherical"}}), Error);
 }
 
+TEST(Settings, haveTheStrategiesOfTheirAxis) {
+    const Axis strategies{"strategy", "", Kind::Strategy, words({"all", "frustum:box=length"})};
+    EXPECT_TRUE(strategies.inTurns());
+    const std::vector<Setting> settings = settingsOf({{"path", "", Kind::Path, words({"orbit:1", "orbit:2"})}, strategies});
+    ASSERT_EQ(settings.size(), 2u);
+    for (const Setting& setting : settings) EXPECT_THAT(setting.strategies, testing::ElementsAre("all", "frustum:box=length"));
+}
+
+TEST(Settings, sayHowTheyAreMeasured) {
+    Setting setting;
+    setting.strategies = {"all"};
+    setting.path = "two eyes";
+    setting.views = [](const Scene& scene) { return cameraPath("orbit:2", scene); };
+    setting.timing.fixedRepetitions = 3;
+    setting.secondsOfAStrategy = 7.0;
+    setting.refusalsAreResults = true;
+    const ScenePointer scene = smallExperiment({}).scene;
+    const MeasureRequest request = measureRequest(setting, scene, 0);
+    EXPECT_EQ(request.path.poses.size(), 2u);
+    EXPECT_EQ(request.timing.fixedRepetitions, 3);
+    EXPECT_EQ(request.secondsOfAStrategy, 7.0);
+    EXPECT_TRUE(request.refusalsAreResults);
+    EXPECT_EQ(measureRequest(setting, scene, 5).timing.fixedRepetitions, 5) << "the user's word counts";
+}
+
 /// An experiment that draws nothing: the square of a label.
 Experiment squares() {
     Experiment experiment;

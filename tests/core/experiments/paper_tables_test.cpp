@@ -66,8 +66,8 @@ MeasureResult madeUp() {
     frustum.summary.fpsMean = 250.0;
     frustum.summary.fpsMin = 200.0;
     frustum.summary.fpsMax = 300.0;
-    frustum.summary.ratioToAll = {2.5, {2.0, 3.0}};
-    frustum.summary.ratioToBackface = {1.25, {1.0, 1.5}};
+    frustum.summary.ratioToTriangles = {2.5, {2.0, 3.0}};
+    frustum.summary.ratioToFrontFaces = {1.25, {1.0, 1.5}};
     frustum.summary.missedPixelRate = 32.0 / 3000.0;
     result.runs = {all, frustum};
     return result;

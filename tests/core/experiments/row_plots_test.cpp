@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 namespace cullscope::row_plots_test {
 namespace {
 
@@ -61,6 +63,16 @@ TEST(RowPlots, separatePlotsTakeTheirValuesIntoTheTitle) {
     EXPECT_EQ(plots[1].title, "Time of a cube");
     ASSERT_EQ(plots[1].lines.size(), 1u) << "a method that the cube has not is no line";
     EXPECT_EQ(plots[1].lines[0].points[0].y, 7.0);
+}
+
+TEST(RowPlots, pointsAreInTheRowsOrderOrInThatOfX) {
+    ResultTable turned = table();
+    std::ranges::reverse(turned.rows);
+    const auto firstX = [&](const RowPlot& plot) { return plotsOf(plot, turned)[0].lines[0].points.front().x; };
+    RowPlot plot = timeBySize();
+    EXPECT_EQ(firstX(plot), 10.0);
+    plot.byX = true;
+    EXPECT_EQ(firstX(plot), 1.0);
 }
 
 TEST(RowPlots, powersBeginAtTheFirstPoint) {

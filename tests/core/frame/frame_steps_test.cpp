@@ -93,6 +93,15 @@ TEST(FrameSteps, getCoarserOfALongLogAndEndWithAllEntries) {
     EXPECT_THAT(ends(2, StepGrain::Share), ElementsAre(0, 4, 8));
 }
 
+TEST(FrameSteps, ofBatchesBeforeOneCommandAreShares) {
+    FrameLog log;
+    for (uint32_t i = 0; i < 1000; ++i) log.decisions.push_back(about(Subject::ofObject(i % 32), Decision::Outcome::Open, 0));
+    log.commands = {DrawList{}};
+    const FrameSteps steps(log, 100);
+    EXPECT_EQ(steps.grain(), StepGrain::Share);
+    EXPECT_EQ(steps.count(), 100u);
+}
+
 TEST(FrameSteps, ofAMillionEntriesSayThatTheyAreCoarser) {
     FrameLog log;
     for (uint32_t i = 0; i < 1'000'000; ++i)

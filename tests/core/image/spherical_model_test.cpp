@@ -34,7 +34,7 @@ TEST(SphericalModelPicture, pickIsWhatIsShown) {
     strategy->build(*scene);
     const DrawList list = strategy->cull(view).drawList;
     ASSERT_EQ(sphericalModelInstance(list), 0u);
-    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, style);
+    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {"spherical-model"}, style);
     size_t picked = 0, disagreeing = 0;
     for (int y = kBottom + 1; y < kBottom + 179; y += 3)
         for (int x = kLeft + 1; x < kLeft + 359; x += 3) {
@@ -61,7 +61,7 @@ TEST(SphericalModelPicture, showsOnlyWhatWasDrawn) {
     const View view({{0, 0, 4}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style{Vec3f(1.0f)};
     const auto covered = [&](const char* id) {
-        const std::vector<uint8_t> rgba = shown(scene, id, view, {.sphericalModel = true}, style);
+        const std::vector<uint8_t> rgba = shown(scene, id, view, {"spherical-model"}, style);
         size_t pixels = 0;
         for (int y = kBottom + 2; y < kBottom + 178; ++y)
             for (int x = kLeft + 2; x < kLeft + 358; ++x)
@@ -83,10 +83,9 @@ TEST(SphericalModelPicture, overlaysAreNotDrawnOverIt) {
     const ScenePointer scene = sceneOf({knotMesh(3000)});
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
     const DrawStyle style;
-    const ViewLook all{
-        .colouring = Colouring::Verdicts, .frustum = true, .boxes = true, .overlays = {"bands"}, .sphericalModel = true};
+    const ViewLook all{"verdicts", "frustum", "boxes", "bands", "spherical-model"};
     EXPECT_FALSE(needsDecisions(all));
-    const std::vector<uint8_t> alone = shown(scene, "spherical", view, {.sphericalModel = true}, style);
+    const std::vector<uint8_t> alone = shown(scene, "spherical", view, {"spherical-model"}, style);
     EXPECT_EQ(shown(scene, "spherical", view, all, style), alone);
     const Vec3f frame = contrastTo(style.background);
     const auto at = [&](size_t y) { return alone[4 * (y * size_t(kSize.width) + 200)]; };
@@ -96,7 +95,7 @@ TEST(SphericalModelPicture, overlaysAreNotDrawnOverIt) {
 TEST(SphericalModelPicture, anglesHaveTicks) {
     const ScenePointer scene = sceneOf({knotMesh(3000)});
     const View view({{0, 0, 5}, {0, 0, 0}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
-    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {.sphericalModel = true}, {Vec3f(1.0f)});
+    const std::vector<uint8_t> rgba = shown(scene, "spherical", view, {"spherical-model"}, {Vec3f(1.0f)});
     // A tick is one pixel wide and lies on either side of its position.
     const auto marked = [&](int x, int y, int alongX, int alongY) {
         const auto dark = [&](int column, int row) {

@@ -127,8 +127,7 @@ TEST(ViewPicture, everyStateHasItsColourAndLook) {
     for (const Vec3f& background : {kLight.background, DrawStyle{}.background}) {
         const DrawStyle style{background};
         const auto palette = verdictPalette(background);
-        const Shown look =
-            shown(rowOfSquares(), "all", overTheRow(), overTheRow(), {.colouring = Colouring::Verdicts}, style, &states);
+        const Shown look = shown(rowOfSquares(), "all", overTheRow(), overTheRow(), {"verdicts"}, style, &states);
         for (int i = 0; i < int(kTriangleStateCount); ++i) {
             const auto state = static_cast<TriangleState>(i);
             // Off the diagonal, where the wireframe has an edge.
@@ -158,7 +157,8 @@ TEST(ViewPicture, everyStateHasItsColourAndLook) {
 
 TEST(ViewPicture, drawnOnlyHidesWhatWasCulled) {
     const TriangleStates states = oneOfEach();
-    const ViewLook drawnOnly{.colouring = Colouring::Verdicts, .culledToo = false};
+    ViewLook drawnOnly{"verdicts"};
+    drawnOnly.show("culled_too", false);
     const Shown look = shown(rowOfSquares(), "all", overTheRow(), overTheRow(), drawnOnly, kLight, &states);
     const size_t all = look.size.width * size_t(look.size.height);
     EXPECT_EQ(look.count(kLight.background), all - 2 * 20 * 20) << "only the two squares that were drawn";
@@ -171,7 +171,7 @@ TEST(ViewPicture, wronglyCulledTriangleWithoutAPixelIsSeen) {
     states.states.assign(2, TriangleState::WronglyCulled);
     const View view = overTheRow();
     const auto palette = verdictPalette(kLight.background);
-    const Shown look = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
+    const Shown look = shown(scene, "all", view, view, {"verdicts"}, kLight, &states);
     const size_t mark = look.count(palette[size_t(TriangleState::WronglyCulled)].colour);
     const size_t halo = look.count(contrastTo(kLight.background));
     EXPECT_GE(mark, 4u);
@@ -179,7 +179,7 @@ TEST(ViewPicture, wronglyCulledTriangleWithoutAPixelIsSeen) {
     EXPECT_LE(mark + halo, 81u);
     EXPECT_TRUE(look.near(view, {0, 0, -10}, palette[size_t(TriangleState::WronglyCulled)].colour));
     states.states.assign(2, TriangleState::Visible);
-    const Shown plain = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
+    const Shown plain = shown(scene, "all", view, view, {"verdicts"}, kLight, &states);
     EXPECT_EQ(plain.count(kLight.background), 40 * kTriangleStateCount * 40) << "it covers a pixel: the test shows nothing";
 }
 
@@ -189,7 +189,7 @@ TEST(ViewPicture, haloOfAHiddenTriangleDoesNotShowThrough) {
     TriangleStates states;
     states.states = {TriangleState::Visible, TriangleState::Visible, TriangleState::WronglyCulled, TriangleState::WronglyCulled};
     const View view(downMinusZ(), {100, 100});
-    const Shown look = shown(scene, "all", view, view, {.colouring = Colouring::Verdicts}, kLight, &states);
+    const Shown look = shown(scene, "all", view, view, {"verdicts"}, kLight, &states);
     EXPECT_EQ(look.count(verdictPalette(kLight.background)[size_t(TriangleState::WronglyCulled)].colour), 0u);
     EXPECT_EQ(look.count(contrastTo(kLight.background)), 0u);
 }
@@ -200,7 +200,7 @@ TEST(ViewPicture, observerColoursByTheCullingCamera) {
     const View culling(inTheField(), {320, 240});
     const View observer(above(), {320, 240});
     const auto palette = verdictPalette(kLight.background);
-    const Shown look = shown(scene, "frustum", culling, observer, {.colouring = Colouring::Verdicts}, kLight);
+    const Shown look = shown(scene, "frustum", culling, observer, {"verdicts"}, kLight);
     const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
     const Culled frame = frustum->cull(culling, Recording::On);
@@ -225,7 +225,7 @@ TEST(ViewPicture, everyObjectHasItsBox) {
     camera.farDistance = 1000;
     const View observer(camera, {900, 900});
     const auto palette = verdictPalette(kLight.background);
-    const Shown look = shown(scene, "frustum", culling, observer, {.boxes = true}, kLight);
+    const Shown look = shown(scene, "frustum", culling, observer, {"boxes"}, kLight);
     const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
     const Culled frame = frustum->cull(culling, Recording::On);
@@ -256,7 +256,7 @@ TEST(ViewPicture, testedGroupsHaveTheirBoxes) {
     strategy.build(*scene);
     const Culled frame = strategy.cull(culling, Recording::On);
     Framebuffer target(observer.viewport());
-    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy.built(), frame.log, observer, nullptr, {.boxes = true}, kLight,
+    drawViewPicture(GlEnvironment::renderer(), buffers, *strategy.built(), frame.log, observer, nullptr, {"boxes"}, kLight,
                     target);
     const Shown look{target.readColour(), target.readDepth(), observer.viewport()};
     std::array<int, 2> seen{};
@@ -284,7 +284,7 @@ TEST(ViewPicture, frustumIsWhereTheCameraLooks) {
     const View culling(camera, {200, 200});
     const View observer({{25, 9, -4}, {0, 0, -4}, {0, 1, 0}, Angle::fromDegrees(70), 0.1, 26}, {400, 400});
     for (const DrawStyle& style : {kLight, DrawStyle{}}) {
-        const Shown look = shown(scene, "frustum", culling, observer, {.frustum = true}, style);
+        const Shown look = shown(scene, "frustum", culling, observer, {"frustum"}, style);
         const Vec3f lines = contrastTo(style.background);
         const double far = -scene->bounds().min.z;
         for (const double side : {-1.0, 1.0})
@@ -298,7 +298,7 @@ TEST(ViewPicture, frustumIsWhereTheCameraLooks) {
         EXPECT_TRUE(look.near(observer, culling.eye(), lines)) << "the eye";
         EXPECT_FALSE(look.near(observer, {0, 0, -12}, lines));
         // Beyond the observer's far plane; seen from its own camera the frustum has no lines.
-        EXPECT_EQ(shown(scene, "frustum", culling, culling, {.frustum = true}, style).colour,
+        EXPECT_EQ(shown(scene, "frustum", culling, culling, {"frustum"}, style).colour,
                   shown(scene, "frustum", culling, culling, {}, style).colour);
     }
 }
@@ -307,7 +307,7 @@ TEST(ViewPicture, frustumIsWhereTheCameraLooks) {
 TEST(ViewPicture, farFromTheOriginStatesAndLinesAreTheSame) {
     const Vec3 moved(1e7, -1e7, 1e7);
     const TriangleStates states = oneOfEach();
-    const ViewLook look{.colouring = Colouring::Verdicts, .boxes = true};
+    const ViewLook look{"verdicts", "boxes"};
     const Shown here = shown(rowOfSquares(), "frustum", overTheRow(), overTheRow(), look, kLight, &states);
     const Shown there = shown(rowOfSquares(moved), "frustum", overTheRow(moved), overTheRow(moved), look, kLight, &states);
     const auto differing = [](const Shown& a, const Shown& b) {
@@ -327,7 +327,7 @@ TEST(ViewPicture, farFromTheOriginStatesAndLinesAreTheSame) {
             return View(camera, {320, 240});
         };
         return shown(copiesOf(sphereMesh(320), places), "frustum", at(inTheField()), at(above()),
-                     {.colouring = Colouring::Verdicts, .frustum = true, .boxes = true}, kLight);
+                     {"verdicts", "frustum", "boxes"}, kLight);
     };
     const Shown near = observed(Vec3(0.0));
     EXPECT_GT(near.count(contrastTo(kLight.background)), 200u) << "no frustum to compare";
@@ -336,9 +336,9 @@ TEST(ViewPicture, farFromTheOriginStatesAndLinesAreTheSame) {
 
 TEST(ViewPicture, decisionsAreNeededForVerdictsAndBoxes) {
     EXPECT_FALSE(needsDecisions({}));
-    EXPECT_FALSE(needsDecisions({.frustum = true}));
-    EXPECT_TRUE(needsDecisions({.colouring = Colouring::Verdicts}));
-    EXPECT_TRUE(needsDecisions({.boxes = true}));
+    EXPECT_FALSE(needsDecisions({"frustum"}));
+    EXPECT_TRUE(needsDecisions({"verdicts"}));
+    EXPECT_TRUE(needsDecisions({"boxes"}));
 }
 
 TEST(VerdictPalette, backgroundChoosesTheColours) {

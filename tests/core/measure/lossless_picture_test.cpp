@@ -16,7 +16,7 @@ namespace cullscope::test::lossless_picture_test {
 namespace {
 
 constexpr uint64_t kAllViews = 10'000;
-constexpr uint64_t kSample = 1'400;
+constexpr uint64_t kSample = 800;
 constexpr uint64_t kViewsPerScene = 10;
 
 enum Kind { Within, Cutting, Touching, Behind, InSphere, AtCentre, KindCount };

@@ -56,8 +56,8 @@ void expectReplays(Bench& bench, const Prepare& prepare) {
         const FrameLog recorded = bench.decide(view);
         const Reference truth = bench.truth(view);
         const TriangleStates states = triangleStates(*bench.scene, recorded, truth.visible());
-        drawViewPicture(GlEnvironment::renderer(), bench.buffers, *bench.built, recorded, aside, &states,
-                        {.colouring = Colouring::Verdicts}, {}, target);
+        drawViewPicture(GlEnvironment::renderer(), bench.buffers, *bench.built, recorded, aside, &states, {"verdicts"}, {},
+                        target);
         // A sliver that only the raster's snapping shows is not in a picture of rays.
         EXPECT_LE(states.counts[size_t(TriangleState::WronglyCulled)], hasOwnRaster(recorded) ? 3u : 0u);
         const std::optional<PickedTriangle> picked = GlEnvironment::renderer().pick(bench.buffers, view, recorded, 80, 60);

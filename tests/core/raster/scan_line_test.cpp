@@ -150,5 +150,35 @@ TEST(ScanLine, looksForAStopRequestEveryFewMilliseconds) {
     EXPECT_LT(watched.longestGap(), 100.0) << "milliseconds";
 }
 
+TEST(ScanLine, activeEdgesBoundTheSurfacesOfEachRow) {
+    for (uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ScenePointer scene = randomPolygons(seed);
+        const SceneOnRaster raster = trianglesOnRaster(*scene, View(aroundPolygons(seed), {90, 70}), Facing::TwoSided);
+        const ScanLinePicture lines = drawScanLine(raster, true);
+        std::vector<uint64_t> inRow(70, 0);
+        for (const RowEdge& edge : lines.edges) {
+            ++inRow[size_t(edge.row)];
+            EXPECT_GE(edge.column, edge.x - 1e-9) << "the first column whose centre is not left of it";
+            EXPECT_LT(edge.column - 1, edge.x);
+            const auto& [a, b] = edge.ends;
+            EXPECT_NEAR(a.x + (double(b.x) - a.x) * (edge.row - a.y) / (double(b.y) - a.y), edge.x,
+                        1e-3 * (1.0 + std::abs(edge.x)));
+            EXPECT_TRUE(std::min(a.y, b.y) <= float(edge.row) && float(edge.row) <= std::max(a.y, b.y));
+        }
+        for (const RowCounts& row : lines.rows) EXPECT_EQ(inRow[size_t(row.firstRow)], row.edges) << row.firstRow;
+        for (const RowSpan& span : lines.spans) {
+            const auto bounds = [&](bool begins) {
+                return std::ranges::any_of(lines.edges, [&](const RowEdge& edge) {
+                    const bool of = edge.row == span.row && edge.triangle == span.triangle && edge.begins == begins;
+                    return of && (begins ? edge.column <= span.begin : edge.column >= span.end);
+                });
+            };
+            EXPECT_TRUE(bounds(true) && bounds(false)) << "row " << span.row << ", column " << span.begin;
+        }
+        EXPECT_TRUE(drawScanLine(raster).edges.empty()) << "nothing is kept where it is not asked for";
+    }
+}
+
 }  // namespace
 }  // namespace cullscope::test::scan_line_test

@@ -235,5 +235,51 @@ TEST(BspTree, givenPlanesNeedAScene) {
     expectAreasConserved(tree, *quiz);
 }
 
+TEST(BspTree, nodesSumUpWhatLiesBelowThem) {
+    for (uint64_t seed = 0; seed < 12; ++seed)
+        for (const BspPlane plane : kOwnPlanes) {
+            const ScenePointer scene = hardScene(seed);
+            const BspTree tree(*scene, {.plane = plane});
+            for (const BspTree::Node& node : tree.nodes()) {
+                uint32_t polygons = node.partCount;
+                Box3 below;
+                for (const int32_t child : {node.front, node.back}) {
+                    if (child == BspTree::kNone) continue;
+                    polygons += tree.nodes()[size_t(child)].polygons;
+                    below.add(tree.nodes()[size_t(child)].box);
+                }
+                EXPECT_EQ(node.polygons, polygons);
+                if (!below.empty()) {
+                    EXPECT_TRUE(glm::all(glm::lessThanEqual(node.box.min, below.min)));
+                    EXPECT_TRUE(glm::all(glm::greaterThanEqual(node.box.max, below.max)));
+                }
+                const auto parts = tree.partsOf(node);
+                EXPECT_TRUE(std::ranges::is_sorted(parts, std::greater<>(), &BspTree::Part::triangle));
+            }
+            EXPECT_EQ(tree.nodes().front().polygons, tree.parts().size());
+        }
+}
+
+TEST(BspTree, candidatesAreJudgedByCutsOrByBalance) {
+    const ScenePointer scene = sceneOf({randomTriangles(3, 1'000, 0.3)});
+    const BspTree first(*scene, {.plane = BspPlane::First}), fewest(*scene, {.plane = BspPlane::Fewest});
+    const BspTree balance(*scene, {.plane = BspPlane::Balance});
+    EXPECT_LT(fewest.cuts(), balance.cuts());
+    EXPECT_LT(balance.depth(), fewest.depth());
+    EXPECT_LT(fewest.cuts(), first.cuts());
+    EXPECT_LT(balance.depth(), first.depth());
+}
+
+TEST(BspTree, limitRefusesTheFirstCutThatIsTooMany) {
+    const ScenePointer piercing = sceneOf({soupMesh({{-1, -1, -1}, {1, -1, 1}, {0, 1, 0}, {-1, -1, 1}, {1, -1, -1}, {0, 1, 0}})});
+    try {
+        const BspTree tree(*piercing, {.limit = 2});
+        FAIL() << "a cut makes a third polygon";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("were cut 0 times"), std::string::npos) << error.what();
+    }
+    EXPECT_EQ(BspTree(*piercing, {.limit = 3}).cuts(), 1u);
+}
+
 }  // namespace
 }  // namespace cullscope::test::bsp_tree_test

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/geometry/random.h"
+#include "tests/support/stopped_work.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::instance_octree_test {
@@ -186,6 +187,24 @@ TEST(InstanceOctree, hundredThousandInstancesMakeTheSameShallowTree) {
     EXPECT_LE(depthOf(octree), 21);
     const InstanceOctree again(*scene);
     EXPECT_EQ(again.order(), octree.order());
+}
+
+TEST(InstanceOctree, buildStopsAtTheNextLookWhereverItIs) {
+    const ScenePointer scene = randomField(6'000, Vec3(100), 4);
+    uint64_t all = 0;
+    {
+        const WatchedWork watched;
+        const InstanceOctree octree(*scene, 1);
+        all = watched.steps();
+        ASSERT_GT(octree.nodes().size(), 6'000u);
+    }
+    ASSERT_GT(all, 60'000u) << "the sort's comparisons among them";
+    for (const uint64_t steps : {uint64_t{1}, all / 12, all / 2, all - 2 * WorkCheck::kBetween}) {
+        const StoppedWork stopped =
+            stoppedAfter(steps, [&](const Progress& progress) { (void)InstanceOctree(*scene, 1, progress); });
+        EXPECT_TRUE(stopped.interrupted) << steps;
+        EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
+    }
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "tests/support/cut_scenes.h"
 #include "tests/support/long_mode.h"
+#include "tests/support/ordered_samples.h"
 #include "tests/support/stopped_work.h"
 
 namespace cullscope::test::painters_order_test {
@@ -20,7 +21,8 @@ struct Ordered {
     std::vector<uint32_t> triangles;  ///< far to near
     PaintersOrder order;
     std::vector<NewellStep> steps;
-    std::vector<double> shares;  ///< of each scene triangle's area, summed over its polygons
+    std::vector<double> shares;              ///< of each scene triangle's area, summed over its polygons
+    std::vector<std::vector<Vec3>> corners;  ///< of the polygons in their order, relative to the eye
 
     [[nodiscard]] uint64_t count(NewellTest test) const { return order.tests[size_t(test)]; }
     /// Of all comparisons.
@@ -42,6 +44,8 @@ Ordered ordered(const ScenePointer& scene, PaintersOptions options = {}, const V
         const uint32_t triangle = triangles.polygons()[polygon].triangle;
         result.triangles.push_back(triangle);
         result.shares[triangle] += triangles.share(polygon);
+        for (std::vector<Vec3>& corners = result.corners.emplace_back(); const auto& corner : triangles.cornersOf(polygon))
+            corners.push_back(triangles.position(corner.vertex) - view.eye());
     }
     return result;
 }
@@ -94,6 +98,46 @@ const std::vector<Pair>& pairs() {
     return kPairs;
 }
 
+/// That the two numbers of a step decide its test as they are said to.
+void expectCompared(const NewellStep& step) {
+    const bool passed = step.kind == NewellStep::Kind::Compared;
+    switch (step.test) {
+        case NewellTest::Depth:
+            EXPECT_EQ(step.second <= step.first, passed) << "Q's farthest depth and P's nearest one";
+            break;
+        case NewellTest::ExtentX:
+        case NewellTest::ExtentY:
+            EXPECT_GE(std::min(step.first, step.second), 0.0) << "pixels";
+            EXPECT_LE(std::max(step.first, step.second), 320.0);
+            if (!passed) {
+                EXPECT_LT(step.first, step.second) << "what both have";
+            }
+            break;
+        case NewellTest::BehindQ:
+            EXPECT_GE(std::min(step.first, step.second), 0.0);
+            if (passed) {
+                EXPECT_LE(step.first, 1e-9) << "P before the plane of Q";
+            }
+            break;
+        case NewellTest::BeforeP:
+            EXPECT_GE(std::min(step.first, step.second), 0.0);
+            if (passed) {
+                EXPECT_LE(step.second, 1e-9) << "Q behind the plane of P";
+            }
+            break;
+        case NewellTest::Projections:
+            EXPECT_EQ(step.byDepth ? step.second <= 0.0 : step.first <= step.second, passed);
+            break;
+        case NewellTest::Swap:
+        case NewellTest::Cycle:
+            EXPECT_GT(std::min(step.first, step.second), 0.0) << "depths";
+            break;
+        case NewellTest::Pierce:
+            EXPECT_LT(step.first, 0.0);
+            EXPECT_GT(step.second, 0.0);
+    }
+}
+
 TEST(PaintersOrder, eachOfNewellsTestsDecidesOnce) {
     for (const Pair& pair : pairs()) {
         SCOPED_TRACE(pair.name);
@@ -107,16 +151,22 @@ TEST(PaintersOrder, eachOfNewellsTestsDecidesOnce) {
             EXPECT_EQ(result.comparisons(), 1u);
             EXPECT_EQ(result.count(pair.decides), 1u);
             using Kind = NewellStep::Kind;
-            ASSERT_EQ(result.steps.size(), 5u) << "P, what decided, P is drawn, and the other one";
+            const auto failed = size_t(pair.decides);
+            ASSERT_EQ(result.steps.size(), failed + 5) << "P, what failed, what decided, P is drawn, and the other one";
             EXPECT_EQ(result.steps[0].kind, Kind::Taken);
             EXPECT_EQ(result.steps[0].p, 0u);
             EXPECT_NEAR(result.steps[0].first, 7.0, 1e-9) << "the farthest depth";
-            EXPECT_EQ(result.steps[1].kind, Kind::Compared);
-            EXPECT_EQ(result.steps[1].test, pair.decides);
-            EXPECT_EQ(result.steps[2].kind, Kind::Drawn);
-            EXPECT_EQ(result.steps[2].p, 0u);
-            EXPECT_EQ(result.steps[3].kind, Kind::Taken);
-            EXPECT_EQ(result.steps[4].kind, Kind::Drawn);
+            for (size_t test = 0; test < failed; ++test) {
+                EXPECT_EQ(result.steps[1 + test].kind, Kind::Failed);
+                EXPECT_EQ(size_t(result.steps[1 + test].test), test) << "in the order of their numbers";
+            }
+            for (size_t test = 0; test <= failed; ++test) expectCompared(result.steps[1 + test]);
+            EXPECT_EQ(result.steps[failed + 1].kind, Kind::Compared);
+            EXPECT_EQ(result.steps[failed + 1].test, pair.decides);
+            EXPECT_EQ(result.steps[failed + 2].kind, Kind::Drawn);
+            EXPECT_EQ(result.steps[failed + 2].p, 0u);
+            EXPECT_EQ(result.steps[failed + 3].kind, Kind::Taken);
+            EXPECT_EQ(result.steps[failed + 4].kind, Kind::Drawn);
         }
     }
 }
@@ -211,6 +261,81 @@ TEST(PaintersOrder, millionCoplanarTrianglesAreSortedWithALookInEveryTenthOfASec
     EXPECT_GT(watched.steps(), scene->triangleCount());
     EXPECT_EQ(order.polygons.size(), scene->triangleCount());
     EXPECT_EQ(triangles.cuts(), 0u);
+}
+
+TEST(PaintersOrder, everyComparisonIsWatchedFromItsFirstTestToTheOneThatEndsIt) {
+    for (uint64_t seed = 0; seed < 12; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const Ordered result = ordered(hardScene(seed), {}, front({320, 240}));
+        std::array<uint64_t, kNewellTests> decided{};
+        std::optional<NewellStep> before;  // a test that failed
+        for (const NewellStep& step : result.steps) {
+            const bool fails = step.kind == NewellStep::Kind::Failed;
+            if (before) {
+                ASSERT_TRUE(fails || step.kind == NewellStep::Kind::Compared) << "another test follows";
+                EXPECT_EQ(step.p, before->p);
+                EXPECT_EQ(step.q, before->q);
+                EXPECT_TRUE(step.test > before->test || (step.byDepth && step.test == before->test));
+            } else if (fails) {
+                EXPECT_EQ(step.test, NewellTest::Depth) << "a comparison begins with the depths";
+            }
+            before = fails ? std::optional(step) : std::nullopt;
+            if (step.kind == NewellStep::Kind::Compared) ++decided[size_t(step.test)];
+            if (fails || step.kind == NewellStep::Kind::Compared) expectCompared(step);
+        }
+        EXPECT_EQ(decided, result.order.tests);
+    }
+}
+
+TEST(PaintersOrder, nearestPolygonIsDrawnLastAtEverySample) {
+    for (uint64_t seed = 0; seed < 8; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        for (const ScenePointer& scene : {hardScene(seed), sceneOf({randomTriangles(seed, 30, 1.5)})}) {
+            const Ordered result = ordered(scene, {}, front({40, 30}));
+            EXPECT_EQ(wrongSamples(result.corners, front({40, 30})), 0u);
+            for (const double share : result.shares) EXPECT_NEAR(share, 1.0, 1e-9);
+        }
+    }
+}
+
+TEST(PaintersOrder, limitRefusesTheFirstCutThatIsTooMany) {
+    const ScenePointer piercing = sceneWith({{-1, -1, -1}, {1, -1, 1}, {0, 1, 0}, {-1, -1, 1}, {1, -1, -1}, {0, 1, 0}});
+    try {
+        (void)ordered(piercing, {.limit = 2});
+        FAIL() << "a cut makes a third polygon";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("were cut 0 times"), std::string::npos) << error.what();
+    }
+}
+
+TEST(PaintersOrder, polygonThatWaitedIsTakenAgain) {
+    const Ordered result =
+        ordered(sceneWith({{-3, -1, -2}, {1, -1, .6f}, {1, 1, .6f}, {0, -.5f, -.8f}, {.8f, -.5f, -.7f}, {.8f, .2f, -.6f}}));
+    std::vector<uint32_t> again;
+    for (const NewellStep& step : result.steps)
+        if (step.kind == NewellStep::Kind::Again) again.push_back(step.p);
+    EXPECT_THAT(again, ElementsAre(0));
+}
+
+TEST(PaintersOrder, whatCoversNoSampleIsCountedAndDrawnFirst) {
+    const Ordered result = ordered(layers({0, 1, 20}));
+    EXPECT_EQ(result.order.unordered, 1u) << "behind the eye";
+    EXPECT_THAT(result.triangles, ElementsAre(2, 0, 1));
+}
+
+TEST(PaintersOrder, mirroredObjectKeepsTheFrontOfItsTriangles) {
+    // The corners of both run counter-clockwise in their mesh; the transform of the second one turns them over.
+    const MeshPointer square = squareMesh(1, 0);
+    const ScenePointer scene = sceneOf({square, square}, {Mat4(1.0), translation({0, 0, 1}) * scaling({-1, 1, 1})});
+    EXPECT_EQ(ordered(scene, {.facing = Facing::Front}).order.unordered, 0u) << "both face the eye";
+}
+
+TEST(PaintersOrder, testThatFailsNamesWhatBothExtentsHave) {
+    const Ordered result = ordered(sceneWith(pairs()[4].corners));
+    ASSERT_EQ(result.steps[2].test, NewellTest::ExtentX);
+    const auto pixel = [](double x, double z) { return 50.0 + 50.0 * std::sqrt(3.0) * x / (6.0 - z); };
+    EXPECT_NEAR(result.steps[2].first, pixel(.2, .3), 1e-4) << "the narrow one lies within the wide one";
+    EXPECT_NEAR(result.steps[2].second, pixel(.6, .4), 1e-4);
 }
 
 }  // namespace

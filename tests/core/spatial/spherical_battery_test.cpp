@@ -92,7 +92,7 @@ TEST(SphericalBattery, case15RayOfImpactIsWalkedToTheSurface) {
     ASSERT_NEAR(maps.sphere().radius, 1.0, 1e-3);
     const Ray ray{{-3, 0.45, 0}, {1, 0, 0}};
     std::vector<WalkedCell> walked;
-    const std::optional<TriangleHit> hit = searchTriangle(maps, ray, &walked);
+    const auto hit = searchTriangle(maps, ray, [&](const WalkedCell& cell) { walked.push_back(cell); });
     ASSERT_TRUE(hit);
     const Vec3 entry = ray.at(throughSphere(ray, maps.sphere().radius)->from), surface = ray.at(hit->t);
     EXPECT_NEAR(glm::length(surface), 0.5, 1e-3);

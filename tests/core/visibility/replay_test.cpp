@@ -80,7 +80,7 @@ TEST(Replay, ofADepthBufferDrawsTheTrianglesThatWereDrawnSoFar) {
     uint64_t named = 0;
     for (size_t k = 0; k < log.decisions.size(); ++k) {
         const Decision& decision = log.decisions[k];
-        if (decision.subject.kind != Subject::Kind::Cell || decision.outcome != Decision::Outcome::Drawn) continue;
+        if (decision.subject.kind != Subject::Kind::Triangles || decision.outcome != Decision::Outcome::Drawn) continue;
         const FrameLog part = replayUpTo(log, k + 1);
         EXPECT_EQ(std::get<DrawList>(part.commands.at(0)).triangleCount(), ++named);
         const Renderer::ItemBuffer items = GlEnvironment::renderer().drawItemBuffer(buffers, view, part, {0, 0, log.size});

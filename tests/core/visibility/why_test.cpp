@@ -35,8 +35,8 @@ std::array<OwnPlane, 6> ownPlanes(const Camera& camera, const Viewport& size) {
             OwnPlane{forward, -camera.nearDistance}, OwnPlane{-forward, camera.farDistance}};
 }
 
-/// The smaller distance of the box's corner farthest inside and the sphere's point farthest inside: the tighter bound.
-double ownDistance(const OwnPlane& plane, const Scene& scene, uint32_t instance, const Vec3& eye) {
+/// The distances of the sphere's point farthest inside, and of the box's corner farthest inside.
+std::pair<double, double> ownDistances(const OwnPlane& plane, const Scene& scene, uint32_t instance, const Vec3& eye) {
     const Box3& box = scene.instanceBox(instance);
     double farthest = -1e300;
     for (int c = 0; c < 8; ++c) {
@@ -45,7 +45,7 @@ double ownDistance(const OwnPlane& plane, const Scene& scene, uint32_t instance,
         farthest = std::max(farthest, glm::dot(plane.normal, corner - eye) + plane.offset);
     }
     const Sphere& sphere = scene.instanceSphere(instance);
-    return std::min(farthest, glm::dot(plane.normal, sphere.centre - eye) + plane.offset + sphere.radius);
+    return {glm::dot(plane.normal, sphere.centre - eye) + plane.offset + sphere.radius, farthest};
 }
 
 /// A field of spheres and a camera in it: objects inside, outside and across every side plane.
@@ -67,7 +67,7 @@ std::vector<Camera> cameras() {
     return cameras;
 }
 
-TEST(Why, planeDistanceIsThatOfAnIndependentOne) {
+TEST(Why, planeDistancesAreThoseOfIndependentOnes) {
     const ScenePointer scene = field();
     const CullerPointer frustum = makeCuller("frustum");
     frustum->build(*scene);
@@ -79,11 +79,15 @@ TEST(Why, planeDistanceIsThatOfAnIndependentOne) {
         const Culled frame = frustum->cull(view, Recording::On);
         for (uint32_t instance = 0; instance < scene->instances().size(); ++instance) {
             const auto steps = why(*frustum->built(), frame.log, scene->firstTriangle(instance) + 3);
+            std::map<FrustumPlane, int> tests;
             for (const WhyStep& step : steps) {
                 if (!step.plane) continue;
                 ASSERT_TRUE(step.distance && step.bound);
-                const double own = ownDistance(planes[size_t(*step.plane)], *scene, instance, camera.eye);
-                EXPECT_NEAR(*step.distance, own, 1e-9);
+                // The object's sphere is tested first, then its box; where the sphere's batch ended before, the box alone.
+                const auto [sphere, box] = ownDistances(planes[size_t(*step.plane)], *scene, instance, camera.eye);
+                const bool ofSphere = std::abs(*step.distance - sphere) < 1e-9;
+                EXPECT_TRUE(ofSphere || std::abs(*step.distance - box) < 1e-9) << *step.distance;
+                EXPECT_LE(++tests[*step.plane], 2);
                 EXPECT_GT(*step.bound, 0.0);
                 EXPECT_LT(*step.bound, 1e-4) << "a margin, not a distance";
                 EXPECT_EQ(step.containment == Containment::Outside, *step.distance < -*step.bound);
@@ -131,6 +135,7 @@ TEST(Why, chainAgreesWithTheDrawList) {
                 const bool alone = chain.find("leaves the object out: ") != std::string::npos;
                 const bool grouped = chain.find("box was tested first: outside the") != std::string::npos ||
                                      chain.find("box was tested first: an axis parts it") != std::string::npos ||
+                                     chain.find("is left out with its whole group") != std::string::npos ||
                                      chain.find("box was tested first: what was drawn before hides") != std::string::npos;
                 EXPECT_FALSE(alone && grouped) << chain;
                 const bool left = alone || grouped;
@@ -218,7 +223,8 @@ std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& 
             named[size_t(decision.cause)] += triangles;
             missing[instance] -= triangles;
         };
-        if (decision.subject.kind == Subject::Kind::Cell) name(decision.subject.object, decision.places.count);
+        if (decision.subject.kind == Subject::Kind::Cell || decision.subject.kind == Subject::Kind::Triangles)
+            name(decision.subject.object, decision.places.count);
         forObjectsOf(frame.log, decision, [&](uint32_t instance) { name(instance, missing[instance]); });
     }
     EXPECT_THAT(missing, testing::Each(0u)) << "left out without a decision";
@@ -226,7 +232,7 @@ std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& 
 }
 
 TEST(Decisions, everyTriangleNotSubmittedHasACause) {
-    for (uint64_t seed = 1; seed <= howMany(20, 20); ++seed) {
+    for (uint64_t seed = 1; seed <= howMany(20, 8); ++seed) {
         const ScenePointer scene = randomScene(seed);
         std::vector<CullerPointer> built;
         for (const RegisteredStrategy& registered : strategies()) {

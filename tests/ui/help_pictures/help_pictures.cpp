@@ -93,12 +93,6 @@ struct Desktop {
     MainWindow window;
 };
 
-ViewLook verdictsWith(std::set<std::string> overlays) {
-    ViewLook look{Colouring::Verdicts, true, false, false};
-    look.overlays = std::move(overlays);
-    return look;
-}
-
 void firstWindow(Desktop& desktop) {
     showFirstViews(desktop.session, {});
     desktop.open("bunny");
@@ -106,16 +100,14 @@ void firstWindow(Desktop& desktop) {
 
 void inside(Desktop& desktop) {
     desktop.open(kBunny);
-    desktop.watch("spherical", verdictsWith({"bands"}));
+    desktop.watch("spherical", {"verdicts", "bands"});
     desktop.seeFrom(1, {4.2, 0.9, -0.6}, Vec3(0.0));
     if (!desktop.window.structurePanel().curves().empty()) desktop.showTab(*desktop.window.structurePanel().curves().front());
 }
 
 void ofCase(Desktop& desktop, const char* path) {
     desktop.open(kBunny);
-    ViewLook look = verdictsWith({});
-    look.boxes = look.frustum = true;
-    desktop.watch("spherical", look);
+    desktop.watch("spherical", {"verdicts", "boxes", "frustum"});
     const Camera camera = cameraPath(path, *desktop.session.scene()).camera(0);
     desktop.session.setCamera(camera);
     // From beside the culling camera, so that its rays are seen from the side.
@@ -125,7 +117,7 @@ void ofCase(Desktop& desktop, const char* path) {
 
 void lossless(Desktop& desktop) {
     desktop.open(kBunny);
-    desktop.watch("spherical-lossless", verdictsWith({"kernel"}));
+    desktop.watch("spherical-lossless", {"verdicts", "kernel"});
     desktop.seeFrom(1, {4.2, 0.9, -0.6}, Vec3(0.0));
 }
 

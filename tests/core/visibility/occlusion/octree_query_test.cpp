@@ -3,12 +3,14 @@
 #include <map>
 #include <set>
 
+#include "core/frame/prediction.h"
 #include "core/mesh/parametric.h"
 #include "core/scene/camera_path.h"
 #include "core/scene/layers_scene.h"
 #include "core/visibility/why.h"
 #include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
+#include "tests/support/stopped_work.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::octree_query_test {
@@ -252,6 +254,84 @@ TEST(OctreeQuery, treeWhyAndCountsTellWhatIsHidden) {
     EXPECT_TRUE(has(0, "is given to OpenGL"));
     EXPECT_FALSE(has(0, "edge of the frustum"));
     EXPECT_TRUE(has(1, "counts as visible")) << "the first one is not asked about";
+}
+
+/// A wall at distance 3 that fills the left half of the view, and boxes behind and beside it.
+ScenePointer boxesBehindHalfAWall() {
+    std::vector<MeshPointer> meshes{meshOf({{-9, -9, -3}, {0, -9, -3}, {0, 9, -3}, {-9, 9, -3}}, {0, 1, 2, 0, 2, 3})};
+    std::vector<Mat4> places{Mat4(1.0)};
+    const MeshPointer box = boxMesh(Vec3f(-0.1f), Vec3f(0.1f));
+    for (int i = 0; i < 400; ++i) {
+        meshes.push_back(box);
+        places.push_back(translation({i % 20 - 9.5, i / 20 - 9.5, -11.0 - 0.01 * i}));
+    }
+    return sceneOf(std::move(meshes), places);
+}
+
+TEST(OctreeQuery, stopsAtTheNextLookAndThenRemembersWhatItDidBefore) {
+    const ScenePointer scene = boxesBehindHalfAWall();
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    for (const char* latency : {"0", "2"}) {
+        SCOPED_TRACE(latency);
+        const CullerPointer culler = octreeQuery({{"latency", latency}}), other = octreeQuery({{"latency", latency}});
+        for (Culler* one : {culler.get(), other.get()}) {
+            one->build(*scene);
+            for (int i = 0; i < 2; ++i) (void)frameOf(*one, standardView(), Recording::Off);
+        }
+        for (const uint64_t steps : {1, 5'000, 10'000}) {
+            const StoppedWork stopped = stoppedAfter(steps, [&](const Progress& progress) {
+                GpuFrame frame(GlEnvironment::renderer(), buffers, standardView());
+                frame.stopBy(progress.stop);
+                culler->built()->draw(frame, culler->state());
+            });
+            EXPECT_TRUE(stopped.interrupted) << steps;
+            EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
+        }
+        // The frames that were stopped asked questions; no later frame takes their answers for those of a whole one.
+        const WatchedWork watched;
+        const Culled frame = frameOf(*culler, standardView(), Recording::Off);
+        EXPECT_GE(double(watched.steps() + WorkCheck::kBetween), 64.0 * figure(frame, "queries")) << "a question takes long";
+        const Culled expected = frameOf(*other, standardView(), Recording::Off);
+        EXPECT_EQ(drawn(frame), drawn(expected));
+        EXPECT_GT(frame.culledTriangles[size_t(Cause::Hidden)], 0u);
+        EXPECT_EQ(frame.culledTriangles, expected.culledTriangles);
+        EXPECT_EQ(figure(frame, "queries"), figure(expected, "queries"));
+    }
+}
+
+TEST(OctreeQuery, leavesCanBeAskedForInASmallScene) {
+    const ScenePointer scene = wallBeforeSpheres();
+    const CullerPointer culler = octreeQuery({{"leaf", "2"}});
+    culler->build(*scene);
+    const Culled frame = frameOf(*culler, standardView());
+    EXPECT_FALSE(culler->built()->parts(frame.log).divides()) << "an order is asked of objects";
+    const NamedParts parts = culler->built()->partsByLeaf(frame.log);
+    ASSERT_EQ(parts.parts.size(), scene->instances().size());
+    const InstanceOctree octree(*scene, 2);
+    EXPECT_EQ(parts.places.size(), parts.leaves);
+    for (uint32_t i = 0; i < parts.parts.size(); ++i) {
+        EXPECT_EQ(parts.parts[i].object, i);
+        EXPECT_EQ(parts.parts[i].name, scene->instances()[i].name);
+        const InstanceOctree::Node& leaf = octree.nodes()[std::stoul(parts.places.at(parts.parts[i].place.value()))];
+        EXPECT_TRUE(leaf.leaf());
+        EXPECT_TRUE(std::ranges::count(octree.instancesOf(leaf), i) == 1);
+        EXPECT_EQ(parts.partAt(*scene, scene->firstTriangle(i), Vec3(0.0)), i) << "by a click";
+        EXPECT_EQ(parts.middleOf(*scene, i), scene->instanceBox(i).centre());
+    }
+    Prediction leaf{Prediction::Question::Place, Prediction::Items::Parts};
+    leaf.toggle(5);
+    leaf.place(*parts.parts[5].place);
+    leaf.toggle(7);
+    leaf.place(*parts.parts[7].place == 0 ? 1 : 0);
+    const std::vector<PredictionRow> rows = answerTo(leaf, *scene, frame.log, parts);
+    ASSERT_EQ(rows.size(), 2u);
+    EXPECT_EQ(rightRows(rows), 1u);
+    // Of more leaves than a lecturer would name only their number is known.
+    const ScenePointer many = boxesBehindHalfAWall();
+    culler->build(*many);
+    const NamedParts unnamed = culler->built()->partsByLeaf({});
+    EXPECT_TRUE(unnamed.places.empty() && unnamed.parts.empty());
+    EXPECT_GT(unnamed.leaves, NamedParts::kMostLeaves);
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "tests/support/cut_scenes.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/picture_differences.h"
+#include "tests/support/spherical_scenes.h"
 
 namespace cullscope::test::ordering_picture_test {
 namespace {

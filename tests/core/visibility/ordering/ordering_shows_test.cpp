@@ -264,5 +264,64 @@ TEST(OrderingFrames, framesOfThePainterStopAtTheNextLook) {
     }
 }
 
+TEST(OrderingFrames, walksOfTheTreeStopAtTheNextLook) {
+    // One tree with a node for nearly every triangle, one with all polygons at one node, one of triangles without area.
+    std::vector<Vec3f> flat;
+    for (int i = 0; i < 6'000; ++i) flat.insert(flat.end(), {{float(i), 0, 0}, {float(i), 0, 0}, {float(i) + 0.5f, 0, 0}});
+    for (const ScenePointer& scene :
+         {sceneOf({randomTriangles(1, 4'000, 0.02)}), coplanarTriangles(6'000), sceneOf({soupMesh(std::move(flat))})}) {
+        const CullerPointer tree = strategy("bsp");
+        tree->build(*scene);
+        const View view({{0, 0, 6}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, kSize);
+        for (const uint64_t steps : {1, 3'000}) {
+            const StoppedWork stopped = stoppedAfter(steps, [&](const Progress& progress) {
+                FrameContext frame(*scene, view, false);
+                frame.stopBy(progress.stop);
+                tree->built()->draw(frame, tree->state());
+            });
+            EXPECT_TRUE(stopped.interrupted) << steps;
+            EXPECT_LE(stopped.stepsAfter, WorkCheck::kBetween) << steps;
+        }
+    }
+}
+
+TEST(OrderingGroups, leavesCanBeAskedForWithoutGivenPlanes) {
+    const ScenePointer scene = openScene("quiz").scene;
+    const CullerPointer tree = strategy("bsp", {{"plane", "fewest"}});
+    tree->build(*scene);
+    const View view{*scene->remarks().camera, kSize};
+    const FrameLog log = tree->cull(view, Recording::On).log;
+    const NamedParts parts = tree->built()->partsByLeaf(log);
+    const StructureSnapshot snapshot = tree->snapshot(log);
+    ASSERT_EQ(parts.places.size(), snapshot.nodes.size());
+    ASSERT_LE(parts.places.size(), NamedParts::kMostLeaves);
+    for (size_t place = 0; place < parts.places.size(); ++place)
+        EXPECT_EQ(parts.places[place], snapshot.nodes[place].name) << "as the tree calls it";
+    // A part is what one node has of an object: it is drawn with that node.
+    std::set<std::pair<uint32_t, size_t>> seen;
+    size_t drawn = 0;
+    for (const NamedParts::Part& part : parts.parts) {
+        ASSERT_TRUE(part.place);
+        EXPECT_TRUE(seen.insert({part.object, *part.place}).second) << part.name;
+        drawn += part.drawn.size();
+        for (const PlaceRun& run : part.drawn) {
+            const auto said = std::ranges::find_if(log.decisions, [&](const Decision& decision) {
+                return decision.subject.kind == Subject::Kind::Fragment && decision.places == run;
+            });
+            ASSERT_NE(said, log.decisions.end());
+            EXPECT_EQ(size_t(said->operands[2]), *part.place);
+            EXPECT_EQ(said->subject.object, part.object);
+        }
+    }
+    EXPECT_EQ(drawn, tree->built()->listing(log)->decisions[3]) << "every part that is drawn";
+    EXPECT_GE(parts.parts.size(), 3u);
+    EXPECT_TRUE(tree->built()->parts(log).places.empty()) << "an order is asked of what cuts made";
+    const ScenePointer large = sceneOf({randomTriangles(1, 300, 0.2)});
+    tree->build(*large);
+    const NamedParts many = tree->built()->partsByLeaf(tree->cull(view, Recording::On).log);
+    EXPECT_TRUE(many.places.empty());
+    EXPECT_GT(many.leaves, NamedParts::kMostLeaves);
+}
+
 }  // namespace
 }  // namespace cullscope::test::ordering_shows_test

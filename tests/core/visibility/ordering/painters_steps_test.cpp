@@ -106,5 +106,46 @@ TEST_F(PaintersSteps, partsAreCalledAsInQuestions) {
     EXPECT_GT(called.size(), 3u);
 }
 
+TEST_F(PaintersSteps, everyTestIsSaidAsItFallsWithBothNumbers) {
+    constexpr uint8_t kFirstTest = 3, kLastTest = 7, kCut = 8, kSwap = 9;
+    std::array<uint64_t, kDrawLine + 1> decided{};  // by line
+    uint8_t failed = 0;                             // the line of the last test, where it failed
+    size_t failures = 0;
+    for (size_t i = 0; i < log.decisions.size(); ++i) {
+        const Decision& decision = log.decisions[i];
+        if (decision.subject.kind != Subject::Kind::Fragment) continue;
+        const bool test = decision.line >= kFirstTest && decision.line <= kLastTest;
+        if (!test && decision.line != kCut && decision.line != kSwap) {
+            EXPECT_EQ(failed, 0) << "a comparison goes on until something decides it";
+            continue;
+        }
+        EXPECT_EQ(decision.operandCount, 4) << "P, Q, and what is compared";
+        EXPECT_GE(decision.line, failed) << "in the order of the tests";
+        const FrameEntry entry{nullptr, &decision, i};
+        const std::string words = entryLine(*scene, entry, entryNames(snapshot, entry));
+        EXPECT_EQ(words.find('%'), std::string::npos) << words;
+        if (test && decision.containment != Containment::Inside) {
+            failed = decision.line;
+            ++failures;
+        } else {
+            ++decided[decision.line];
+            failed = 0;
+        }
+    }
+    const auto figure = [&](const char* name) {
+        return uint64_t(std::ranges::find(log.counters.figures, name, &NamedFigure::name)->value);
+    };
+    EXPECT_EQ(decided[3], figure("test_depth"));
+    EXPECT_EQ(decided[4], figure("test_1_x") + figure("test_2_y"));
+    EXPECT_EQ(decided[5], figure("test_3_behind"));
+    EXPECT_EQ(decided[6], figure("test_4_before"));
+    EXPECT_EQ(decided[7], figure("test_5_projection"));
+    EXPECT_EQ(decided[kCut], figure("cycles") + figure("pierced"));
+    EXPECT_EQ(decided[kSwap], figure("swaps"));
+    EXPECT_GT(failures, 3 * (decided[kCut] + decided[kSwap])) << "all before these failed";
+    const Bars bars = painter->built()->bars(log).at(0);
+    for (size_t i = 0; i < 3; ++i) EXPECT_EQ(bars.bars[i].value, decided[5 + i]) << "what failed is not counted";
+}
+
 }  // namespace
 }  // namespace cullscope::test::painters_steps_test

@@ -2,9 +2,11 @@
 
 #include "core/visibility/software/software_raster.h"
 
+#include "core/frame/decided_ahead.h"
 #include "core/measure/accuracy.h"
 #include "core/mesh/parametric.h"
 #include "core/raster/depth_buffer.h"
+#include "core/visibility/subject_shape.h"
 #include "core/visibility/why.h"
 #include "tests/support/culler.h"
 #include "tests/support/gl_environment.h"
@@ -99,7 +101,7 @@ TEST(SoftwareRaster, scanLineSaysEverySpanOfASmallPictureAndTheRowsOfALargeOne) 
     };
     const auto rowsOf = [](const FrameLog& log) {
         return std::ranges::count_if(
-            log.decisions, [](const Decision& one) { return one.subject.kind == Subject::Kind::Tile && one.places.count > 0; });
+            log.decisions, [](const Decision& one) { return one.subject.kind == Subject::Kind::Rows && one.places.count > 0; });
     };
     const FrameLog small = built(kIds[1], scene)->cull(View(aroundPolygons(5), {40, 30}), Recording::On).log;
     EXPECT_GT(spansOf(small), 60) << "what decides a span, and that it is filled";
@@ -122,7 +124,7 @@ TEST(SoftwareRaster, depthBufferSaysEveryTriangleOfASmallSceneAndTheBandsOfALarg
     const FrameLog log = culler->cull(view, Recording::On).log;
     std::vector<const Decision*> about;
     for (const Decision& decision : log.decisions)
-        if (decision.subject.kind == Subject::Kind::Cell && decision.outcome != Decision::Outcome::Culled)
+        if (decision.subject.kind == Subject::Kind::Triangles && decision.outcome != Decision::Outcome::Culled)
             about.push_back(&decision);
     ASSERT_EQ(about.size(), 8u) << "two of each triangle";
     // Reversed depths at 5, 4 and 8 units with planes at 1 and 10.
@@ -141,7 +143,7 @@ TEST(SoftwareRaster, depthBufferSaysEveryTriangleOfASmallSceneAndTheBandsOfALarg
         built(kIds[0], sceneOf({sphereMesh(20'000)}))
             ->cull(View({{0, 0, 4}, Vec3(0.0), {0, 1, 0}, Angle::fromDegrees(40), 0.1, 100}, {320, 240}), Recording::On)
             .log;
-    EXPECT_EQ(std::ranges::count_if(large.decisions, [](const auto& one) { return one.subject.kind == Subject::Kind::Tile; }), 8);
+    EXPECT_EQ(std::ranges::count_if(large.decisions, [](const auto& one) { return one.subject.kind == Subject::Kind::Rows; }), 8);
 }
 
 TEST(SoftwareRaster, whyNamesTheFateOfAnObjectsTriangles) {
@@ -218,6 +220,101 @@ TEST(SoftwareRaster, triangleThatCoversNoSampleHasACauseOfItsOwn) {
         // Not recorded, the counts are the same.
         EXPECT_EQ(culler->cull(view).culledTriangles, frame.culledTriangles) << id;
     }
+}
+
+TEST(SoftwareRaster, rowInHandIsLitWithItsActiveEdges) {
+    const ScenePointer scene = sceneOf({squareMesh(2, -5), meshOf({{-1, -1, -4}, {0, -1, -4}, {0, 1, -4}}, {0, 1, 2})});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(60), 1, 10}, {64, 48});
+    const CullerPointer culler = built(kIds[1], scene);
+    const FrameLog log = culler->cull(view, Recording::On).log;
+    const StructureSnapshot snapshot = culler->snapshot(log);
+    constexpr uint8_t kRowLine = 2;
+    size_t rows = 0, full = 0, edges = 0;
+    for (size_t i = 0; i < log.decisions.size(); ++i) {
+        const Decision& decision = log.decisions[i];
+        if (decision.line != kRowLine) continue;
+        const FrameEntry entry{nullptr, &decision, i};
+        const SubjectShape shape = subjectShape(*scene, log, snapshot, entry);
+        const std::string line = entryLine(*scene, entry, entryNames(snapshot, entry));
+        if (decision.subject.kind == Subject::Kind::Triangles) {
+            ++edges;
+            ASSERT_EQ(shape.lines.size(), 1u);
+            EXPECT_EQ(shape.triangles.size(), 1u) << "with its triangle";
+            // The edge passes x in the row's middle.
+            const auto inPicture = [&](const Vec3& place) {
+                const Vec4 clip = view.clipFromEyeRelative() * Vec4(place - view.eye(), 1.0);
+                return Vec2((clip.x / clip.w * 0.5 + 0.5) * 64 - 0.5, (clip.y / clip.w * 0.5 + 0.5) * 48 - 0.5);
+            };
+            const Vec2 a = inPicture(shape.lines[0][0]), b = inPicture(shape.lines[0][1]);
+            EXPECT_NEAR(a.x + (b.x - a.x) * (decision.operands[0] - a.y) / (b.y - a.y), decision.operands[1], 0.02);
+            // On a side of its triangle, up to the raster's 1/256 pixel.
+            for (const Vec3& end : shape.lines[0]) {
+                double nearest = 1e9;
+                for (const Vec3& corner : shape.triangles[0]) nearest = std::min(nearest, glm::distance(corner, end));
+                EXPECT_LT(nearest, 2e-3);
+            }
+            EXPECT_EQ(line.substr(0, 9), "Triangle ") << line;
+            continue;
+        }
+        const auto row = double(decision.subject.number);
+        ASSERT_TRUE(shape.pixels);
+        EXPECT_EQ((*shape.pixels)[0], Vec2(0, row));
+        EXPECT_EQ((*shape.pixels)[1], Vec2(64, row + 1));
+        EXPECT_EQ(double(shape.lines.size()), decision.operands[1]) << "all its edges";
+        EXPECT_EQ(line.substr(0, 4), "Row ") << line;
+        EXPECT_NE(line.find("at x = "), std::string::npos) << line;
+        if (rows++ == 0) {
+            // It is not shown before it is done.
+            const FrameLog part = replayUpTo(log, i + 1);
+            const auto* picture = part.commands.empty() ? nullptr : std::get_if<FinishedPicturePointer>(&part.commands.back());
+            EXPECT_TRUE(picture == nullptr || std::ranges::count((*picture)->triangle, 0u) == 64 * 48)
+                << "all rows before are empty";
+        }
+        // Both triangles of the square, and the one before it.
+        if (decision.operands[2] < 3.0) continue;
+        ++full;
+        EXPECT_NE(line.find("; 2: "), std::string::npos) << "by the triangle's number in the scene: " << line;
+        EXPECT_NE(line.find(" 0: "), std::string::npos) << line;
+        EXPECT_NE(line.find(" 1: "), std::string::npos) << line;
+    }
+    EXPECT_GT(full, 5u);
+    EXPECT_GT(edges, 2 * rows);
+}
+
+TEST(SoftwareRaster, severalRowsAndTrianglesAreCalledByTheFirstAndTheLast) {
+    // Triangles beyond the far plane, behind each other, follow a visible one.
+    const ScenePointer scene = sceneOf({squareMesh(1, -50), meshOf({{-1, -1, -4},
+                                                                    {1, -1, -4},
+                                                                    {0, 1, -4},  //
+                                                                    {-1, -1, -40},
+                                                                    {1, -1, -40},
+                                                                    {0, 1, -40},
+                                                                    {2, 1, -40},
+                                                                    {-.1f, -.1f, -5},
+                                                                    {.1f, -.1f, -5},
+                                                                    {0, .1f, -5}},
+                                                                   {0, 1, 2, 3, 4, 5, 4, 6, 5, 7, 8, 9})});
+    const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(60), 1, 10}, {64, 64});
+    const CullerPointer culler = built(kIds[0], scene);
+    FrameLog log = culler->cull(view, Recording::On).log;
+    const StructureSnapshot snapshot = culler->snapshot(log);
+    const auto has = [&](const std::string& words) {
+        for (size_t i = 0; i < log.decisions.size(); ++i) {
+            const FrameEntry entry{nullptr, &log.decisions[i], i};
+            if (entryLine(*scene, entry, entryNames(snapshot, entry)).starts_with(words)) return true;
+        }
+        return false;
+    };
+    const std::string name = scene->instances()[1].name;
+    EXPECT_TRUE(has("Triangles 3–4 of " + name + ": ")) << "by their numbers in the scene";
+    EXPECT_TRUE(has("Triangle 5 of " + name + ": "));
+    EXPECT_TRUE(has("Triangle 2 of " + name + ": "));
+    EXPECT_FALSE(has("Cell"));
+    Decision band = log.decisions.front();
+    band.subject = {Subject::Kind::Rows, 32, Subject::kNoObject};
+    band.places = {32 * 64, 32 * 64};
+    const FrameEntry entry{nullptr, &band, 0};
+    EXPECT_EQ(subjectWords(*scene, band.subject, entryNames(snapshot, entry)).english(), "Rows 32–63 of the picture");
 }
 
 }  // namespace

@@ -85,6 +85,29 @@ TEST(RecordedDecisions, bandsAreThoseOfTheStreamAndThoseThatDecided) {
     for (const spherical::BandSector& entry : mute.bands->table) EXPECT_EQ(entry.size, 0.0);
 }
 
+TEST(RecordedDecisions, cellsThatAreDrawnAreThoseThatWereSaid) {
+    const ScenePointer scene = star();
+    for (const char* id : {"spherical", "spherical-horizon"}) {
+        const bool slopes = std::string(id) == "spherical-horizon";
+        for (const View& view : {seenWhole(), cut()}) {
+            const Recorded recorded(id, *scene, view);
+            const FrameLog& log = recorded.frame.log;
+            EXPECT_EQ(recorded.decision().drawnTriangles, recorded.frame.consideredTriangles);
+            const Subject::Kind kind = slopes ? Subject::Kind::Cell : Subject::Kind::Cells;
+            if (about(log, kind).empty()) continue;  // drawn whole
+            const spherical::SphericalDecision mute = spherical::decisionsOf(without(log, kind)).at(0);
+            EXPECT_TRUE(mute.drawn.empty()) << id;
+            EXPECT_EQ(mute.drawnTriangles, 0u) << id;
+            // Of a part of the entries what was said until then.
+            uint64_t said = 0;
+            const FrameLog part = log.upTo(log.entries() - log.entries() / 20);
+            for (const Decision& decision : about(part, kind))
+                if (decision.outcome == Decision::Outcome::Drawn) said += decision.places.count;
+            EXPECT_EQ(spherical::decisionsOf(part).at(0).drawnTriangles, said);
+        }
+    }
+}
+
 TEST(RecordedDecisions, whatASectorOfABandSaysIsWhatIsDrawnOfItsCells) {
     // Also of bands across 90°, where cells within 90° are drawn whatever their band's S says.
     const ScenePointer scene = sceneOf({bumpyMesh(3, 4'000, 0.5)}, {Mat4(1.0)});

@@ -8,6 +8,7 @@
 
 #include "core/frame/decided_ahead.h"
 #include "core/visibility/spherical/recorded_decisions.h"
+#include "core/visibility/spherical/visible_region.h"
 #include "core/visibility/triangle_states.h"
 #include "tests/support/spherical_scenes.h"
 
@@ -100,6 +101,40 @@ TEST(RecordedTests, cellsOfManyObjectsHaveResultsAlone) {
     EXPECT_EQ(count(frame.log, Subject::Kind::Cell, Decision::Outcome::Open), 0u);
     EXPECT_GT(count(frame.log, Subject::Kind::Cell, Decision::Outcome::Culled), 0u);
     EXPECT_EQ(count(recorded("spherical", *scene, view).log, Subject::Kind::Band, Decision::Outcome::Open), 0u);
+}
+
+TEST(RecordedTests, areSaidWhileTheyAreMade) {
+    const SphericalMaps maps(starMesh(7, 8'000), SphericalGrid());
+    const Ray ray{{3.0, 0.2, 0.1}, {-1.0, 0.05, 0.0}};
+    // A search that is left after its third cell has said three of them.
+    size_t cells = 0;
+    const auto leave = [&](const WalkedCell&) {
+        if (++cells == 3) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW((void)searchTriangle(maps, ray, leave), std::runtime_error);
+    EXPECT_EQ(cells, 3u);
+    // Each part of a decision says its own tests: nothing is left to say after it.
+    const auto tests = [](const auto& make) {
+        spherical::ObjectRecord record(0, true);
+        Decision first;
+        first.subject = record.subject();
+        record.say(first);
+        make(record);
+        const ScenePointer scene = star();
+        FrameContext frame(*scene, from(6.0, 60.0), true);
+        record.sayTo(frame);
+        return frame.said() - 1;
+    };
+    size_t walked = 0;
+    const size_t ofRay =
+        tests([&](spherical::ObjectRecord& record) { walked = followCorner(maps, ray, 1, &record).walkedCells.size(); });
+    EXPECT_GT(walked, 3u);
+    EXPECT_EQ(ofRay, walked + 2) << "its entry, every cell, and what it found";
+    const size_t ofBands = tests([&](spherical::ObjectRecord& record) {
+        spherical::ContourBands bands = spherical::makeBands({3, 0, 0}, 0.1, 8);
+        (void)drawnByS(spherical::BandCells(maps), bands, &record);
+    });
+    EXPECT_GT(ofBands, 100u) << "sectors";
 }
 
 TEST(RecordedTests, bandsAreSaidSectorBySectorFromTheNearPointOn) {

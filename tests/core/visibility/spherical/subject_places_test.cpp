@@ -161,7 +161,7 @@ TEST(SubjectPlaces, pixelsAreSeenFromOutsideAsThePyramidThroughThem) {
     for (const char* id : {"scan-line", "depth-buffer"}) {
         SCOPED_TRACE(id);
         const Stepped stepped(id, 4.0, 40.0, std::string(id) == "depth-buffer" ? 8'000 : 100);
-        const auto kind = std::string(id) == "scan-line" ? Subject::Kind::Span : Subject::Kind::Tile;
+        const auto kind = std::string(id) == "scan-line" ? Subject::Kind::Span : Subject::Kind::Rows;
         const View view(stepped.log.camera, stepped.log.size);
         const size_t count = stepped.each(kind, [&](const Decision& decision, const SubjectShape& shape) {
             ASSERT_EQ(shape.pixels.has_value(), decision.places.count > 0);
