@@ -38,7 +38,7 @@ struct PictureSubject {
         std::array<double, 2> ci95{};
     };
     std::optional<Ratio> ratioToFrontFaces;  ///< as in result files
-    std::optional<Viewport> figuresSize;   ///< the size at which the last two were measured
+    std::optional<Viewport> figuresSize;     ///< the size at which the last two were measured
 };
 
 /// Everything that repeats the picture, and its figures: "scene", "strategy", "eye", … "parameter:KEY" behind the prefix. What is

@@ -188,22 +188,6 @@
         <translation>표시</translation>
     </message>
     <message>
-        <source>Colours by verdict</source>
-        <translation>판정별 색</translation>
-    </message>
-    <message>
-        <source>With verdicts, what was left out too</source>
-        <translation>판정 색에서 제외된 것도 표시</translation>
-    </message>
-    <message>
-        <source>The culling camera&apos;s frustum</source>
-        <translation>컬링 카메라의 절두체</translation>
-    </message>
-    <message>
-        <source>The boxes that were tested</source>
-        <translation>검사한 상자</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>비교</translation>
     </message>
@@ -271,14 +255,6 @@
         <source>Picture</source>
         <translation>그림</translation>
     </message>
-    <message>
-        <source>Model in spherical coordinates</source>
-        <translation>구좌표계로 나타낸 모델</translation>
-    </message>
-    <message>
-        <source>Boxes by the plane that rejected them</source>
-        <translation>제외한 평면별 상자</translation>
-    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -328,7 +304,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view&apos;s header: speed against the baseline, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 놓침 %3</translation>
     </message>
     <message>
@@ -360,13 +336,13 @@
         <translation>놓친 픽셀 중 래스터의 1/256픽셀 맞춤으로 설명되지 않는 것: %1</translation>
     </message>
     <message>
-        <source>%1 against backface, with its 95 % interval</source>
-        <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
-        <translation>backface 대비 %1, 괄호 안은 95 % 구간</translation>
-    </message>
-    <message>
         <source>Submitted in %1 fragments that the strategy made of them</source>
         <translation>전략이 만든 삼각형 조각 %1개로 제출</translation>
+    </message>
+    <message>
+        <source>%1 against %2, with its 95 % interval</source>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>%2 대비 %1, 괄호 안은 95 % 구간</translation>
     </message>
 </context>
 <context>
@@ -2148,22 +2124,6 @@
         <translation>키운 상자를 질의 하나씩으로 보이지 않게 그림</translation>
     </message>
     <message>
-        <source>for each of the six planes</source>
-        <translation>여섯 평면 각각에 대해</translation>
-    </message>
-    <message>
-        <source>d = how far its bounds reach in</source>
-        <translation>d = 경계가 안쪽으로 들어온 거리</translation>
-    </message>
-    <message>
-        <source>if d &lt; −margin: leave it out</source>
-        <translation>d &lt; −한계이면: 제외, 다음 물체로</translation>
-    </message>
-    <message>
-        <source>draw it</source>
-        <translation>그 물체를 그림</translation>
-    </message>
-    <message>
         <source>visit(group, planes that may cut it)</source>
         <translation>방문(그룹, 자를 수 있는 평면들)</translation>
     </message>
@@ -2632,10 +2592,6 @@
         <translation>면이 보이는 픽셀</translation>
     </message>
     <message>
-        <source>In this tile %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
-        <translation>이 타일에서 깊이 %1개를 저장된 깊이와 비교함. %2개가 더 가까워 저장됨. 픽셀 %3개에 면이 보입니다.</translation>
-    </message>
-    <message>
         <source>comparisons of a depth buffer</source>
         <translation>깊이 버퍼라면 했을 비교</translation>
     </message>
@@ -2832,10 +2788,6 @@
         <translation>강의의 BSP 트리 예제 풀이</translation>
     </message>
     <message>
-        <source>building</source>
-        <translation>만드는 중</translation>
-    </message>
-    <message>
         <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
         <translation>강의의 평가: 깊이 겹침이 아주 적으면 화가 알고리즘이나 BSP 트리, 조금 있으면 스캔 라인, 면이 적으면 화가 알고리즘, BSP 트리, 스캔 라인, 면이 많으면 깊이 버퍼와 옥트리, 정지한 장면을 여러 시점에서 보면 BSP 트리. 강의에는 수치가 없습니다. 여기서는 층 1개가 아주 적은 겹침, 2개가 적은 겹침, 면 10개가 적은 수, 100,000개가 많은 수입니다.</translation>
     </message>
@@ -2948,10 +2900,6 @@
         <translation>삼각형의 일부에 관한 것</translation>
     </message>
     <message>
-        <source>About a tile of the picture</source>
-        <translation>그림의 타일에 관한 것</translation>
-    </message>
-    <message>
         <source>About a piece of a row</source>
         <translation>행의 일부에 관한 것</translation>
     </message>
@@ -3046,10 +2994,6 @@
     <message>
         <source>Band %1</source>
         <translation>띠 %1</translation>
-    </message>
-    <message>
-        <source>Tile %1 of the picture</source>
-        <translation>그림의 타일 %1</translation>
     </message>
     <message>
         <source>Piece %1 of a row, of %2</source>
@@ -3404,30 +3348,6 @@
         <translation>눈이 있는 쪽에 따른 노드</translation>
     </message>
     <message>
-        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
-        <translation>검사 3: 삼각형 %1은(는) 삼각형 %2의 평면 뒤에 온전히 있다(최대 %3).</translation>
-    </message>
-    <message>
-        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
-        <translation>검사 4: 삼각형 %1에서 볼 때 삼각형 %2은(는) 온전히 눈 쪽에 있다(최대 %3).</translation>
-    </message>
-    <message>
-        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
-        <translation>어느 검사로도 삼각형 %1이(가) 삼각형 %2보다 먼저 올 수 없어 뒤의 것을 먼저 다룬다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
-    </message>
-    <message>
-        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
-        <translation>삼각형 %1은(는) 표시된 삼각형 %2을(를) 기다린다. 순환이므로 하나를 자른다. 앞의 것의 가장 먼 깊이는 %3이다.</translation>
-    </message>
-    <message>
-        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
-        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것을 자른다. 1/깊이의 차는 %3에서 시작한다.</translation>
-    </message>
-    <message>
-        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
-        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 떨어져 있거나 앞의 것이 더 멀다: %3.</translation>
-    </message>
-    <message>
         <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
         <translation>먼저 와야 할 것이 남지 않았다. 삼각형 %2 넓이의 %1을(를) 그린다.</translation>
     </message>
@@ -3648,18 +3568,6 @@
         <translation>트리가 가질 수 있는 다각형의 수(잘린 것 포함)와 노드의 수.</translation>
     </message>
     <message>
-        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
-        <translation>삼각형 %2와(과) 그 뒤의 모든 삼각형은 삼각형 %1 전체보다 가깝다. 삼각형 %1의 가장 가까운 깊이는 %3이다.</translation>
-    </message>
-    <message>
-        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
-        <translation>검사 1: 삼각형 %1와(과) %2은(는) x 방향으로 %3픽셀 떨어져 있다.</translation>
-    </message>
-    <message>
-        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
-        <translation>검사 2: 삼각형 %1와(과) %2은(는) y 방향으로 %3픽셀 떨어져 있다.</translation>
-    </message>
-    <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
         <translation>삼각형 %1이(가) 남은 것 가운데 가장 멀다. 가장 먼 깊이는 %2이다.</translation>
     </message>
@@ -3842,6 +3750,682 @@
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>부채꼴 %4, α = %3°까지의 띠: S %1 ≤ 그 앞의 최댓값 %2. α = 90° 너머는 가려지고, 그 안쪽은 그립니다.</translation>
+    </message>
+    <message>
+        <source>About rows of the picture</source>
+        <translation>그림의 행에 관한 것</translation>
+    </message>
+    <message>
+        <source>About triangles</source>
+        <translation>삼각형에 관한 것</translation>
+    </message>
+    <message>
+        <source>Rows %1 of the picture</source>
+        <translation>그림의 %1행</translation>
+    </message>
+    <message>
+        <source>Row %1 of the picture</source>
+        <translation>그림의 %1행</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>삼각형 %1</translation>
+    </message>
+    <message>
+        <source>Triangles %1 of %2</source>
+        <translation>%2의 삼각형 %1</translation>
+    </message>
+    <message>
+        <source>Triangle %1 of %2</source>
+        <translation>%2의 삼각형 %1</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>구</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>원기둥</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>원뿔</translation>
+    </message>
+    <message>
+        <source>eccentric cone</source>
+        <translation>편심 원뿔</translation>
+    </message>
+    <message>
+        <source>mitred cylinder</source>
+        <translation>사선 절단 원기둥</translation>
+    </message>
+    <message>
+        <source>circular torus</source>
+        <translation>원형 단면 토러스</translation>
+    </message>
+    <message>
+        <source>rectangular torus</source>
+        <translation>사각 단면 토러스</translation>
+    </message>
+    <message>
+        <source>ellipsoidal dish</source>
+        <translation>타원체 경판</translation>
+    </message>
+    <message>
+        <source>spherical dish</source>
+        <translation>구형 경판</translation>
+    </message>
+    <message>
+        <source>torispherical head</source>
+        <translation>접시형 경판</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>직육면체</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>쐐기</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>각뿔</translation>
+    </message>
+    <message>
+        <source>frustum of a pyramid</source>
+        <translation>각뿔대</translation>
+    </message>
+    <message>
+        <source>prism</source>
+        <translation>각기둥</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>원판</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>고리</translation>
+    </message>
+    <message>
+        <source>hollow cylinder</source>
+        <translation>속 빈 원기둥</translation>
+    </message>
+    <message>
+        <source>%1: of these sizes it has no surface, but is a point or a line.</source>
+        <translation>%1: 이 크기로는 면이 없고 점이나 선이 됩니다.</translation>
+    </message>
+    <message>
+        <source>%1: its lengths are numbers from 0 to 1e30.</source>
+        <translation>%1: 길이는 0에서 1e30 사이의 수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its angle is more than 0 and at most 360 degrees.</source>
+        <translation>%1: 각도는 0보다 크고 360도 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its inner radius is smaller than its outer one.</source>
+        <translation>%1: 안쪽 반지름은 바깥쪽 반지름보다 작아야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its ends are cut at less than 90 degrees.</source>
+        <translation>%1: 양 끝은 90도보다 작은 각도로 잘려야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: its slanted ends do not cut each other. Make it longer or cut it less.</source>
+        <translation>%1: 비스듬한 양 끝이 서로 만나서는 안 됩니다. 더 길게 하거나 덜 자르십시오.</translation>
+    </message>
+    <message>
+        <source>%1: its tube is no thicker than its ring allows.</source>
+        <translation>%1: 관이 고리가 허용하는 것보다 굵을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1: its crown is at least as wide as its vessel, and its knuckle at most.</source>
+        <translation>%1: 크라운은 용기 반지름 이상, 너클은 용기 반지름 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>%1: it has 3 to 1000 sides.</source>
+        <translation>%1: 옆면은 3개에서 1000개까지입니다.</translation>
+    </message>
+    <message>
+        <source>facet group</source>
+        <translation>면 모음</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>선</translation>
+    </message>
+    <message>
+        <source>Generating the plant</source>
+        <translation>플랜트를 만드는 중</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an RVM file begins with a record HEAD.</source>
+        <translation>%1, %2번째 바이트: RVM 파일은 HEAD 레코드로 시작합니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record MODL is missing after HEAD.</source>
+        <translation>%1, %2번째 바이트: HEAD 다음에 MODL 레코드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record &quot;%3&quot; is unknown. Export the file again.</source>
+        <translation>%1, %2번째 바이트: &quot;%3&quot; 레코드를 알 수 없습니다. 파일을 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file ends within a group.</source>
+        <translation>%1, %2번째 바이트: 파일이 그룹 안에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record %3 is too short for what it holds.</source>
+        <translation>%1, %2번째 바이트: %3 레코드가 담긴 내용에 비해 짧습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off within a record. Fetch or export it again.</source>
+        <translation>%1, %2번째 바이트: 파일이 레코드 중간에서 끊깁니다. 다시 받거나 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is no number but an infinity or NaN.</source>
+        <translation>%1, %2번째 바이트: 수가 아니라 무한대나 NaN이 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is a text of %3 words, too long to be one.</source>
+        <translation>%1, %2번째 바이트: 여기 텍스트의 길이가 %3워드로, 텍스트라기에는 너무 깁니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here are to be %3 items, more than the record has room for.</source>
+        <translation>%1, %2번째 바이트: 항목이 %3개라고 하지만 레코드에 그만한 자리가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off before its record END.</source>
+        <translation>%1, %2번째 바이트: 파일이 END 레코드 앞에서 끊깁니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: no record of an RVM file begins here.</source>
+        <translation>%1, %2번째 바이트: 여기서 시작하는 RVM 레코드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the next record is said to begin at byte %3, which is not after this one in the file.</source>
+        <translation>%1, %2번째 바이트: 다음 레코드가 %3번째 바이트에서 시작한다고 하지만, 그곳은 파일 안에서 이 레코드 뒤가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: groups lie deeper in each other than %3.</source>
+        <translation>%1, %2번째 바이트: 그룹이 %3단계보다 깊이 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a group ends that has not begun.</source>
+        <translation>%1, %2번째 바이트: 시작하지 않은 그룹이 끝납니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no primitive of kind %3.</source>
+        <translation>%1, %2번째 바이트: 종류가 %3인 기본 입체는 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a primitive lies outside of all groups.</source>
+        <translation>%1, %2번째 바이트: 기본 입체가 어느 그룹에도 들어 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 holds no surface. Export the plant with its primitives.</source>
+        <translation>%1에 면이 없습니다. 플랜트를 기본 입체와 함께 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>Primitives left out because no such solid exists: %1. The first, at byte %2: %3</source>
+        <translation>그런 입체가 있을 수 없어 뺀 기본 입체: %1개. 첫 번째는 %2번째 바이트: %3</translation>
+    </message>
+    <message>
+        <source>Its transform is flat.</source>
+        <translation>변환이 납작합니다.</translation>
+    </message>
+    <message>
+        <source>It lies beyond 1e30.</source>
+        <translation>1e30 너머에 있습니다.</translation>
+    </message>
+    <message>
+        <source>a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms</source>
+        <translation>기본 입체로 된 공정 플랜트: 배관이 놓인 파이프 랙, 기기, 철골, 플랫폼</translation>
+    </message>
+    <message>
+        <source>how many pipelines</source>
+        <translation>배관의 수</translation>
+    </message>
+    <message>
+        <source>number that the plant starts from</source>
+        <translation>플랜트를 만드는 시작 수</translation>
+    </message>
+    <message>
+        <source>for batches of spheres, then of boxes</source>
+        <translation>구들을 묶음으로, 다음에 상자들을</translation>
+    </message>
+    <message>
+        <source>for each plane, until all are outside</source>
+        <translation>모두 밖일 때까지, 평면마다</translation>
+    </message>
+    <message>
+        <source>d = how far each one reaches in</source>
+        <translation>d = 각각 안쪽으로 들어온 거리</translation>
+    </message>
+    <message>
+        <source>outside: those with d &lt; −margin</source>
+        <translation>밖: d &lt; −한계인 것</translation>
+    </message>
+    <message>
+        <source>the first %1 nodes alone</source>
+        <translation>처음 %1개 노드만</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle %1: it lies nearer, and so do all after it.</source>
+        <translation>삼각형 %2의 가장 먼 깊이 %4은(는) 삼각형 %1의 가장 가까운 깊이 %3을(를) 넘지 않는다. 이 삼각형과 그 뒤의 모든 삼각형이 더 가깝다.</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they overlap in depth.</source>
+        <translation>삼각형 %2의 가장 먼 깊이 %4은(는) 삼각형 %1의 가장 가까운 깊이 %3을(를) 넘는다. 깊이가 겹친다.</translation>
+    </message>
+    <message>
+        <source>Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>검사 1: x 방향으로 삼각형 %1은(는) 픽셀 %3에서, 삼각형 %2은(는) %4에서 끝난다. 떨어져 있다.</translation>
+    </message>
+    <message>
+        <source>Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>검사 1: x 방향으로 삼각형 %1와(과) %2이(가) 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+    </message>
+    <message>
+        <source>Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>검사 2: y 방향으로 삼각형 %1은(는) 픽셀 %3에서, 삼각형 %2은(는) %4에서 끝난다. 떨어져 있다.</translation>
+    </message>
+    <message>
+        <source>Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>검사 2: y 방향으로 삼각형 %1와(과) %2이(가) 모두 픽셀 %3부터 %4까지 차지한다. 떨어져 있지 않다.</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it lies wholly behind.</source>
+        <translation>검사 3: 눈에서 볼 때 삼각형 %1은(는) 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있다.</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it does not lie wholly behind.</source>
+        <translation>검사 3: 눈에서 볼 때 삼각형 %1은(는) 삼각형 %2의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 뒤에 있지는 않다.</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it lies wholly before.</source>
+        <translation>검사 4: 눈에서 볼 때 삼각형 %2은(는) 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있다.</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it does not lie wholly before.</source>
+        <translation>검사 4: 눈에서 볼 때 삼각형 %2은(는) 삼각형 %1의 평면 앞으로 %3, 뒤로 %4만큼 뻗는다. 온전히 앞에 있지는 않다.</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1, with the farthest depth %3, come before triangle %2, with %4: the second one is taken first.</source>
+        <translation>어느 검사로도 가장 먼 깊이가 %3인 삼각형 %1이(가) 가장 먼 깊이가 %4인 삼각형 %2보다 먼저 올 수 없다. 뒤의 것을 먼저 다룬다.</translation>
+    </message>
+    <message>
+        <source>Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which is marked: a cycle, in which one is cut.</source>
+        <translation>가장 먼 깊이가 %3인 삼각형 %1은(는) 표시된 삼각형 %2(가장 먼 깊이 %4)을(를) 기다린다. 순환이므로 하나를 자른다.</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: 1 / depth of the first less that of the second goes from %3 to %4. One of them is cut.</source>
+        <translation>삼각형 %1과(와) %2은(는) 서로 뚫고 지나간다. 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 하나를 자른다.</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nowhere nearer.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것은 어디에서도 더 가깝지 않다.</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nearer somewhere.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영이 겹치는 곳에서 앞의 것의 1/깊이에서 뒤의 것의 1/깊이를 뺀 값은 %3부터 %4까지다. 앞의 것이 어딘가에서 더 가깝다.</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they count as apart.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영은 %3픽셀 겹친다. %4을(를) 넘지 않으므로 떨어진 것으로 본다.</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not apart.</source>
+        <translation>검사 5: 삼각형 %1과(와) %2의 투영은 %3픽셀 겹친다. %4을(를) 넘으므로 떨어져 있지 않다.</translation>
+    </message>
+    <message>
+        <source>drawn polygons alone, above %1 triangles</source>
+        <translation>삼각형이 %1개를 넘어 그린 다각형만</translation>
+    </message>
+    <message>
+        <source>without depths and tests 1 and 2, above %1 triangles</source>
+        <translation>삼각형이 %1개를 넘어 깊이 비교와 검사 1, 2 생략</translation>
+    </message>
+    <message>
+        <source>the first %1 tests alone</source>
+        <translation>처음 %1개 검사만</translation>
+    </message>
+    <message>
+        <source>the first %1 polygons alone</source>
+        <translation>처음 %1개 다각형만</translation>
+    </message>
+    <message>
+        <source>Colours by verdict</source>
+        <translation>판정별 색</translation>
+    </message>
+    <message>
+        <source>Colours by &amp;verdict</source>
+        <translation>판정별 색(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colour the active view by what became of each triangle</source>
+        <translation>각 삼각형이 어떻게 되었는지에 따라 활성 뷰를 칠합니다</translation>
+    </message>
+    <message>
+        <source>With verdicts, what was left out too</source>
+        <translation>판정 색에서 제외된 것도 표시</translation>
+    </message>
+    <message>
+        <source>The culling camera&apos;s frustum</source>
+        <translation>컬링 카메라의 절두체</translation>
+    </message>
+    <message>
+        <source>F&amp;rustum</source>
+        <translation>절두체(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the culling camera&apos;s frustum in the active view</source>
+        <translation>활성 뷰에 컬링 카메라의 절두체를 표시합니다</translation>
+    </message>
+    <message>
+        <source>The boxes that were tested</source>
+        <translation>검사한 상자</translation>
+    </message>
+    <message>
+        <source>&amp;Boxes</source>
+        <translation>상자(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the boxes that the strategy tested in the active view</source>
+        <translation>전략이 검사한 상자를 활성 뷰에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them</source>
+        <translation>제외한 평면별 상자</translation>
+    </message>
+    <message>
+        <source>Boxes by rejecting &amp;plane</source>
+        <translation>제외한 평면별 상자(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
+        <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
+    </message>
+    <message>
+        <source>Model in spherical coordinates</source>
+        <translation>구좌표계로 나타낸 모델</translation>
+    </message>
+    <message>
+        <source>Model in &amp;spherical coordinates</source>
+        <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
+        <translation>활성 뷰에서 한 물체의 그려진 부분을 방위각과 고도각 위에 표시합니다</translation>
+    </message>
+    <message>
+        <source>Components by occupancy value</source>
+        <translation>점유값별 구성 요소</translation>
+    </message>
+    <message>
+        <source>octrees</source>
+        <translation>팔진트리</translation>
+    </message>
+    <message>
+        <source>Largest value %1 ÷ distance %2 = %3 &lt; %4: its components count as too small.</source>
+        <translation>최댓값 %1 ÷ 거리 %2 = %3 &lt; %4: 구성 요소가 너무 작은 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Largest value %1 ÷ distance %2 = %3 ≥ %4: its components are drawn.</source>
+        <translation>최댓값 %1 ÷ 거리 %2 = %3 ≥ %4: 구성 요소를 그립니다.</translation>
+    </message>
+    <message>
+        <source>The camera rests: %1 components of the outline and %2 others, none of them too small.</source>
+        <translation>카메라가 멈춰 있습니다: 윤곽의 구성 요소 %1개와 나머지 %2개 중 너무 작은 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>%1 components of the outline are in octree L, %2 others in octree S.</source>
+        <translation>윤곽의 구성 요소 %1개는 팔진트리 L에, 나머지 %2개는 팔진트리 S에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The component &quot;%1&quot; has %2 triangles; it is drawn with its leaf or not at all.</source>
+        <translation>구성 요소 &quot;%1&quot;의 삼각형은 %2개이며, 잎과 함께 그리거나 그리지 않습니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a leaf of %1 components, which is drawn as a whole.</source>
+        <translation>구성 요소 %1개의 잎에 있으며, 이 잎은 통째로 그립니다.</translation>
+    </message>
+    <message>
+        <source>Octree %1: %2 components</source>
+        <translation>팔진트리 %1: 구성 요소 %2개</translation>
+    </message>
+    <message>
+        <source>for each node of octrees L and S</source>
+        <translation>팔진트리 L과 S의 각 노드에 대해</translation>
+    </message>
+    <message>
+        <source>test its box against the six planes</source>
+        <translation>상자를 여섯 평면과 검사</translation>
+    </message>
+    <message>
+        <source>outside: leave its components out</source>
+        <translation>밖: 구성 요소를 제외</translation>
+    </message>
+    <message>
+        <source>leaf of L: draw its components</source>
+        <translation>L의 잎: 구성 요소를 그림</translation>
+    </message>
+    <message>
+        <source>leaf of S: t = value ÷ distance</source>
+        <translation>S의 잎: t = 값 ÷ 거리</translation>
+    </message>
+    <message>
+        <source>if t &lt; k′·tan θ: leave it out</source>
+        <translation>t &lt; k′·tan θ이면 제외</translation>
+    </message>
+    <message>
+        <source>else draw its components</source>
+        <translation>아니면 구성 요소를 그림</translation>
+    </message>
+    <message>
+        <source>How many of the components, the largest ones, are the outline, which is always drawn. The paper names no number.</source>
+        <translation>구성 요소 중 가장 큰 것들의 비율로, 윤곽이 되어 항상 그립니다. 논문에는 값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A leaf is left out where its largest occupancy value, divided by its distance, is below this: k′·tan θ.</source>
+        <translation>잎의 가장 큰 점유값을 거리로 나눈 값이 이보다 작으면 제외합니다: k′·tan θ.</translation>
+    </message>
+    <message>
+        <source>Levels of octree L, which holds the outline; the root is one of them.</source>
+        <translation>윤곽을 담는 팔진트리 L의 단계 수(루트 포함).</translation>
+    </message>
+    <message>
+        <source>Levels of octree S, which holds the details; the root is one of them.</source>
+        <translation>세부를 담는 팔진트리 S의 단계 수(루트 포함).</translation>
+    </message>
+    <message>
+        <source>Which box of a node is tested and has the distance; the paper can be read both ways.</source>
+        <translation>노드의 어느 상자를 검사하고 거리를 재는지. 논문은 두 가지로 읽힙니다.</translation>
+    </message>
+    <message>
+        <source>the box around its components</source>
+        <translation>구성 요소를 둘러싼 상자</translation>
+    </message>
+    <message>
+        <source>the octree&apos;s cell, over which components reach</source>
+        <translation>팔진트리의 칸(구성 요소가 넘어설 수 있음)</translation>
+    </message>
+    <message>
+        <source>What is drawn while the camera does not move.</source>
+        <translation>카메라가 움직이지 않을 때 그리는 것.</translation>
+    </message>
+    <message>
+        <source>the same as in motion</source>
+        <translation>움직일 때와 같음</translation>
+    </message>
+    <message>
+        <source>everything in the frustum, as in the paper&apos;s Figure 8</source>
+        <translation>논문의 그림 8처럼 절두체 안의 모든 것</translation>
+    </message>
+    <message>
+        <source>Small-feature culling</source>
+        <translation>작은 형상 컬링</translation>
+    </message>
+    <message>
+        <source>Leaves out groups of components that are too small for their distance; a plant&apos;s outline stays.</source>
+        <translation>거리에 비해 너무 작은 구성 요소 묶음을 제외합니다. 플랜트의 윤곽은 남습니다.</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>구성 요소</translation>
+    </message>
+    <message>
+        <source>Its box covers at most %1 pixels, no more than the %2 that may be lost.</source>
+        <translation>상자가 덮는 픽셀은 많아야 %1개로, 잃어도 되는 %2개를 넘지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Its box covers up to %1 pixels, more than the %2 that may be lost.</source>
+        <translation>상자가 덮는 픽셀은 %1개까지로, 잃어도 되는 %2개보다 많습니다.</translation>
+    </message>
+    <message>
+        <source>With the small components of its group it covers at most %1 pixels, no more than the %2 that may be lost.</source>
+        <translation>묶음의 작은 구성 요소들과 함께 덮는 픽셀은 많아야 %1개로, 잃어도 되는 %2개를 넘지 않습니다.</translation>
+    </message>
+    <message>
+        <source>With the small components of its group it covers up to %1 pixels, more than the %2 that may be lost.</source>
+        <translation>묶음의 작은 구성 요소들과 함께 덮는 픽셀은 %1개까지로, 잃어도 되는 %2개보다 많습니다.</translation>
+    </message>
+    <message>
+        <source>Its box covers at most %1 pixels; %2 may be lost of a group.</source>
+        <translation>상자가 덮는 픽셀은 많아야 %1개이고, 한 묶음에서 %2개를 잃어도 됩니다.</translation>
+    </message>
+    <message>
+        <source>Of the component &quot;%1&quot; with %2 triangles the pixels that its box covers are counted.</source>
+        <translation>삼각형 %2개인 구성 요소 &quot;%1&quot;의 상자가 덮는 픽셀을 셉니다.</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 components, which covers too many pixels to be left out as a whole.</source>
+        <translation>구성 요소 %1개의 묶음에 있으며, 이 묶음은 통째로 제외하기에는 너무 많은 픽셀을 덮습니다.</translation>
+    </message>
+    <message>
+        <source>for each group: planes and axes</source>
+        <translation>각 묶음에 대해: 평면과 축</translation>
+    </message>
+    <message>
+        <source>n = pixels that its box covers</source>
+        <translation>n = 상자가 덮는 픽셀 수</translation>
+    </message>
+    <message>
+        <source>if n ≤ pixels: leave the group out</source>
+        <translation>n ≤ pixels이면 묶음을 제외</translation>
+    </message>
+    <message>
+        <source>for each component: n of its box</source>
+        <translation>각 구성 요소: 상자의 n</translation>
+    </message>
+    <message>
+        <source>if n = 0: leave it out</source>
+        <translation>n = 0이면 제외</translation>
+    </message>
+    <message>
+        <source>if n ≤ pixels: it is a small one</source>
+        <translation>n ≤ pixels이면 작은 것</translation>
+    </message>
+    <message>
+        <source>small ones&apos; sum ≤ pixels: leave out</source>
+        <translation>작은 것의 합 ≤ pixels: 제외</translation>
+    </message>
+    <message>
+        <source>draw the others, nearest first</source>
+        <translation>나머지를 가까운 것부터 그림</translation>
+    </message>
+    <message>
+        <source>How many pixels a group of components may lose. With 0 nothing visible is lost.</source>
+        <translation>구성 요소 묶음이 잃어도 되는 픽셀 수. 0이면 보이는 것을 잃지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Bounded small-feature culling</source>
+        <translation>한계가 있는 작은 형상 컬링</translation>
+    </message>
+    <message>
+        <source>Leaves out small components where the pixels that a group may lose by it stay under a bound.</source>
+        <translation>한 묶음이 잃을 수 있는 픽셀이 한계 아래인 곳에서 작은 구성 요소를 제외합니다.</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; is tested as one box, then each of its %2 triangles by its size.</source>
+        <translation>물체 &quot;%1&quot;을(를) 상자 하나로 검사한 뒤, 삼각형 %2개를 하나씩 크기로 검사합니다.</translation>
+    </message>
+    <message>
+        <source>Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.</source>
+        <translation>삼각형 %1개 중 %2개는 가장 긴 변의 절반이 거리의 %3보다 작습니다: 너무 작음.</translation>
+    </message>
+    <message>
+        <source>else its parts, then each object</source>
+        <translation>아니면 부분들, 그다음 각 물체</translation>
+    </message>
+    <message>
+        <source>for each triangle of those kept</source>
+        <translation>남은 것의 각 삼각형에 대해</translation>
+    </message>
+    <message>
+        <source>t = ½ longest edge ÷ distance</source>
+        <translation>t = ½ 가장 긴 변 ÷ 거리</translation>
+    </message>
+    <message>
+        <source>draw those with t ≥ threshold</source>
+        <translation>t ≥ threshold인 것을 그림</translation>
+    </message>
+    <message>
+        <source>A triangle is left out where half its longest edge, divided by its distance, is below this.</source>
+        <translation>가장 긴 변의 절반을 거리로 나눈 값이 이보다 작은 삼각형을 제외합니다.</translation>
+    </message>
+    <message>
+        <source>Small-feature culling by triangle</source>
+        <translation>삼각형별 작은 형상 컬링</translation>
+    </message>
+    <message>
+        <source>Leaves out every triangle that is too small for its distance: the traditional way.</source>
+        <translation>거리에 비해 너무 작은 삼각형을 모두 제외합니다: 전통적인 방법.</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 triangles</source>
+        <translation>삼각형이 %1개를 넘어 행의 띠별</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 pixels to look at</source>
+        <translation>살펴볼 픽셀이 %1개를 넘어 행의 띠별</translation>
+    </message>
+    <message>
+        <source>In these rows %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
+        <translation>이 행들에서 깊이 %1개를 저장된 깊이와 비교함. %2개가 더 가까워 저장됨. 픽셀 %3개에 면이 보입니다.</translation>
+    </message>
+    <message>
+        <source>causes by object, above %1 groups of triangles</source>
+        <translation>삼각형 묶음이 %1개를 넘어 원인은 물체별</translation>
+    </message>
+    <message>
+        <source>by row, above %1 spans</source>
+        <translation>스팬이 %1개를 넘어 행별</translation>
+    </message>
+    <message>
+        <source>without single edges, above %1 of them</source>
+        <translation>모서리가 %1개를 넘어 낱개 생략</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces, at x = %4.</source>
+        <translation>%1행에는 면 %3개의 활성 모서리가 %2개 있습니다. x = %4.</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
+        <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle ends before column %3.</source>
+        <translation>이 삼각형의 모서리가 활성임: %1행에서 x = %2에 있고, 삼각형은 %3열 앞에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>results alone, above %1 objects</source>
+        <translation>물체가 %1개를 넘어 결과만</translation>
+    </message>
+    <message>
+        <source>It is left out with its whole group (objects: %1): %2.</source>
+        <translation>묶음 전체와 함께 제외됩니다(물체 %1개): %2.</translation>
     </message>
 </context>
 <context>
@@ -4402,10 +4986,6 @@ OpenGL %2
         <translation>다음: H를 눌러 모든 키를 보거나 직접 만든 모델을 열어 보세요.</translation>
     </message>
     <message>
-        <source>Over each picture: speed against backface · triangles submitted · pixels missed</source>
-        <translation>그림 위: backface 대비 속도 · 제출한 삼각형 · 놓친 픽셀</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <comment>promise, its meaning</comment>
         <translation>%1: %2</translation>
@@ -4430,6 +5010,10 @@ OpenGL %2
     <message>
         <source>Next: choose another strategy in the view&apos;s menu and compare the figures over the pictures.</source>
         <translation>다음: 뷰의 메뉴에서 다른 전략을 고르고 그림 위의 수치를 비교해 보세요.</translation>
+    </message>
+    <message>
+        <source>Over each picture: speed against %1 · triangles submitted · pixels missed</source>
+        <translation>그림 위: %1 대비 속도 · 제출한 삼각형 · 놓친 픽셀</translation>
     </message>
 </context>
 <context>
@@ -4654,10 +5238,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MetricsModel</name>
     <message>
-        <source>Speed against backface</source>
-        <translation>backface 대비 속도</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>프레임</translation>
     </message>
@@ -4688,10 +5268,6 @@ OpenGL %2
     <message>
         <source>Covered pixels</source>
         <translation>덮인 픽셀</translation>
-    </message>
-    <message>
-        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
-        <translation>같은 카메라에서 번갈아 잰 backface 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
     </message>
     <message>
         <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
@@ -4740,6 +5316,15 @@ OpenGL %2
     <message>
         <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 참값이 전략과 다른 면을 그리거나, 전략이 면이나 그림을 직접 만들 때 셉니다</translation>
+    </message>
+    <message>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>%1 대비 속도</translation>
+    </message>
+    <message>
+        <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>같은 카메라에서 번갈아 잰 %1 전략의 프레임 시간을 이 전략의 프레임 시간으로 나눈 값</translation>
     </message>
 </context>
 <context>
@@ -4856,10 +5441,6 @@ OpenGL %2
         <translation>놓친 픽셀을 측정하지 않아 보여 줄 손실이 없습니다.</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3 against backface, %4 per million missed</source>
-        <translation>%1, %2: backface 대비 ×%3, 백만분의 %4 놓침</translation>
-    </message>
-    <message>
         <source>0 (&lt; 3/%1)</source>
         <extracomment>Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.</extracomment>
         <translation>0 (&lt; 3/%1)</translation>
@@ -4873,8 +5454,13 @@ OpenGL %2
         <translation>백만분의 놓침</translation>
     </message>
     <message>
-        <source>Speed against backface</source>
-        <translation>backface 대비 속도</translation>
+        <source>%1, %2: ×%3 against %5, %4 per million missed</source>
+        <translation>%1, %2: %5 대비 ×%3, 백만분의 %4 놓침</translation>
+    </message>
+    <message>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>%1 대비 속도</translation>
     </message>
 </context>
 <context>
@@ -5156,6 +5742,10 @@ OpenGL %2
         <source>Which triangles vanish?</source>
         <translation>어느 삼각형이 사라집니까?</translation>
     </message>
+    <message>
+        <source>The active view&apos;s strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other parameters.</source>
+        <translation>활성 뷰의 전략에는 여기에 잎이 %1개 있습니다. %2개를 넘으면 이름을 붙이지 않습니다. 더 작은 장면이나 다른 매개변수를 고르십시오.</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionTree</name>
@@ -5233,18 +5823,6 @@ OpenGL %2
     <message>
         <source>Strategy</source>
         <translation>전략</translation>
-    </message>
-    <message>
-        <source>Speed against
-backface [95 %]</source>
-        <translation>backface 대비
-속도 [95 %]</translation>
-    </message>
-    <message>
-        <source>Speed against
-all [95 %]</source>
-        <translation>all 대비
-속도 [95 %]</translation>
     </message>
     <message>
         <source>fps</source>
@@ -5337,12 +5915,16 @@ snapping</source>
         <translation>래스터가 꼭짓점을 1/256픽셀에 맞추는 것으로 설명되지 않는 놓친 픽셀. 전략은 앞면만, 참값은 양면을 그릴 때 셉니다</translation>
     </message>
     <message>
-        <source>Total time of backface over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>모든 시점에서 backface의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
+        <source>Speed against
+%1 [95 %]</source>
+        <comment>a strategy</comment>
+        <translation>%1 대비
+속도 [95 %]</translation>
     </message>
     <message>
-        <source>Total time of all over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>모든 시점에서 all의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
+        <source>Total time of %1 over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <comment>a strategy</comment>
+        <translation>모든 시점에서 %1의 총시간을 이 전략의 총시간으로 나눈 값과 95 % 구간</translation>
     </message>
 </context>
 <context>
@@ -5867,6 +6449,10 @@ snapping</source>
         <source>Show the whole frame again (F8)</source>
         <translation>프레임 전체를 다시 보기 (F8)</translation>
     </message>
+    <message>
+        <source>The method itself records this frame coarser:</source>
+        <translation>방법 자체가 이 프레임을 더 성기게 기록합니다:</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::Stepper</name>
@@ -6025,8 +6611,9 @@ snapping</source>
         <translation>그리기</translation>
     </message>
     <message>
-        <source>grey: all and backface</source>
-        <translation>회색: all과 backface</translation>
+        <source>grey: %1 and %2</source>
+        <comment>two strategies</comment>
+        <translation>회색: %1과 %2</translation>
     </message>
 </context>
 <context>
@@ -6489,30 +7076,6 @@ snapping</source>
         <translation>활성 뷰에서 비행하는 동안 컬링 카메라는 멈춰 있습니다</translation>
     </message>
     <message>
-        <source>Colours by &amp;verdict</source>
-        <translation>판정별 색(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Colour the active view by what became of each triangle</source>
-        <translation>각 삼각형이 어떻게 되었는지에 따라 활성 뷰를 칠합니다</translation>
-    </message>
-    <message>
-        <source>F&amp;rustum</source>
-        <translation>절두체(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show the culling camera&apos;s frustum in the active view</source>
-        <translation>활성 뷰에 컬링 카메라의 절두체를 표시합니다</translation>
-    </message>
-    <message>
-        <source>&amp;Boxes</source>
-        <translation>상자(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Show the boxes that the strategy tested in the active view</source>
-        <translation>전략이 검사한 상자를 활성 뷰에 표시합니다</translation>
-    </message>
-    <message>
         <source>Wipe: &amp;truth | strategy</source>
         <translation>나란히: 참값 | 전략(&amp;T)</translation>
     </message>
@@ -6613,24 +7176,8 @@ snapping</source>
         <translation>논문의 표를 논문과 같은 창에서 측정하여 수치를 나란히 놓습니다</translation>
     </message>
     <message>
-        <source>Model in &amp;spherical coordinates</source>
-        <translation>구좌표계로 나타낸 모델(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
-        <translation>활성 뷰에서 한 물체의 그려진 부분을 방위각과 고도각 위에 표시합니다</translation>
-    </message>
-    <message>
         <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
         <translation>뷰가 모델을 구좌표로 표시하는 동안에는 쓸 수 없습니다. 카메라가 보는 것이 놓일 자리가 없습니다</translation>
-    </message>
-    <message>
-        <source>Boxes by rejecting &amp;plane</source>
-        <translation>제외한 평면별 상자(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
-        <translation>활성 뷰의 상자를 그것을 제외한 절두체 평면의 색으로 보입니다. 절두체의 평면도 같은 색입니다</translation>
     </message>
     <message>
         <source>S&amp;tep through</source>

@@ -188,22 +188,6 @@
         <translation>显示</translation>
     </message>
     <message>
-        <source>Colours by verdict</source>
-        <translation>按判定着色</translation>
-    </message>
-    <message>
-        <source>With verdicts, what was left out too</source>
-        <translation>按判定着色时也显示被剔除的部分</translation>
-    </message>
-    <message>
-        <source>The culling camera&apos;s frustum</source>
-        <translation>剔除相机的视锥体</translation>
-    </message>
-    <message>
-        <source>The boxes that were tested</source>
-        <translation>被测试的包围盒</translation>
-    </message>
-    <message>
         <source>Compare</source>
         <translation>比较</translation>
     </message>
@@ -271,14 +255,6 @@
         <source>Picture</source>
         <translation>图像</translation>
     </message>
-    <message>
-        <source>Model in spherical coordinates</source>
-        <translation>球坐标中的模型</translation>
-    </message>
-    <message>
-        <source>Boxes by the plane that rejected them</source>
-        <translation>按剔除平面着色的盒</translation>
-    </message>
 </context>
 <context>
     <name>Wording</name>
@@ -328,7 +304,7 @@
     </message>
     <message>
         <source>%1 · %2 % · %3 missed</source>
-        <extracomment>Line 2 of a view&apos;s header: speed against `backface`, share of the triangles submitted, missed pixels.</extracomment>
+        <extracomment>Line 2 of a view&apos;s header: speed against the baseline, share of the triangles submitted, missed pixels.</extracomment>
         <translation>%1 · %2 % · 丢失 %3</translation>
     </message>
     <message>
@@ -360,13 +336,13 @@
         <translation>丢失像素中无法用光栅 1/256 像素对齐解释的：%1</translation>
     </message>
     <message>
-        <source>%1 against backface, with its 95 % interval</source>
-        <extracomment>Speed against `backface` and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
-        <translation>相对 backface 为 %1，括号内为 95 % 区间</translation>
-    </message>
-    <message>
         <source>Submitted in %1 fragments that the strategy made of them</source>
         <translation>以策略生成的 %1 个三角形碎片提交</translation>
+    </message>
+    <message>
+        <source>%1 against %2, with its 95 % interval</source>
+        <extracomment>Speed against a baseline, %2, and its 95 % interval: &quot;×3.1 (2.9 – 3.3)&quot;.</extracomment>
+        <translation>相对 %2 为 %1，括号内为 95 % 区间</translation>
     </message>
 </context>
 <context>
@@ -2148,22 +2124,6 @@
         <translation>不可见地绘制扩大的盒，各用一次查询</translation>
     </message>
     <message>
-        <source>for each of the six planes</source>
-        <translation>对六个平面中的每一个</translation>
-    </message>
-    <message>
-        <source>d = how far its bounds reach in</source>
-        <translation>d = 其边界伸入内侧的距离</translation>
-    </message>
-    <message>
-        <source>if d &lt; −margin: leave it out</source>
-        <translation>若 d &lt; −容差：略去，转到下一对象</translation>
-    </message>
-    <message>
-        <source>draw it</source>
-        <translation>绘制它</translation>
-    </message>
-    <message>
         <source>visit(group, planes that may cut it)</source>
         <translation>访问(组, 可能与其相交的平面)</translation>
     </message>
@@ -2632,10 +2592,6 @@
         <translation>显示表面的像素</translation>
     </message>
     <message>
-        <source>In this tile %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
-        <translation>此图块中有 %1 个深度与已存深度比较；%2 个更近并被存入。%3 个像素显示表面。</translation>
-    </message>
-    <message>
         <source>comparisons of a depth buffer</source>
         <translation>深度缓冲所需的比较</translation>
     </message>
@@ -2832,10 +2788,6 @@
         <translation>课程中的 BSP 树例题</translation>
     </message>
     <message>
-        <source>building</source>
-        <translation>正在构建</translation>
-    </message>
-    <message>
         <source>The lecture&apos;s verdicts: very little depth overlap, painter&apos;s algorithm or BSP tree; little overlap, scan line; few surfaces, painter, BSP tree, scan line; many surfaces, depth buffer, octree; several views of a static scene, BSP tree. It gives no numbers: here 1 layer is very little overlap, 2 are little, 10 surfaces are few, 100,000 many.</source>
         <translation>讲义的结论：深度重叠极少时用画家算法或 BSP 树；重叠较少时用扫描线；面少时用画家算法、BSP 树、扫描线；面多时用深度缓冲、八叉树；从多个视点看静止场景时用 BSP 树。讲义没有给出数值：这里 1 层算极少重叠，2 层算较少，10 个面算少，100,000 个算多。</translation>
     </message>
@@ -2948,10 +2900,6 @@
         <translation>关于三角形的一部分</translation>
     </message>
     <message>
-        <source>About a tile of the picture</source>
-        <translation>关于图像的块</translation>
-    </message>
-    <message>
         <source>About a piece of a row</source>
         <translation>关于一行的一段</translation>
     </message>
@@ -3046,10 +2994,6 @@
     <message>
         <source>Band %1</source>
         <translation>带 %1</translation>
-    </message>
-    <message>
-        <source>Tile %1 of the picture</source>
-        <translation>图像的块 %1</translation>
     </message>
     <message>
         <source>Piece %1 of a row, of %2</source>
@@ -3404,30 +3348,6 @@
         <translation>按视点所在侧统计节点</translation>
     </message>
     <message>
-        <source>Test 3: triangle %1 lies wholly behind the plane of triangle %2, by up to %3.</source>
-        <translation>测试 3：三角形 %1 完全在三角形 %2 的平面之后，最多 %3。</translation>
-    </message>
-    <message>
-        <source>Test 4: seen from triangle %1, triangle %2 lies wholly on the eye&apos;s side, by up to %3.</source>
-        <translation>测试 4：相对三角形 %1，三角形 %2 完全在视点一侧，最多 %3。</translation>
-    </message>
-    <message>
-        <source>No test lets triangle %1 come before triangle %2, which is taken first; the farthest depth of the first is %3.</source>
-        <translation>没有测试允许三角形 %1 先于三角形 %2，故先取后者；前者的最远深度为 %3。</translation>
-    </message>
-    <message>
-        <source>Triangle %1 waits for triangle %2, which is marked: a cycle, in which one is cut; the farthest depth of the first is %3.</source>
-        <translation>三角形 %1 等待已标记的三角形 %2：构成循环，切开其中一个；前者的最远深度为 %3。</translation>
-    </message>
-    <message>
-        <source>Triangles %1 and %2 pass through each other: the first one is cut; the difference of 1 / depth begins at %3.</source>
-        <translation>三角形 %1 与 %2 互相穿过：切开前者；1/深度 之差从 %3 开始。</translation>
-    </message>
-    <message>
-        <source>Test 5: the projections of triangles %1 and %2 are apart, or the first is farther: %3.</source>
-        <translation>测试 5：三角形 %1 与 %2 的投影分离，或前者更远：%3。</translation>
-    </message>
-    <message>
         <source>Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.</source>
         <translation>没有必须先画的了：绘制三角形 %2 面积的 %1。</translation>
     </message>
@@ -3648,18 +3568,6 @@
         <translation>树最多可有多少个多边形（包括切开的）以及多少个节点。</translation>
     </message>
     <message>
-        <source>Triangle %2 and all after it lie nearer than all of triangle %1, whose nearest depth is %3.</source>
-        <translation>三角形 %2 及其后的所有三角形都比整个三角形 %1 近，后者的最近深度为 %3。</translation>
-    </message>
-    <message>
-        <source>Test 1: triangles %1 and %2 are apart in x, by %3 pixels.</source>
-        <translation>测试 1：三角形 %1 与 %2 在 x 方向相隔 %3 像素。</translation>
-    </message>
-    <message>
-        <source>Test 2: triangles %1 and %2 are apart in y, by %3 pixels.</source>
-        <translation>测试 2：三角形 %1 与 %2 在 y 方向相隔 %3 像素。</translation>
-    </message>
-    <message>
         <source>Triangle %1 is the farthest one left, with the farthest depth %2.</source>
         <translation>三角形 %1 是剩余中最远的，最远深度为 %2。</translation>
     </message>
@@ -3842,6 +3750,682 @@
     <message>
         <source>Sector %4, band up to α = %3°: S %1 ≤ %2, the largest before it: hidden beyond α = 90°, drawn within it.</source>
         <translation>扇区 %4，至 α = %3° 的带：S %1 ≤ 之前的最大值 %2：α = 90° 以外被遮挡，以内绘制。</translation>
+    </message>
+    <message>
+        <source>About rows of the picture</source>
+        <translation>关于图像的行</translation>
+    </message>
+    <message>
+        <source>About triangles</source>
+        <translation>关于三角形</translation>
+    </message>
+    <message>
+        <source>Rows %1 of the picture</source>
+        <translation>图像的第 %1 行</translation>
+    </message>
+    <message>
+        <source>Row %1 of the picture</source>
+        <translation>图像的第 %1 行</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>三角形 %1</translation>
+    </message>
+    <message>
+        <source>Triangles %1 of %2</source>
+        <translation>%2 的三角形 %1</translation>
+    </message>
+    <message>
+        <source>Triangle %1 of %2</source>
+        <translation>%2 的三角形 %1</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>球</translation>
+    </message>
+    <message>
+        <source>cylinder</source>
+        <translation>圆柱</translation>
+    </message>
+    <message>
+        <source>cone</source>
+        <translation>圆锥</translation>
+    </message>
+    <message>
+        <source>eccentric cone</source>
+        <translation>偏心圆锥</translation>
+    </message>
+    <message>
+        <source>mitred cylinder</source>
+        <translation>斜切圆柱</translation>
+    </message>
+    <message>
+        <source>circular torus</source>
+        <translation>圆截面圆环</translation>
+    </message>
+    <message>
+        <source>rectangular torus</source>
+        <translation>矩形截面圆环</translation>
+    </message>
+    <message>
+        <source>ellipsoidal dish</source>
+        <translation>椭球封头</translation>
+    </message>
+    <message>
+        <source>spherical dish</source>
+        <translation>球冠封头</translation>
+    </message>
+    <message>
+        <source>torispherical head</source>
+        <translation>碟形封头</translation>
+    </message>
+    <message>
+        <source>box</source>
+        <translation>长方体</translation>
+    </message>
+    <message>
+        <source>wedge</source>
+        <translation>楔体</translation>
+    </message>
+    <message>
+        <source>pyramid</source>
+        <translation>棱锥</translation>
+    </message>
+    <message>
+        <source>frustum of a pyramid</source>
+        <translation>棱台</translation>
+    </message>
+    <message>
+        <source>prism</source>
+        <translation>棱柱</translation>
+    </message>
+    <message>
+        <source>disc</source>
+        <translation>圆盘</translation>
+    </message>
+    <message>
+        <source>ring</source>
+        <translation>圆环面</translation>
+    </message>
+    <message>
+        <source>hollow cylinder</source>
+        <translation>空心圆柱</translation>
+    </message>
+    <message>
+        <source>%1: of these sizes it has no surface, but is a point or a line.</source>
+        <translation>%1：这样的尺寸没有表面，只是一个点或一条线。</translation>
+    </message>
+    <message>
+        <source>%1: its lengths are numbers from 0 to 1e30.</source>
+        <translation>%1：长度必须是 0 到 1e30 之间的数。</translation>
+    </message>
+    <message>
+        <source>%1: its angle is more than 0 and at most 360 degrees.</source>
+        <translation>%1：角度必须大于 0 且不超过 360 度。</translation>
+    </message>
+    <message>
+        <source>%1: its inner radius is smaller than its outer one.</source>
+        <translation>%1：内半径必须小于外半径。</translation>
+    </message>
+    <message>
+        <source>%1: its ends are cut at less than 90 degrees.</source>
+        <translation>%1：两端的切角必须小于 90 度。</translation>
+    </message>
+    <message>
+        <source>%1: its slanted ends do not cut each other. Make it longer or cut it less.</source>
+        <translation>%1：两个斜端面不能相交。请加长或减小切角。</translation>
+    </message>
+    <message>
+        <source>%1: its tube is no thicker than its ring allows.</source>
+        <translation>%1：管不能比圆环允许的更粗。</translation>
+    </message>
+    <message>
+        <source>%1: its crown is at least as wide as its vessel, and its knuckle at most.</source>
+        <translation>%1：冠部半径不得小于容器半径，过渡圆角半径不得大于容器半径。</translation>
+    </message>
+    <message>
+        <source>%1: it has 3 to 1000 sides.</source>
+        <translation>%1：侧面数为 3 到 1000。</translation>
+    </message>
+    <message>
+        <source>facet group</source>
+        <translation>面片组</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>线</translation>
+    </message>
+    <message>
+        <source>Generating the plant</source>
+        <translation>正在生成工厂</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: an RVM file begins with a record HEAD.</source>
+        <translation>%1，第 %2 字节：RVM 文件以 HEAD 记录开头。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record MODL is missing after HEAD.</source>
+        <translation>%1，第 %2 字节：HEAD 之后缺少 MODL 记录。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record &quot;%3&quot; is unknown. Export the file again.</source>
+        <translation>%1，第 %2 字节：未知的记录“%3”。请重新导出文件。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file ends within a group.</source>
+        <translation>%1，第 %2 字节：文件在一个组内结束。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the record %3 is too short for what it holds.</source>
+        <translation>%1，第 %2 字节：记录 %3 对其内容而言太短。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off within a record. Fetch or export it again.</source>
+        <translation>%1，第 %2 字节：文件在记录中间中断。请重新获取或导出。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is no number but an infinity or NaN.</source>
+        <translation>%1，第 %2 字节：此处不是数，而是无穷大或 NaN。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here is a text of %3 words, too long to be one.</source>
+        <translation>%1，第 %2 字节：此处文本长 %3 个字，过长而不可能是文本。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: here are to be %3 items, more than the record has room for.</source>
+        <translation>%1，第 %2 字节：此处声称有 %3 项，超出记录所能容纳的数量。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the file breaks off before its record END.</source>
+        <translation>%1，第 %2 字节：文件在 END 记录之前中断。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: no record of an RVM file begins here.</source>
+        <translation>%1，第 %2 字节：此处没有 RVM 文件的记录开始。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: the next record is said to begin at byte %3, which is not after this one in the file.</source>
+        <translation>%1，第 %2 字节：声称下一条记录从第 %3 字节开始，但那里不在文件中本记录之后。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: groups lie deeper in each other than %3.</source>
+        <translation>%1，第 %2 字节：组的嵌套深度超过 %3。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a group ends that has not begun.</source>
+        <translation>%1，第 %2 字节：一个尚未开始的组结束了。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: there is no primitive of kind %3.</source>
+        <translation>%1，第 %2 字节：没有种类为 %3 的体素。</translation>
+    </message>
+    <message>
+        <source>%1, byte %2: a primitive lies outside of all groups.</source>
+        <translation>%1，第 %2 字节：一个体素不属于任何组。</translation>
+    </message>
+    <message>
+        <source>%1 holds no surface. Export the plant with its primitives.</source>
+        <translation>%1 不含任何表面。请连同体素一起导出工厂。</translation>
+    </message>
+    <message>
+        <source>Primitives left out because no such solid exists: %1. The first, at byte %2: %3</source>
+        <translation>因不存在这样的形体而略去的体素：%1。第一个位于第 %2 字节：%3</translation>
+    </message>
+    <message>
+        <source>Its transform is flat.</source>
+        <translation>其变换是扁平的。</translation>
+    </message>
+    <message>
+        <source>It lies beyond 1e30.</source>
+        <translation>它位于 1e30 之外。</translation>
+    </message>
+    <message>
+        <source>a process plant of primitives: pipe racks with pipelines, equipment, steel and platforms</source>
+        <translation>由基本体素组成的流程工厂：带管线的管廊、设备、钢结构和平台</translation>
+    </message>
+    <message>
+        <source>how many pipelines</source>
+        <translation>管线数量</translation>
+    </message>
+    <message>
+        <source>number that the plant starts from</source>
+        <translation>生成工厂的种子数</translation>
+    </message>
+    <message>
+        <source>for batches of spheres, then of boxes</source>
+        <translation>成批测试球，然后测试盒</translation>
+    </message>
+    <message>
+        <source>for each plane, until all are outside</source>
+        <translation>逐个平面，直到全部在外</translation>
+    </message>
+    <message>
+        <source>d = how far each one reaches in</source>
+        <translation>d = 各自伸入内侧的距离</translation>
+    </message>
+    <message>
+        <source>outside: those with d &lt; −margin</source>
+        <translation>在外：d &lt; −容差者</translation>
+    </message>
+    <message>
+        <source>the first %1 nodes alone</source>
+        <translation>仅前 %1 个节点</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle %1: it lies nearer, and so do all after it.</source>
+        <translation>三角形 %2 的最远深度 %4 不超过三角形 %1 的最近深度 %3：它及其后的所有三角形都更近。</translation>
+    </message>
+    <message>
+        <source>The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they overlap in depth.</source>
+        <translation>三角形 %2 的最远深度 %4 超过三角形 %1 的最近深度 %3：两者在深度上重叠。</translation>
+    </message>
+    <message>
+        <source>Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>测试 1：在 x 方向，三角形 %1 止于像素 %3，三角形 %2 止于 %4：两者分离。</translation>
+    </message>
+    <message>
+        <source>Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>测试 1：在 x 方向，三角形 %1 与 %2 都占有像素 %3 到 %4：并未分离。</translation>
+    </message>
+    <message>
+        <source>Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.</source>
+        <translation>测试 2：在 y 方向，三角形 %1 止于像素 %3，三角形 %2 止于 %4：两者分离。</translation>
+    </message>
+    <message>
+        <source>Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.</source>
+        <translation>测试 2：在 y 方向，三角形 %1 与 %2 都占有像素 %3 到 %4：并未分离。</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it lies wholly behind.</source>
+        <translation>测试 3：从视点看，三角形 %1 伸到三角形 %2 的平面之前 %3、之后 %4：它完全在后。</translation>
+    </message>
+    <message>
+        <source>Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and %4 behind it: it does not lie wholly behind.</source>
+        <translation>测试 3：从视点看，三角形 %1 伸到三角形 %2 的平面之前 %3、之后 %4：它并非完全在后。</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it lies wholly before.</source>
+        <translation>测试 4：从视点看，三角形 %2 伸到三角形 %1 的平面之前 %3、之后 %4：它完全在前。</translation>
+    </message>
+    <message>
+        <source>Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and %4 behind it: it does not lie wholly before.</source>
+        <translation>测试 4：从视点看，三角形 %2 伸到三角形 %1 的平面之前 %3、之后 %4：它并非完全在前。</translation>
+    </message>
+    <message>
+        <source>No test lets triangle %1, with the farthest depth %3, come before triangle %2, with %4: the second one is taken first.</source>
+        <translation>没有测试允许最远深度为 %3 的三角形 %1 先于最远深度为 %4 的三角形 %2：先取后者。</translation>
+    </message>
+    <message>
+        <source>Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which is marked: a cycle, in which one is cut.</source>
+        <translation>最远深度为 %3 的三角形 %1 等待已标记的三角形 %2（最远深度 %4）：构成循环，切开其中一个。</translation>
+    </message>
+    <message>
+        <source>Triangles %1 and %2 pass through each other: 1 / depth of the first less that of the second goes from %3 to %4. One of them is cut.</source>
+        <translation>三角形 %1 与 %2 互相穿过：前者的 1/深度 减后者的从 %3 到 %4。切开其中一个。</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nowhere nearer.</source>
+        <translation>测试 5：在三角形 %1 与 %2 的投影重叠处，前者的 1/深度 减后者的从 %3 到 %4：前者处处不更近。</translation>
+    </message>
+    <message>
+        <source>Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less that of the second goes from %3 to %4: it is nearer somewhere.</source>
+        <translation>测试 5：在三角形 %1 与 %2 的投影重叠处，前者的 1/深度 减后者的从 %3 到 %4：前者在某处更近。</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they count as apart.</source>
+        <translation>测试 5：三角形 %1 与 %2 的投影重叠 %3 像素，不超过 %4：视为分离。</translation>
+    </message>
+    <message>
+        <source>Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not apart.</source>
+        <translation>测试 5：三角形 %1 与 %2 的投影重叠 %3 像素，超过 %4：并未分离。</translation>
+    </message>
+    <message>
+        <source>drawn polygons alone, above %1 triangles</source>
+        <translation>三角形超过 %1 个，仅记录绘制的多边形</translation>
+    </message>
+    <message>
+        <source>without depths and tests 1 and 2, above %1 triangles</source>
+        <translation>三角形超过 %1 个，省略深度比较和测试 1、2</translation>
+    </message>
+    <message>
+        <source>the first %1 tests alone</source>
+        <translation>仅前 %1 个测试</translation>
+    </message>
+    <message>
+        <source>the first %1 polygons alone</source>
+        <translation>仅前 %1 个多边形</translation>
+    </message>
+    <message>
+        <source>Colours by verdict</source>
+        <translation>按判定着色</translation>
+    </message>
+    <message>
+        <source>Colours by &amp;verdict</source>
+        <translation>按判定着色(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Colour the active view by what became of each triangle</source>
+        <translation>按每个三角形的结果为活动视图着色</translation>
+    </message>
+    <message>
+        <source>With verdicts, what was left out too</source>
+        <translation>按判定着色时也显示被剔除的部分</translation>
+    </message>
+    <message>
+        <source>The culling camera&apos;s frustum</source>
+        <translation>剔除相机的视锥体</translation>
+    </message>
+    <message>
+        <source>F&amp;rustum</source>
+        <translation>视锥体(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Show the culling camera&apos;s frustum in the active view</source>
+        <translation>在活动视图中显示剔除相机的视锥体</translation>
+    </message>
+    <message>
+        <source>The boxes that were tested</source>
+        <translation>被测试的包围盒</translation>
+    </message>
+    <message>
+        <source>&amp;Boxes</source>
+        <translation>包围盒(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Show the boxes that the strategy tested in the active view</source>
+        <translation>在活动视图中显示策略测试的包围盒</translation>
+    </message>
+    <message>
+        <source>Boxes by the plane that rejected them</source>
+        <translation>按剔除平面着色的盒</translation>
+    </message>
+    <message>
+        <source>Boxes by rejecting &amp;plane</source>
+        <translation>按剔除平面着色的盒(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
+        <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
+    </message>
+    <message>
+        <source>Model in spherical coordinates</source>
+        <translation>球坐标中的模型</translation>
+    </message>
+    <message>
+        <source>Model in &amp;spherical coordinates</source>
+        <translation>球坐标中的模型(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
+        <translation>在活动视图中，按方位角和天顶角显示一个物体中被绘制的部分</translation>
+    </message>
+    <message>
+        <source>Components by occupancy value</source>
+        <translation>按占屏值统计的构件</translation>
+    </message>
+    <message>
+        <source>octrees</source>
+        <translation>八叉树</translation>
+    </message>
+    <message>
+        <source>Largest value %1 ÷ distance %2 = %3 &lt; %4: its components count as too small.</source>
+        <translation>最大值 %1 ÷ 距离 %2 = %3 &lt; %4：其构件视为过小。</translation>
+    </message>
+    <message>
+        <source>Largest value %1 ÷ distance %2 = %3 ≥ %4: its components are drawn.</source>
+        <translation>最大值 %1 ÷ 距离 %2 = %3 ≥ %4：绘制其构件。</translation>
+    </message>
+    <message>
+        <source>The camera rests: %1 components of the outline and %2 others, none of them too small.</source>
+        <translation>相机静止：轮廓构件 %1 个，其他 %2 个，均不视为过小。</translation>
+    </message>
+    <message>
+        <source>%1 components of the outline are in octree L, %2 others in octree S.</source>
+        <translation>轮廓构件 %1 个在八叉树 L 中，其他 %2 个在八叉树 S 中。</translation>
+    </message>
+    <message>
+        <source>The component &quot;%1&quot; has %2 triangles; it is drawn with its leaf or not at all.</source>
+        <translation>构件“%1”有 %2 个三角形；它随其叶节点一起绘制或不绘制。</translation>
+    </message>
+    <message>
+        <source>It lies in a leaf of %1 components, which is drawn as a whole.</source>
+        <translation>它位于有 %1 个构件的叶节点中，该叶节点整体绘制。</translation>
+    </message>
+    <message>
+        <source>Octree %1: %2 components</source>
+        <translation>八叉树 %1：%2 个构件</translation>
+    </message>
+    <message>
+        <source>for each node of octrees L and S</source>
+        <translation>对八叉树 L 和 S 的每个节点</translation>
+    </message>
+    <message>
+        <source>test its box against the six planes</source>
+        <translation>用六个平面测试其包围盒</translation>
+    </message>
+    <message>
+        <source>outside: leave its components out</source>
+        <translation>在外：略去其构件</translation>
+    </message>
+    <message>
+        <source>leaf of L: draw its components</source>
+        <translation>L 的叶节点：绘制其构件</translation>
+    </message>
+    <message>
+        <source>leaf of S: t = value ÷ distance</source>
+        <translation>S 的叶节点：t = 值 ÷ 距离</translation>
+    </message>
+    <message>
+        <source>if t &lt; k′·tan θ: leave it out</source>
+        <translation>若 t &lt; k′·tan θ：略去</translation>
+    </message>
+    <message>
+        <source>else draw its components</source>
+        <translation>否则绘制其构件</translation>
+    </message>
+    <message>
+        <source>How many of the components, the largest ones, are the outline, which is always drawn. The paper names no number.</source>
+        <translation>最大的构件所占的比例：它们是始终绘制的轮廓。论文未给出数值。</translation>
+    </message>
+    <message>
+        <source>A leaf is left out where its largest occupancy value, divided by its distance, is below this: k′·tan θ.</source>
+        <translation>叶节点的最大占屏值除以距离小于此值时略去：k′·tan θ。</translation>
+    </message>
+    <message>
+        <source>Levels of octree L, which holds the outline; the root is one of them.</source>
+        <translation>包含轮廓的八叉树 L 的层数（含根节点）。</translation>
+    </message>
+    <message>
+        <source>Levels of octree S, which holds the details; the root is one of them.</source>
+        <translation>包含细节的八叉树 S 的层数（含根节点）。</translation>
+    </message>
+    <message>
+        <source>Which box of a node is tested and has the distance; the paper can be read both ways.</source>
+        <translation>测试节点的哪个包围盒并取其距离；论文可作两种理解。</translation>
+    </message>
+    <message>
+        <source>the box around its components</source>
+        <translation>其构件的包围盒</translation>
+    </message>
+    <message>
+        <source>the octree&apos;s cell, over which components reach</source>
+        <translation>八叉树的单元，构件可能超出它</translation>
+    </message>
+    <message>
+        <source>What is drawn while the camera does not move.</source>
+        <translation>相机不动时绘制的内容。</translation>
+    </message>
+    <message>
+        <source>the same as in motion</source>
+        <translation>与运动时相同</translation>
+    </message>
+    <message>
+        <source>everything in the frustum, as in the paper&apos;s Figure 8</source>
+        <translation>视锥体内的一切，如论文图 8</translation>
+    </message>
+    <message>
+        <source>Small-feature culling</source>
+        <translation>细节裁剪</translation>
+    </message>
+    <message>
+        <source>Leaves out groups of components that are too small for their distance; a plant&apos;s outline stays.</source>
+        <translation>略去相对距离过小的构件组；工厂的轮廓保留。</translation>
+    </message>
+    <message>
+        <source>components</source>
+        <translation>构件</translation>
+    </message>
+    <message>
+        <source>Its box covers at most %1 pixels, no more than the %2 that may be lost.</source>
+        <translation>其包围盒最多覆盖 %1 个像素，不超过允许损失的 %2 个。</translation>
+    </message>
+    <message>
+        <source>Its box covers up to %1 pixels, more than the %2 that may be lost.</source>
+        <translation>其包围盒覆盖多达 %1 个像素，超过允许损失的 %2 个。</translation>
+    </message>
+    <message>
+        <source>With the small components of its group it covers at most %1 pixels, no more than the %2 that may be lost.</source>
+        <translation>它与组内的小构件一起最多覆盖 %1 个像素，不超过允许损失的 %2 个。</translation>
+    </message>
+    <message>
+        <source>With the small components of its group it covers up to %1 pixels, more than the %2 that may be lost.</source>
+        <translation>它与组内的小构件一起覆盖多达 %1 个像素，超过允许损失的 %2 个。</translation>
+    </message>
+    <message>
+        <source>Its box covers at most %1 pixels; %2 may be lost of a group.</source>
+        <translation>其包围盒最多覆盖 %1 个像素；每组允许损失 %2 个。</translation>
+    </message>
+    <message>
+        <source>Of the component &quot;%1&quot; with %2 triangles the pixels that its box covers are counted.</source>
+        <translation>对有 %2 个三角形的构件“%1”，计数其包围盒覆盖的像素。</translation>
+    </message>
+    <message>
+        <source>It lies in a group of %1 components, which covers too many pixels to be left out as a whole.</source>
+        <translation>它位于有 %1 个构件的组中，该组覆盖的像素过多，不能整体略去。</translation>
+    </message>
+    <message>
+        <source>for each group: planes and axes</source>
+        <translation>对每一组：平面与轴</translation>
+    </message>
+    <message>
+        <source>n = pixels that its box covers</source>
+        <translation>n = 其包围盒覆盖的像素数</translation>
+    </message>
+    <message>
+        <source>if n ≤ pixels: leave the group out</source>
+        <translation>若 n ≤ pixels：略去该组</translation>
+    </message>
+    <message>
+        <source>for each component: n of its box</source>
+        <translation>对每个构件：其包围盒的 n</translation>
+    </message>
+    <message>
+        <source>if n = 0: leave it out</source>
+        <translation>若 n = 0：略去</translation>
+    </message>
+    <message>
+        <source>if n ≤ pixels: it is a small one</source>
+        <translation>若 n ≤ pixels：它是小构件</translation>
+    </message>
+    <message>
+        <source>small ones&apos; sum ≤ pixels: leave out</source>
+        <translation>小构件之和 ≤ pixels：略去</translation>
+    </message>
+    <message>
+        <source>draw the others, nearest first</source>
+        <translation>由近到远绘制其余</translation>
+    </message>
+    <message>
+        <source>How many pixels a group of components may lose. With 0 nothing visible is lost.</source>
+        <translation>一组构件允许损失的像素数。为 0 时不损失任何可见内容。</translation>
+    </message>
+    <message>
+        <source>Bounded small-feature culling</source>
+        <translation>有界细节裁剪</translation>
+    </message>
+    <message>
+        <source>Leaves out small components where the pixels that a group may lose by it stay under a bound.</source>
+        <translation>在一组可能损失的像素不超过界限处略去小构件。</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; is tested as one box, then each of its %2 triangles by its size.</source>
+        <translation>物体“%1”先作为一个包围盒测试，再按大小逐个测试其 %2 个三角形。</translation>
+    </message>
+    <message>
+        <source>Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.</source>
+        <translation>%1 个三角形中有 %2 个的最长边之半小于距离的 %3：过小。</translation>
+    </message>
+    <message>
+        <source>else its parts, then each object</source>
+        <translation>否则其各部分，然后每个物体</translation>
+    </message>
+    <message>
+        <source>for each triangle of those kept</source>
+        <translation>对保留者的每个三角形</translation>
+    </message>
+    <message>
+        <source>t = ½ longest edge ÷ distance</source>
+        <translation>t = ½ 最长边 ÷ 距离</translation>
+    </message>
+    <message>
+        <source>draw those with t ≥ threshold</source>
+        <translation>绘制 t ≥ threshold 者</translation>
+    </message>
+    <message>
+        <source>A triangle is left out where half its longest edge, divided by its distance, is below this.</source>
+        <translation>三角形最长边之半除以距离小于此值时略去。</translation>
+    </message>
+    <message>
+        <source>Small-feature culling by triangle</source>
+        <translation>按三角形的细节裁剪</translation>
+    </message>
+    <message>
+        <source>Leaves out every triangle that is too small for its distance: the traditional way.</source>
+        <translation>略去所有相对距离过小的三角形：传统方法。</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 triangles</source>
+        <translation>三角形超过 %1 个，按行带</translation>
+    </message>
+    <message>
+        <source>by bands of rows, above %1 pixels to look at</source>
+        <translation>要查看的像素超过 %1 个，按行带</translation>
+    </message>
+    <message>
+        <source>In these rows %1 depths were compared with the stored ones; %2 were nearer and stored. %3 pixels show a surface.</source>
+        <translation>这些行中有 %1 个深度与已存深度比较；%2 个更近并被存入。%3 个像素显示表面。</translation>
+    </message>
+    <message>
+        <source>causes by object, above %1 groups of triangles</source>
+        <translation>三角形组超过 %1 个，原因按物体</translation>
+    </message>
+    <message>
+        <source>by row, above %1 spans</source>
+        <translation>扫描段超过 %1 个，按行</translation>
+    </message>
+    <message>
+        <source>without single edges, above %1 of them</source>
+        <translation>边超过 %1 条，不逐条记录</translation>
+    </message>
+    <message>
+        <source>In row %1 there are %2 active edges, of %3 surfaces, at x = %4.</source>
+        <translation>第 %1 行有 %3 个表面的 %2 条活动边，位于 x = %4。</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle begins at column %3.</source>
+        <translation>它的一条边是活动的：在第 %1 行位于 x = %2，三角形从第 %3 列开始。</translation>
+    </message>
+    <message>
+        <source>An edge of it is active: in row %1 it lies at x = %2, and the triangle ends before column %3.</source>
+        <translation>它的一条边是活动的：在第 %1 行位于 x = %2，三角形在第 %3 列之前结束。</translation>
+    </message>
+    <message>
+        <source>results alone, above %1 objects</source>
+        <translation>物体超过 %1 个，仅记录结果</translation>
+    </message>
+    <message>
+        <source>It is left out with its whole group (objects: %1): %2.</source>
+        <translation>它随整组一起被略去（物体 %1 个）：%2。</translation>
     </message>
 </context>
 <context>
@@ -4402,10 +4986,6 @@ OpenGL %2
         <translation>下一步：按 H 查看所有按键，或打开您自己的模型。</translation>
     </message>
     <message>
-        <source>Over each picture: speed against backface · triangles submitted · pixels missed</source>
-        <translation>图像上方：相对 backface 的速度 · 提交的三角形 · 丢失的像素</translation>
-    </message>
-    <message>
         <source>%1: %2</source>
         <comment>promise, its meaning</comment>
         <translation>%1：%2</translation>
@@ -4430,6 +5010,10 @@ OpenGL %2
     <message>
         <source>Next: choose another strategy in the view&apos;s menu and compare the figures over the pictures.</source>
         <translation>下一步：在视图的菜单中选择另一种策略，比较图像上方的数据。</translation>
+    </message>
+    <message>
+        <source>Over each picture: speed against %1 · triangles submitted · pixels missed</source>
+        <translation>图像上方：相对 %1 的速度 · 提交的三角形 · 丢失的像素</translation>
     </message>
 </context>
 <context>
@@ -4654,10 +5238,6 @@ OpenGL %2
 <context>
     <name>cullscope::ui::MetricsModel</name>
     <message>
-        <source>Speed against backface</source>
-        <translation>相对 backface 的速度</translation>
-    </message>
-    <message>
         <source>Frame</source>
         <translation>帧</translation>
     </message>
@@ -4688,10 +5268,6 @@ OpenGL %2
     <message>
         <source>Covered pixels</source>
         <translation>覆盖的像素</translation>
-    </message>
-    <message>
-        <source>Frame time of the strategy backface divided by this strategy&apos;s, measured in turns at the same camera</source>
-        <translation>在同一相机下交替测量：backface 策略的帧时间除以本策略的帧时间</translation>
     </message>
     <message>
         <source>Culling and drawing into the view&apos;s own picture until OpenGL has finished; the window itself is not counted</source>
@@ -4740,6 +5316,15 @@ OpenGL %2
     <message>
         <source>Missed pixels that the raster&apos;s snapping of vertices to 1/256 pixel does not explain; counted where the truth draws other sides than the strategy, or the strategy makes surfaces or the picture itself</source>
         <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在真值与策略绘制的面不同，或策略自行生成面或图像时统计</translation>
+    </message>
+    <message>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>相对 %1 的速度</translation>
+    </message>
+    <message>
+        <source>Frame time of the strategy %1 divided by this strategy&apos;s, measured in turns at the same camera</source>
+        <translation>在同一相机下交替测量：%1 策略的帧时间除以本策略的帧时间</translation>
     </message>
 </context>
 <context>
@@ -4856,10 +5441,6 @@ OpenGL %2
         <translation>未测量丢失像素，因此没有可显示的损失。</translation>
     </message>
     <message>
-        <source>%1, %2: ×%3 against backface, %4 per million missed</source>
-        <translation>%1，%2：相对 backface ×%3，每百万丢失 %4</translation>
-    </message>
-    <message>
         <source>0 (&lt; 3/%1)</source>
         <extracomment>Nothing missed in %1 views: with 95 % confidence, the share of views that lose something is below 3/%1.</extracomment>
         <translation>0 (&lt; 3/%1)</translation>
@@ -4873,8 +5454,13 @@ OpenGL %2
         <translation>每百万丢失</translation>
     </message>
     <message>
-        <source>Speed against backface</source>
-        <translation>相对 backface 的速度</translation>
+        <source>%1, %2: ×%3 against %5, %4 per million missed</source>
+        <translation>%1，%2：相对 %5 ×%3，每百万丢失 %4</translation>
+    </message>
+    <message>
+        <source>Speed against %1</source>
+        <comment>a strategy</comment>
+        <translation>相对 %1 的速度</translation>
     </message>
 </context>
 <context>
@@ -5156,6 +5742,10 @@ OpenGL %2
         <source>Which triangles vanish?</source>
         <translation>哪些三角形会消失？</translation>
     </message>
+    <message>
+        <source>The active view&apos;s strategy has %1 leaves here: more than %2 are not named. Choose a smaller scene or other parameters.</source>
+        <translation>活动视图的策略在此有 %1 个叶：超过 %2 个则不命名。请选择更小的场景或其他参数。</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::QuestionTree</name>
@@ -5233,18 +5823,6 @@ OpenGL %2
     <message>
         <source>Strategy</source>
         <translation>策略</translation>
-    </message>
-    <message>
-        <source>Speed against
-backface [95 %]</source>
-        <translation>相对 backface
-速度 [95 %]</translation>
-    </message>
-    <message>
-        <source>Speed against
-all [95 %]</source>
-        <translation>相对 all
-速度 [95 %]</translation>
     </message>
     <message>
         <source>fps</source>
@@ -5337,12 +5915,16 @@ snapping</source>
         <translation>无法用光栅将顶点对齐到 1/256 像素来解释的丢失像素；在策略只画正面而真值画双面时统计</translation>
     </message>
     <message>
-        <source>Total time of backface over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>backface 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
+        <source>Speed against
+%1 [95 %]</source>
+        <comment>a strategy</comment>
+        <translation>相对 %1
+速度 [95 %]</translation>
     </message>
     <message>
-        <source>Total time of all over the views divided by this strategy&apos;s, with its 95 % interval</source>
-        <translation>all 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
+        <source>Total time of %1 over the views divided by this strategy&apos;s, with its 95 % interval</source>
+        <comment>a strategy</comment>
+        <translation>%1 在各视角的总时间除以此策略的总时间，及其 95 % 区间</translation>
     </message>
 </context>
 <context>
@@ -5867,6 +6449,10 @@ snapping</source>
         <source>Show the whole frame again (F8)</source>
         <translation>重新显示整帧（F8）</translation>
     </message>
+    <message>
+        <source>The method itself records this frame coarser:</source>
+        <translation>该方法本身对此帧的记录较粗：</translation>
+    </message>
 </context>
 <context>
     <name>cullscope::ui::Stepper</name>
@@ -6025,8 +6611,9 @@ snapping</source>
         <translation>绘制</translation>
     </message>
     <message>
-        <source>grey: all and backface</source>
-        <translation>灰色：all 和 backface</translation>
+        <source>grey: %1 and %2</source>
+        <comment>two strategies</comment>
+        <translation>灰色：%1 和 %2</translation>
     </message>
 </context>
 <context>
@@ -6489,30 +7076,6 @@ snapping</source>
         <translation>在活动视图中继续飞行时剔除相机保持不动</translation>
     </message>
     <message>
-        <source>Colours by &amp;verdict</source>
-        <translation>按判定着色(&amp;V)</translation>
-    </message>
-    <message>
-        <source>Colour the active view by what became of each triangle</source>
-        <translation>按每个三角形的结果为活动视图着色</translation>
-    </message>
-    <message>
-        <source>F&amp;rustum</source>
-        <translation>视锥体(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Show the culling camera&apos;s frustum in the active view</source>
-        <translation>在活动视图中显示剔除相机的视锥体</translation>
-    </message>
-    <message>
-        <source>&amp;Boxes</source>
-        <translation>包围盒(&amp;B)</translation>
-    </message>
-    <message>
-        <source>Show the boxes that the strategy tested in the active view</source>
-        <translation>在活动视图中显示策略测试的包围盒</translation>
-    </message>
-    <message>
         <source>Wipe: &amp;truth | strategy</source>
         <translation>对比：真值 | 策略(&amp;T)</translation>
     </message>
@@ -6613,24 +7176,8 @@ snapping</source>
         <translation>按论文的窗口测量论文表中的内容，并把它的数字与我们的并列</translation>
     </message>
     <message>
-        <source>Model in &amp;spherical coordinates</source>
-        <translation>球坐标中的模型(&amp;S)</translation>
-    </message>
-    <message>
-        <source>Show what was drawn of one object over azimuth and zenith angle in the active view</source>
-        <translation>在活动视图中，按方位角和天顶角显示一个物体中被绘制的部分</translation>
-    </message>
-    <message>
         <source>Not while the view shows the model in spherical coordinates: what a camera sees has no place there</source>
         <translation>视图以球坐标显示模型时不可用：相机所见的内容在其中没有位置</translation>
-    </message>
-    <message>
-        <source>Boxes by rejecting &amp;plane</source>
-        <translation>按剔除平面着色的盒(&amp;P)</translation>
-    </message>
-    <message>
-        <source>Show the boxes in the active view in the colour of the plane of the frustum that rejected them; the frustum&apos;s planes have the same colours</source>
-        <translation>在活动视图中以剔除它的视锥体平面的颜色显示各盒；视锥体的平面用同样的颜色</translation>
     </message>
     <message>
         <source>S&amp;tep through</source>

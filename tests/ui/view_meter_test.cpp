@@ -184,7 +184,7 @@ TEST_F(ViewMeterTest, headersRatioIsTheTablesAndCullbenchsToTheDigitForTheSameRe
             buildStrategy(id, ParameterSet(findStrategy(id).info.parameters), experiment.scene, *structures);
         const ViewMetrics header = measured(subject(strategy, 0), playedBack(recorded)).back();
         ASSERT_TRUE(header.speedup.has_value());
-        EXPECT_EQ(*header.speedup, recorded.runs[run].summary.ratioToBackface) << id;
+        EXPECT_EQ(*header.speedup, recorded.runs[run].summary.ratioToFrontFaces) << id;
         EXPECT_EQ(*header.speedup, std::get<RatioEstimate>(table.value(run, "ratio_to_backface"))) << id;
         EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_backface"], header.speedup->ratio) << id;
         EXPECT_EQ(json["runs"][run]["summary"]["ratio_to_backface_ci95"], header.speedup->ci95) << id;

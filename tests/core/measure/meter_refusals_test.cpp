@@ -73,7 +73,7 @@ TEST(Refusals, standInTheResultAndTheOthersGoOn) {
     std::vector<std::string> refused;
     for (const Refusal& refusal : result.refused) refused.push_back(refusal.strategy.id + ": " + refusal.why.english());
     EXPECT_THAT(refused, ElementsAre("never: too large for this strategy", "once: tired", "twice: tired"));
-    EXPECT_GT(result.runs[0].summary.ratioToAll.ratio, 0.0) << "over the poses that it has";
+    EXPECT_GT(result.runs[0].summary.ratioToTriangles.ratio, 0.0) << "over the poses that it has";
     for (const RunMeasurement& run : result.runs)
         for (const FrameMeasurement& frame : run.frames) EXPECT_TRUE(frame.accuracy.has_value());
 }
