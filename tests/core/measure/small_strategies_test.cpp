@@ -2,6 +2,7 @@
 // and measured as any other, without a line about them outside their file.
 #include <set>
 
+#include "core/base/error.h"
 #include "core/image/view_picture.h"
 #include "core/measure/meter.h"
 #include "core/visibility/why.h"
