@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+
+#include "core/geometry/random.h"
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/measure/render_frame.h"

@@ -1,4 +1,5 @@
 // Replays of the five small strategies' frames: by tiles of a screenshot, and of a part of their logs.
+#include <algorithm>
 #include <set>
 
 #include "tests/core/measure/small_strategies_bench.h"

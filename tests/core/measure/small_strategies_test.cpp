@@ -1,5 +1,6 @@
 // What FrameContext can say beyond what the registered strategies need: five small strategies, each judged, replayed, explained
 // and measured as any other, without a line about them outside their file.
+#include <numeric>
 #include <set>
 
 #include "core/base/error.h"

@@ -1,7 +1,8 @@
 // Views measured together: which frame is judged, which are timed, and which take turns as one.
 #include "core/measure/view_rounds.h"
 
-#include "core/base/error.h"
+#include <algorithm>
+
 #include "tests/support/gl_environment.h"
 #include "tests/support/small_experiment.h"
 
