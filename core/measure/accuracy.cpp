@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -131,6 +133,16 @@ std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& s
     std::vector<uint8_t> mask(shown.depth.size());
     for (size_t i = 0; i < mask.size(); ++i) mask[i] = pixelDifference(reference, shown, i) == PixelDifference::Missed ? 1 : 0;
     return mask;
+}
+
+std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference, const std::vector<uint8_t>& missed) {
+    std::map<uint32_t, uint64_t> pixels;
+    for (size_t i = 0; i < missed.size(); ++i)
+        if (missed[i] != 0 && reference.triangle[i] != 0) ++pixels[uint32_t(scene.instanceOf(reference.triangle[i] - 1))];
+    std::vector<LostObject> objects;
+    for (const auto& [instance, count] : pixels) objects.push_back({instance, count});
+    std::ranges::stable_sort(objects, std::ranges::greater(), &LostObject::pixels);
+    return objects;
 }
 
 std::vector<Hole> holes(std::vector<uint8_t> mask, const Viewport& size) {

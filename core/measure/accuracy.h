@@ -87,6 +87,15 @@ struct JudgedFrame {
 /// A mask of the missed pixels (1: missed), rows from the bottom.
 [[nodiscard]] std::vector<uint8_t> missedMask(const Reference& reference, const ShownPixels& shown);
 
+/// An object of the scene with missed pixels.
+struct LostObject {
+    uint32_t instance = 0;
+    uint64_t pixels = 0;
+};
+/// The objects that the reference shows at the pixels of a mask of missed ones, most pixels first, then by number.
+[[nodiscard]] std::vector<LostObject> lostObjects(const Scene& scene, const Reference& reference,
+                                                  const std::vector<uint8_t>& missed);
+
 /// A 4-connected set of missed pixels.
 struct Hole {
     int x = 0, y = 0;  ///< one of its pixels, rows from the bottom

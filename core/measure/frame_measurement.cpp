@@ -12,23 +12,21 @@ FrameMeasurement measurementOf(const TimedFrames& timed) {
     figures.cullTimes = timed.cullMilliseconds;
     figures.repetitions = static_cast<int>(timed.frameMilliseconds.size());
     figures.stages = timed.log.stages;
-    figures.submitted = submittedBy(timed.strategy->scene(), timed.log);
-    figures.consideredTriangles = timed.log.consideredTriangles();
-    figures.culledTriangles = timed.log.counters.culledTriangles;
-    figures.parts = timed.log.counters.parts;
-    figures.figures = timed.log.counters.figures;
-    figures.nodesVisited = timed.log.counters.nodesVisited;
-    figures.frameBytes = timed.log.frameBytes();
+    const FrameLog& judged = timed.judged();
+    figures.submitted = submittedBy(timed.strategy->scene(), judged);
+    figures.consideredTriangles = judged.consideredTriangles();
+    figures.culledTriangles = judged.counters.culledTriangles;
+    figures.parts = judged.counters.parts;
+    figures.figures = judged.counters.figures;
+    figures.nodesVisited = judged.counters.nodesVisited;
+    figures.frameBytes = judged.frameBytes();
     return figures;
 }
 
-JudgedFrame addLosses(FrameMeasurement& figures, Renderer& renderer, const TimedFrames& timed, const Reference& truth,
-                      Framebuffer& target) {
-    JudgedFrame judged = judge(renderer, *timed.buffers, timed.log, truth, target);
+void addLosses(FrameMeasurement& figures, const JudgedFrame& judged) {
     figures.accuracy = judged.accuracy;
     figures.ownRaster = judged.ownRaster;
     figures.missedBeyondSnapping = judged.missedBeyondSnapping.value_or(0);
-    return judged;
 }
 
 RatioEstimate ratioOver(std::span<const FrameMeasurement> baseline, std::span<const FrameMeasurement> subject) {

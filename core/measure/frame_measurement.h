@@ -37,10 +37,8 @@ struct FrameMeasurement {
 /// The figures of the frames that were timed at a view so far, at least one of them counted; without what they lost.
 [[nodiscard]] FrameMeasurement measurementOf(const TimedFrames& timed);
 
-/// Judges a frame whose time was taken: replays its log into `target`, which has the view's size, and adds what it lost to
-/// `figures`. `truth` is of the view, under the strategy's facing rule for references.
-JudgedFrame addLosses(FrameMeasurement& figures, Renderer& renderer, const TimedFrames& timed, const Reference& truth,
-                      Framebuffer& target);
+/// Adds what the frame lost.
+void addLosses(FrameMeasurement& figures, const JudgedFrame& judged);
 
 /// "×" in a view's header, a table, a report, a paper's row and a file: ratioOfTotals of the frame times at the same views.
 [[nodiscard]] RatioEstimate ratioOver(std::span<const FrameMeasurement> baseline, std::span<const FrameMeasurement> subject);

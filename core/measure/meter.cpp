@@ -4,6 +4,7 @@
 
 #include "core/base/error.h"
 #include "core/measure/summary.h"
+#include "core/measure/view_rounds.h"
 
 namespace cullscope {
 namespace {
@@ -32,6 +33,12 @@ std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& stra
         built.push_back({baseline, buildStrategy(strategy, baseline.parameters, scene, structures, progress), false});
     }
     return built;
+}
+
+const BuiltStrategyPointer& ViewBaseline::of(const ScenePointer& scene, StructureStore& structures) {
+    if (!m_built || m_built->scenePointer() != scene)
+        m_built = baselinesBeside({}, scene, structures, BaselineRole::FrontFaces).front().strategy;
+    return m_built;
 }
 
 Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, StructureStore& structures,
@@ -63,8 +70,7 @@ Contestants buildContestants(const MeasureRequest& request, const GlInfo& gl, St
     return built;
 }
 
-/// The steps of a measurement: at each pose first all frames, then the comparison of each strategy's first timed one with the
-/// truth.
+/// The steps of a measurement, pose by pose.
 class Meter::Experiment {
 public:
     Experiment(const MeasureRequest& request, Contestants contestants, const GlInfo& gl,
@@ -96,9 +102,8 @@ public:
     void step(const std::stop_token& stop) {
         if (complete()) return;
         if (!m_pose) beginPose();
-        if (!m_pose->rounds.complete()) return timeNext(stop);
-        if (m_pose->frames.size() < m_pose->numbers.size()) recordNext();
-        if (m_pose->frames.size() == m_pose->numbers.size()) endPose();
+        if (!m_pose->rounds.complete()) measureNext(stop);
+        if (m_pose->rounds.complete()) endPose();
     }
 
     [[nodiscard]] MeasureResult resultSoFar() const {
@@ -121,8 +126,7 @@ private:
     struct Pose {
         View view;
         std::vector<size_t> numbers;  ///< of the strategies that take part, in the order of the rounds
-        TimedRounds rounds;
-        std::vector<FrameMeasurement> frames{};  ///< of the strategies recorded so far
+        ViewRounds rounds;
     };
     /// What a strategy has taken so far.
     struct Taking {
@@ -133,26 +137,30 @@ private:
     void beginPose() {
         const View view(m_request.path.camera(m_poses), m_request.size);
         std::vector<size_t> numbers;
-        std::vector<TimedFrames> entrants;
+        std::vector<ViewSubject> subjects;
         for (size_t i = 0; i < m_runs.size(); ++i) {
             if (m_taking[i].ended) continue;
+            const Contestant& contestant = m_contestants.strategies[i];
             numbers.push_back(i);
-            entrants.push_back({m_buffers.get(), m_contestants.strategies[i].strategy, view, std::move(m_memories[i])});
+            subjects.push_back({m_buffers, contestant.strategy, view, std::move(m_memories[i])});
+            subjects.back().judged = m_request.accuracy && contestant.askedFor;
         }
         TimingProtocol protocol = m_request.timing;
         if (protocol.warmUpOnce && m_poses > 0) protocol.warmUp = 0;
         // With one repetition, too, none always follows the same one.
         const bool backwards = m_poses % 2 != 0;
-        m_pose.emplace(Pose{view, std::move(numbers), TimedRounds(std::move(entrants), protocol, backwards)});
+        m_pose.emplace(Pose{view, std::move(numbers), ViewRounds(std::move(subjects), protocol, backwards)});
     }
 
-    void timeNext(const std::stop_token& stop) {
-        TimedRounds& rounds = m_pose->rounds;
+    void measureNext(const std::stop_token& stop) {
+        ViewRounds& rounds = m_pose->rounds;
+        const bool timing = !rounds.timed();
         try {
-            rounds.step(
-                m_renderer, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; }, stop);
+            (void)rounds.step(
+                m_renderer, m_references, [this](const Viewport&, size_t window) -> Framebuffer& { return *m_targets[window]; },
+                stop);
         } catch (const Error& error) {
-            if (!isRefusal(error, m_request)) throw;
+            if (!timing || !isRefusal(error, m_request)) throw;
             const size_t number = m_pose->numbers[rounds.next()];
             m_contestants.refused.push_back({m_contestants.strategies[number].request, error.message()});
             m_taking[number].ended = true;
@@ -160,31 +168,18 @@ private:
         }
     }
 
-    /// The next strategy's figures, and what its first timed frame lost.
-    void recordNext() {
-        const TimedFrames& timed = m_pose->rounds.entrants()[m_pose->frames.size()];
-        const size_t number = m_pose->numbers[m_pose->frames.size()];
-        FrameMeasurement& frame = m_pose->frames.emplace_back();
-        if (timed.dropped) return;
-        RunMeasurement& run = m_runs[number];
-        frame = measurementOf(timed);
-        frame.pose = m_poses;
-        if (timed.strategy->promiseAt(timed.view) == Promise::Approximate) run.promise = Promise::Approximate;
-        if (m_request.accuracy && m_contestants.strategies[number].askedFor) {
-            const auto truth = m_references.of(m_renderer, *m_buffers, timed.view, run.referenceFacing);
-            addLosses(frame, m_renderer, timed, *truth, *m_targets.front());
-        }
-    }
-
     void endPose() {
         for (size_t i = 0; i < m_pose->numbers.size(); ++i) {
-            TimedFrames& timed = m_pose->rounds.entrants()[i];
-            if (timed.dropped) continue;
+            if (m_pose->rounds.dropped(i)) continue;
             const size_t number = m_pose->numbers[i];
-            m_memories[number] = timed.takeMemories();
-            for (const double milliseconds : timed.frameMilliseconds) m_taking[number].seconds += milliseconds / 1000.0;
+            RunMeasurement& run = m_runs[number];
+            const Promise promise = m_contestants.strategies[number].strategy->promiseAt(m_pose->view);
+            if (promise == Promise::Approximate) run.promise = Promise::Approximate;
+            run.frames.push_back(m_pose->rounds.measurement(i));
+            run.frames.back().pose = m_poses;
+            m_memories[number] = m_pose->rounds.takeMemories(i);
+            for (const double milliseconds : run.frames.back().frameTimes) m_taking[number].seconds += milliseconds / 1000.0;
             m_taking[number].ended = m_taking[number].seconds > m_request.secondsOfAStrategy;
-            m_runs[number].frames.push_back(std::move(m_pose->frames[i]));
         }
         ++m_poses;
         m_pose.reset();

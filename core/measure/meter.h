@@ -98,6 +98,16 @@ struct Contestant {
 [[nodiscard]] std::vector<Contestant> baselinesBeside(const std::vector<StrategyRequest>& strategies, const ScenePointer& scene,
                                                       StructureStore& structures, std::optional<BaselineRole> role = {},
                                                       const Progress& progress = {});
+
+/// The baseline beside which single views of a scene are timed: `backface`, built once for a scene.
+class ViewBaseline {
+public:
+    [[nodiscard]] const BuiltStrategyPointer& of(const ScenePointer& scene, StructureStore& structures);
+
+private:
+    BuiltStrategyPointer m_built;
+};
+
 struct Contestants {
     std::vector<Contestant> strategies;
     std::vector<Message> leftOut;  ///< why requested strategies are not among them

@@ -23,7 +23,9 @@ TimedRounds::TimedRounds(std::vector<TimedFrames> entrants, const TimingProtocol
       m_protocol(protocol),
       m_backwards(backwards),
       m_round(-std::max(0, protocol.warmUp)),
-      m_complete(m_entrants.empty()) {}
+      m_complete(m_entrants.empty()) {
+    if (!m_complete && !takesPart(m_entrants[next()])) goOn();
+}
 
 void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::stop_token& stop) {
     if (m_complete) return;
@@ -62,8 +64,10 @@ void TimedRounds::goOn() {
         m_place = 0;
         ++m_round;
         m_complete = m_complete || enough();
-    } while (!m_complete && m_entrants[next()].dropped);
+    } while (!m_complete && !takesPart(m_entrants[next()]));
 }
+
+bool TimedRounds::takesPart(const TimedFrames& entrant) const { return !entrant.dropped && (m_round >= 0 || !entrant.shown); }
 
 bool TimedRounds::enough() const {
     if (m_round < 1) return false;

@@ -25,6 +25,7 @@ TEST_F(MemoryOfAView, figuresUseTheAnswersThatThePictureUses) {
         settle();
         considered = session.picture(0)->consideredTriangles;
         EXPECT_EQ(session.figures(0).consideredTriangles, considered) << "after " << move;
+        EXPECT_EQ(session.figures(0).frame, session.picture(0)->frame) << "after " << move;
     }
     EXPECT_LT(considered, session.scene()->triangleCount()) << "the answers to the frame before hide something";
 }

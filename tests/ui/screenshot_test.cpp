@@ -121,7 +121,8 @@ TEST_F(ScreenshotTest, theLegendCountsTheTrianglesOfTheSavedSize) {
     session.gpu()->run([&] {
         Renderer renderer;
         TiledPicture picture(plan.parts.front().request, plan.parts.front().wanted);
-        while (picture.drawNext(*session.frames(), renderer)) {
+        FramesBeside frames(session.frames());
+        while (picture.drawNext(frames, renderer)) {
         }
         result = picture.take();
     });
@@ -152,12 +153,13 @@ TEST_F(ScreenshotTest, tilesMakeTheSamePictureAsOneFramebuffer) {
         Renderer renderer;
         TiledPicture tiled(request, {true, true, 2});
         EXPECT_EQ(tiled.steps(), 6u);
-        while (tiled.drawNext(*session.frames(), renderer)) {
+        FramesBeside frames(session.frames());
+        while (tiled.drawNext(frames, renderer)) {
         }
         const TiledPicture::Result result = tiled.take();
 
         const View culling(request.culling, request.cullingSize);
-        const ViewFramePointer frame = session.frames()->beside(request.frame(), renderer);
+        const ViewFramePointer frame = frames.of(request.frame(), renderer);
         const Reference truth = itemBufferReference(renderer, *request.buffers, culling, request.strategy->referenceFacing());
         request.states =
             std::make_shared<const TriangleStates>(triangleStates(request.buffers->scene(), frame->log, truth.visible()));

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
-#include <atomic>
 #include <nlohmann/json.hpp>
 
 #include "core/experiments/experiment.h"
@@ -24,18 +23,20 @@ struct Frames : ViewState {
     [[nodiscard]] std::unique_ptr<ViewState> clone() const override { return std::make_unique<Frames>(*this); }
 };
 
-/// Draws one triangle less in every frame, so that no two frames are alike, and counts its decisions.
+/// The how manieth frame of its memory each decision was, in the order of the decisions.
+using Noted = std::vector<uint64_t>;
+
+/// Draws one triangle less in every frame, so that no two frames are alike, and notes its decisions.
 class Dwindling final : public StrategyWith<Structure, Frames> {
 public:
-    explicit Dwindling(std::shared_ptr<std::atomic<int>> decisions) : m_decisions(std::move(decisions)) {}
+    explicit Dwindling(std::shared_ptr<Noted> noted) : m_noted(std::move(noted)) {}
     [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<Frames>(); }
 
 protected:
     void fill(Structure& /*structure*/, const ParameterSet& /*parameters*/, const Progress& /*progress*/) const override {}
     void decide(FrameContext& frame, const Structure& /*structure*/, Frames& state,
                 const ParameterSet& /*parameters*/) const override {
-        ++*m_decisions;
-        ++state.drawn;
+        m_noted->push_back(++state.drawn);
         DrawList list = everything(frame.scene(), Facing::TwoSided);
         list.ranges.front().indexCount -= uint32_t(3 * state.drawn);
         frame.draw(std::move(list));
@@ -46,13 +47,14 @@ protected:
     }
 
 private:
-    std::shared_ptr<std::atomic<int>> m_decisions;
+    std::shared_ptr<Noted> m_noted;
 };
 
-BuiltStrategyPointer dwindling(const ScenePointer& scene, std::shared_ptr<std::atomic<int>> decisions) {
+BuiltStrategyPointer dwindling(const ScenePointer& scene, std::shared_ptr<Noted> noted) {
     RegisteredStrategy strategy;
     strategy.info.id = "dwindling";
-    strategy.strategy = std::make_shared<Dwindling>(std::move(decisions));
+    strategy.info.remembers = true;
+    strategy.strategy = std::make_shared<Dwindling>(std::move(noted));
     const ParameterSet parameters(strategy.info.parameters);
     return std::make_shared<const BuiltStrategy>(strategy, parameters, strategy.strategy->build(scene, parameters, {}));
 }
@@ -60,6 +62,7 @@ BuiltStrategyPointer dwindling(const ScenePointer& scene, std::shared_ptr<std::a
 /// Every strategy's n-th frame takes a made-up time: half as long again for `backface`, and never twice the same.
 TimingProtocol madeUpTimes() {
     TimingProtocol protocol;
+    protocol.warmUp = 0;  // of a view it is the frame that it shows
     protocol.fixedRepetitions = 7;
     protocol.madeUpTime = [counts = std::make_shared<std::map<std::string, int>>()](const BuiltStrategy& strategy) {
         const int frame = (*counts)[strategy.id()]++;
@@ -80,7 +83,7 @@ protected:
     }
     /// All that a meter says of a view, in its order.
     [[nodiscard]] std::vector<ViewMetrics> measured(const MetricsSubject& what, const TimingProtocol& protocol) {
-        ViewMeter meter(gpu, std::make_shared<ViewFrames>(), structures, protocol);
+        ViewMeter meter(gpu, frames, structures, protocol);
         std::vector<ViewMetrics> said;
         QObject::connect(&meter, &ViewMeter::measured, [&](int, const ViewMetrics& figures) { said.push_back(figures); });
         meter.measure({{0, what}});
@@ -97,28 +100,50 @@ protected:
 
     MeasureRequest experiment = test::smallExperiment({"frustum"});
     std::shared_ptr<StructureStore> structures = std::make_shared<StructureStore>();
+    ViewFramesPointer frames = std::make_shared<ViewFrames>();
     GpuThread gpu;
     SceneBuffersPointer buffers;
 };
 
-TEST_F(ViewMeterTest, judgesAFrameThatItTimedAndDecidesNoOther) {
-    const auto decisions = std::make_shared<std::atomic<int>>(0);
+TEST_F(ViewMeterTest, judgesTheFrameThatTheViewShowsAndDecidesNoOtherThanThoseThatItTimes) {
+    const auto noted = std::make_shared<Noted>();
+    const BuiltStrategyPointer strategy = dwindling(experiment.scene, noted);
     TimingProtocol protocol;
     protocol.fixedRepetitions = 3;
-    const std::vector<ViewMetrics> said = measured(subject(dwindling(experiment.scene, decisions), 0), protocol);
-    ASSERT_EQ(said.size(), 2u) << "the errors, and then the speed";
-    EXPECT_FALSE(said[0].timed);
-    EXPECT_FALSE(said[0].speedup.has_value());
     const uint64_t triangles = experiment.scene->triangleCount();
-    for (const ViewMetrics& figures : said) {
-        EXPECT_EQ(figures.accuracy.submittedTriangles, triangles - 2) << "of the first frame after the warm-up";
-        EXPECT_EQ(figures.consideredTriangles, triangles - 2);
-        EXPECT_EQ(figures.accuracy.visibleTriangles, said[0].accuracy.visibleTriangles);
+    // The second camera's frame has the first one's for its past.
+    for (uint64_t frame = 1; frame <= 2; ++frame) {
+        SCOPED_TRACE("frame " + std::to_string(frame));
+        noted->clear();
+        const MetricsSubject what = subject(strategy, frame);
+        const FrameRequest request{what.buffers, what.strategy, what.culling, what.size, 0};
+        ViewFramePointer shown;
+        gpu.run([&] { shown = frames->of(request, gpu.renderer()); });
+        const std::vector<ViewMetrics> said = measured(what, protocol);
+        ASSERT_EQ(said.size(), 2u) << "the errors, and then the speed";
+        EXPECT_FALSE(said[0].timed);
+        EXPECT_FALSE(said[0].speedup.has_value());
+        for (const ViewMetrics& figures : said) {
+            EXPECT_EQ(figures.frame, shown) << "one log for picture, panels and figures";
+            EXPECT_EQ(figures.accuracy.submittedTriangles, triangles - frame);
+            EXPECT_EQ(figures.consideredTriangles, triangles - frame);
+            const auto& counts = figures.states->counts;
+            EXPECT_EQ(counts[size_t(TriangleState::Visible)] + counts[size_t(TriangleState::InVain)], triangles - frame);
+        }
+        EXPECT_EQ(*noted, Noted(1 + 3, frame)) << "the frame that is shown, and three repetitions of it, which are timed";
+        EXPECT_EQ(frames->decided(0), frame);
     }
-    // A warm-up and three turns, and the frame that the view shows, which is coloured by verdict.
-    EXPECT_EQ(*decisions, 1 + 3 + 1);
-    EXPECT_EQ(said[1].states->counts[size_t(TriangleState::Visible)] + said[1].states->counts[size_t(TriangleState::InVain)],
-              triangles - 1);
+}
+
+TEST_F(ViewMeterTest, aFrameThatIsNotShownYetIsDecidedForTheFiguresAndIsTheOneOfThePicture) {
+    const MetricsSubject what = subject(dwindling(experiment.scene, std::make_shared<Noted>()), 0);
+    TimingProtocol protocol;
+    protocol.fixedRepetitions = 1;
+    const ViewMetrics figures = measured(what, protocol).back();
+    ViewFramePointer shown;
+    gpu.run([&] { shown = frames->of({what.buffers, what.strategy, what.culling, what.size, 0}, gpu.renderer()); });
+    EXPECT_EQ(figures.frame, shown);
+    EXPECT_EQ(frames->decided(0), 1u);
 }
 
 /// The times of a real measurement of one pose, played back in the order in which each strategy's frames took them.

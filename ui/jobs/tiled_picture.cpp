@@ -14,9 +14,9 @@ TiledPicture::TiledPicture(ViewRequest request, const Wanted& wanted)
 
 size_t TiledPicture::steps() const { return m_cullingTiles.size() + m_tiles.size() * (m_wanted.items ? 2 : 1); }
 
-bool TiledPicture::drawNext(ViewFrames& frames, Renderer& renderer) {
+bool TiledPicture::drawNext(FramesBeside& frames, Renderer& renderer) {
     size_t step = m_step++;
-    if (!m_frame) m_frame = frames.beside(m_request.frame(), renderer);
+    if (!m_frame) m_frame = frames.of(m_request.frame(), renderer);
     if (step < m_cullingTiles.size()) {
         findVisible(renderer, m_cullingTiles[step]);
         if (step + 1 == m_cullingTiles.size()) finishTruth();
@@ -24,7 +24,7 @@ bool TiledPicture::drawNext(ViewFrames& frames, Renderer& renderer) {
     }
     step -= m_cullingTiles.size();
     if (!m_drawing) {
-        const ViewFramePointer other = m_request.other ? frames.beside(m_request.otherFrame(), renderer) : nullptr;
+        const ViewFramePointer other = m_request.other ? frames.of(m_request.otherFrame(), renderer) : nullptr;
         m_drawing.emplace(m_request, m_frame, other);
     }
     if (step < m_tiles.size()) {

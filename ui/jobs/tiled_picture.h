@@ -28,7 +28,7 @@ public:
     /// The number of calls of drawNext() that the picture takes.
     [[nodiscard]] size_t steps() const;
     /// Draws one tile; returns false if it was the last one.
-    bool drawNext(ViewFrames& frames, Renderer& renderer);
+    bool drawNext(FramesBeside& frames, Renderer& renderer);
     [[nodiscard]] Result take();
 
 private:

@@ -73,6 +73,12 @@ ViewFramePointer ViewFrames::beside(const FrameRequest& request, Renderer& rende
     return decide(request, *state, renderer);
 }
 
+ViewFramePointer FramesBeside::of(const FrameRequest& request, Renderer& renderer) {
+    const auto known =
+        std::ranges::find_if(m_known, [&](const ViewFramePointer& frame) { return frame->request.sameFrame(request); });
+    return known != m_known.end() ? *known : m_known.emplace_back(m_frames->beside(request, renderer));
+}
+
 ViewStatePointer ViewFrames::memoryBefore(const FrameRequest& request) const {
     const auto found = m_views.find(request.view);
     if (found == m_views.end() || !found->second.frame || !found->second.frame->request.sameFrame(request))

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <optional>
 #include <stop_token>
+#include <utility>
+#include <vector>
 
 #include "core/gpu/gpu_frame.h"
 #include "core/image/view_picture.h"
@@ -108,6 +110,19 @@ private:
     std::stop_source m_stopOfThisFrame;                            ///< guarded by m_mutex
 };
 using ViewFramesPointer = std::shared_ptr<ViewFrames>;
+
+/// The frames of pictures of one moment that no view shows, as the parts of a screenshot: those of the views' sizes are the
+/// views' own, and of another size each is decided once, however many pictures and tiles replay it. Used on the GPU thread.
+class FramesBeside {
+public:
+    explicit FramesBeside(ViewFramesPointer frames = nullptr) : m_frames(std::move(frames)) {}
+    /// The frame, known as long as this object lives. Throws what core throws.
+    [[nodiscard]] ViewFramePointer of(const FrameRequest& request, Renderer& renderer);
+
+private:
+    ViewFramesPointer m_frames;
+    std::vector<ViewFramePointer> m_known;
+};
 
 /// Returns `look` without the boxes and the declared overlays that the strategy does not have in this frame, which was recorded.
 [[nodiscard]] ViewLook shownLook(const ViewFrame& frame, ViewLook look);

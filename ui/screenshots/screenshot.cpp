@@ -27,12 +27,13 @@ Message failureOf(const Work& work) {
 }  // namespace
 
 struct Screenshot::Drawing {
+    FramesBeside frames;  ///< of all its pictures
     std::optional<TiledPicture> current;
     std::vector<TiledPicture::Result> pictures;
     size_t stepsDone = 0, steps = 0;
 
     /// Draws one tile; returns false if all are drawn.
-    bool drawNext(const ScreenshotPlan& plan, ViewFrames& frames, Renderer& renderer) {
+    bool drawNext(const ScreenshotPlan& plan, Renderer& renderer) {
         if (!current) {
             const ScreenshotPlan::Part& part = plan.parts[pictures.size()];
             current.emplace(part.request, part.wanted);
@@ -46,12 +47,8 @@ struct Screenshot::Drawing {
 };
 
 Screenshot::Screenshot(GpuThread& gpu, ViewFramesPointer frames, ScreenshotPlan plan, std::filesystem::path path, QObject* parent)
-    : QObject(parent),
-      m_gpu(gpu),
-      m_frames(std::move(frames)),
-      m_plan(std::move(plan)),
-      m_path(std::move(path)),
-      m_drawing(std::make_shared<Drawing>()) {
+    : QObject(parent), m_gpu(gpu), m_plan(std::move(plan)), m_path(std::move(path)), m_drawing(std::make_shared<Drawing>()) {
+    m_drawing->frames = FramesBeside(std::move(frames));
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_drawing->steps += TiledPicture(part.request, part.wanted).steps();
 }
 
@@ -72,7 +69,7 @@ void Screenshot::start() {
 
 bool Screenshot::drawNext() {
     for (const ScreenshotPlan::Part& part : m_plan.parts) m_gpu.requireHeld(part.request.buffers);
-    const bool more = m_drawing->drawNext(m_plan, *m_frames, m_gpu.renderer());
+    const bool more = m_drawing->drawNext(m_plan, m_gpu.renderer());
     m_gpu.requireHeld(m_plan.parts.front().request.buffers);
     return more;
 }

@@ -40,7 +40,6 @@ private:
     void write(const std::shared_ptr<Pictures>& pictures);
 
     GpuThread& m_gpu;
-    ViewFramesPointer m_frames;
     ScreenshotPlan m_plan;
     std::filesystem::path m_path;
     std::shared_ptr<Drawing> m_drawing;

@@ -2,7 +2,6 @@
 
 #include <QCoreApplication>
 #include <algorithm>
-#include <map>
 
 #include "core/base/error.h"
 #include "core/measure/meter.h"
@@ -11,23 +10,8 @@ namespace cullscope::ui {
 
 namespace {
 
-bool sameWork(const MetricsSubject& a, const MetricsSubject& b) {
-    return a.buffers == b.buffers && a.culling == b.culling && a.size == b.size && a.strategy->id() == b.strategy->id() &&
-           a.strategy->parameters() == b.strategy->parameters();
-}
-
 FrameRequest requestOf(int view, const MetricsSubject& what) {
     return {what.buffers, what.strategy, what.culling, what.size, view};
-}
-
-std::vector<LostObject> lostObjects(const Scene& scene, const Reference& truth, const std::vector<uint8_t>& missed) {
-    std::map<uint32_t, uint64_t> pixels;
-    for (size_t i = 0; i < missed.size(); ++i)
-        if (missed[i] != 0 && truth.triangle[i] != 0) ++pixels[uint32_t(scene.instanceOf(truth.triangle[i] - 1))];
-    std::vector<LostObject> objects;
-    for (const auto& [instance, count] : pixels) objects.push_back({instance, count});
-    std::stable_sort(objects.begin(), objects.end(), [](const auto& a, const auto& b) { return a.pixels > b.pixels; });
-    return objects;
 }
 
 ViewMetrics failure(const Message& message, const MetricsSubject& subject) {
@@ -38,13 +22,6 @@ ViewMetrics failure(const Message& message, const MetricsSubject& subject) {
     return figures;
 }
 
-void fillTimes(ViewMetrics& figures, const FrameMeasurement& subject, const FrameMeasurement& baseline) {
-    figures.frameMilliseconds = subject.frameMilliseconds;
-    figures.cullMilliseconds = subject.cullMilliseconds;
-    figures.timed = true;
-    figures.speedup = ratioOver({&baseline, 1}, {&subject, 1});
-}
-
 }  // namespace
 
 struct ViewMeter::Bench {
@@ -52,8 +29,7 @@ struct ViewMeter::Bench {
     std::unique_ptr<Framebuffer> framebuffer;
     ViewFramesPointer frames;
     std::shared_ptr<StructureStore> structures;
-    BuiltStrategyPointer baseline;
-
+    ViewBaseline baseline;
     References references;
 
     /// The one of all pictures: a view's memory may hold questions whose answers only their renderer knows.
@@ -78,77 +54,31 @@ struct ViewMeter::Bench {
             });
         });
     }
-
-    /// All metrics of a view's timed frame but its speed. Only the colours by verdict are of the frame that the view shows: they
-    /// need its decisions, which timed frames do not record.
-    ViewMetrics accuracy(int number, const MetricsSubject& what, const TimedFrames& timed) {
-        const Scene& scene = what.buffers->scene();
-        const auto truth = references.of(renderer(), *timed.buffers, timed.view, what.strategy->referenceFacing());
-        FrameMeasurement measured = measurementOf(timed);
-        const JudgedFrame judged = addLosses(measured, renderer(), timed, *truth, target(what.size));
-        ViewMetrics figures;
-        figures.promise = what.strategy->promiseAt(timed.view);
-        figures.state = ViewMetrics::State::Ready;
-        figures.subject = what;
-        figures.cullMilliseconds = measured.cullMilliseconds;
-        figures.submitted = measured.submitted;
-        figures.consideredTriangles = measured.consideredTriangles;
-        figures.sceneTriangles = scene.triangleCount();
-        figures.size = what.size;
-        figures.truthFacing = truth->facing;
-        figures.accuracy = judged.accuracy;
-        figures.missedBeyondSnapping = judged.missedBeyondSnapping;
-        const std::vector<uint8_t> missed = missedMask(*truth, judged.shown);
-        figures.lostObjects = lostObjects(scene, *truth, missed);
-        figures.holes = holes(missed, truth->size);
-        const ViewFramePointer shown = frames->of(requestOf(number, what), renderer());
-        figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, shown->log, truth->visible()));
-        return figures;
-    }
-
-    const BuiltStrategyPointer& baselineFor(const ScenePointer& scene) {
-        if (!baseline || baseline->scenePointer() != scene)
-            baseline = baselinesBeside({}, scene, *structures, BaselineRole::FrontFaces).front().strategy;
-        return baseline;
-    }
 };
 
 struct ViewMeter::Job {
-    /// Numbers of a subject's frames among those that are timed.
-    struct Place {
-        size_t subject = 0, baseline = 0;
-    };
-
     std::vector<Subject> subjects;
     std::stop_token stop;
-    std::vector<ViewMetrics> figures;
-    std::optional<TimedRounds> rounds;
-    std::vector<Place> places;
+    std::vector<ViewSubject> shown;    ///< of the subjects whose frames were asked for so far
+    std::vector<ViewMetrics> figures;  ///< of the same
+    std::optional<ViewRounds> rounds;  ///< of all subjects
 
-    void prepareTiming(Bench& bench, const TimingProtocol& protocol) {
-        std::vector<MetricsSubject> works;
-        std::vector<TimedFrames> timed;
-        // Several views may share the same work; that of a view with a memory is its own.
-        const auto placeOf = [&](const MetricsSubject& what, ViewStatePointer memory) {
-            for (size_t i = 0; i < works.size() && !what.strategy->info().remembers; ++i)
-                if (sameWork(works[i], what)) return i;
-            works.push_back(what);
-            timed.push_back({what.buffers.get(), what.strategy, View(what.culling, what.size), {}});
-            timed.back().memories.push_back(std::move(memory));
-            return works.size() - 1;
-        };
-        for (const Subject& subject : subjects) {
-            const MetricsSubject& what = subject.what;
-            MetricsSubject baseline = what;
-            baseline.strategy = bench.baselineFor(what.buffers->scenePointer());
-            const size_t baselinePlace = placeOf(baseline, baseline.strategy->begin());
-            // What a view remembers is known when its frame is decided.
-            const FrameRequest frame = requestOf(subject.view, what);
-            if (what.strategy->info().remembers) (void)bench.frames->of(frame, bench.renderer());
-            ViewStatePointer memory = bench.frames->memoryBefore(frame);
-            places.push_back({placeOf(what, std::move(memory)), baselinePlace});
-        }
-        rounds.emplace(std::move(timed), protocol);
+    /// Asks for the frame that the next subject's view shows. It is decided here where its picture was not drawn yet.
+    void askForNext(Bench& bench) {
+        const Subject& subject = subjects[shown.size()];
+        const MetricsSubject& what = subject.what;
+        const FrameRequest request = requestOf(subject.view, what);
+        const ViewFramePointer frame = bench.frames->of(request, bench.renderer());
+        ViewSubject next{what.buffers, what.strategy, View(what.culling, what.size), {}};
+        next.memories.push_back(bench.frames->memoryBefore(request));
+        next.shown = {frame, &frame->log};
+        next.baseline = bench.baseline.of(what.buffers->scenePointer(), *bench.structures);
+        next.judged = !subject.known;
+        shown.push_back(std::move(next));
+        figures.push_back(subject.known ? *subject.known : ViewMetrics());
+        if (subject.known) return;
+        figures.back().subject = what;
+        figures.back().frame = frame;
     }
 };
 
@@ -221,29 +151,23 @@ void ViewMeter::measure(std::vector<Subject> subjects) {
 
 void ViewMeter::measureNext(Job& job, GpuJobs::Step& step) {
     if (!job.rounds) {
-        m_bench->forgetOthers(job.subjects);
-        job.prepareTiming(*m_bench, m_rounds);
-    }
-    const std::vector<TimedFrames>& timed = job.rounds->entrants();
-    // The errors are those of the first frames that are timed, so they are known before the speeds are steady.
-    if (job.rounds->counted() && job.figures.size() < job.subjects.size()) {
-        const Subject& next = job.subjects[job.figures.size()];
-        if (next.known) {
-            job.figures.push_back(*next.known);
-        } else {
-            job.figures.push_back(m_bench->accuracy(next.view, next.what, timed[job.places[job.figures.size()].subject]));
-            deliver(step, next.view, job.figures.back());
-        }
+        if (job.shown.empty()) m_bench->forgetOthers(job.subjects);
+        job.askForNext(*m_bench);
+        if (job.shown.size() == job.subjects.size()) job.rounds.emplace(std::move(job.shown), m_rounds);
         return step.again();
     }
     if (!job.rounds->complete()) {
-        job.rounds->step(
-            m_bench->renderer(), [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); },
-            job.stop);
+        const auto targetOf = [this](const Viewport& size, size_t) -> Framebuffer& { return m_bench->target(size); };
+        if (const auto judged = job.rounds->step(m_bench->renderer(), m_bench->references, targetOf, job.stop)) {
+            ViewMetrics& figures = job.figures[*judged];
+            static_cast<ViewFigures&>(figures) = job.rounds->figures(*judged);
+            figures.state = ViewMetrics::State::Ready;
+            deliver(step, job.subjects[*judged].view, figures);
+        }
         return step.again();
     }
     for (size_t i = 0; i < job.subjects.size(); ++i) {
-        fillTimes(job.figures[i], measurementOf(timed[job.places[i].subject]), measurementOf(timed[job.places[i].baseline]));
+        job.rounds->addTimes(i, job.figures[i]);
         deliver(step, job.subjects[i].view, job.figures[i]);
     }
 }

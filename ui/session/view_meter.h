@@ -4,24 +4,22 @@
 #include <memory>
 #include <vector>
 
-#include "core/measure/timed_rounds.h"
 #include "core/scene/camera.h"
 #include "ui/jobs/gpu_jobs.h"
 #include "ui/jobs/view_metrics.h"
 
 namespace cullscope::ui {
 
-/// Says when core's meter measures the views' strategies on the GPU thread, and delivers the figures: each is timed in turns
-/// beside `backface` (TimedRounds), and the first of its timed frames is judged against the truth (drawn once per camera, size
-/// and facing rule). Its errors are delivered before its speed. Works in small steps, so that pictures are drawn in between. A
-/// newer request, or the loss of the thread's context, ends an older one after its present step; no further result of it is
-/// delivered.
+/// Says when core measures the views' strategies on the GPU thread (ViewRounds), and delivers the figures: the frame that a view
+/// shows is judged against the truth, and repetitions of it are timed in turns beside the baseline's. Its errors are delivered
+/// before its speed. Works in small steps, so that pictures are drawn in between. A newer request, or the loss of the thread's
+/// context, ends an older one after its present step; no further result of it is delivered.
 class ViewMeter : public QObject {
     Q_OBJECT
 
 public:
     struct Subject {
-        int view = 0;
+        int view = 0;  ///< whose frame it is
         MetricsSubject what;
         /// Its metrics where they are known: then it is only timed anew, beside the others, so that no two views of one camera
         /// have times of different moments, whose × and frames per second could contradict each other. Else null.

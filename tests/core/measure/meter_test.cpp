@@ -143,8 +143,8 @@ TEST(Meter, goesInStepsAndKeepsCompletePoses) {
     EXPECT_FALSE(contestants.strategies[2].askedFor);
     Meter meter(experiment, std::move(contestants), GlEnvironment::info(),
                 std::make_shared<const SceneBuffers>(experiment.scene, experiment.upload));
-    // A warm-up and three repetitions of each strategy, and then the figures of each.
-    const size_t stepsOfAPose = 3 * (1 + 3) + 3;
+    // A warm-up and three repetitions of each strategy, and then the losses of the one that was asked for.
+    const size_t stepsOfAPose = 3 * (1 + 3) + 1;
     for (size_t steps = 0; !meter.complete(); ++steps) {
         ASSERT_EQ(meter.poses(), steps / stepsOfAPose);
         if (steps == stepsOfAPose + 5) {

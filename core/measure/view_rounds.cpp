@@ -1,0 +1,122 @@
+#include "core/measure/view_rounds.h"
+
+#include <algorithm>
+
+namespace cullscope {
+namespace {
+
+bool sameWork(const TimedFrames& a, const TimedFrames& b) {
+    return a.buffers == b.buffers && a.view.camera() == b.view.camera() && a.view.viewport() == b.view.viewport() &&
+           a.strategy->id() == b.strategy->id() && a.strategy->parameters() == b.strategy->parameters();
+}
+
+/// The number of that work among those that are timed, which it joins if it is not there yet.
+size_t joined(std::vector<TimedFrames>& timed, TimedFrames work) {
+    for (size_t i = 0; i < timed.size() && !work.strategy->info().remembers; ++i)
+        if (sameWork(timed[i], work)) return i;
+    timed.push_back(std::move(work));
+    return timed.size() - 1;
+}
+
+/// What is known of a shown frame before it is timed.
+ViewFigures figuresOf(const ViewSubject& subject, const JudgedFrame& judged, const Reference& truth) {
+    const Scene& scene = subject.buffers->scene();
+    const FrameLog& shown = *subject.shown;
+    ViewFigures figures;
+    figures.promise = subject.strategy->promiseAt(subject.view);
+    figures.cullMilliseconds = shown.cullMilliseconds;
+    figures.submitted = submittedBy(scene, shown);
+    figures.consideredTriangles = shown.consideredTriangles();
+    figures.sceneTriangles = scene.triangleCount();
+    figures.size = subject.view.viewport();
+    figures.truthFacing = truth.facing;
+    figures.accuracy = judged.accuracy;
+    figures.missedBeyondSnapping = judged.missedBeyondSnapping;
+    figures.states = std::make_shared<const TriangleStates>(triangleStates(scene, shown, truth.visible()));
+    std::vector<uint8_t> missed = missedMask(truth, judged.shown);
+    figures.lostObjects = lostObjects(scene, truth, missed);
+    figures.holes = holes(std::move(missed), truth.size);
+    return figures;
+}
+
+}  // namespace
+
+ViewRounds::ViewRounds(std::vector<ViewSubject> subjects, const TimingProtocol& protocol, bool backwards)
+    : m_subjects(std::move(subjects)), m_judged(m_subjects.size()), m_figures(m_subjects.size()) {
+    std::vector<TimedFrames> timed;
+    for (ViewSubject& subject : m_subjects) {
+        TimedFrames work{subject.buffers.get(), subject.strategy, subject.view, std::move(subject.memories), subject.shown};
+        if (subject.shown) {
+            m_places.push_back({joined(timed, std::move(work))});
+        } else {
+            // The memories of its frames go on to the next view: they are its own.
+            m_places.push_back({timed.size()});
+            timed.push_back(std::move(work));
+        }
+    }
+    for (size_t i = 0; i < m_subjects.size(); ++i) {
+        const ViewSubject& subject = m_subjects[i];
+        if (!subject.baseline) continue;
+        TimedFrames work{subject.buffers.get(), subject.baseline, subject.view, {}};
+        work.memories.push_back(subject.baseline->begin());
+        m_places[i].baseline = joined(timed, std::move(work));
+    }
+    m_rounds = std::make_unique<TimedRounds>(std::move(timed), protocol, backwards);
+}
+
+std::optional<size_t> ViewRounds::toJudge(bool shown) const {
+    for (size_t i = 0; i < m_subjects.size(); ++i)
+        if (m_subjects[i].judged && !m_judged[i] && (m_subjects[i].shown != nullptr) == shown && (shown || !dropped(i))) return i;
+    return std::nullopt;
+}
+
+size_t ViewRounds::next() const {
+    const auto drawn = std::ranges::find(m_places, m_rounds->next(), &Place::own);
+    return size_t(drawn - m_places.begin());
+}
+
+bool ViewRounds::complete() const { return m_rounds->complete() && !toJudge(true) && !toJudge(false); }
+
+std::optional<size_t> ViewRounds::step(Renderer& renderer, References& references, const TimedRounds::TargetOf& targetOf,
+                                       const std::stop_token& stop) {
+    std::optional<size_t> next = toJudge(true);
+    if (!next && !m_rounds->complete()) {
+        m_rounds->step(renderer, targetOf, stop);
+        return std::nullopt;
+    }
+    if (!next) next = toJudge(false);
+    if (next) judgeNow(*next, renderer, references, targetOf);
+    return next;
+}
+
+void ViewRounds::judgeNow(size_t subject, Renderer& renderer, References& references, const TimedRounds::TargetOf& targetOf) {
+    const ViewSubject& what = m_subjects[subject];
+    const FrameLog& log = what.shown ? *what.shown : timed(m_places[subject].own).judged();
+    const auto truth = references.of(renderer, *what.buffers, what.view, what.strategy->referenceFacing());
+    JudgedFrame judged = judge(renderer, *what.buffers, log, *truth, targetOf(what.view.viewport(), 0));
+    if (what.shown) m_figures[subject] = figuresOf(what, judged, *truth);
+    judged.shown = {};
+    m_judged[subject] = std::move(judged);
+}
+
+void ViewRounds::addTimes(size_t subject, ViewFigures& figures) const {
+    const FrameMeasurement own = measurementOf(timed(m_places[subject].own));
+    figures.frameMilliseconds = own.frameMilliseconds;
+    figures.cullMilliseconds = own.cullMilliseconds;
+    figures.timed = true;
+    if (!m_places[subject].baseline) return;
+    const FrameMeasurement baseline = measurementOf(timed(*m_places[subject].baseline));
+    figures.speedup = ratioOver({&baseline, 1}, {&own, 1});
+}
+
+FrameMeasurement ViewRounds::measurement(size_t subject) const {
+    FrameMeasurement figures = measurementOf(timed(m_places[subject].own));
+    if (m_judged[subject]) addLosses(figures, *m_judged[subject]);
+    return figures;
+}
+
+std::vector<ViewStatePointer> ViewRounds::takeMemories(size_t subject) {
+    return m_rounds->entrants()[m_places[subject].own].takeMemories();
+}
+
+}  // namespace cullscope
