@@ -92,14 +92,14 @@ RegularOctree::RegularOctree(const Scene& scene, std::span<const uint32_t> insta
     }
     for (const LeafItem& item : items) m_order.push_back(item.instance);
 
-    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     for (size_t number = m_nodes.size(); number-- > 0;) {
         Node& node = m_nodes[number];
         const auto add = [&](const Box3& box, uint64_t triangles) {
             if (isFinite(box))
                 node.box.add(box);
             else
-                node.box = {Vec3(-kInfinity), Vec3(kInfinity)};
+                node.box = {Vec3(-infinity), Vec3(infinity)};
             node.triangles += triangles;
         };
         if (node.leaf())

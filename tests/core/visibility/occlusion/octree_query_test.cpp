@@ -280,7 +280,8 @@ TEST(OctreeQuery, stopsAtTheNextLookAndThenRemembersWhatItDidBefore) {
         }
         for (const uint64_t steps : {1, 5'000, 10'000}) {
             const StoppedWork stopped = stoppedAfter(steps, [&](const Progress& progress) {
-                GpuFrame frame(GlEnvironment::renderer(), buffers, standardView());
+                const View view = standardView();
+                GpuFrame frame(GlEnvironment::renderer(), buffers, view);
                 frame.stopBy(progress.stop);
                 culler->built()->draw(frame, culler->state());
             });
