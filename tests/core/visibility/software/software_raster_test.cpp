@@ -110,7 +110,7 @@ TEST(SoftwareRaster, scanLineSaysEverySpanOfASmallPictureAndTheRowsOfALargeOne) 
             EXPECT_EQ(decision.subject.object, 0u);
         }
     EXPECT_EQ(rowsOf(small), 30);
-    const FrameLog large = built(kIds[1], scene)->cull(View(aroundPolygons(5), {600, 2400}), Recording::On).log;
+    const FrameLog large = built(kIds[1], scene)->cull(View(aroundPolygons(5), {1600, 2400}), Recording::On).log;
     EXPECT_EQ(spansOf(large), 0);
     EXPECT_EQ(rowsOf(large), 2400);
 }
