@@ -6,6 +6,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/frame/cause.h"
 #include "core/frame/draw_list.h"
 #include "core/geometry/frustum.h"
 #include "core/geometry/types.h"
@@ -76,6 +77,7 @@ struct GpuChoice {
     /// GLSL: the body of `bool chosen(uint candidate)`, which reads `float data[]`.
     std::string body;
     std::vector<float> data;
+    Cause leftOut = Cause::Hidden;  ///< why a candidate that is not chosen is left out
 };
 
 }  // namespace cullscope

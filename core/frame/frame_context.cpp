@@ -1,6 +1,7 @@
 #include "core/frame/frame_context.h"
 
 #include <algorithm>
+#include <map>
 
 #include "core/base/error.h"
 
@@ -50,6 +51,7 @@ void FrameContext::drawChosen(const GpuChoice& choice) {
     DrawList chosen{choice.candidates.facing, {}, choice.candidates.order, choice.candidates.depth};
     m_log.commands.emplace_back(std::move(chosen));
     executeChoice(choice, m_log.commands.size() - 1);
+    m_choices.push_back({m_log.commands.size() - 1, choice.candidates.ranges, choice.leftOut});
     m_drawingMilliseconds += millisecondsSince(start);
 }
 
@@ -99,7 +101,27 @@ void FrameContext::attach(std::shared_ptr<const DecisionDetail> detail) {
 
 FrameLog FrameContext::take() {
     readBack(m_log);
+    for (const Candidates& candidates : m_choices) endChoice(candidates);
+    m_choices.clear();
     return std::move(m_log);
+}
+
+void FrameContext::endChoice(const Candidates& candidates) {
+    struct Triangles {
+        uint64_t given = 0, chosen = 0;
+    };
+    std::map<uint32_t, Triangles> objects;
+    for (const DrawRange& range : candidates.ranges) objects[range.instance].given += range.indexCount / 3;
+    for (const DrawRange& range : std::get<DrawList>(m_log.commands[candidates.command]).ranges)
+        objects[range.instance].chosen += range.indexCount / 3;
+    for (const auto& [instance, triangles] : objects) {
+        m_log.counters.culledTriangles[size_t(candidates.leftOut)] += triangles.given - triangles.chosen;
+        if (!recording()) continue;
+        const auto outcome = triangles.chosen == 0                ? Decision::Outcome::Culled
+                             : triangles.chosen < triangles.given ? Decision::Outcome::PartlyDrawn
+                                                                  : Decision::Outcome::Drawn;
+        say(ending(Subject::ofObject(instance), outcome, candidates.leftOut));
+    }
 }
 
 void FrameContext::executeChoice(const GpuChoice& /*choice*/, size_t /*command*/) { throwNoContext(); }

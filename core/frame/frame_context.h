@@ -43,8 +43,8 @@ public:
     void draw(OwnTrianglesPointer triangles);
     /// Shows a picture that the strategy made. Throws Error(Usage) where it has not the culling view's size.
     void show(FinishedPicturePointer picture);
-    /// Draws those of the candidates that the GPU chooses; the log gets them when the frame ends. Throws Error(OpenGl) without
-    /// OpenGL.
+    /// Draws those of the candidates that the GPU chooses. When the frame ends the log gets them, and it is counted and said what
+    /// became of each candidate. Throws Error(OpenGl) without OpenGL.
     void drawChosen(const GpuChoice& choice);
 
     /// The boxes, relative to the eye, that OpenGL's selection mode hits (gpu/renderer.h); with a hit buffer of `bufferWords`.
@@ -104,11 +104,21 @@ protected:
     [[nodiscard]] const FrameLog& log() const { return m_log; }
 
 private:
+    /// Candidates among which the GPU chooses; `command`: the number of the draw list of those chosen.
+    struct Candidates {
+        size_t command = 0;
+        std::vector<DrawRange> ranges;
+        Cause leftOut = Cause::Hidden;
+    };
+
     void add(Command command);
+    /// Counts the candidates that were not chosen, and says what became of each object.
+    void endChoice(const Candidates& candidates);
 
     const Scene& m_scene;
     const View& m_view;
     FrameLog m_log;
+    std::vector<Candidates> m_choices;
     std::stop_token m_stop;
     double m_drawingMilliseconds = 0.0;
 };

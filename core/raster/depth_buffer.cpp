@@ -97,30 +97,47 @@ RasterPicture drawDepthBuffer(const SceneOnRaster& scene, bool parallel, RasterS
     return result;
 }
 
-std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene) {
+std::optional<FollowedPicture> followDepthBuffer(const SceneOnRaster& scene, const Progress& progress) {
+    FollowedPicture result;
+    RasterPicture& drawn = result.drawn;
+    drawn.rows.resize(scene.bands());
     std::vector<ScreenTriangle> triangles;
     uint64_t inBoxes = 0;
-    for (size_t band = 0; band < scene.bands(); ++band)
+    for (size_t band = 0; band < scene.bands(); ++band) {
+        RowCounts& counts = drawn.rows[band];
+        counts.firstRow = int(band) * kBandRows;
+        counts.endRow = std::min(counts.firstRow + kBandRows, scene.size.height);
         for (const ScreenTriangle& triangle : scene.trianglesIn(band)) {
+            ++counts.triangles;
             if (size_t(triangle.firstRow / kBandRows) != band) continue;  // it begins in a band before
             inBoxes += uint64_t(triangle.endColumn - triangle.firstColumn) * uint64_t(triangle.endRow - triangle.firstRow);
-            if (inBoxes > kMostFollowed) return {};
+            if (inBoxes > kMostFollowed) return std::nullopt;
             triangles.push_back(triangle);
         }
+    }
     std::ranges::stable_sort(triangles, {}, &ScreenTriangle::number);
-    std::vector<float> stored(size_t(scene.size.width) * size_t(scene.size.height));
-    std::vector<FollowedTriangle> followed;
+    const size_t pixels = size_t(scene.size.width) * size_t(scene.size.height);
+    drawn.picture = std::make_shared<FinishedPicture>();
+    FinishedPicture& picture = *drawn.picture;
+    picture.size = scene.size;
+    picture.triangle.resize(pixels);
+    picture.depth.resize(pixels);
+    drawn.fates = scene.fates;
+    drawn.bytes = triangles.capacity() * sizeof(ScreenTriangle);
     for (const ScreenTriangle& triangle : triangles) {
+        progress.check();
         // The pieces of a clipped triangle follow each other.
-        const bool another = followed.empty() || followed.back().triangle != triangle.number - 1;
-        if (another) followed.emplace_back().triangle = triangle.number - 1;
-        FollowedTriangle& of = followed.back();
-        for (int row = triangle.firstRow; row < triangle.endRow; ++row)
+        const bool another = result.triangles.empty() || result.triangles.back().triangle != triangle.number - 1;
+        if (another) result.triangles.emplace_back().triangle = triangle.number - 1;
+        FollowedTriangle& of = result.triangles.back();
+        for (int row = triangle.firstRow; row < triangle.endRow; ++row) {
+            RowCounts& counts = drawn.rows[size_t(row / kBandRows)];
             for (int column = triangle.firstColumn; column < triangle.endColumn; ++column) {
                 if (!coversCentre(triangle, column, row)) continue;
-                float& before = stored[size_t(row) * size_t(scene.size.width) + size_t(column)];
-                const float depth = depthOf(triangle, column, row);
+                const size_t pixel = size_t(row) * size_t(scene.size.width) + size_t(column);
+                const float before = picture.depth[pixel], depth = depthOf(triangle, column, row);
                 const bool nearer = depth > before;
+                ++counts.comparisons;
                 if (of.samples++ == 0 || (nearer && of.written == 0)) {
                     of.column = column;
                     of.row = row;
@@ -129,12 +146,20 @@ std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene) {
                 }
                 if (!nearer) continue;
                 ++of.written;
+                ++counts.written;
                 of.first += before == 0.0f ? 1 : 0;
-                before = depth;
+                counts.covered += picture.triangle[pixel] == 0 ? 1 : 0;
+                picture.depth[pixel] = depth;
+                picture.triangle[pixel] = triangle.number;
             }
-        if (of.samples == 0) followed.pop_back();
+        }
+        if (of.samples == 0)
+            result.triangles.pop_back();
+        else
+            drawn.fates[of.triangle] = kCovers;
     }
-    return followed;
+    for (RowCounts& counts : drawn.rows) counts.samples = counts.comparisons;
+    return result;
 }
 
 }  // namespace cullscope

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -51,7 +52,12 @@ struct FollowedTriangle {
 /// Triangles whose boxes in the picture have more pixels together are not followed: it would take longer than a few hundredths
 /// of a second.
 inline constexpr uint64_t kMostFollowed = 1 << 24;
-/// The same drawing, one triangle after the other, those that cover a sample. None where there are more than kMostFollowed.
-[[nodiscard]] std::vector<FollowedTriangle> followDepthBuffer(const SceneOnRaster& scene);
+/// A picture with what became of each triangle.
+struct FollowedPicture {
+    RasterPicture drawn;                      ///< as drawDepthBuffer's, to the bit, with its counts
+    std::vector<FollowedTriangle> triangles;  ///< those that cover a sample
+};
+/// The same drawing, one triangle after the other. None where there are more than kMostFollowed pixels to look at.
+[[nodiscard]] std::optional<FollowedPicture> followDepthBuffer(const SceneOnRaster& scene, const Progress& progress = {});
 
 }  // namespace cullscope

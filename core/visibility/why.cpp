@@ -17,21 +17,6 @@ Message endSentence(const Decision& decision) {
     return {CULLSCOPE_TR("The strategy keeps the object."), {}};
 }
 
-/// A decision about an object, as it was said.
-WhyStep step(const Decision& decision) {
-    WhyStep result{{}, decision.plane, {}, {}, decision.containment};
-    if (decision.sentence == nullptr) {
-        result.sentence = endSentence(decision);
-        return result;
-    }
-    std::vector<std::string> arguments;
-    if (decision.plane) result.distance = decision.distance();
-    if (decision.plane || decision.margin() != 0.0) result.bound = decision.margin();
-    for (const Term& term : decisionTerms(decision)) arguments.push_back(term.english());
-    result.sentence = {decision.sentence, std::move(arguments)};
-    return result;
-}
-
 /// The culled triangles of an object by cause, where they were decided by cells.
 std::array<uint64_t, kCauseCount> culledInPart(const FrameLog& log, uint32_t instance) {
     std::array<uint64_t, kCauseCount> counts{};
@@ -124,7 +109,7 @@ std::optional<WhyStep> groupStep(const StructureSnapshot& snapshot, uint32_t ins
 void addGroupTests(const FrameLog& log, uint32_t group, std::vector<WhyStep>& steps) {
     for (const Decision& decision : log.decisions) {
         if (decision.subject != Subject::ofNode(group) || decision.outcome != Decision::Outcome::Open) continue;
-        steps.push_back(step(decision));
+        steps.push_back(whyStep(decision));
         steps.back().ofGroup = true;
     }
 }
@@ -144,7 +129,7 @@ void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, ui
     });
     if (last == log.decisions.rend()) return;
     for (const Decision& decision : log.decisions)
-        if (decision.subject == last->subject && decision.sentence != nullptr) steps.push_back(step(decision));
+        if (decision.subject == last->subject && decision.sentence != nullptr) steps.push_back(whyStep(decision));
 }
 
 /// What became of a triangle in the end. `ownPicture`: the strategy makes its picture without OpenGL.
@@ -176,6 +161,20 @@ Message openGlSentence(Facing facing, bool facesAway) {
 
 }  // namespace
 
+WhyStep whyStep(const Decision& decision) {
+    WhyStep result{{}, decision.plane, {}, {}, decision.containment};
+    if (decision.sentence == nullptr) {
+        result.sentence = endSentence(decision);
+        return result;
+    }
+    std::vector<std::string> arguments;
+    if (decision.plane) result.distance = decision.distance();
+    if (decision.plane || decision.margin() != 0.0) result.bound = decision.margin();
+    for (const Term& term : decisionTerms(decision)) arguments.push_back(term.english());
+    result.sentence = {decision.sentence, std::move(arguments)};
+    return result;
+}
+
 std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uint64_t triangle) {
     const Scene& scene = strategy.scene();
     const auto instance = static_cast<uint32_t>(scene.instanceOf(triangle));
@@ -205,7 +204,7 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
         if (decision.outcome == Decision::Outcome::PartlyDrawn && several)
             addCauses(inPart, steps);
         else
-            steps.push_back(step(decision));
+            steps.push_back(whyStep(decision));
     }
     addCellTests(scene, log, instance, own, steps);
     strategy.addWhySteps(log, instance, uint32_t(own), steps);

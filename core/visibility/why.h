@@ -18,6 +18,9 @@ struct WhyStep {
     bool ofGroup = false;  ///< a test of a group of several objects, and not of the object alone
 };
 
+/// A decision as it was said, with its numbers.
+[[nodiscard]] WhyStep whyStep(const Decision& decision);
+
 /// The chain for one scene triangle number: the decisions of a recorded frame of `strategy` about the groups that the triangle's
 /// object lies in, about the object and about the triangle's cell, with their numbers; then whether the triangle was drawn, and
 /// how OpenGL treats it under the frame's facing rule. Only what was tested.

@@ -1668,26 +1668,6 @@
         <translation>셀이 가시 영역의 상자 밖에 있습니다(경우 %1).</translation>
     </message>
     <message>
-        <source>The cell lies at α = %1°, within 90° of the axis to the eye: drawn without a test.</source>
-        <translation>셀이 α = %1°에 있어 눈을 향한 축에서 90° 이내입니다. 검사 없이 그립니다.</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 exceeds the largest nearer one, %5.</source>
-        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. S = %4이(가) 더 가까운 것 중 최대인 %5보다 큽니다.</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 does not exceed the largest nearer one, %5.</source>
-        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. S = %4이(가) 더 가까운 것 중 최대인 %5보다 크지 않습니다.</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: its triangles rise above the horizon in front of them (slope %4 there).</source>
-        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. 삼각형이 앞쪽 지평선 위로 올라옵니다(그곳의 기울기 %4).</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: all its triangles lie below the horizon in front of them (slope %4 there).</source>
-        <translation>셀이 α = %1°, 띠 %2, 부채꼴 %3에 있습니다. 모든 삼각형이 앞쪽 지평선 아래에 있습니다(그곳의 기울기 %4).</translation>
-    </message>
-    <message>
         <source>The object&apos;s bounding sphere: %1.</source>
         <translation>물체의 경계구: %1.</translation>
     </message>
@@ -4354,6 +4334,14 @@
     <message>
         <source>Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.</source>
         <translation>삼각형 %1개 중 %2개는 가장 긴 변의 절반이 거리의 %3보다 작습니다: 너무 작음.</translation>
+    </message>
+    <message>
+        <source>Its %1 triangles are decided together: the least ratio that any of them can have is %2, no less than %3.</source>
+        <translation>삼각형 %1개를 함께 결정합니다. 어느 삼각형이든 가질 수 있는 가장 작은 비가 %2로, %3보다 작지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Its %1 triangles are decided together: the largest ratio that any of them can have is %2, below %3: too small.</source>
+        <translation>삼각형 %1개를 함께 결정합니다. 어느 삼각형이든 가질 수 있는 가장 큰 비가 %2로, %3보다 작습니다: 너무 작음.</translation>
     </message>
     <message>
         <source>else its parts, then each object</source>

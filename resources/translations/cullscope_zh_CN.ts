@@ -1668,26 +1668,6 @@
         <translation>单元在可见区域的盒外（情形 %1）。</translation>
     </message>
     <message>
-        <source>The cell lies at α = %1°, within 90° of the axis to the eye: drawn without a test.</source>
-        <translation>单元位于 α = %1°，距指向视点的轴 90° 以内：不检验直接绘制。</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 exceeds the largest nearer one, %5.</source>
-        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其 S 为 %4，大于更近处的最大值 %5。</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: its S of %4 does not exceed the largest nearer one, %5.</source>
-        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其 S 为 %4，不大于更近处的最大值 %5。</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: its triangles rise above the horizon in front of them (slope %4 there).</source>
-        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其三角形高出前方的地平线（该处斜率 %4）。</translation>
-    </message>
-    <message>
-        <source>The cell lies at α = %1° in band %2, sector %3: all its triangles lie below the horizon in front of them (slope %4 there).</source>
-        <translation>单元位于 α = %1°，第 %2 带第 %3 扇区：其所有三角形都低于前方的地平线（该处斜率 %4）。</translation>
-    </message>
-    <message>
         <source>The object&apos;s bounding sphere: %1.</source>
         <translation>对象的包围球：%1。</translation>
     </message>
@@ -4354,6 +4334,14 @@
     <message>
         <source>Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.</source>
         <translation>%1 个三角形中有 %2 个的最长边之半小于距离的 %3：过小。</translation>
+    </message>
+    <message>
+        <source>Its %1 triangles are decided together: the least ratio that any of them can have is %2, no less than %3.</source>
+        <translation>其 %1 个三角形一并判定：其中任何一个可能的最小比值为 %2，不小于 %3。</translation>
+    </message>
+    <message>
+        <source>Its %1 triangles are decided together: the largest ratio that any of them can have is %2, below %3: too small.</source>
+        <translation>其 %1 个三角形一并判定：其中任何一个可能的最大比值为 %2，小于 %3：过小。</translation>
     </message>
     <message>
         <source>else its parts, then each object</source>

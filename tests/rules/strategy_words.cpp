@@ -62,7 +62,7 @@ std::vector<Offence> strategyWordOffences(const fs::path& root, const std::vecto
     for (const std::string& id : ids)
         if (!kOrdinary.contains(id)) patterns.emplace_back(id);
     std::vector<Offence> offences;
-    for (const char* folder : {"ui", "app", "core/image", "core/measure"}) {
+    for (const char* folder : {"ui", "app", "core/gpu", "core/image", "core/measure"}) {
         for (const fs::path& file : filesBelow(root / folder, {".h", ".cpp"})) {
             const fs::path relative = fs::relative(file, root);
             for (const Line& line : linesOf(file)) {

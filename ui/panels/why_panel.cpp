@@ -109,11 +109,9 @@ QString WhyPanel::missingSentence() const {
 
 void WhyPanel::showPlanes(bool known) {
     const SnapshotReadingPointer& reading = m_reader.reading();
-    // Strategies with their own form of the boxes test other bounds, and strategies without boxes test no bounds against planes:
-    // neither has distances to list.
-    const bool boxes =
-        known && reading->strategy->info().first(Show::Kind::Boxes) == nullptr && !reading->snapshot->nodes.empty();
-    m_planes->setSteps(known ? reading->why : std::vector<WhyStep>(), boxes ? reading->planes : std::vector<PlaneDistance>());
+    // Where planes alone decide, those that were not tested are listed, too. Other strategies test other things, or no planes.
+    const bool all = known && reading->strategy->info().first(Show::Kind::Planes) != nullptr && !reading->snapshot->nodes.empty();
+    m_planes->setSteps(known ? reading->why : std::vector<WhyStep>(), all ? reading->planes : std::vector<PlaneDistance>());
     m_planes->setVisible(m_planes->rowCount() > 0);
     m_untested->setText(tr("In grey: not tested by the strategy for this object alone; worked out here from its own box."));
     m_untested->setVisible(m_planes->showsUntested());

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/base/message.h"
 #include "core/visibility/facing.h"
@@ -97,14 +98,21 @@ struct GroupMemory : ViewState {
     [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<GroupMemory>(*this); }
 };
 
+/// What of an object is too small.
+struct TooSmall {
+    uint64_t triangles = 0;
+    /// Where all its triangles were decided at once: a bound of their ratios, the least or the largest one.
+    std::optional<double> together;
+};
+
 /// The tests of one object's triangles.
 class ObjectTriangles {
 public:
     ObjectTriangles(const FrameContext& frame, const TestedTriangles& tested, double threshold)
         : m_scene(frame.scene()), m_eye(frame.view().eye()), m_tested(tested), m_threshold(threshold) {}
 
-    /// Appends the ranges of the triangles that are large enough; returns how many triangles are not.
-    uint64_t appendLarge(uint32_t instance, std::vector<DrawRange>& ranges) const {
+    /// Appends the ranges of the triangles that are large enough.
+    TooSmall appendLarge(uint32_t instance, std::vector<DrawRange>& ranges) const {
         const Instance& object = m_scene.instances()[instance];
         const MeshTriangles& triangles = m_tested.meshes[object.mesh];
         const uint64_t count = m_scene.meshOf(instance).triangleCount();
@@ -114,10 +122,10 @@ public:
         const double distance = glm::length(triangles.centroids.centre - eye), reach = triangles.centroids.radius;
         if (triangles.smallest >= m_threshold * (distance + reach) * kSure) {
             ranges.push_back({instance, 0, uint32_t(3 * count)});
-            return 0;
+            return {0, triangles.smallest / (distance + reach)};
         }
-        if (triangles.largest * kSure < m_threshold * (distance - reach)) return count;
-        return count - appendTested(instance, triangles, eye, ranges);
+        if (triangles.largest * kSure < m_threshold * (distance - reach)) return {count, triangles.largest / (distance - reach)};
+        return {count - appendTested(instance, triangles, eye, ranges), {}};
     }
 
 private:
@@ -229,7 +237,7 @@ private:
         constexpr size_t kObjects = 64;
         struct Part {
             std::vector<DrawRange> ranges;
-            std::vector<uint64_t> left;  ///< out, by object
+            std::vector<TooSmall> left;  ///< out, by object
         };
         std::vector<Part> parts((kept.size() + kObjects - 1) / kObjects);
         const ObjectTriangles objects(frame, tested, threshold);
@@ -244,21 +252,28 @@ private:
         for (size_t i = 0; i < parts.size(); ++i) {
             ranges.insert(ranges.end(), parts[i].ranges.begin(), parts[i].ranges.end());
             for (size_t k = 0; k < parts[i].left.size(); ++k) {
-                left += parts[i].left[k];
+                left += parts[i].left[k].triangles;
                 if (frame.recording()) say(frame, kept[i * kObjects + k].instance, parts[i].left[k], threshold);
             }
         }
         return left;
     }
 
-    static void say(FrameContext& frame, uint32_t instance, uint64_t left, double threshold) {
-        const uint64_t count = frame.scene().meshOf(instance).triangleCount();
+    static void say(FrameContext& frame, uint32_t instance, const TooSmall& small, double threshold) {
+        const uint64_t count = frame.scene().meshOf(instance).triangleCount(), left = small.triangles;
         Decision test;
         test.subject = Subject::ofObject(instance);
         test.cause = Cause::TooSmall;
         test.containment = left == 0 ? Containment::Inside : left == count ? Containment::Outside : Containment::Straddles;
-        test.sentence = CULLSCOPE_TR("Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.");
-        test.operands = {double(count), double(left), threshold};
+        test.sentence =
+            !small.together ? CULLSCOPE_TR("Of %1 triangles %2 have half a longest edge below %3 of their distance: too small.")
+            : left == 0     ? CULLSCOPE_TR(
+                                  "Its %1 triangles are decided together: the least ratio that any of them can have is %2, no less "
+                                      "than %3.")
+                        : CULLSCOPE_TR(
+                              "Its %1 triangles are decided together: the largest ratio that any of them can have is %2, below "
+                              "%3: too small.");
+        test.operands = {double(count), small.together.value_or(double(left)), threshold};
         test.operandCount = 3;
         frame.say(atLine(TriangleLine::Ratio, test));
         const auto outcome = left == 0       ? Decision::Outcome::Drawn

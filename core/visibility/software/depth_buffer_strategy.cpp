@@ -26,14 +26,18 @@ public:
 protected:
     [[nodiscard]] RasterPicture rasterise(FrameContext& frame, const SceneOnRaster& raster, bool parallel,
                                           const Progress& progress) const override {
+        // A small picture that is recorded is drawn triangle by triangle, and each one's tests are said as they fall.
+        const bool small = raster.triangleCount() <= kMostTrianglesSaid;
+        if (frame.recording() && small) {
+            if (std::optional<FollowedPicture> followed = followDepthBuffer(raster, progress)) {
+                for (const FollowedTriangle& triangle : followed->triangles) say(frame, triangle);
+                return std::move(followed->drawn);
+            }
+        }
         RasterPicture drawn = drawDepthBuffer(raster, parallel, availableRasterSimd().back(), progress);
         if (!frame.recording()) return drawn;
-        std::vector<FollowedTriangle> followed;
-        if (raster.triangleCount() <= kMostTrianglesSaid) followed = followDepthBuffer(raster);
-        for (const FollowedTriangle& triangle : followed) say(frame, triangle);
-        if (!followed.empty()) return drawn;
         sayBands(frame, drawn);
-        if (raster.triangleCount() > kMostTrianglesSaid)
+        if (!small)
             frame.sayCoarser({CULLSCOPE_TR("by bands of rows, above %1 triangles"), {std::to_string(kMostTrianglesSaid)}});
         else if (drawn.total().samples > 0)
             frame.sayCoarser({CULLSCOPE_TR("by bands of rows, above %1 pixels to look at"), {std::to_string(kMostFollowed)}});

@@ -93,4 +93,6 @@ std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, Objec
     return runs.take();
 }
 
+uint32_t sectorOfCell(const ContourBands& bands, const Vec3& middle) { return uint32_t(Placing(bands).of(middle).entry); }
+
 }  // namespace cullscope::spherical

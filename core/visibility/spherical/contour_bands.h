@@ -36,6 +36,9 @@ struct BandCells {
 /// sector and in each from the near point on.
 [[nodiscard]] std::vector<CellRun> drawnByS(const BandCells& cells, ContourBands& bands, ObjectRecord* record = nullptr);
 
+/// The number in ContourBands::table of the sector to which drawnByS counts a cell whose middle has that direction.
+[[nodiscard]] uint32_t sectorOfCell(const ContourBands& bands, const Vec3& middle);
+
 /// Collects cells in ascending order into runs; between two cells of a run there may only be cells without triangles.
 class RunCollector {
 public:

@@ -193,8 +193,9 @@ std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene) {
     return text;
 }
 
-void addMapStepsOf(const StructureSnapshot& snapshot, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps) {
-    if (const MapSnapshot* map = mapOf(snapshot, instance)) addMapSteps(*map, triangle, steps);
+void addMapStepsOf(const StructureSnapshot& snapshot, const FrameLog& log, uint32_t instance, uint32_t triangle,
+                   std::vector<WhyStep>& steps) {
+    if (const MapSnapshot* map = mapOf(snapshot, instance)) addMapSteps(*map, log, triangle, steps);
 }
 
 }  // namespace cullscope::spherical

@@ -24,7 +24,8 @@ namespace cullscope::spherical {
 [[nodiscard]] Curve curveOf(const SphericalDecision& decision, const Scene& scene, const std::optional<uint32_t>& part);
 [[nodiscard]] std::string mapLine(const StructureSnapshot& snapshot, const Scene& scene);
 /// Appends the steps of the decision about a triangle (why.h).
-void addMapStepsOf(const StructureSnapshot& snapshot, uint32_t instance, uint32_t triangle, std::vector<WhyStep>& steps);
+void addMapStepsOf(const StructureSnapshot& snapshot, const FrameLog& log, uint32_t instance, uint32_t triangle,
+                   std::vector<WhyStep>& steps);
 
 /// A strategy whose snapshots have MapDetails, with its id.
 template <typename OwnStructure>
@@ -58,7 +59,7 @@ public:
     }
     void addWhySteps(const Structure& structure, const FrameLog& log, uint32_t instance, uint32_t triangle,
                      std::vector<WhyStep>& steps) const final {
-        addMapStepsOf(this->snapshot(structure, log), instance, triangle, steps);
+        addMapStepsOf(this->snapshot(structure, log), log, instance, triangle, steps);
     }
 
 protected:

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/visibility/spherical/cell_directions.h"
+#include "core/visibility/spherical/contour_bands.h"
 
 namespace cullscope::spherical {
 namespace {
@@ -39,45 +40,11 @@ WhyStep regionStep(const VisibleRegion& region, bool drawn) {
     return said({CULLSCOPE_TR("The cell lies outside the visible region's boxes (case %1)."), {number}}, Containment::Outside);
 }
 
-/// For `spherical`: by the S of the cell's band.
-WhyStep sizeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
-    const Vec2 angles = bands.anglesOf(middle);
-    const uint32_t band = bands.bandOf(angles.x), sector = bands.sectorOf(angles.y);
-    const std::string alpha = degrees(angles.x);
-    if (angles.x <= std::numbers::pi / 2)
-        return said({CULLSCOPE_TR("The cell lies at α = %1°, within 90° of the axis to the eye: drawn without a test."), {alpha}},
-                    Containment::Inside);
-    const BandSector& entry = bands.at(band, sector);
-    const std::vector<std::string> facts{alpha, std::to_string(band), std::to_string(sector), number(entry.size),
-                                         number(entry.horizon)};
-    if (drawn)
-        return said(
-            {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: its S of %4 exceeds the largest nearer one, %5."),
-             facts},
-            Containment::Inside);
-    return said(
-        {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: its S of %4 does not exceed the largest nearer one, %5."),
-         facts},
-        Containment::Outside);
-}
-
-/// For `spherical-horizon`: by the cell's own slope.
-WhyStep slopeStep(const ContourBands& bands, const Vec3& middle, bool drawn) {
-    const Vec2 angles = bands.anglesOf(middle);
-    const uint32_t band = bands.bandOf(angles.x), sector = bands.sectorOf(angles.y);
-    const std::vector<std::string> facts{degrees(angles.x), std::to_string(band), std::to_string(sector),
-                                         number(bands.at(band, sector).horizon)};
-    if (drawn)
-        return said(
-            {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: its triangles rise above the horizon in front of "
-                          "them (slope %4 there)."),
-             facts},
-            Containment::Inside);
-    return said(
-        {CULLSCOPE_TR("The cell lies at α = %1° in band %2, sector %3: all its triangles lie below the horizon in front of "
-                      "them (slope %4 there)."),
-         facts},
-        Containment::Outside);
+/// What was said of the band sector in which the middle of a cell lies; none where nothing was, as in a log that is coarser.
+const Decision* saidOfSector(const FrameLog& log, const SphericalDecision& object, const Vec3& middle) {
+    const Subject sector{Subject::Kind::Band, sectorOfCell(*object.bands, middle), object.instance};
+    const auto said = std::ranges::find(log.decisions, sector, &Decision::subject);
+    return said == log.decisions.end() ? nullptr : &*said;
 }
 
 /// The node at which the walk ended for a place in the order; null where it is not known.
@@ -143,7 +110,7 @@ void addWalkSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep
 
 }  // namespace
 
-void addMapSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>& steps) {
+void addMapSteps(const MapSnapshot& map, const FrameLog& log, uint32_t triangle, std::vector<WhyStep>& steps) {
     const SphericalDecision& decision = map.decision;
     steps.push_back(said({CULLSCOPE_TR("The object's bounding sphere: %1."), {relationName(decision.relation)}}));
     if (decision.relation == SphereRelation::Outside) return;
@@ -157,9 +124,10 @@ void addMapSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>
     steps.push_back(said(cellSentence(grid, cell)));
     const bool drawn = std::any_of(decision.drawn.begin(), decision.drawn.end(),
                                    [&](const CellRun& run) { return run.first <= number && number < run.last; });
-    const Vec3 middle = CellDirections(grid).middle(cell);
     if (decision.region) steps.push_back(regionStep(*decision.region, drawn));
-    if (decision.bands) steps.push_back((decision.bands->slopes ? slopeStep : sizeStep)(*decision.bands, middle, drawn));
+    // With slopes the cell has a test of its own, which why() reads; else its band's test decides.
+    if (!decision.bands || decision.bands->slopes) return;
+    if (const Decision* band = saidOfSector(log, decision, CellDirections(grid).middle(cell))) steps.push_back(whyStep(*band));
 }
 
 }  // namespace cullscope::spherical

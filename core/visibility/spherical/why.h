@@ -6,7 +6,7 @@
 namespace cullscope::spherical {
 
 /// Appends the steps of a spherical strategy's decision about a triangle (numbered within its mesh): the object's relation to the
-/// frustum, the triangle's cell, and why that cell is drawn or not.
-void addMapSteps(const MapSnapshot& map, uint32_t triangle, std::vector<WhyStep>& steps);
+/// frustum, the triangle's cell, and what `log` says of its region or band.
+void addMapSteps(const MapSnapshot& map, const FrameLog& log, uint32_t triangle, std::vector<WhyStep>& steps);
 
 }  // namespace cullscope::spherical

@@ -46,8 +46,9 @@ inline bool facesAwayFrom(const Vec3& eye, const Scene& scene, uint64_t triangle
 }
 
 /// The triangles by state, counted here: from what the commands drew, the pixels of the truth, and the triangles' own normals.
-/// What these strategies leave out is hidden.
-inline std::array<uint64_t, kTriangleStateCount> ownCounts(const Scene& scene, const FrameLog& log, const Reference& truth) {
+/// `leftOut`: what becomes of what the strategy leaves out.
+inline std::array<uint64_t, kTriangleStateCount> ownCounts(const Scene& scene, const FrameLog& log, const Reference& truth,
+                                                           TriangleState leftOut = TriangleState::Hidden) {
     std::vector<bool> visible(scene.triangleCount(), false);
     for (const uint32_t item : truth.triangle)
         if (item != 0) visible[item - 1] = true;
@@ -55,7 +56,7 @@ inline std::array<uint64_t, kTriangleStateCount> ownCounts(const Scene& scene, c
     std::array<uint64_t, kTriangleStateCount> counts{};
     for (uint64_t triangle = 0; triangle < drawn.size(); ++triangle) {
         const bool dropped = drawn[triangle] && log.facing == Facing::Front && facesAwayFrom(log.camera.eye, scene, triangle);
-        TriangleState state = TriangleState::Hidden;
+        TriangleState state = leftOut;
         if (visible[triangle])
             state = drawn[triangle] ? TriangleState::Visible : TriangleState::WronglyCulled;
         else if (drawn[triangle])

@@ -187,6 +187,7 @@ protected:
     void decide(FrameContext& frame, const Nothing& /*structure*/, ViewState& /*state*/,
                 const ParameterSet& /*parameters*/) const override {
         GpuChoice choice;
+        choice.leftOut = Cause::OutsideFrustum;
         choice.candidates.facing = frame.facing();
         for (const Plane& plane : frame.view().frustum().planes)
             for (const double value : {plane.normal.x, plane.normal.y, plane.normal.z, plane.offset})

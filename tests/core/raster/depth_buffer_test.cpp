@@ -4,6 +4,7 @@
 #include "core/raster/depth_buffer.h"
 
 #include <cmath>
+#include <tuple>
 
 #include "core/mesh/parametric.h"
 #include "tests/support/gl_environment.h"
@@ -176,6 +177,30 @@ TEST(DepthBuffer, threadsAndInstructionSetsChangeNothing) {
                     EXPECT_EQ(one.total().written, other.total().written);
                 }
         }
+}
+
+TEST(DepthBuffer, pictureDrawnTriangleByTriangleIsTheSameToTheBit) {
+    uint64_t followed = 0;
+    for (const Viewport size : {Viewport{157, 99}, {160, 120}, {5, 3}, {3, 130}})
+        for (uint64_t seed = 0; seed < 20; ++seed) {
+            SCOPED_TRACE(std::to_string(size.width) + " x " + std::to_string(size.height) + ", seed " + std::to_string(seed));
+            const ScenePointer scene = randomPolygons(seed);
+            const SceneOnRaster raster = trianglesOnRaster(*scene, View(aroundPolygons(seed), size), Facing::TwoSided);
+            const RasterPicture one = drawDepthBuffer(raster);
+            const std::optional<FollowedPicture> other = followDepthBuffer(raster);
+            ASSERT_TRUE(other);
+            EXPECT_EQ(one.picture->triangle, other->drawn.picture->triangle);
+            EXPECT_EQ(one.picture->depth, other->drawn.picture->depth);
+            EXPECT_EQ(one.fates, other->drawn.fates);
+            ASSERT_EQ(one.rows.size(), other->drawn.rows.size());
+            for (size_t band = 0; band < one.rows.size(); ++band) {
+                const RowCounts &a = one.rows[band], &b = other->drawn.rows[band];
+                EXPECT_EQ(std::tie(a.firstRow, a.endRow, a.triangles, a.samples, a.comparisons, a.written, a.covered),
+                          std::tie(b.firstRow, b.endRow, b.triangles, b.samples, b.comparisons, b.written, b.covered));
+            }
+            followed += other->triangles.size();
+        }
+    EXPECT_GT(followed, 1000u);
 }
 
 TEST(DepthBuffer, smallTrianglesAreSetUpAsLargeOnesAre) {
