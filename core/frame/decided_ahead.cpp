@@ -142,7 +142,7 @@ DrawList decidedAhead(const FrameLog& log, size_t entries) {
     for (size_t i = decided; i-- > 0 && log.decisions[i].commands >= since;) named.add(log.decisions[i]);
     named.sort();
     const auto& list = std::get<DrawList>(*next);
-    DrawList ahead{list.facing, {}, list.order, list.depth};
+    DrawList ahead{list.facing, {}, list.order, list.depth, list.grain};
     for (const DrawRange& range : list.ranges) named.addPart(range, ahead.ranges);
     return ahead;
 }

@@ -16,12 +16,21 @@ enum class DepthRule {
     InOrder   ///< no depth test: what is drawn later covers what was drawn before
 };
 
+/// What a frame is compared with the scene by: what it draws stands for the scene's own triangles, or for its objects.
+enum class Grain {
+    Triangle,  ///< every surface is one of the scene's triangles, or a part of one
+    Object     ///< surfaces of an object may be other ones than its triangles, such as a coarser level of detail
+};
+
 /// The triangles of a scene's meshes in an order chosen by a strategy, so that what it draws lies in few ranges. Views of arrays
 /// that `owner` keeps alive; they never change.
 struct TriangleOrder {
     struct OfMesh {
         std::span<const uint32_t> indices;    ///< three for each triangle; empty: this mesh keeps its own order
         std::span<const uint32_t> triangles;  ///< the triangle's number in the mesh, by place in this order
+        /// The places from this one on are stand-ins: other triangles between the mesh's vertices, drawn in place of its surface.
+        /// Their numbers are those of some triangles of the mesh, for the object that they belong to.
+        size_t standIns = SIZE_MAX;
     };
     std::vector<OfMesh> meshes;  ///< by Scene::meshes()
     std::shared_ptr<const void> owner;
@@ -50,6 +59,7 @@ struct DrawList {
     std::vector<DrawRange> ranges;
     TriangleOrderPointer order{};  ///< the order that the ranges refer to; null: every mesh's own
     DepthRule depth = DepthRule::Nearest;
+    Grain grain = Grain::Triangle;  ///< Object where a range has stand-ins
 
     [[nodiscard]] uint64_t triangleCount() const {
         uint64_t count = 0;
@@ -63,6 +73,10 @@ struct DrawList {
     /// The number in the mesh of the triangle at a place of this list's order.
     [[nodiscard]] uint64_t triangleAt(uint32_t mesh, uint64_t place) const {
         return cullscope::triangleAt(order.get(), mesh, place);
+    }
+    /// Whether a range has stand-ins.
+    [[nodiscard]] bool standIn(uint32_t mesh, const DrawRange& range) const {
+        return grain == Grain::Object && range.firstIndex / 3 >= orderOf(mesh).standIns;
     }
 };
 

@@ -48,7 +48,7 @@ void FrameContext::show(FinishedPicturePointer picture) {
 
 void FrameContext::drawChosen(const GpuChoice& choice) {
     const Clock::time_point start = Clock::now();
-    DrawList chosen{choice.candidates.facing, {}, choice.candidates.order, choice.candidates.depth};
+    DrawList chosen{choice.candidates.facing, {}, choice.candidates.order, choice.candidates.depth, choice.candidates.grain};
     m_log.commands.emplace_back(std::move(chosen));
     executeChoice(choice, m_log.commands.size() - 1);
     m_choices.push_back({m_log.commands.size() - 1, choice.candidates.ranges, choice.leftOut});

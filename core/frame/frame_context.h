@@ -85,6 +85,11 @@ public:
     [[nodiscard]] Facing facing() const { return m_log.facing; }
     void setFacing(Facing facing) { m_log.facing = facing; }
 
+    /// How long the view's frame before took, for strategies that hold a frame time; none for the first one, and where frames are
+    /// not timed. What it decides by that stands in the log, so that no replay depends on a clock.
+    [[nodiscard]] std::optional<double> frameBeforeMilliseconds() const { return m_log.frameBeforeMilliseconds; }
+    void setFrameBefore(std::optional<double> milliseconds) { m_log.frameBeforeMilliseconds = milliseconds; }
+
     /// Time spent in executing and logging draw commands so far.
     [[nodiscard]] double drawingMilliseconds() const { return m_drawingMilliseconds; }
     void setCullMilliseconds(double milliseconds) { m_log.cullMilliseconds = milliseconds; }

@@ -32,8 +32,22 @@ uint64_t FrameLog::consideredTriangles() const {
 bool FrameLog::drawsScene() const {
     return std::ranges::all_of(commands, [](const Command& command) {
         const auto* list = std::get_if<DrawList>(&command);
-        return std::holds_alternative<AskedBoxes>(command) || (list != nullptr && list->depth == DepthRule::Nearest);
+        return std::holds_alternative<AskedBoxes>(command) ||
+               (list != nullptr && list->depth == DepthRule::Nearest && list->grain == Grain::Triangle);
     });
+}
+
+Grain FrameLog::grain() const {
+    const bool byObject = std::ranges::any_of(commands, [](const Command& command) {
+        const auto* list = std::get_if<DrawList>(&command);
+        return list != nullptr && list->grain == Grain::Object;
+    });
+    return byObject ? Grain::Object : Grain::Triangle;
+}
+
+uint32_t comparedItem(const Scene& scene, Grain grain, uint32_t item) {
+    if (grain == Grain::Triangle || item == 0) return item;
+    return uint32_t(scene.firstTriangle(scene.instanceOf(item - 1))) + 1;
 }
 
 size_t FrameLog::commandsWithin(size_t entries) const {
@@ -87,6 +101,7 @@ FrameLog FrameLog::upTo(size_t entries) const {
     part.counters = counters;
     part.stages = stages;
     part.cullMilliseconds = cullMilliseconds;
+    part.frameBeforeMilliseconds = frameBeforeMilliseconds;
     return part;
 }
 
@@ -101,6 +116,10 @@ public:
         for (const DrawRange& range : list.ranges) {
             const uint32_t mesh = m_scene.instances()[range.instance].mesh;
             const uint64_t first = m_scene.firstTriangle(range.instance);
+            if (list.standIn(mesh, range)) {
+                std::fill_n(m_drawn.begin() + std::ptrdiff_t(first), m_scene.meshOf(range.instance).triangleCount(), uint8_t{1});
+                continue;
+            }
             for (uint64_t place = range.firstIndex / 3; place < (range.firstIndex + range.indexCount) / 3; ++place)
                 m_drawn[first + list.triangleAt(mesh, place)] = 1;
         }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -75,14 +76,18 @@ struct FrameLog {
     FrameCounters counters;
     std::vector<Stage> stages;
     double cullMilliseconds = 0.0;  ///< the whole frame without executing and logging draw commands
+    /// How long the view's frame before took, cull and draw together, as the strategy was told; none: it was not.
+    std::optional<double> frameBeforeMilliseconds;
 
     /// What it gave to OpenGL; of a finished picture the triangles that it shows.
     [[nodiscard]] uint64_t consideredTriangles() const;
     /// Memory that the frame needed besides the structure: what its commands hold, such as a picture or triangles that the
     /// strategy made, and FrameCounters::workBytes.
     [[nodiscard]] uint64_t frameBytes() const;
-    /// Whether every command draws ranges of the scene with a depth test: then the order of the commands does not matter.
+    /// Whether every command draws the scene's own triangles with a depth test: then the order of the commands does not matter.
     [[nodiscard]] bool drawsScene() const;
+    /// Object where a command draws stand-ins (frame/draw_list.h): the frame is compared with the scene object by object.
+    [[nodiscard]] Grain grain() const;
     /// Commands and decisions together.
     [[nodiscard]] size_t entries() const { return commands.size() + decisions.size(); }
     /// How many commands are among the first `entries` entries.
@@ -96,7 +101,12 @@ struct FrameLog {
 };
 
 /// The scene's triangles that a frame drew, each once, as one draw list with the frame's facing rule: what the frame shows from
-/// any other place. Of parts of triangles the whole triangles, of a finished picture those that it shows.
+/// any other place. Of parts of triangles the whole triangles, of a finished picture those that it shows. Of stand-ins what was
+/// drawn, if it is one list, else the whole objects.
 [[nodiscard]] DrawList drawnTriangles(const Scene& scene, const FrameLog& log);
+
+/// By which number a pixel that shows a triangle of the scene is compared (`item`: its number + 1; 0: nothing): the same by
+/// triangle, that of the first triangle of its object by object.
+[[nodiscard]] uint32_t comparedItem(const Scene& scene, Grain grain, uint32_t item);
 
 }  // namespace cullscope

@@ -82,10 +82,11 @@ ShownPixels shownPixels(Renderer& renderer, const SceneBuffers& buffers, const F
     const View view(log.camera, log.size);
     if (!log.drawsScene()) {
         Renderer::ItemBuffer items = renderer.drawItemBuffer(buffers, view, log, target.tile());
-        return {std::move(items.depth), std::move(items.triangle)};
+        return {std::move(items.depth), std::move(items.triangle),
+                log.grain() == Grain::Object ? buffers.scenePointer() : nullptr};
     }
     renderer.draw(buffers, view, log, target);
-    return {target.readDepth(), {}};
+    return {target.readDepth(), {}, {}};
 }
 
 namespace {
@@ -98,6 +99,9 @@ constexpr double kTwoRoundings = 0x1p-22;
 PixelDifference pixelDifference(const Reference& reference, const ShownPixels& shown, size_t pixel) {
     const float truth = reference.depth[pixel], depth = shown.depth[pixel];
     if (shown.triangle.empty()) return pixelDifference(truth, depth);
+    if (shown.objects && shown.triangle[pixel] != reference.triangle[pixel])
+        return pixelDifference(truth, comparedItem(*shown.objects, Grain::Object, reference.triangle[pixel]), depth,
+                               comparedItem(*shown.objects, Grain::Object, shown.triangle[pixel]));
     return pixelDifference(truth, reference.triangle[pixel], depth, shown.triangle[pixel]);
 }
 
@@ -107,6 +111,25 @@ PixelDifference pixelDifference(float truth, uint32_t should, float depth, uint3
         is != 0 && should != 0 && std::abs(double(truth) - double(depth)) <= kTwoRoundings * double(std::max(truth, depth));
     return unresolved ? PixelDifference::Unresolved : pixelDifference(truth, depth);
 }
+
+namespace {
+
+/// The same of triangles as `compare` counts them, by object: `given` is what was drawn.
+void countByObject(Accuracy& accuracy, const Reference& reference, const DrawList& drawn, const Scene& scene) {
+    TriangleIntervals objects;
+    for (const DrawRange& range : drawn.ranges)
+        objects.emplace_back(scene.firstTriangle(range.instance), scene.firstTriangle(range.instance + 1));
+    std::ranges::sort(objects);
+    objects.erase(std::unique(objects.begin(), objects.end()), objects.end());
+    accuracy.falselyCulledTriangles = accuracy.visibleTriangles - countMembers(reference.visibleTriangles, objects);
+    for (const DrawRange& range : drawn.ranges) {
+        const auto first = std::ranges::lower_bound(reference.visibleTriangles, uint32_t(scene.firstTriangle(range.instance)));
+        const bool seen = first != reference.visibleTriangles.end() && *first < scene.firstTriangle(range.instance + 1);
+        if (!seen) accuracy.needlesslyDrawnTriangles += range.indexCount / 3;
+    }
+}
+
+}  // namespace
 
 Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene) {
     Accuracy accuracy;
@@ -123,6 +146,10 @@ Accuracy compare(const Reference& reference, const ShownPixels& shown, const Dra
     const TriangleIntervals given = submittedIntervals(scene, drawn);
     accuracy.submittedTriangles = triangleCount(given);
     accuracy.visibleTriangles = reference.visibleTriangles.size();
+    if (shown.objects) {
+        countByObject(accuracy, reference, drawn, scene);
+        return accuracy;
+    }
     const uint64_t visibleAndDrawn = countMembers(reference.visibleTriangles, given);
     accuracy.falselyCulledTriangles = accuracy.visibleTriangles - visibleAndDrawn;
     accuracy.needlesslyDrawnTriangles = accuracy.submittedTriangles - visibleAndDrawn;

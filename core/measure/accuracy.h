@@ -41,6 +41,9 @@ struct ShownPixels {
     std::vector<float> depth;        ///< reversed
     std::vector<uint32_t> triangle;  ///< scene triangle number + 1, where the frame has other surfaces than the scene's, whose
                                      ///< depths may be rounded otherwise; else empty, and the depth alone tells
+    /// Set where the frame is compared by object (FrameLog::grain): the scene whose objects they are. Then a pixel that shows the
+    /// object that is truly there is right, whichever of its surfaces that is.
+    ScenePointer objects{};
 };
 /// The same by a replay of the log, into `target`, which has the culling view's size.
 [[nodiscard]] ShownPixels shownPixels(Renderer& renderer, const SceneBuffers& buffers, const FrameLog& log, Framebuffer& target);
@@ -53,7 +56,9 @@ struct ShownPixels {
 /// triangle numbers + 1, 0 where there is nothing.
 [[nodiscard]] PixelDifference pixelDifference(float truth, uint32_t should, float depth, uint32_t is);
 
-/// Compares what a frame of the scene shows with the truth for its culling view; `drawn` is what it drew (drawnTriangles).
+/// Compares what a frame of the scene shows with the truth for its culling view; `drawn` is what it drew (drawnTriangles). By
+/// object, an object of which anything was drawn has lost no triangle, and in vain are those drawn for an object that is not
+/// seen.
 [[nodiscard]] Accuracy compare(const Reference& reference, const ShownPixels& shown, const DrawList& drawn, const Scene& scene);
 
 /// The number of missed pixels that the raster's snapping to 1/256 pixel does not explain. It explains a missed pixel whose

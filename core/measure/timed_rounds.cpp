@@ -37,7 +37,10 @@ void TimedRounds::step(Renderer& renderer, const TargetOf& targetOf, const std::
     for (size_t i = 0; i < entrant.memories.size(); ++i)
         pictures.push_back({&targetOf(entrant.view.viewport(), i), (cloned.empty() ? entrant.memories : cloned)[i].get()});
     FrameResult frame = renderFrame(renderer, *entrant.buffers, *entrant.strategy, entrant.view, pictures, {}, stop);
-    if (m_protocol.madeUpTime) frame.frameMilliseconds = m_protocol.madeUpTime(*entrant.strategy);
+    if (m_protocol.madeUpTime) {
+        frame.frameMilliseconds = m_protocol.madeUpTime(*entrant.strategy);
+        for (const FrameTarget& picture : pictures) picture.state->frameMilliseconds = frame.frameMilliseconds;
+    }
     m_seconds += frame.frameMilliseconds / 1000.0;
     if (m_round == 0) {
         entrant.log = std::move(frame.log);

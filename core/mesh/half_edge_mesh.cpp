@@ -43,6 +43,7 @@ HalfEdgeConversion::HalfEdgeConversion(const TriangleMesh& mesh, const Progress&
       m_halfEdges(progress),
       m_centre(mesh.localBounds().centre()),
       m_scale(mesh.localBounds().diagonal() > 0.0 ? mesh.localBounds().diagonal() : 1.0) {
+    m_halfEdges.add_property(m_sources);
     addFaces(progress);
 }
 
@@ -59,6 +60,7 @@ void HalfEdgeConversion::addFaces(const Progress& progress) {
             if (!known.is_valid() || round >= kSharingRounds) {
                 const Vec3 position = (Vec3(m_source.positions()[vertex]) - m_centre) / m_scale;
                 known = m_halfEdges.new_vertex({position.x, position.y, position.z});
+                m_halfEdges.property(m_sources, known) = vertex;
             }
             return known;
         };

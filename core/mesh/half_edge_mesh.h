@@ -51,6 +51,8 @@ public:
     HalfEdgeConversion(const TriangleMesh& mesh, const Progress& progress);
 
     [[nodiscard]] HalfEdgeMesh& mesh() { return m_halfEdges; }
+    /// A vertex of the source mesh at the position of a half-edge vertex: one of those that became it.
+    [[nodiscard]] uint32_t sourceOf(HalfEdgeMesh::VertexHandle vertex) const { return m_halfEdges.property(m_sources, vertex); }
     /// The half-edges as a mesh of flat arrays, about the origin of the source mesh. Removes deleted elements from the half-edge
     /// mesh.
     [[nodiscard]] MeshPointer flattened(const Progress& progress);
@@ -60,6 +62,7 @@ private:
 
     const TriangleMesh& m_source;
     HalfEdgeMesh m_halfEdges;
+    OpenMesh::VPropHandleT<uint32_t> m_sources;
     Vec3 m_centre;
     double m_scale;
 };

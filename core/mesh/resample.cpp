@@ -6,9 +6,12 @@
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
 #include <OpenMesh/Tools/Subdivider/Uniform/LoopT.hh>
+#include <algorithm>
+#include <numeric>
 
 #include "core/base/error.h"
 #include "core/mesh/half_edge_mesh.h"
+#include "core/mesh/weld.h"
 
 namespace cullscope {
 namespace {
@@ -58,14 +61,18 @@ void collapseEdges(HalfEdgeMesh& mesh, size_t triangles, Folds folds, const Prog
     decimater.decimate_to_faces(0, triangles);
 }
 
-/// Decimates to a count. Collapses that flip a face are allowed only where the count cannot be reached without them.
-void decimate(HalfEdgeMesh& mesh, size_t triangles, const Progress& progress) {
+void prepareForDecimation(HalfEdgeMesh& mesh) {
     mesh.request_vertex_status();
     mesh.request_edge_status();
     mesh.request_halfedge_status();
     mesh.request_face_status();
     mesh.request_face_normals();
     mesh.update_face_normals();
+}
+
+/// Decimates to a count. Collapses that flip a face are allowed only where the count cannot be reached without them.
+void decimate(HalfEdgeMesh& mesh, size_t triangles, const Progress& progress) {
+    prepareForDecimation(mesh);
     collapseEdges(mesh, triangles, Folds::Refused, progress);
     mesh.garbage_collection();
     if (mesh.n_faces() > triangles + 1) collapseEdges(mesh, triangles, Folds::Allowed, progress);
@@ -143,6 +150,61 @@ MeshPointer resampled(const TriangleMesh& mesh, size_t triangles, const Progress
                                 "many."),
                    {mesh.name(), std::to_string(triangles), std::to_string(reached)});
     return conversion.flattened(progress);
+}
+
+namespace {
+
+/// The triangles of a half-edge mesh between the vertices of its source.
+class BetweenSourceVertices {
+public:
+    BetweenSourceVertices(const TriangleMesh& mesh, const Progress& progress)
+        : m_mesh(mesh), m_welded(firstOfEqualPositions(mesh.positions(), progress)), m_sorted(m_welded.size()) {
+        std::iota(m_sorted.begin(), m_sorted.end(), 0U);
+        std::ranges::stable_sort(m_sorted, {}, [&](uint32_t vertex) { return m_welded[vertex]; });
+    }
+
+    [[nodiscard]] std::vector<uint32_t> indices(const HalfEdgeConversion& conversion, HalfEdgeMesh& halfEdges) const {
+        std::vector<uint32_t> indices;
+        for (const auto face : halfEdges.faces()) {
+            std::array<uint32_t, 3> corners{};
+            size_t corner = 0;
+            for (const auto vertex : halfEdges.fv_range(face)) corners[corner++] = conversion.sourceOf(vertex);
+            const auto [a, b, c] = std::array{Vec3(m_mesh.positions()[corners[0]]), Vec3(m_mesh.positions()[corners[1]]),
+                                              Vec3(m_mesh.positions()[corners[2]])};
+            for (const uint32_t vertex : corners) indices.push_back(nearestNormal(vertex, glm::cross(b - a, c - a)));
+        }
+        return indices;
+    }
+
+private:
+    /// Of the vertices at a vertex's place, the one whose normal points most in a direction.
+    [[nodiscard]] uint32_t nearestNormal(uint32_t vertex, const Vec3& direction) const {
+        const auto place = std::ranges::equal_range(m_sorted, m_welded[vertex], {}, [&](uint32_t i) { return m_welded[i]; });
+        return *std::ranges::max_element(place, {}, [&](uint32_t i) { return glm::dot(Vec3(m_mesh.normals()[i]), direction); });
+    }
+
+    const TriangleMesh& m_mesh;
+    std::vector<uint32_t> m_welded, m_sorted;
+};
+
+}  // namespace
+
+std::vector<MeshLevel> quadricLevels(const TriangleMesh& mesh, size_t fewest, const Progress& progress) {
+    std::vector<MeshLevel> levels;
+    HalfEdgeConversion conversion(mesh, progress);
+    HalfEdgeMesh& halfEdges = conversion.mesh();
+    const BetweenSourceVertices between(mesh, progress);
+    prepareForDecimation(halfEdges);
+    for (size_t before = halfEdges.n_faces(); before > fewest;) {
+        progress.check();
+        collapseEdges(halfEdges, std::max(fewest, before / 2), Folds::Refused, {nullptr, progress.stop});
+        halfEdges.garbage_collection();
+        const size_t reached = halfEdges.n_faces();
+        if (reached == 0 || 3 * reached > 2 * before) break;
+        levels.push_back({between.indices(conversion, halfEdges), 0.0});
+        before = reached;
+    }
+    return levels;
 }
 
 }  // namespace cullscope

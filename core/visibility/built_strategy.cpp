@@ -22,6 +22,7 @@ void BuiltStrategy::draw(FrameContext& frame, ViewState& state) const {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point start = Clock::now();
     frame.setFacing(m_facing);
+    frame.setFrameBefore(state.frameMilliseconds);
     m_strategy->draw(frame, *m_structure, state, m_parameters);
     const std::chrono::duration<double, std::milli> passed = Clock::now() - start;
     frame.setCullMilliseconds(passed.count() - frame.drawingMilliseconds());

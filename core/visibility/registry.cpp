@@ -10,6 +10,7 @@
 #include "core/visibility/frustum/frustum_octree.h"
 #include "core/visibility/occlusion/octree_query.h"
 #include "core/visibility/ordering/ordering.h"
+#include "core/visibility/small_feature/level_of_detail.h"
 #include "core/visibility/small_feature/small_feature.h"
 #include "core/visibility/small_feature/small_feature_bounded.h"
 #include "core/visibility/small_feature/small_feature_triangle.h"
@@ -41,6 +42,7 @@ const std::vector<RegisteredStrategy>& strategies() {
         small_feature::smallFeature(),
         small_feature::smallFeatureTriangle(),
         small_feature::smallFeatureBounded(),
+        small_feature::levelOfDetail(),
         distance::drawDistance(),
     };
     // clang-format on

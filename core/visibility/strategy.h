@@ -126,6 +126,10 @@ using StructurePointer = std::shared_ptr<const Structure>;
 
 /// What one view remembers from frame to frame. A view whose scene, structure or parameters change begins anew.
 struct ViewState {
+    /// How long the view's last frame took, cull and draw together. Whoever times frames writes it after each (renderFrame; the
+    /// desktop's pictures); none: it was not timed. The next frame is told (FrameContext::frameBeforeMilliseconds).
+    std::optional<double> frameMilliseconds;
+
     virtual ~ViewState() = default;
     /// A state of its own with the same memory.
     [[nodiscard]] virtual std::unique_ptr<ViewState> clone() const { return std::make_unique<ViewState>(*this); }

@@ -90,8 +90,12 @@ public:
     }
 
     void operator()(const DrawList& list) {
-        for (const DrawRange& range : list.ranges)
-            addPlaces(list.order.get(), range.instance, range.firstIndex / 3, range.indexCount / 3);
+        for (const DrawRange& range : list.ranges) {
+            if (list.standIn(m_scene.instances()[range.instance].mesh, range))
+                addStandIns(list, range);
+            else
+                addPlaces(list.order.get(), range.instance, range.firstIndex / 3, range.indexCount / 3);
+        }
         finish();
     }
     void operator()(const OwnTrianglesPointer& own) {
@@ -126,6 +130,19 @@ private:
             const uint64_t own = triangleAt(order, mesh, place);
             if (!m_shape.triangle) m_shape.triangle = m_scene.firstTriangle(instance) + own;
             add(corners.corners(own));
+        }
+    }
+
+    void addStandIns(const DrawList& list, const DrawRange& range) {
+        const TriangleMesh& mesh = m_scene.meshOf(range.instance);
+        const Mat4& world = m_scene.instances()[range.instance].worldFromMesh;
+        const std::span<const uint32_t> indices = list.orderOf(m_scene.instances()[range.instance].mesh).indices;
+        if (!m_shape.triangle) m_shape.triangle = m_scene.firstTriangle(range.instance);
+        for (size_t i = range.firstIndex; i < size_t(range.firstIndex) + range.indexCount; i += 3) {
+            std::array<Vec3, 3> corners;
+            for (size_t corner = 0; corner < 3; ++corner)
+                corners[corner] = Vec3(world * Vec4(mesh.position(indices[i + corner]), 1.0));
+            add(corners);
         }
     }
 

@@ -145,10 +145,13 @@ TriangleStates triangleStates(const Scene& scene, const FrameLog& log, const std
         const InstanceFromEye instance(scene, range.instance, log.camera.eye);
         const uint64_t first = scene.firstTriangle(range.instance);
         const uint32_t mesh = scene.instances()[range.instance].mesh;
-        const uint64_t begin = range.firstIndex / 3;
-        tbb::parallel_for(tbb::blocked_range<uint64_t>(begin, begin + range.indexCount / 3, 4096), [&](const auto& block) {
+        // Stand-ins are drawn for the whole object.
+        const bool standIn = list.standIn(mesh, range);
+        const uint64_t begin = standIn ? 0 : range.firstIndex / 3;
+        const uint64_t count = standIn ? scene.meshOf(range.instance).triangleCount() : range.indexCount / 3;
+        tbb::parallel_for(tbb::blocked_range<uint64_t>(begin, begin + count, 4096), [&](const auto& block) {
             for (uint64_t place = block.begin(); place < block.end(); ++place) {
-                const uint64_t triangle = list.triangleAt(mesh, place);
+                const uint64_t triangle = standIn ? place : list.triangleAt(mesh, place);
                 TriangleState& state = result.states[first + triangle];
                 state = submitted.state(state, instance, triangle);
             }

@@ -132,6 +132,13 @@ void addCellTests(const Scene& scene, const FrameLog& log, uint32_t instance, ui
         if (decision.subject == last->subject && decision.sentence != nullptr) steps.push_back(whyStep(decision));
 }
 
+/// Whether stand-ins are drawn in place of an object's surface.
+bool standsIn(const DrawList& list, const Scene& scene, uint32_t instance) {
+    return std::ranges::any_of(list.ranges, [&](const DrawRange& range) {
+        return range.instance == instance && list.standIn(scene.instances()[instance].mesh, range);
+    });
+}
+
 /// What became of a triangle in the end. `ownPicture`: the strategy makes its picture without OpenGL.
 const char* lastSentence(bool given, bool ownPicture) {
     if (ownPicture)
@@ -208,7 +215,16 @@ std::vector<WhyStep> why(const BuiltStrategy& strategy, const FrameLog& log, uin
     }
     addCellTests(scene, log, instance, own, steps);
     strategy.addWhySteps(log, instance, uint32_t(own), steps);
-    const bool given = submits(drawnTriangles(scene, log), scene, instance, own);
+    const DrawList drawn = drawnTriangles(scene, log);
+    if (standsIn(drawn, scene, instance)) {
+        steps.push_back({{CULLSCOPE_TR("A coarser surface of the object is given to OpenGL in place of the triangle."), {}},
+                         {},
+                         {},
+                         {},
+                         Containment::Straddles});
+        return steps;
+    }
+    const bool given = submits(drawn, scene, instance, own);
     const Containment containment = given ? Containment::Straddles : Containment::Outside;
     const bool ownPicture = std::ranges::any_of(
         log.commands, [](const Command& command) { return std::holds_alternative<FinishedPicturePointer>(command); });

@@ -10,6 +10,7 @@
 #include "core/visibility/facing.h"
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/octree_walk.h"
+#include "core/visibility/small_feature/frame_budget.h"
 #include "core/visibility/small_feature/occupancy_bars.h"
 
 namespace cullscope::small_feature {
@@ -19,6 +20,9 @@ constexpr const char* kOutline = "outline";
 constexpr const char* kThreshold = "threshold";
 constexpr const char* kOutlineLevels = "outline-levels";
 constexpr const char* kDetailLevels = "detail-levels";
+constexpr const char* kHoldFps = "hold-fps";
+/// Where a held frame time begins with a threshold of 0, which no factor raises.
+constexpr double kLeastHeldThreshold = 1e-4;
 
 /// The lines of the listing (featureListing).
 enum class FeatureLine : uint8_t { Trees = 1, Planes, Outside, Large, Value, TooSmall, Draw };
@@ -35,10 +39,16 @@ struct FeatureTrees : Structure {
     using Structure::Structure;
 
     RegularOctree large, small;
-    std::vector<double> values;        ///< by instance
-    std::vector<double> largestBelow;  ///< by node of octree S: the largest value of its components
-    double split = 0.0;                ///< components with a larger value are in octree L
+    std::vector<double> values;                        ///< by instance
+    std::vector<double> sorted;                        ///< those of the components, the largest first
+    std::vector<double> largestInLarge, largestBelow;  ///< by node of octree L and S: the largest value of its components
+    double split = 0.0;                                ///< components with a larger value are in octree L
 
+    /// The value that divides where so many percent of the components are the outline.
+    [[nodiscard]] double splitAt(double percent) const {
+        const auto place = size_t(double(sorted.size()) * percent / 100.0);
+        return place < sorted.size() ? sorted[place] : -1.0;
+    }
     /// Octree L numbers its nodes from 0, octree S behind it. `cells`: the cells are tested, not the boxes around the components.
     [[nodiscard]] GroupTree largeTree(bool cells) const {
         GroupTree tree(large.nodes(), large.order());
@@ -55,12 +65,30 @@ struct FeatureTrees : Structure {
     }
 };
 
-/// Where the view's camera was in the frame before.
-struct LastCamera : ViewState {
+/// What the view was in the frame before.
+struct LastFrame : ViewState {
     std::optional<Camera> camera;
+    FrameBudget budget;  ///< with hold-fps
+    bool whole = false;  ///< everything was drawn: its time says nothing of the culling
 
-    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<LastCamera>(*this); }
+    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<LastFrame>(*this); }
 };
+
+/// What divides outline and details in a frame, and what is too small.
+struct InForce {
+    double threshold = 0.0, outline = 0.0, split = 0.0;
+    bool held = false;  ///< by hold-fps: `split` is not that of the octrees, which then decide by whole leaves
+};
+
+InForce inForce(const FeatureTrees& trees, const LastFrame& last, const ParameterSet& parameters) {
+    InForce result{parameters.real(kThreshold), parameters.real(kOutline), trees.split, parameters.real(kHoldFps) > 0.0};
+    if (!result.held) return result;
+    const double factor = std::exp2(last.budget.doublings());
+    result.threshold = std::min(1.0, factor * std::max(result.threshold, kLeastHeldThreshold));
+    result.outline = std::min(100.0, result.outline / factor);
+    result.split = trees.splitAt(result.outline);
+    return result;
+}
 
 /// A leaf that is drawn.
 struct KeptLeaf {
@@ -72,18 +100,14 @@ struct KeptLeaf {
 /// One frame.
 class FeatureFrame {
 public:
-    FeatureFrame(FrameContext& frame, const FeatureTrees& trees, const ParameterSet& parameters, bool whole)
-        : m_frame(frame),
-          m_trees(trees),
-          m_threshold(parameters.real(kThreshold)),
-          m_cells(parameters.choice("boxes") == "cells"),
-          m_whole(whole) {}
+    FeatureFrame(FrameContext& frame, const FeatureTrees& trees, const InForce& force, bool cells, bool whole)
+        : m_frame(frame), m_trees(trees), m_force(force), m_cells(cells), m_whole(whole) {}
 
     [[nodiscard]] DrawList listed() {
         {
             const StageTimer stage(m_frame, CULLSCOPE_TR("octrees"));
-            walk(m_trees.large, m_trees.largeTree(m_cells), false);
-            walk(m_trees.small, m_trees.smallTree(m_cells), !m_whole);
+            walk(m_trees.large, m_trees.largeTree(m_cells), m_trees.largestInLarge, false);
+            walk(m_trees.small, m_trees.smallTree(m_cells), m_trees.largestBelow, true);
         }
         const StageTimer stage(m_frame, CULLSCOPE_TR("draw list"));
         std::ranges::stable_sort(m_kept, {}, &KeptLeaf::distance);
@@ -98,21 +122,26 @@ public:
         counted.bytesTouched = m_walked.nodesVisited * (sizeof(RegularOctree::Node) + sizeof(double));
         counted.figures.push_back({"plane_tests", double(m_walked.planesTested)});
         counted.figures.push_back({"leaves_too_small", double(m_leavesTooSmall)});
+        if (m_force.held) {
+            counted.figures.push_back({"threshold_in_force", m_force.threshold});
+            counted.figures.push_back({"outline_in_force_percent", m_force.outline});
+        }
         return list;
     }
 
 private:
-    /// `measured`: leaves are left out by their size.
-    void walk(const RegularOctree& octree, const GroupTree& tree, bool measured) {
+    /// `largest`: by node. `details`: leaves are left out by their size, where hold-fps says no other.
+    void walk(const RegularOctree& octree, const GroupTree& tree, const std::vector<double>& largest, bool details) {
         OctreeWalkOptions options{.lines = kFeatureLines};
         options.visited = [&](uint32_t number, uint32_t /*planes*/) {
             const RegularOctree::Node& node = octree.nodes()[number];
             if (!node.leaf()) return true;
             const double distance = glm::length(tree.boxOf(number).centre() - m_frame.view().eye());
+            const bool measured = !m_whole && (m_force.held ? largest[number] <= m_force.split : details);
             const Subject subject = Subject::ofNode(tree.firstNumber + number);
             // The paper's comparison (Algorithm 4, step 3): what is no number, as beside an infinite box, is drawn.
-            const bool tooSmall = measured && m_threshold > m_trees.largestBelow[number] / distance;
-            if (measured && m_frame.recording()) sayTest(subject, node.depth, m_trees.largestBelow[number], distance, tooSmall);
+            const bool tooSmall = measured && m_force.threshold > largest[number] / distance;
+            if (measured && m_frame.recording()) sayTest(subject, node.depth, largest[number], distance, tooSmall);
             if (tooSmall) {
                 m_tooSmall += node.triangles;
                 ++m_leavesTooSmall;
@@ -133,7 +162,7 @@ private:
         test.nesting = depth;
         test.sentence = tooSmall ? CULLSCOPE_TR("Largest value %1 ÷ distance %2 = %3 < %4: its components count as too small.")
                                  : CULLSCOPE_TR("Largest value %1 ÷ distance %2 = %3 ≥ %4: its components are drawn.");
-        test.operands = {value, distance, value / distance, m_threshold};
+        test.operands = {value, distance, value / distance, m_force.threshold};
         test.operandCount = 4;
         m_frame.say(atLine(FeatureLine::Value, test));
     }
@@ -148,16 +177,16 @@ private:
 
     FrameContext& m_frame;
     const FeatureTrees& m_trees;
-    double m_threshold;
+    InForce m_force;
     bool m_cells, m_whole;
     std::vector<KeptLeaf> m_kept;
     OctreeWalkCounters m_walked;
     uint64_t m_tooSmall = 0, m_leavesTooSmall = 0;
 };
 
-class SmallFeature final : public StrategyWith<FeatureTrees, LastCamera> {
+class SmallFeature final : public StrategyWith<FeatureTrees, LastFrame> {
 public:
-    [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<LastCamera>(); }
+    [[nodiscard]] ViewStatePointer begin(const Structure& /*structure*/) const override { return std::make_unique<LastFrame>(); }
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& structure, const FrameLog& log) const override {
         return occupancyBars(own(structure).values, own(structure).split, structure.scene(), log);
     }
@@ -172,41 +201,44 @@ protected:
             if (scene.meshOf(i).triangleCount() > 0) components.push_back(i);
         // Algorithm 2: sorted by value, the largest first; the value at x % of them divides.
         std::ranges::stable_sort(components, std::greater<>(), [&](uint32_t i) { return trees.values[i]; });
-        const auto place = size_t(double(components.size()) * parameters.real(kOutline) / 100.0);
-        trees.split = place < components.size() ? trees.values[components[place]] : -1.0;
+        for (const uint32_t i : components) trees.sorted.push_back(trees.values[i]);
+        trees.split = trees.splitAt(parameters.real(kOutline));
         progress.check();
         const auto end = std::ranges::partition_point(components, [&](uint32_t i) { return trees.values[i] > trees.split; });
         const auto large = size_t(end - components.begin());
         trees.large = RegularOctree(scene, std::span(components).first(large), int(parameters.integer(kOutlineLevels)));
         progress.check();
         trees.small = RegularOctree(scene, std::span(components).subspan(large), int(parameters.integer(kDetailLevels)));
-        trees.largestBelow.assign(trees.small.nodes().size(), 0.0);
-        for (size_t number = trees.small.nodes().size(); number-- > 0;) {
-            const RegularOctree::Node& node = trees.small.nodes()[number];
-            double& largest = trees.largestBelow[number];
-            if (node.leaf())
-                for (const uint32_t instance : trees.small.instancesOf(node)) largest = std::max(largest, trees.values[instance]);
-            for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child)
-                largest = std::max(largest, trees.largestBelow[child]);
-        }
+        trees.largestInLarge = largestIn(trees.large, trees.values);
+        trees.largestBelow = largestIn(trees.small, trees.values);
         trees.report.bytes =
-            trees.large.bytes() + trees.small.bytes() + (trees.values.size() + trees.largestBelow.size()) * sizeof(double);
+            trees.large.bytes() + trees.small.bytes() +
+            (trees.values.size() + trees.sorted.size() + trees.largestInLarge.size() + trees.largestBelow.size()) *
+                sizeof(double);
         trees.report.figures = {{"components", double(components.size())},
                                 {"components of the outline", double(large)},
                                 {"leaves of octree L", double(leaves(trees.large))},
                                 {"leaves of octree S", double(leaves(trees.small))}};
     }
 
-    void decide(FrameContext& frame, const FeatureTrees& trees, LastCamera& last, const ParameterSet& parameters) const override {
+    void decide(FrameContext& frame, const FeatureTrees& trees, LastFrame& last, const ParameterSet& parameters) const override {
         const bool resting = last.camera == frame.view().camera();
         last.camera = frame.view().camera();
         const bool whole = parameters.choice("at-rest") == "whole" && resting;
-        if (frame.recording())
+        const double fps = parameters.real(kHoldFps);
+        const std::optional<double> took = frame.frameBeforeMilliseconds();
+        if (fps > 0.0 && took && !last.whole) last.budget.follow(*took, 1000.0 / fps);
+        last.whole = whole;
+        const InForce force = inForce(trees, last, parameters);
+        sayBegin(frame, uint8_t(FeatureLine::Trees),
+                 whole ? CULLSCOPE_TR("The camera rests: %1 components of the outline and %2 others, none of them too small.")
+                       : CULLSCOPE_TR("%1 components of the outline are in octree L, %2 others in octree S."),
+                 {double(trees.large.order().size()), double(trees.small.order().size())});
+        if (force.held && took)
             sayBegin(frame, uint8_t(FeatureLine::Trees),
-                     whole ? CULLSCOPE_TR("The camera rests: %1 components of the outline and %2 others, none of them too small.")
-                           : CULLSCOPE_TR("%1 components of the outline are in octree L, %2 others in octree S."),
-                     {double(trees.large.order().size()), double(trees.small.order().size())});
-        frame.draw(FeatureFrame(frame, trees, parameters, whole).listed());
+                     CULLSCOPE_TR("The frame before took %1 of %2 ms: now the threshold is %3 and the outline %4 %."),
+                     {*took, 1000.0 / fps, force.threshold, force.outline});
+        frame.draw(FeatureFrame(frame, trees, force, parameters.choice("boxes") == "cells", whole).listed());
     }
 
     [[nodiscard]] Promise promiseOf(const FeatureTrees& /*trees*/, const ParameterSet& /*parameters*/,
@@ -224,6 +256,19 @@ protected:
     }
 
 private:
+    /// The largest value of the components below each node.
+    [[nodiscard]] static std::vector<double> largestIn(const RegularOctree& octree, const std::vector<double>& values) {
+        std::vector<double> result(octree.nodes().size(), 0.0);
+        for (size_t number = result.size(); number-- > 0;) {
+            const RegularOctree::Node& node = octree.nodes()[number];
+            double& largest = result[number];
+            if (node.leaf())
+                for (const uint32_t instance : octree.instancesOf(node)) largest = std::max(largest, values[instance]);
+            for (uint32_t child = node.firstChild; child < node.firstChild + node.childCount; ++child)
+                largest = std::max(largest, result[child]);
+        }
+        return result;
+    }
     [[nodiscard]] static size_t leaves(const RegularOctree& octree) {
         return size_t(std::ranges::count_if(octree.nodes(), &RegularOctree::Node::leaf));
     }
@@ -258,6 +303,15 @@ std::vector<ParameterDeclaration> featureParameters() {
                                    CULLSCOPE_TR("A leaf is left out where its largest occupancy value, divided by its distance, "
                                                 "is below this: k′·tan θ."),
                                    {}};
+    ParameterDeclaration hold{kHoldFps,
+                              ParameterType::Real,
+                              0.0,
+                              0.0,
+                              1000.0,
+                              "fps",
+                              CULLSCOPE_TR("How many frames per second threshold and outline hold, by the frames' own times; 0: "
+                                           "they stay as they are set."),
+                              {}};
     const auto levels = [](const char* key, const char* description) {
         return readWhenBuilding(
             {key, ParameterType::Integer, int64_t{4}, 1.0, double(RegularOctree::kMostLevels), "", description, {}});
@@ -273,7 +327,8 @@ std::vector<ParameterDeclaration> featureParameters() {
                              {"cells", CULLSCOPE_TR("the octree's cell, over which components reach")}}),
             choiceParameter("at-rest", "culled", CULLSCOPE_TR("What is drawn while the camera does not move."),
                             {{"culled", CULLSCOPE_TR("the same as in motion")},
-                             {"whole", CULLSCOPE_TR("everything in the frustum, as in the paper's Figure 8")}})};
+                             {"whole", CULLSCOPE_TR("everything in the frustum, as in the paper's Figure 8")}}),
+            hold};
 }
 
 }  // namespace

@@ -15,7 +15,7 @@
 namespace cullscope::small_feature {
 namespace {
 
-constexpr const char* kThreshold = "threshold";
+constexpr const char* kTriangleThreshold = "threshold";
 
 /// The lines of the listing (triangleListing).
 enum class TriangleLine : uint8_t { Groups = 1, Outside, Inside, Objects, Triangles, Ratio, Draw };
@@ -92,10 +92,10 @@ struct TestedTriangles : Structure {
     std::vector<MeshTriangles> meshes;  ///< by Scene::meshes()
 };
 
-struct GroupMemory : ViewState {
+struct TriangleGroupMemory : ViewState {
     LastFailedPlanes planes;
 
-    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<GroupMemory>(*this); }
+    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<TriangleGroupMemory>(*this); }
 };
 
 /// What of an object is too small.
@@ -172,10 +172,10 @@ private:
     double m_threshold;
 };
 
-class SmallFeatureTriangle final : public StrategyWith<TestedTriangles, GroupMemory> {
+class SmallFeatureTriangle final : public StrategyWith<TestedTriangles, TriangleGroupMemory> {
 public:
     [[nodiscard]] ViewStatePointer begin(const Structure& structure) const override {
-        auto memory = std::make_unique<GroupMemory>();
+        auto memory = std::make_unique<TriangleGroupMemory>();
         memory->planes = LastFailedPlanes(own(structure).octree.nodes().size(), structure.scene().instances().size());
         return memory;
     }
@@ -194,7 +194,7 @@ protected:
         tested.report.figures = {{"objects", double(scene.instances().size())}, {"nodes", double(tested.octree.nodes().size())}};
     }
 
-    void decide(FrameContext& frame, const TestedTriangles& tested, GroupMemory& memory,
+    void decide(FrameContext& frame, const TestedTriangles& tested, TriangleGroupMemory& memory,
                 const ParameterSet& parameters) const override {
         OctreeWalkCounters walked;
         std::vector<KeptObject> kept;
@@ -208,7 +208,7 @@ protected:
             const StageTimer stage(frame, CULLSCOPE_TR("triangles"));
             sortNearestFirst(kept, frame.scene(), frame.view().eye());
             frame.counters().culledTriangles[size_t(Cause::TooSmall)] =
-                appendLarge(frame, tested, kept, parameters.real(kThreshold), list.ranges);
+                appendLarge(frame, tested, kept, parameters.real(kTriangleThreshold), list.ranges);
         }
         FrameCounters& counted = frame.counters();
         counted.culledTriangles[size_t(Cause::OutsideFrustum)] = walked.trianglesCulled;
@@ -296,7 +296,7 @@ Show triangleListing() {
 }  // namespace
 
 RegisteredStrategy smallFeatureTriangle() {
-    ParameterDeclaration threshold{kThreshold,
+    ParameterDeclaration threshold{kTriangleThreshold,
                                    ParameterType::Real,
                                    0.002,
                                    0.0,
@@ -310,7 +310,7 @@ RegisteredStrategy smallFeatureTriangle() {
                       CULLSCOPE_TR("Leaves out every triangle that is too small for its distance: the traditional way."),
                       "Du et al. 2017, its comparison",
                       {facingParameter(), threshold}};
-    info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}}};
+    info.sweeps = {{kTriangleThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}}};
     info.shows = {triangleListing(), treeShow()};
     return {std::move(info), std::make_shared<SmallFeatureTriangle>()};
 }
