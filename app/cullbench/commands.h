@@ -58,13 +58,18 @@ struct RunOptions {
     std::string path;  ///< empty: the scene's default
     std::string size = "640x480", upload = "vbo";
     int windows = 1, repeat = 0;
+    double fovx = 0.0;  ///< degrees; 0: the path's own field of view
 
     /// Throws Error(Usage).
     [[nodiscard]] Viewport viewport() const { return sizeFromText(size); }
     [[nodiscard]] Upload uploadBy() const { return upload == "vbo" ? Upload::Vbo : Upload::VertexArray; }
     [[nodiscard]] std::string pathFor(const Scene& scene) const { return path.empty() ? defaultPathName(scene) : path; }
+    /// The views of that path, with the field of view.
+    [[nodiscard]] CameraPath viewsOf(const Scene& scene) const;
 };
 void addRunOptions(CLI::App& command, RunOptions& options);
+/// `--fovx`.
+CLI::Option* addFieldOption(CLI::App& command, double& fovx);
 /// `-s` and `-p`; `strategiesOf` reads them.
 void addStrategyOptions(CLI::App& command, std::vector<std::string>& strategies, std::vector<std::string>& parameters);
 

@@ -111,9 +111,21 @@ std::vector<StrategyRequest> strategiesOf(const std::vector<std::string>& texts,
     return requests;
 }
 
+CameraPath RunOptions::viewsOf(const Scene& scene) const {
+    CameraPath views = cameraPath(pathFor(scene), scene);
+    if (fovx > 0.0) views.fovy = verticalField(Angle::fromDegrees(fovx), viewport());
+    return views;
+}
+
+CLI::Option* addFieldOption(CLI::App& command, double& fovx) {
+    return command.add_option("--fovx", fovx, "horizontal field of view in degrees (default: as the path or --fovy says)")
+        ->check(CLI::Range(0.001, 179.0));
+}
+
 void addRunOptions(CLI::App& command, RunOptions& options) {
     command.add_option("--path", options.path,
                        "camera path: file or built-in name (default: fibonacci:16 for one object, walk:16 for many)");
+    addFieldOption(command, options.fovx);
     command.add_option("--size", options.size, "WIDTHxHEIGHT in pixels")->capture_default_str();
     command.add_option("--windows", options.windows, "pictures a frame: 1, 4 or 8")
         ->check(CLI::IsMember({1, 4, 8}))

@@ -133,7 +133,7 @@ void run(const MeasureOptions& options, Context& context) {
     const HeadlessContext gl;
     for (const StrategyRequest& strategy : request.strategies) requireAvailable(strategy, gl.info());
     request.scene = opened.scene;
-    request.path = cameraPath(options.run.pathFor(*opened.scene), *opened.scene);
+    request.path = options.run.viewsOf(*opened.scene);
     const MeasureResult result = measure(request, terminalProgress(context));
     clearProgress();
     report(options, result);

@@ -25,7 +25,7 @@ struct RenderOptions {
     std::vector<std::string> parameters;
     std::string size = "640x480";
     std::string background, surface;
-    double fovy = 45.0, nearDistance = 0.0, farDistance = 0.0;
+    double fovy = 45.0, fovx = 0.0, nearDistance = 0.0, farDistance = 0.0;
     int64_t pose = 0;
     std::optional<int64_t> step;
     bool steps = false;
@@ -48,6 +48,7 @@ Camera cameraOf(const RenderOptions& options, const Scene& scene, const Viewport
         camera.fovy = Angle::fromDegrees(options.fovy);
         fitDepthRange(camera, scene);
     }
+    if (options.fovx > 0.0) camera.fovy = verticalField(Angle::fromDegrees(options.fovx), size);
     if (options.nearDistance > 0) camera.nearDistance = options.nearDistance;
     if (options.farDistance > 0) camera.farDistance = options.farDistance;
     return camera;
@@ -225,6 +226,7 @@ void addRenderCommand(CLI::App& app, Context& context) {
     command->add_option("--target", options->target, "what is looked at, x,y,z");
     command->add_option("--up", options->up, "up, x,y,z");
     auto* fovy = command->add_option("--fovy", options->fovy, "vertical field of view in degrees")->capture_default_str();
+    addFieldOption(*command, options->fovx)->excludes(fovy);
     command->add_option("--near", options->nearDistance, "near distance (default: from the eye's place)")
         ->check(CLI::PositiveNumber);
     command->add_option("--far", options->farDistance, "far distance (default: from the eye's place)")

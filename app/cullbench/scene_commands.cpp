@@ -103,12 +103,14 @@ void runInspect(const InspectOptions& options, const Context& context) {
 
 struct PathOptions {
     SceneChoice scene;
-    std::string name, output;
+    std::string name, output, size = "640x480";
+    double fovx = 0.0;
 };
 
 void runPath(const PathOptions& options, const Context& context) {
     const OpenedScene opened = openSceneForCommand(options.scene, context);
-    const CameraPath path = cameraPath(options.name, *opened.scene);
+    CameraPath path = cameraPath(options.name, *opened.scene);
+    if (options.fovx > 0.0) path.fovy = verticalField(Angle::fromDegrees(options.fovx), sizeFromText(options.size));
     writeCameraPath(options.output, path);
     if (options.output != "-") fmt::print("{}: {} poses\n", options.output, path.poses.size());
 }
@@ -141,6 +143,10 @@ void addPathCommand(CLI::App& app, Context& context) {
     auto options = std::make_shared<PathOptions>();
     command->add_option("NAME", options->name, "orbit:N, fibonacci:N, walk:N, front:N, case-1, case-2, case-3")->required();
     addSceneOptions(*command, options->scene);
+    auto* fovx = addFieldOption(*command, options->fovx);
+    command->add_option("--size", options->size, "WIDTHxHEIGHT of the pictures that --fovx is for")
+        ->capture_default_str()
+        ->needs(fovx);
     command->add_option("-o,--output", options->output, "file; - is standard output")->required();
     command->callback([options, &context] { runPath(*options, context); });
 }

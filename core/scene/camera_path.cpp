@@ -239,6 +239,10 @@ CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene) {
     return readCameraPath(file);
 }
 
+Angle verticalField(Angle horizontal, const Viewport& size) {
+    return Angle::fromRadians(2.0 * std::atan(std::tan(horizontal.radians() / 2.0) * size.height / size.width));
+}
+
 std::string defaultPathName(const Scene& scene) { return scene.instances().size() > 1 ? "walk:16" : "fibonacci:16"; }
 
 Camera overviewCamera(const Scene& scene, double aspect) {

@@ -29,6 +29,9 @@ struct CameraPath {
 /// file.
 [[nodiscard]] CameraPath cameraPath(std::string_view nameOrFile, const Scene& scene);
 
+/// The vertical field of view of a picture of that size with that horizontal one; both are full angles.
+[[nodiscard]] Angle verticalField(Angle horizontal, const Viewport& size);
+
 /// The path that a scene is measured on by default: `fibonacci:16` for one object, `walk:16` for several.
 [[nodiscard]] std::string defaultPathName(const Scene& scene);
 

@@ -47,6 +47,31 @@ TEST_F(CullbenchContract, stepsOfAFrameAreDrawnAndPrintedAndOthersRefused) {
     EXPECT_EQ(with({"--step", "first"}).exitStatus, 2);
 }
 
+TEST_F(CullbenchContract, horizontalFieldOfViewIsForThePicturesSize) {
+    const std::string path = file("path.json"), size = "200x100";
+    ASSERT_EQ(cullbench({"path", "orbit:2", "sphere:triangles=80", "--fovx", "90", "--size", size, "-o", path}).exitStatus, 0);
+    std::ifstream in(path);
+    const double fovy = json::parse(in)["fovy_deg"];
+    EXPECT_NEAR(fovy, 53.1301, 1e-4);
+    const auto picture = [&](const std::vector<std::string>& field) {
+        std::vector<std::string> words{"render", "sphere:triangles=80", "-s", "all", "--size", size, "-o", "-"};
+        words.insert(words.end(), field.begin(), field.end());
+        const ProcessResult drawn = cullbench(words);
+        EXPECT_EQ(drawn.exitStatus, 0) << drawn.err;
+        return drawn.out;
+    };
+    EXPECT_EQ(picture({"--path", path}), picture({"--path", "orbit:2", "--fovx", "90"}));
+    for (const char* command : {"measure", "sweep"}) {
+        std::vector<std::string> words{
+            command, "sphere:triangles=80", "-s", "all", "--path", "orbit:2", "--repeat", "1", "--size", size, "--fovx", "90"};
+        if (words[0] == "sweep") words[3] = "draw-distance";
+        EXPECT_EQ(cullbench(words).exitStatus, 0) << command;
+        words.back() = "180";
+        expectRefusal(cullbench(words), 2, "--fovx");
+    }
+    expectRefusal(cullbench({"render", "sphere:triangles=80", "-s", "all", "--fovx", "9", "--fovy", "9", "-o", "-"}), 2, "--fov");
+}
+
 // As where a program was copied without the rest of the installation.
 TEST_F(CullbenchContract, aProgramWithoutItsPictureFormatsSaysSoAndMeasures) {
     const std::string program = file("bin/cullbench");

@@ -139,6 +139,17 @@ TEST(CameraPath, sceneOfManyObjectsIsWalkedThroughByDefault) {
     EXPECT_EQ(defaultPathName(*sceneOf({squareMesh(1, 0), squareMesh(1, 1)})), "walk:16");
 }
 
+TEST(CameraPath, horizontalFieldIsTheViewsOwn) {
+    for (const double degrees : {1.0, 30.0, 90.0, 170.0})
+        for (const Viewport& size : {Viewport{1920, 1080}, Viewport{10, 700}}) {
+            Camera camera;
+            camera.fovy = verticalField(Angle::fromDegrees(degrees), size);
+            const double half = std::atan(View(camera, size).frustum().tanHalfWidth);
+            EXPECT_NEAR(2.0 * half, Angle::fromDegrees(degrees).radians(), 1e-9);
+        }
+    EXPECT_NEAR(verticalField(Angle::fromDegrees(30), {1920, 1080}).degrees(), 17.14, 0.01);
+}
+
 TEST(CameraPath, overviewShowsEverything) {
     for (const double aspect : {0.2, 1.0, 3.0}) {
         const ScenePointer scene = sceneOf({sphereMesh(320), squareMesh(4, 3)}, {translation({5, 6, 7}), Mat4(1.0)});
