@@ -6,6 +6,7 @@
 #include "core/experiments/han_hong_tables.h"
 #include "core/experiments/lecture_quiz.h"
 #include "core/experiments/lecture_table.h"
+#include "core/experiments/plant_figures.h"
 
 namespace cullscope {
 
@@ -16,6 +17,7 @@ const std::vector<Experiment>& knownExperiments() {
         experiments.push_back(lectureTable());
         for (Experiment& question : lectureQuestions()) experiments.push_back(std::move(question));
         experiments.push_back(bspPlanes());
+        for (Experiment& plants : plantFigures()) experiments.push_back(std::move(plants));
         return experiments;
     }();
     return kExperiments;

@@ -17,6 +17,8 @@ public:
     [[nodiscard]] uint64_t of(const EyeBox& box) const;
     /// A length at a distance ahead of the eye is at least this many pixels for each scene unit: for tests that need no corners.
     [[nodiscard]] double pixelsPerUnit(double ahead) const { return m_pixels / ahead; }
+    /// By how much a projection grows on each side for the rounding of a picture, in pixels.
+    [[nodiscard]] double room() const { return m_room; }
 
 private:
     Frustum m_frustum;

@@ -15,20 +15,22 @@ TEST_F(CullbenchContract, listShowsEveryExperiment) {
     const json root = json::parse(cullbench({"list", "experiments", "--json"}).out);
     std::vector<std::string> experiments;
     for (const json& each : root["experiments"]) experiments.push_back(each["id"]);
-    EXPECT_THAT(experiments, testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "vfc-40-views",
-                                                  "lecture-table", "quiz", "example", "bsp-planes"));
+    EXPECT_THAT(experiments,
+                testing::ElementsAre("table-1", "table-2", "table-3", "table-4", "table-5", "vfc-40-views", "lecture-table",
+                                     "quiz", "example", "bsp-planes", "plant-methods", "plant-pipelines", "plant-losses"));
     const std::string text = cullbench({"list", "experiments"}).out;
     for (const std::string& id : experiments) EXPECT_THAT(text, HasSubstr(id));
 }
 
 TEST_F(CullbenchContract, reproduceRefusesUnknownExperimentsAndBadOptions) {
     expectRefusal(cullbench({"reproduce", "table-9"}), 2,
-                  "Known: table-1, table-2, table-3, table-4, table-5, vfc-40-views, lecture-table, quiz, example, bsp-planes.");
+                  "Known: table-1, table-2, table-3, table-4, table-5, vfc-40-views, lecture-table, quiz, example, bsp-planes, "
+                  "plant-methods, plant-pipelines, plant-losses.");
     expectRefusal(cullbench({"reproduce"}), 2, "EXPERIMENT");
     expectRefusal(cullbench({"reproduce", "table-1", "--repeat", "0"}), 2, "--repeat");
     expectRefusal(cullbench({"reproduce", "table-1", "--json", file("none/t.json")}), 2, "t.json");
     expectRefusal(cullbench({"reproduce", "table-1", "--svg", file("t.svg")}), 2,
-                  "no plot. With a plot: vfc-40-views, lecture-table.");
+                  "no plot. With a plot: vfc-40-views, lecture-table, plant-methods, plant-pipelines, plant-losses.");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", file("none/t.svg")}), 2, "t.svg");
     expectRefusal(cullbench({"reproduce", "vfc-40-views", "--svg", "-", "--json", "-"}), 2, "--json and --svg");
     EXPECT_EQ(filesWritten(), 0u);
@@ -74,8 +76,8 @@ TEST_F(CullbenchContract, quizTakesAFileOfTheLecturersOwn) {
     ASSERT_EQ(result.exitStatus, 0) << result.err;
     EXPECT_THAT(result.out, testing::AllOf(HasSubstr("C2"), HasSubstr("NULL"), HasSubstr("order")));
     EXPECT_THAT(result.out, testing::Not(HasSubstr("answer key")));
-    expectRefusal(cullbench({"reproduce", "table-1", file("own.polygons")}), 2, "Taking one: quiz, example.");
-    expectRefusal(cullbench({"reproduce", "all", file("own.polygons")}), 2, "Taking one: quiz, example.");
+    expectRefusal(cullbench({"reproduce", "table-1", file("own.polygons")}), 2, "Taking one: quiz, example, plant-losses.");
+    expectRefusal(cullbench({"reproduce", "all", file("own.polygons")}), 2, "Taking one: quiz, example, plant-losses.");
     std::ofstream(file("own.polygons")) << "plane P 1 0 0 0\n";
     expectRefusal(cullbench({"reproduce", "quiz", file("own.polygons")}), 3, "own.polygons names no polygon");
 }

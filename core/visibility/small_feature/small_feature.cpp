@@ -121,6 +121,7 @@ public:
         counted.nodesVisited = m_walked.nodesVisited;
         counted.bytesTouched = m_walked.nodesVisited * (sizeof(RegularOctree::Node) + sizeof(double));
         counted.figures.push_back({"plane_tests", double(m_walked.planesTested)});
+        counted.figures.push_back({"leaves_visible", double(m_kept.size() + m_leavesTooSmall)});
         counted.figures.push_back({"leaves_too_small", double(m_leavesTooSmall)});
         if (m_force.held) {
             counted.figures.push_back({"threshold_in_force", m_force.threshold});
@@ -287,7 +288,7 @@ Show featureListing() {
 std::vector<ParameterDeclaration> featureParameters() {
     ParameterDeclaration outline{kOutline,
                                  ParameterType::Real,
-                                 20.0,
+                                 30.0,
                                  0.0,
                                  100.0,
                                  "%",
@@ -339,7 +340,8 @@ RegisteredStrategy smallFeature() {
         CULLSCOPE_TR("Leaves out groups of components that are too small for their distance; a plant's outline stays."),
         "Du et al. 2017", featureParameters()};
     info.remembers = true;
-    info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}}, {kOutline, {"0", "5", "10", "20", "50"}}};
+    info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}},
+                   {kOutline, {"0", "10", "20", "30", "40", "60"}}};
     info.shows = {featureListing(), treeShow(), occupancyBarsShow()};
     return {std::move(info), std::make_shared<SmallFeature>()};
 }

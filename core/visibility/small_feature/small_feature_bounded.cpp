@@ -9,16 +9,18 @@
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/pixel_cover.h"
+#include "core/visibility/small_feature/sampled_triangles.h"
 
 namespace cullscope::small_feature {
 namespace {
 
 constexpr const char* kPixels = "pixels";
+constexpr const char* kTriangles = "triangles";
 /// The largest number of components in a group.
 constexpr uint32_t kGroupComponents = 8;
 
 /// The lines of the listing (boundedListing).
-enum class BoundedLine : uint8_t { Planes = 1, Outside, Group, GroupOut, Component, NoSample, Sum, Out, Draw };
+enum class BoundedLine : uint8_t { Planes = 1, Outside, Group, GroupOut, Component, NoSample, Sum, Out, Triangles, Draw };
 
 constexpr OctreeWalkLines kBoundedLines{.groupPlanes = uint8_t(BoundedLine::Planes),
                                         .groupAxes = uint8_t(BoundedLine::Planes),
@@ -33,10 +35,10 @@ struct ComponentGroups : Structure {
     std::vector<uint32_t> leafOf;  ///< by instance: its leaf's node
 };
 
-struct GroupMemory : ViewState {
+struct BoundedMemory : ViewState {
     LastFailedPlanes planes;
 
-    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<GroupMemory>(*this); }
+    [[nodiscard]] ViewStatePointer clone() const override { return std::make_unique<BoundedMemory>(*this); }
 };
 
 /// A component that the frustum keeps.
@@ -48,8 +50,13 @@ struct Candidate {
 /// One frame.
 class BoundedFrame {
 public:
-    BoundedFrame(FrameContext& frame, const ComponentGroups& groups, GroupMemory& memory, uint64_t pixels)
-        : m_frame(frame), m_groups(groups), m_memory(memory), m_pixels(pixels), m_cover(frame.view()) {}
+    BoundedFrame(FrameContext& frame, const ComponentGroups& groups, BoundedMemory& memory, const ParameterSet& parameters)
+        : m_frame(frame),
+          m_groups(groups),
+          m_memory(memory),
+          m_pixels(uint64_t(parameters.integer(kPixels))),
+          m_triangles(parameters.boolean(kTriangles)),
+          m_cover(frame.view()) {}
 
     [[nodiscard]] DrawList listed() {
         std::vector<KeptObject> kept;
@@ -63,11 +70,18 @@ public:
             const StageTimer stage(m_frame, CULLSCOPE_TR("components"));
             leaveOutComponents(kept);
         }
-        const StageTimer stage(m_frame, CULLSCOPE_TR("draw list"));
-        sortNearestFirst(m_drawn, scene(), m_frame.view().eye());
         DrawList list{m_frame.facing(), {}};
-        for (const KeptObject& object : m_drawn)
-            list.ranges.push_back({object.instance, 0, uint32_t(scene().meshOf(object.instance).indices().size())});
+        {
+            const StageTimer stage(m_frame, CULLSCOPE_TR("draw list"));
+            sortNearestFirst(m_drawn, scene(), m_frame.view().eye());
+            if (!m_triangles)
+                for (const KeptObject& object : m_drawn)
+                    list.ranges.push_back({object.instance, 0, uint32_t(scene().meshOf(object.instance).indices().size())});
+        }
+        if (m_triangles) {
+            const StageTimer stage(m_frame, CULLSCOPE_TR("triangles"));
+            appendSampled(list.ranges);
+        }
         count();
         return list;
     }
@@ -173,7 +187,29 @@ private:
 
     void keep(const KeptObject& object) {
         m_drawn.push_back(object);
-        if (m_frame.recording()) sayEnd(object.instance, BoundedLine::Draw, Decision::Outcome::Drawn, Cause::TooSmall);
+        if (m_frame.recording() && !m_triangles)
+            sayEnd(object.instance, BoundedLine::Draw, Decision::Outcome::Drawn, Cause::TooSmall);
+    }
+
+    /// Appends the ranges of the components that are drawn, without their triangles that hold no pixel centre.
+    void appendSampled(std::vector<DrawRange>& ranges) {
+        const std::vector<uint64_t> left = SampledTriangles(scene(), m_frame.view(), m_cover).appendAll(m_drawn, ranges);
+        for (size_t i = 0; i < left.size(); ++i) {
+            m_frame.counters().culledTriangles[size_t(Cause::NoSample)] += left[i];
+            if (m_frame.recording()) sayTriangles(m_drawn[i].instance, left[i]);
+        }
+    }
+
+    void sayTriangles(uint32_t instance, uint64_t left) {
+        const uint64_t count = scene().meshOf(instance).triangleCount();
+        Decision test = coverTest(Subject::ofObject(instance), false, 0);
+        test.containment = left == 0 ? Containment::Inside : left == count ? Containment::Outside : Containment::Straddles;
+        test.sentence = CULLSCOPE_TR("Of %1 triangles %2 hold no pixel centre.");
+        test.operands = {double(count), double(left)};
+        m_frame.say(atLine(BoundedLine::Triangles, test));
+        using Outcome = Decision::Outcome;
+        const Outcome outcome = left == 0 ? Outcome::Drawn : left == count ? Outcome::Culled : Outcome::PartlyDrawn;
+        sayEnd(instance, BoundedLine::Draw, outcome, Cause::NoSample);
     }
 
     void leaveOut(Cause cause, uint64_t triangles, uint64_t pixels) {
@@ -208,18 +244,19 @@ private:
 
     FrameContext& m_frame;
     const ComponentGroups& m_groups;
-    GroupMemory& m_memory;
+    BoundedMemory& m_memory;
     uint64_t m_pixels;
+    bool m_triangles;
     PixelCover m_cover;
     OctreeWalkCounters m_walked;
     std::vector<KeptObject> m_drawn;
     uint64_t m_projected = 0, m_lost = 0;
 };
 
-class SmallFeatureBounded final : public StrategyWith<ComponentGroups, GroupMemory> {
+class SmallFeatureBounded final : public StrategyWith<ComponentGroups, BoundedMemory> {
 public:
     [[nodiscard]] ViewStatePointer begin(const Structure& structure) const override {
-        auto memory = std::make_unique<GroupMemory>();
+        auto memory = std::make_unique<BoundedMemory>();
         memory->planes = LastFailedPlanes(own(structure).octree.nodes().size(), structure.scene().instances().size());
         return memory;
     }
@@ -243,9 +280,9 @@ protected:
                                  {"leaves", double(leaves)}};
     }
 
-    void decide(FrameContext& frame, const ComponentGroups& groups, GroupMemory& memory,
+    void decide(FrameContext& frame, const ComponentGroups& groups, BoundedMemory& memory,
                 const ParameterSet& parameters) const override {
-        frame.draw(BoundedFrame(frame, groups, memory, uint64_t(parameters.integer(kPixels))).listed());
+        frame.draw(BoundedFrame(frame, groups, memory, parameters).listed());
     }
 
     [[nodiscard]] Promise promiseOf(const ComponentGroups& /*groups*/, const ParameterSet& parameters,
@@ -278,6 +315,7 @@ Show boundedListing() {
                         {CULLSCOPE_TR("if n = 0: leave it out"), 2},
                         {CULLSCOPE_TR("if n ≤ pixels: it is a small one"), 2},
                         {CULLSCOPE_TR("small ones' sum ≤ pixels: leave out"), 1},
+                        {CULLSCOPE_TR("leave out triangles without a centre"), 1},
                         {CULLSCOPE_TR("draw the others, nearest first"), 0}});
 }
 
@@ -297,7 +335,10 @@ RegisteredStrategy smallFeatureBounded() {
         CULLSCOPE_TR("Bounded small-feature culling"),
         CULLSCOPE_TR("Leaves out small components where the pixels that a group may lose by it stay under a bound."),
         "Cullscope, after Du et al. 2017",
-        {facingParameter(), pixels}};
+        {facingParameter(), pixels,
+         booleanParameter(kTriangles, true,
+                          CULLSCOPE_TR("Whether triangles without a pixel centre are left out of components that are drawn. "
+                                       "It loses nothing."))}};
     info.sweeps = {{kPixels, {"0", "1", "2", "4", "8", "16"}}};
     info.shows = {boundedListing(), treeShow()};
     return {std::move(info), std::make_shared<SmallFeatureBounded>()};

@@ -310,7 +310,7 @@ TEST(PaperTables, refusalOfAnUnknownExperimentNamesTheKnownOnes) {
         EXPECT_EQ(error.kind(), ErrorKind::Usage);
         EXPECT_STREQ(error.what(),
                      "There is no experiment \"table-9\". Known: table-1, table-2, table-3, table-4, table-5, "
-                     "vfc-40-views, lecture-table, quiz, example, bsp-planes.");
+                     "vfc-40-views, lecture-table, quiz, example, bsp-planes, plant-methods, plant-pipelines, plant-losses.");
     }
 }
 

@@ -2,6 +2,8 @@
 #include "core/measure/accuracy.h"
 #include "core/measure/reference.h"
 #include "core/mesh/parametric.h"
+#include "core/scene/camera_path.h"
+#include "core/scene/plant/plant_scene.h"
 #include "core/visibility/eye_bounds.h"
 #include "core/visibility/pixel_cover.h"
 #include "tests/support/culler.h"
@@ -57,7 +59,8 @@ Accuracy accuracyOf(const Culled& frame, Culler& strategy, const SceneBuffers& b
 TEST(SmallFeatureBounded, losesAtMostThePixelsThatItStatesAndNoneWith0) {
     uint64_t covered = 0, stated = 0, missed = 0, leftWithoutLoss = 0;
     for (uint64_t seed = 1; seed <= howMany(200, 4); ++seed) {
-        const ScenePointer scene = parts(seed);
+        // Every fourth scene is a small plant.
+        const ScenePointer scene = seed % 4 == 0 ? plantScene("plant", {2, seed}) : parts(seed);
         const SceneBuffers buffers(scene, Upload::Vbo);
         for (const int64_t pixels : {0, 1, 4}) {
             ParameterSet parameters(findStrategy("small-feature-bounded").info.parameters);
@@ -88,6 +91,29 @@ TEST(SmallFeatureBounded, losesAtMostThePixelsThatItStatesAndNoneWith0) {
     EXPECT_GT(covered, 1'000u);
     EXPECT_GT(missed, 0u) << "a bound that nothing comes near to is not tested";
     EXPECT_GT(leftWithoutLoss, 50u);
+}
+
+TEST(SmallFeatureBounded, trianglesWithoutAPixelCentreAreLeftOutWithoutLoss) {
+    const ScenePointer scene = plantScene("plant", {2, 7});
+    const SceneBuffers buffers(scene, Upload::Vbo);
+    const CameraPath walk = cameraPath("walk:9", *scene);
+    Random random(11);
+    uint64_t whole = 0, sampled = 0;
+    for (size_t number = 0; number < howMany(200, 6); ++number) {
+        const View view = number % 2 == 0 ? farView(*scene, random) : View(walk.camera(1 + number % 7), {160, 90});
+        for (const bool triangles : {false, true}) {
+            ParameterSet parameters(findStrategy("small-feature-bounded").info.parameters);
+            parameters.set("pixels", int64_t{0});
+            parameters.set("triangles", triangles);
+            const CullerPointer strategy = makeCuller("small-feature-bounded", parameters);
+            strategy->build(*scene);
+            const Culled frame = strategy->cull(view, Recording::Off);
+            EXPECT_EQ(accuracyOf(frame, *strategy, buffers, view).missedPixels, 0u)
+                << number << " " << described(view.camera(), view.viewport());
+            (triangles ? sampled : whole) += frame.drawList.triangleCount();
+        }
+    }
+    EXPECT_LT(sampled, whole / 2);
 }
 
 /// Case 29: 200 × 200 abutting parts just below the threshold.

@@ -1,0 +1,103 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/experiments/plant_rows.h"
+#include "core/visibility/strategy_request.h"
+
+namespace cullscope::plants {
+namespace {
+
+using Origin = ResultColumn::Origin;
+
+constexpr const char* kSide = "side_px";
+
+/// One point of the curve: a method with a threshold that stands for so many pixels.
+struct CurvePoint {
+    const char* method;
+    double side;
+    std::string strategy;  ///< as strategyText writes it
+};
+
+/// The paper's thresholds are ratios of half a length to a distance: half a picture is tan θ. The bounded method counts pixels.
+std::vector<CurvePoint> curvePoints(const PlantFiguresSize& size) {
+    std::vector<CurvePoint> points;
+    const auto add = [&](const char* method, double side, const char* parameter, const std::string& value) {
+        points.push_back({method, side, strategyText(strategyFromText(fmt::format("{}:{}={}", method, parameter, value)))});
+    };
+    for (const double side : size.sides) {
+        const std::string ratio = fmt::format("{:.6g}", side * std::tan(kField.radians() / 2.0) / size.size.width);
+        add(kFeature, side, "threshold", ratio);
+        add(kTriangle, side, "threshold", ratio);
+        add(kBounded, side, "pixels", std::to_string(int64_t(side * side)));
+    }
+    return points;
+}
+
+Rows curveRows(const std::vector<CurvePoint>& points, const Setting& setting, const MeasureResult& result) {
+    Rows rows;
+    for (const CurvePoint& point : points) {
+        const RunMeasurement* run = runOf(result, point.strategy);
+        if (run == nullptr) continue;
+        rows.push_back(runCells(setting, result, *run));
+        rows.back()["method"] = std::string(point.method);
+        rows.back()[kSide] = point.side;
+    }
+    return rows;
+}
+
+/// `views`: of the scene; the paper's field of view replaces their own.
+Experiment curveOf(const PlantFiguresSize& size, const std::string& scene,
+                   const std::function<CameraPath(const Scene& scene)>& views) {
+    Experiment experiment;
+    experiment.id = "plant-losses";
+    experiment.title = CULLSCOPE_TR("Loss of small-feature culling by its threshold");
+    experiment.source = "Du et al. 2017";
+    experiment.notes = {
+        note(CULLSCOPE_TR("A threshold of so many pixels is the side of a square. It is k′·tan θ of small-feature and "
+                          "small-feature-triangle, with the paper's field of view of 30°; small-feature-bounded may lose as "
+                          "many pixels of a group as the square has."))};
+    experiment.axes = {{"scene", CULLSCOPE_TR("scene"), Axis::Kind::Scene, {scene}},
+                       {kSide, CULLSCOPE_TR("threshold, px"), Axis::Kind::InTurns, axisValues(size.sides)}};
+    const std::vector<CurvePoint> points = curvePoints(size);
+    Setting common = commonSetting(size);
+    common.strategies = {kOctree};
+    for (const CurvePoint& point : points)
+        if (std::ranges::find(common.strategies, point.strategy) == common.strategies.end())
+            common.strategies.push_back(point.strategy);
+    common.path = "30° across";
+    common.views = [views, picture = size.size](const Scene& opened) { return withField(views(opened), picture); };
+    experiment.settings = settingsOf(experiment.axes, common);
+    experiment.columns = columnsOf(experiment.axes);
+    experiment.columns.push_back({"method", CULLSCOPE_TR("method"), Origin::Axis});
+    for (const ResultColumn& column : plantColumns({}))
+        for (const char* key : {"fps_overall", "ratio_to_octree", "culled_fraction", "missed_pixels", "missed_pixel_rate",
+                                "largest_hole_px", "lost_at_most", "beyond_stated", "cull_ms", "poses"})
+            if (column.key == key) experiment.columns.push_back(column);
+    const char* side = CULLSCOPE_TR("threshold, px");
+    RowPlot speed = linesOf(logPlot(CULLSCOPE_TR("Speed by threshold: %1"), side, CULLSCOPE_TR("× frustum-octree")), kSide,
+                            "ratio_to_octree", "method");
+    RowPlot loss = linesOf(logPlot(CULLSCOPE_TR("Loss by threshold: %1"), side, CULLSCOPE_TR("missed pixels, share")), kSide,
+                           "missed_pixel_rate", "method");
+    for (RowPlot* plot : {&loss, &speed}) plot->separate = {"scene"};
+    experiment.plots = {std::move(loss), std::move(speed)};
+    experiment.checks = {boundCheck()};
+    experiment.rowsOfRuns = [points](const Setting& setting, const MeasureResult& result) {
+        return curveRows(points, setting, result);
+    };
+    return experiment;
+}
+
+}  // namespace
+
+Experiment lossCurve(const PlantFiguresSize& size) {
+    Experiment experiment = curveOf(size, plantOf(size.curvePipelines),
+                                    [size](const Scene& scene) { return partsOfWalk(scene, size.views, size.size); });
+    experiment.ofScene = [size](const std::string& scene) {
+        return curveOf(size, scene, [](const Scene& opened) { return cameraPath(defaultPathName(opened), opened); });
+    };
+    return experiment;
+}
+
+}  // namespace cullscope::plants
