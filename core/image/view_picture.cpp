@@ -130,6 +130,13 @@ std::set<TriangleState> legendOf(const ViewLook& look) {
     return states;
 }
 
+std::vector<std::string> contrastLegendOf(const ViewLook& look, const StrategyInfo& strategy) {
+    std::vector<std::string> words;
+    for (const Show& show : strategy.shows)
+        if (!show.contrastWords.empty() && !look.inPlace() && look.shows(show.id)) words.push_back(show.contrastWords);
+    return words;
+}
+
 bool needsDecisions(const ViewLook& look) {
     return !look.inPlace() && (look.has(Show::Kind::Verdicts) || look.has(Show::Kind::Boxes) || look.has(Show::Kind::Overlay));
 }

@@ -55,6 +55,8 @@ private:
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> unusualOf(const ViewLook& look);
 /// The states of triangles whose colours a look uses.
 [[nodiscard]] std::set<TriangleState> legendOf(const ViewLook& look);
+/// What lines in the contrasting colour mean in a picture by a strategy (Show::contrastWords); marked for translation.
+[[nodiscard]] std::vector<std::string> contrastLegendOf(const ViewLook& look, const StrategyInfo& strategy);
 
 /// Whether drawViewPicture reads decisions for this look; if not, the frame need not be recorded.
 [[nodiscard]] bool needsDecisions(const ViewLook& look);

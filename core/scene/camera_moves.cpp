@@ -134,7 +134,7 @@ Camera framed(const Camera& camera, UpAxis up, const Sphere& sphere, double aspe
 
 Camera homeCamera(const Scene& scene, UpAxis up, double aspect) {
     Camera camera = overviewCamera(scene, aspect);
-    if (up == scene.remarks().up.value_or(UpAxis::Y)) return camera;
+    if (up == scene.upAxis()) return camera;
     const Vec3 offset = camera.eye - camera.target;
     camera.eye = camera.target + (up == UpAxis::Z ? Vec3(offset.x, -offset.z, offset.y) : Vec3(offset.x, offset.z, -offset.y));
     camera.up = axisVector(up);

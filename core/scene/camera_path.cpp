@@ -29,10 +29,9 @@ CameraPath pathAround(const Scene& scene, std::string name, Angle fovy) {
 
 bool saysZUp(const Scene& scene) { return scene.remarks().up == UpAxis::Z; }
 
-/// A direction with y up as the same with the scene's up axis.
-Vec3 standing(const Scene& scene, const Vec3& direction) {
-    return saysZUp(scene) ? Vec3(direction.x, -direction.z, direction.y) : direction;
-}
+/// A direction with y up as the same with another axis up.
+Vec3 standing(bool zUp, const Vec3& direction) { return zUp ? Vec3(direction.x, -direction.z, direction.y) : direction; }
+Vec3 standing(const Scene& scene, const Vec3& direction) { return standing(saysZUp(scene), direction); }
 
 /// A pose at 3 R from the centre in a direction that is given with y up, with the scene's axis up (another where it looks along
 /// that).
@@ -252,8 +251,9 @@ Camera overviewCamera(const Scene& scene, double aspect) {
     const double halfAngle = std::min(camera.fovy.radians() / 2, std::atan(std::tan(camera.fovy.radians() / 2) * aspect));
     const double distance = 1.05 * radius / std::sin(halfAngle);
     camera.target = scene.boundingSphere().centre;
-    camera.eye = camera.target + standing(scene, glm::normalize(Vec3(0.35, 0.35, 1.0)) * distance);
-    camera.up = standing(scene, camera.up);
+    const bool zUp = scene.upAxis() == UpAxis::Z;
+    camera.eye = camera.target + standing(zUp, glm::normalize(Vec3(0.35, 0.35, 1.0)) * distance);
+    camera.up = standing(zUp, camera.up);
     camera.nearDistance = distance * 1e-3;
     camera.farDistance = distance * 1e2;
     return camera;

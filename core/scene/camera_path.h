@@ -35,8 +35,8 @@ struct CameraPath {
 /// The path that a scene is measured on by default: `fibonacci:16` for one object, `walk:16` for several.
 [[nodiscard]] std::string defaultPathName(const Scene& scene);
 
-/// The camera with which a window first shows a scene: all of it in view, slightly from above, with y up or the axis that
-/// the scene names; or the camera that the scene gives.
+/// The camera with which a window first shows a scene: all of it in view, slightly from above, with the scene's up axis
+/// (Scene::upAxis); or the camera that the scene gives.
 [[nodiscard]] Camera overviewCamera(const Scene& scene, double aspect);
 
 /// Sets near and far for an eye anywhere: far lies beyond the whole scene, near is half the distance to the bounding sphere, or

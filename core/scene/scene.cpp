@@ -1,5 +1,6 @@
 #include "core/scene/scene.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "core/base/sha256.h"
@@ -89,6 +90,12 @@ double Scene::pictureRounding(const Instance& instance) const {
         products += glm::abs(linear[column]) * std::abs(sphere.centre[column]);
     }
     return 0x1p-19 * std::max(0.0, glm::length(products) - 0.5 * stretch * sphere.radius);
+}
+
+UpAxis guessedUpAxis(const Box3& bounds) {
+    if (bounds.empty()) return UpAxis::Y;
+    const Vec3 half = bounds.halfExtent();
+    return half.z > 0.0 && 2.0 * half.z <= std::min(half.x, half.y) ? UpAxis::Z : UpAxis::Y;
 }
 
 size_t Scene::instanceOf(uint64_t triangle) const {

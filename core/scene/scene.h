@@ -32,10 +32,15 @@ struct NamedPlane {
 /// What a scene says besides its surfaces.
 struct SceneRemarks {
     std::vector<NamedPlane> planes{};
-    std::optional<Camera> camera{};  ///< from where it is to be seen
-    std::optional<UpAxis> up{};      ///< where its format says so, or its generator
-    ComponentsPointer components{};  ///< of which primitives its meshes consist; null where none are known
+    std::optional<Camera> camera{};     ///< from where it is to be seen
+    std::optional<UpAxis> up{};         ///< where its format says so, or its generator
+    std::optional<UpAxis> guessedUp{};  ///< of a file whose format has no word for it (guessedUpAxis)
+    ComponentsPointer components{};     ///< of which primitives its meshes consist; null where none are known
 };
+
+/// What is up in a file that does not say it: z where the scene lies flat along z, at most half as long along it as along x and
+/// along y, but not without extent, as a drawing is; else y.
+[[nodiscard]] UpAxis guessedUpAxis(const Box3& bounds);
 
 /// Meshes and their instances, in double. Immutable. Triangles have consecutive numbers: instance i owns the numbers
 /// firstTriangle(i) … firstTriangle(i) + its mesh's count − 1.
@@ -73,6 +78,8 @@ public:
     /// Planes that the scene names, in its order, and the camera that it gives; most scenes have none.
     [[nodiscard]] const SceneRemarks& remarks() const { return m_remarks; }
     [[nodiscard]] const std::vector<NamedPlane>& planes() const { return m_remarks.planes; }
+    /// What the scene says is up, or else what is guessed; y without either.
+    [[nodiscard]] UpAxis upAxis() const { return m_remarks.up.value_or(m_remarks.guessedUp.value_or(UpAxis::Y)); }
 
     /// The primitives of which an instance's mesh consists, in the mesh's coordinates; empty where none are known.
     [[nodiscard]] std::span<const MeshPart> partsOf(size_t instance) const;

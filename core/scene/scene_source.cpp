@@ -29,9 +29,10 @@ struct Request {
     std::string specification;
 };
 
-OpenedScene sceneOfOne(MeshPointer mesh, const Request& request) {
+OpenedScene sceneOfOne(MeshPointer mesh, const Request& request, SceneRemarks remarks = {}) {
     std::vector<Instance> instances{{0, Mat4(1.0), mesh->name()}};
-    return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{std::move(mesh)}, std::move(instances)),
+    return {std::make_shared<Scene>(request.specification, std::vector<MeshPointer>{std::move(mesh)}, std::move(instances),
+                                    nullptr, std::move(remarks)),
             request.specification, std::nullopt};
 }
 
@@ -48,12 +49,18 @@ OpenedScene sceneOfFile(const std::filesystem::path& path, const SceneSourceOpti
     LoadedFile file = loadMeshFile(path, options.load, progress);
     std::vector<MeshPointer> meshes;
     std::vector<Instance> instances;
+    Box3 bounds;
     for (LoadedObject& object : file.objects) {
         instances.push_back({static_cast<uint32_t>(meshes.size()), Mat4(1.0), object.name});
+        bounds.add(object.mesh->origin() + object.mesh->localBounds().min);
+        bounds.add(object.mesh->origin() + object.mesh->localBounds().max);
         meshes.push_back(std::move(object.mesh));
     }
-    return {std::make_shared<Scene>(path.filename().string(), std::move(meshes), std::move(instances)), path.string(),
-            std::move(file.report)};
+    SceneRemarks remarks;
+    remarks.guessedUp = guessedUpAxis(bounds);
+    return {
+        std::make_shared<Scene>(path.filename().string(), std::move(meshes), std::move(instances), nullptr, std::move(remarks)),
+        path.string(), std::move(file.report)};
 }
 
 std::filesystem::path bunnyOrThrow(const SceneSourceOptions& options) {
@@ -106,8 +113,12 @@ OpenedScene openResampledMesh(Request& request) {
         opened.specification = request.specification;
         return opened;
     }
+    SceneRemarks remarks;
+    remarks.up = opened.scene->remarks().up;
+    remarks.guessedUp = opened.scene->remarks().guessedUp;
     OpenedScene result =
-        sceneOfOne(resampled(*merged(*opened.scene, request.progress), triangles, request.progress.part(0.3, 1.0)), request);
+        sceneOfOne(resampled(*merged(*opened.scene, request.progress), triangles, request.progress.part(0.3, 1.0)), request,
+                   std::move(remarks));
     result.report = std::move(opened.report);
     if (result.report && result.scene->triangleCount() != triangles)
         result.report->remarks.push_back(

@@ -46,6 +46,7 @@ ScenePointer splitScene(const Scene& scene, std::string name, const SplitRule& r
     }
     SceneRemarks remarks;
     remarks.up = scene.remarks().up;
+    remarks.guessedUp = scene.remarks().guessedUp;
     return std::make_shared<const Scene>(std::move(name), std::move(meshes), std::move(instances), &scene, std::move(remarks));
 }
 

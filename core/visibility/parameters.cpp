@@ -106,6 +106,11 @@ ParameterDeclaration booleanParameter(std::string key, bool defaultValue, std::s
     return {std::move(key), ParameterType::Boolean, defaultValue, 0.0, 0.0, "", std::move(description), {}};
 }
 
+ParameterDeclaration bySize(ParameterDeclaration declaration, double from) {
+    declaration.logarithmicFrom = from;
+    return declaration;
+}
+
 ParameterSet::ParameterSet(const std::vector<ParameterDeclaration>& declarations) : m_declarations(declarations) {
     for (const ParameterDeclaration& each : m_declarations) m_values[each.key] = each.defaultValue;
 }

@@ -33,6 +33,9 @@ struct ParameterDeclaration {
     std::string description;  ///< one English sentence, marked for translation
     std::vector<Choice> choices;
     ParameterUse use = ParameterUse::Culling;
+    /// Of numbers whose size matters and not their difference: a slider goes by the logarithm from here on to the maximum, and
+    /// its first position is the minimum, which may be 0. 0: by the difference, or as the range suggests.
+    double logarithmicFrom = 0.0;
 };
 
 [[nodiscard]] ParameterDeclaration choiceParameter(std::string key, std::string defaultId, std::string description,
@@ -41,6 +44,9 @@ struct ParameterDeclaration {
 
 /// The same parameter, read when building.
 [[nodiscard]] ParameterDeclaration readWhenBuilding(ParameterDeclaration declaration);
+
+/// The same parameter, with ParameterDeclaration::logarithmicFrom.
+[[nodiscard]] ParameterDeclaration bySize(ParameterDeclaration declaration, double from);
 
 /// Values of declared parameters; always complete and in range.
 class ParameterSet {

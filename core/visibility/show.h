@@ -53,9 +53,11 @@ struct Show {
     std::string title;   ///< of what a picture shows in a menu, of a Curve and Bars the tab, of a map in a sentence; marked for
                          ///< translation
     std::string action;  ///< the same with a marked key, in the window's menu; empty: it is in the views' menus alone
-    std::string explanation;                ///< one sentence about it, marked for translation
-    std::vector<TriangleState> legend;      ///< the states whose colours it uses
-    AbsentShow absent = nullptr;            ///< never null for what cullbench draws: Overlay, DirectionMap
+    std::string explanation;            ///< one sentence about it, marked for translation
+    std::vector<TriangleState> legend;  ///< the states whose colours it uses
+    std::string contrastWords{};        ///< of an Overlay: what its lines in the colour that contrasts with the background mean,
+                                        ///< marked for translation; empty: legends do not name them
+    AbsentShow absent = nullptr;        ///< never null for what cullbench draws: Overlay, DirectionMap
     std::vector<ShowColouring> colourings;  ///< of a DirectionMap: the first one is the default
     std::string colouringHelp;              ///< English, for the command line's help
     std::vector<ListingLine> lines;         ///< of a Listing: kMostListingLines at most

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QTemporaryDir>
+#include <fstream>
 
 #include "core/scene/hidden.h"
 #include "tests/ui/test_scene.h"
@@ -168,6 +170,34 @@ TEST(ScenePanel, splitIsOfferedForOneObjectOnly) {
     EXPECT_FALSE(panel.splitButton().isHidden());
     openAndWait(session, QStringLiteral("field:mesh=sphere:triangles=80,n=2"));
     EXPECT_TRUE(panel.splitButton().isHidden());
+}
+
+TEST(ScenePanel, saysHowItIsKnownWhatIsUpAndLetsItBeChanged) {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("flat.obj"));
+    std::ofstream(file.toStdString()) << "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    Session session(sessionOptions(false));
+    ScenePanel panel(session);
+    EXPECT_TRUE(panel.upAxis().isHidden()) << "nothing is open";
+    openAndWait(session, file);
+    EXPECT_EQ(panel.upAxis().currentText(), QStringLiteral("z"));
+    EXPECT_EQ(panel.upSource().text(), QStringLiteral("guessed from its shape"));
+    EXPECT_EQ(session.camera().up, Vec3(0, 0, 1)) << "opens standing";
+
+    const ScenePointer scene = session.scene();
+    panel.upAxis().setCurrentIndex(0);
+    emit panel.upAxis().activated(0);
+    EXPECT_EQ(session.camera().up, Vec3(0, 1, 0));
+    EXPECT_EQ(session.scene(), scene) << "nothing is loaded again";
+    EXPECT_EQ(panel.upSource().text(), QStringLiteral("chosen"));
+    session.setUpAxis(UpAxis::Z);
+    EXPECT_EQ(panel.upAxis().currentText(), QStringLiteral("z")) << "changed elsewhere";
+
+    openAndWait(session, QStringLiteral("plant:pipelines=1"));
+    EXPECT_EQ(panel.upSource().text(), QStringLiteral("as the scene says"));
+    openAndWait(session, QStringLiteral("sphere:triangles=80"));
+    EXPECT_EQ(panel.upAxis().currentText(), QStringLiteral("y"));
+    EXPECT_EQ(panel.upSource().text(), QString());
 }
 
 TEST(SplitDialog, specificationsOpenWhatTheySay) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <QColorSpace>
 #include <QImage>
 #include <QSignalSpy>

@@ -33,6 +33,12 @@ QString speedSentence(const RatioEstimate& speed) {
         .arg(speedWithInterval(speed), baselineWord(BaselineRole::FrontFaces));
 }
 
+QString missedSentence(const ViewMetrics& figures) {
+    return QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
+        .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
+             countText(figures.accuracy.largestHolePixels));
+}
+
 QString fragmentsSentence(const Submitted& submitted) {
     return QCoreApplication::translate("Wording", "Submitted in %1 fragments that the strategy made of them")
         .arg(countText(submitted.fragments));
@@ -49,9 +55,7 @@ QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl) {
               << QCoreApplication::translate("Wording", "Submitted: %1 of %2 triangles, %3 of them visible")
                      .arg(countText(figures.submitted.triangles), countText(figures.sceneTriangles),
                           countText(figures.accuracy.visibleTriangles))
-              << QCoreApplication::translate("Wording", "Missed: %1 of %2 covered pixels, largest hole %3")
-                     .arg(countText(figures.accuracy.missedPixels), countText(figures.accuracy.coveredPixels),
-                          countText(figures.accuracy.largestHolePixels));
+              << missedSentence(figures);
         if (figures.submitted.fragments > 0) lines << fragmentsSentence(figures.submitted);
         if (figures.missedBeyondSnapping)
             lines << QCoreApplication::translate("Wording", "Of the missed, beyond the raster's snapping to 1/256 pixel: %1")

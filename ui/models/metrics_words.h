@@ -9,6 +9,8 @@ namespace cullscope::ui {
 
 /// Line 2 of a view's header: `×3.1 · 15 % · 0 missed`; "…" while the metrics are stale.
 [[nodiscard]] QString metricsLine(const ViewMetrics& figures);
+/// How many of the covered pixels are missed, and the largest hole. Of figures that are ready.
+[[nodiscard]] QString missedSentence(const ViewMetrics& figures);
 /// All metrics that the header does not show, in several lines.
 [[nodiscard]] QString metricsDetails(const ViewMetrics& figures, const GlInfo& gl);
 

@@ -6,6 +6,8 @@
 #include <QPainter>
 #include <QVBoxLayout>
 
+#include "core/image/view_picture.h"
+#include "core/visibility/registry.h"
 #include "ui/look/promise_marker.h"
 #include "ui/look/verdict_swatch.h"
 #include "ui/text/translated.h"
@@ -32,6 +34,19 @@ protected:
 
 private:
     Promise m_promise;
+};
+
+/// The frame of a box in the colour that contrasts with pictures.
+class ContrastSwatch : public QWidget {
+public:
+    explicit ContrastSwatch(QWidget* parent) : QWidget(parent) { setFixedSize(14, 14); }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QPainter painter(this);
+        painter.setPen(QPen(palette().color(QPalette::WindowText), 2.0));
+        painter.drawRect(QRectF(2, 2, 10, 10));
+    }
 };
 
 /// A count of at most four digits, which keeps the column narrow.
@@ -61,6 +76,7 @@ LegendPanel::LegendPanel(Session& session, QWidget* parent)
     layout->setContentsMargins(0, 2, 0, 0);
     layout->setSpacing(3);
     layout->addWidget(m_states);
+    layout->addWidget(makeContrast());
     layout->addWidget(m_planes);
     layout->addWidget(makePromises());
     layout->addWidget(m_figures);
@@ -99,6 +115,26 @@ void LegendPanel::placeStates(int rows) {
     }
 }
 
+QWidget* LegendPanel::makeContrast() {
+    m_contrast = new QWidget(this);
+    m_contrastWords = new QLabel(m_contrast);
+    auto* row = new QHBoxLayout(m_contrast);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    row->addWidget(new ContrastSwatch(m_contrast));
+    row->addWidget(m_contrastWords, 1);
+    return m_contrast;
+}
+
+void LegendPanel::showContrast() {
+    const int view = m_session.activeView();
+    const StrategyInfo& strategy = findStrategy(m_session.slot(m_session.culledBy(view)).id()).info;
+    QStringList words;
+    for (const std::string& each : contrastLegendOf(m_session.setup(view).look, strategy)) words << translated(each);
+    m_contrastWords->setText(words.join(QStringLiteral(", ")));
+    m_contrast->setVisible(m_session.opened() && !words.isEmpty());
+}
+
 QWidget* LegendPanel::makePromises() {
     auto* promises = new QWidget(this);
     auto* row = new QHBoxLayout(promises);
@@ -133,6 +169,7 @@ void LegendPanel::wire() {
     // strategyBuilt too: a refused strategy has no picture, so pictureChanged is not emitted.
     for (const auto signal : {&Session::pictureChanged, &Session::strategyBuilt}) {
         connect(&m_session, signal, this, &LegendPanel::showPlanes);
+        connect(&m_session, signal, this, &LegendPanel::showContrast);
         connect(&m_session, signal, this, &LegendPanel::showUndecided);
     }
     connect(&m_session, &Session::pickChanged, this, [this] {
@@ -194,6 +231,7 @@ void LegendPanel::refresh() {
     m_next->setText(nextAction());
     m_planes->retranslate();
     showPlanes();
+    showContrast();
     showUndecided();
     showCounts();
 }

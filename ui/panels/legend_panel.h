@@ -23,6 +23,8 @@ public:
     void showToAudience();
     /// The suggested next action; changes with the user's progress.
     [[nodiscard]] QString nextAction() const;
+    /// What lines in the contrasting colour mean in the active view; hidden where it has none.
+    [[nodiscard]] const QWidget& contrast() const { return *m_contrast; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -32,11 +34,13 @@ private:
 
     QWidget* makeStates();
     void placeStates(int rows);
+    QWidget* makeContrast();
     QWidget* makePromises();
     void wire();
     void refresh();
     void showCounts();
     void showPlanes();
+    void showContrast();
     void showUndecided();
     void advance(Progress to);
     [[nodiscard]] QString turnAction() const;
@@ -50,6 +54,8 @@ private:
     std::array<QWidget*, kTriangleStateCount> m_swatches{};
     std::array<QLabel*, kTriangleStateCount> m_words{};
     std::array<QLabel*, kTriangleStateCount> m_counts{};
+    QWidget* m_contrast = nullptr;
+    QLabel* m_contrastWords = nullptr;
     PlaneLegend* m_planes;
     QList<QLabel*> m_promises;
     QLabel* m_next;

@@ -2,60 +2,25 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
-#include <QSlider>
-#include <QSpinBox>
-#include <cmath>
+#include <algorithm>
 
 #include "ui/look/wheel_guard.h"
+#include "ui/panels/number_field.h"
 #include "ui/text/translated.h"
 
 namespace cullscope::ui {
 
 namespace {
 
-constexpr int kSliderSteps = 1000;
-constexpr double kLogarithmicFrom = 1000.0;  // a range with a larger ratio gets a logarithmic slider
-
 bool sameDeclarations(const ParameterSet& a, const ParameterSet& b) {
     const auto key = [](const ParameterDeclaration& x, const ParameterDeclaration& y) {
         return x.key == y.key && x.type == y.type && x.description == y.description && x.minimum == y.minimum &&
-               x.maximum == y.maximum;
+               x.maximum == y.maximum && x.logarithmicFrom == y.logarithmicFrom;
     };
     return std::equal(a.declarations().begin(), a.declarations().end(), b.declarations().begin(), b.declarations().end(), key);
-}
-
-bool logarithmic(const ParameterDeclaration& declaration) {
-    return declaration.minimum > 0.0 && declaration.maximum / declaration.minimum > kLogarithmicFrom;
-}
-
-double valueAt(const ParameterDeclaration& declaration, int step) {
-    const double share = double(step) / kSliderSteps;
-    if (logarithmic(declaration)) return declaration.minimum * std::pow(declaration.maximum / declaration.minimum, share);
-    return declaration.minimum + share * (declaration.maximum - declaration.minimum);
-}
-
-int stepOf(const ParameterDeclaration& declaration, double value) {
-    const double range = declaration.maximum - declaration.minimum;
-    if (!(range > 0.0)) return 0;
-    const double share = logarithmic(declaration)
-                             ? std::log(value / declaration.minimum) / std::log(declaration.maximum / declaration.minimum)
-                             : (value - declaration.minimum) / range;
-    return int(std::lround(kSliderSteps * share));
-}
-
-/// The number of decimals that resolve a thousandth of the range.
-int decimalsFor(const ParameterDeclaration& declaration) {
-    const double finest = logarithmic(declaration) ? declaration.minimum : (declaration.maximum - declaration.minimum) / 1000.0;
-    return finest > 0.0 ? std::clamp(int(std::ceil(-std::log10(finest))), 0, 9) : 3;
-}
-
-QString suffix(const ParameterDeclaration& declaration) {
-    return declaration.unit.empty() ? QString() : QLatin1Char(' ') + QString::fromStdString(declaration.unit);
 }
 
 }  // namespace
@@ -125,10 +90,8 @@ QWidget* ParameterForm::field(const ParameterDeclaration& declaration) {
             editor = checkBox(declaration);
             break;
         case ParameterType::Integer:
-            editor = spinBox(declaration);
-            break;
         case ParameterType::Real:
-            editor = sliderWithNumber(declaration);
+            editor = number(declaration);
             break;
         case ParameterType::Choice:
             editor = list(declaration);
@@ -148,50 +111,11 @@ QWidget* ParameterForm::checkBox(const ParameterDeclaration& declaration) {
     return box;
 }
 
-QWidget* ParameterForm::spinBox(const ParameterDeclaration& declaration) {
-    auto* box = new QSpinBox;
-    m_stops.push_back(box);
-    leaveWheelUnlessFocused(*box);
-    const auto bounded = [](double value) { return int(std::clamp(value, double(INT_MIN), double(INT_MAX))); };
-    box->setRange(bounded(declaration.minimum), bounded(declaration.maximum));
-    box->setSuffix(suffix(declaration));
-    box->setGroupSeparatorShown(true);
-    box->setValue(int(m_parameters.integer(declaration.key)));
-    connect(box, &QSpinBox::valueChanged, this, [this, key = declaration.key](int value) { take(key, int64_t(value)); });
-    return box;
-}
-
-QWidget* ParameterForm::sliderWithNumber(const ParameterDeclaration& declaration) {
-    auto* both = new QWidget;
-    auto* row = new QHBoxLayout(both);
-    row->setContentsMargins(0, 0, 0, 0);
-    auto* slider = new QSlider(Qt::Horizontal);
-    auto* number = new QDoubleSpinBox;
-    both->setFocusProxy(number);
-    m_stops.insert(m_stops.end(), {slider, number});
-    leaveWheelUnlessFocused(*slider);
-    leaveWheelUnlessFocused(*number);
-    slider->setRange(0, kSliderSteps);
-    slider->setAccessibleName(QString::fromStdString(declaration.key));
-    number->setAccessibleName(QString::fromStdString(declaration.key));
-    number->setDecimals(decimalsFor(declaration));
-    number->setRange(declaration.minimum, declaration.maximum);
-    number->setSingleStep(std::max((declaration.maximum - declaration.minimum) / 100.0, std::pow(10.0, -number->decimals())));
-    number->setSuffix(suffix(declaration));
-    const double value = m_parameters.real(declaration.key);
-    number->setValue(value);
-    slider->setValue(stepOf(declaration, value));
-    row->addWidget(slider, 1);
-    row->addWidget(number);
-    connect(slider, &QSlider::valueChanged, number, [number, declaration](int step) {
-        if (step != stepOf(declaration, number->value())) number->setValue(valueAt(declaration, step));
-    });
-    connect(number, &QDoubleSpinBox::valueChanged, this, [this, slider, declaration](double changed) {
-        const QSignalBlocker quiet(slider);
-        slider->setValue(stepOf(declaration, changed));
-        take(declaration.key, changed);
-    });
-    return both;
+QWidget* ParameterForm::number(const ParameterDeclaration& declaration) {
+    auto* field = new NumberField(declaration, m_parameters.value(declaration.key));
+    m_stops.insert(m_stops.end(), {&field->slider(), &field->number()});
+    connect(field, &NumberField::changed, this, [this, key = declaration.key](const ParameterValue& value) { take(key, value); });
+    return field;
 }
 
 QWidget* ParameterForm::list(const ParameterDeclaration& declaration) {

@@ -8,8 +8,8 @@ class QFormLayout;
 
 namespace cullscope::ui {
 
-/// A form made from declared parameters: a check box, a spin box, a slider with a number, or a list for each, with its unit and
-/// its description. Emits every change at once.
+/// A form made from declared parameters: a check box, a slider with a number, or a list for each, with its unit and its
+/// description. Emits every change at once.
 class ParameterForm : public QWidget {
     Q_OBJECT
 
@@ -33,8 +33,7 @@ private:
     void orderTabs();
     QWidget* field(const ParameterDeclaration& declaration);
     QWidget* checkBox(const ParameterDeclaration& declaration);
-    QWidget* spinBox(const ParameterDeclaration& declaration);
-    QWidget* sliderWithNumber(const ParameterDeclaration& declaration);
+    QWidget* number(const ParameterDeclaration& declaration);
     QWidget* list(const ParameterDeclaration& declaration);
     void take(const std::string& key, const ParameterValue& value);
 

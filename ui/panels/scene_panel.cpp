@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QVBoxLayout>
 
+#include "ui/look/wheel_guard.h"
 #include "ui/panels/split_dialog.h"
 
 namespace cullscope::ui {
@@ -21,6 +22,9 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
       m_scene(new SceneModel(this)),
       m_report(new ReportModel(this)),
       m_facts(new QTableView(this)),
+      m_upTitle(new QLabel(this)),
+      m_up(new QComboBox(this)),
+      m_upSource(new QLabel(this)),
       m_reportTitle(new QLabel(this)),
       m_sentences(new QListView(this)),
       m_outliner(new Outliner(session, this)) {
@@ -31,12 +35,15 @@ ScenePanel::ScenePanel(Session& session, QWidget* parent)
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
     layout->addWidget(m_facts);
+    layout->addLayout(makeUpRow());
     layout->addWidget(m_reportTitle);
     layout->addWidget(m_sentences);
     layout->addWidget(m_outliner, 1);
     layout->addLayout(makeButtons());
     setFocusProxy(&m_outliner->search());
     connect(&session, &Session::sceneChanged, this, &ScenePanel::refresh);
+    // A change of the up axis moves the cameras, or leaves them where they were.
+    connect(&session, &Session::cameraChanged, this, &ScenePanel::showUp);
     connect(m_outliner, &Outliner::stateChanged, this, &ScenePanel::enableButtons);
     retranslate();
     refresh();
@@ -58,6 +65,37 @@ void ScenePanel::setUpFacts() {
     m_facts->verticalHeader()->setMinimumSectionSize(kFactHeight);
     m_facts->verticalHeader()->setDefaultSectionSize(kFactHeight);
     m_facts->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+}
+
+QHBoxLayout* ScenePanel::makeUpRow() {
+    leaveWheelUnlessFocused(*m_up);
+    m_up->addItem(QStringLiteral("y"), int(UpAxis::Y));
+    m_up->addItem(QStringLiteral("z"), int(UpAxis::Z));
+    m_upTitle->setBuddy(m_up);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(3, 0, 3, 0);
+    row->setSpacing(6);
+    row->addWidget(m_upTitle);
+    row->addStretch(1);
+    row->addWidget(m_upSource);
+    row->addWidget(m_up);
+    connect(m_up, &QComboBox::activated, this, [this] { m_session.setUpAxis(UpAxis(m_up->currentData().toInt())); });
+    return row;
+}
+
+void ScenePanel::showUp() {
+    const OpenedScenePointer& opened = m_session.opened();
+    for (QWidget* widget : {static_cast<QWidget*>(m_upTitle), static_cast<QWidget*>(m_up), static_cast<QWidget*>(m_upSource)})
+        widget->setVisible(opened != nullptr);
+    if (!opened) return;
+    m_up->setCurrentIndex(m_up->findData(int(m_session.upAxis())));
+    const SceneRemarks& remarks = opened->scene->remarks();
+    QString source = tr("chosen", "the up axis");
+    if (m_session.upAxis() == opened->scene->upAxis())
+        source = remarks.up          ? tr("as the scene says", "the up axis")
+                 : remarks.guessedUp ? tr("guessed from its shape", "the up axis")
+                                     : QString();
+    m_upSource->setText(source);
 }
 
 void ScenePanel::setUpReport() {
@@ -98,6 +136,7 @@ void ScenePanel::refresh() {
     // A clean file needs room for one sentence; a longer report scrolls.
     m_sentences->setFixedHeight(m_report->clean() ? kReportHeight / 3 : kReportHeight);
     m_facts->setFixedHeight(m_scene->rowCount() * kFactHeight + 2);
+    showUp();
     // Offer to split a scene of one object: strategies that cull objects have nothing to cull in it.
     m_split->setVisible(opened && opened->scene->instances().size() == 1);
     enableButtons();
@@ -122,6 +161,10 @@ void ScenePanel::retranslate() {
     m_facts->setAccessibleName(tr("Facts of the scene"));
     m_sentences->setAccessibleName(tr("What was found in the file"));
     m_reportTitle->setText(tr("What was found in the file"));
+    m_upTitle->setText(tr("Up axis"));
+    m_up->setAccessibleName(m_upTitle->text());
+    m_up->setToolTip(tr("Which axis points up. The views stand anew; nothing is loaded again."));
+    showUp();
     m_hide->setText(tr("Hide"));
     m_show->setText(tr("Show"));
     m_frame->setText(tr("Frame"));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QComboBox>
 #include <QGridLayout>
 #include <QLabel>
 #include <QListView>
@@ -24,6 +25,9 @@ public:
 
     [[nodiscard]] Outliner& outliner() { return *m_outliner; }
     [[nodiscard]] QPushButton& splitButton() { return *m_split; }
+    [[nodiscard]] QComboBox& upAxis() { return *m_up; }
+    /// How it is known which axis points up.
+    [[nodiscard]] const QLabel& upSource() const { return *m_upSource; }
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -31,6 +35,8 @@ protected:
 private:
     void setUpFacts();
     void setUpReport();
+    QHBoxLayout* makeUpRow();
+    void showUp();
     QGridLayout* makeButtons();
     void refresh();
     void enableButtons();
@@ -41,6 +47,9 @@ private:
     SceneModel* m_scene;
     ReportModel* m_report;
     QTableView* m_facts;
+    QLabel* m_upTitle;
+    QComboBox* m_up;
+    QLabel* m_upSource;
     QLabel* m_reportTitle;
     QListView* m_sentences;
     Outliner* m_outliner;

@@ -5,9 +5,11 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "core/visibility/registry.h"
 #include "ui/look/wheel_guard.h"
+#include "ui/models/metrics_words.h"
 #include "ui/text/translated.h"
 #include "ui/text/wording.h"
 
@@ -49,6 +51,7 @@ StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
       m_model(new StrategyModel([&session](const StrategyInfo& info) { return session.unavailable(info); }, this)),
       m_choice(new QComboBox(this)),
       m_description(new QLabel(this)),
+      m_missed(new QLabel(this)),
       m_form(new ParameterForm(this)) {
     auto* layout = new QVBoxLayout(this);
     m_choice->setModel(m_model);
@@ -56,10 +59,15 @@ StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_description->setWordWrap(true);
     m_description->setTextFormat(Qt::RichText);
+    m_missed->setWordWrap(true);
+    QFont strong = m_missed->font();
+    strong.setBold(true);
+    m_missed->setFont(strong);
     leaveWheelUnlessFocused(*m_choice);
     m_form->setTabPredecessor(m_choice);
     layout->addWidget(m_choice);
     layout->addWidget(m_description);
+    layout->addWidget(m_missed);
     layout->addWidget(m_form);
     layout->addStretch(1);
     connect(m_choice, &QComboBox::activated, this, [this](int row) {
@@ -71,7 +79,23 @@ StrategyPanel::StrategyPanel(Session& session, QWidget* parent)
     connect(&session, &Session::viewCountChanged, this, &StrategyPanel::refresh);
     connect(&session, &Session::strategyChosen, this, &StrategyPanel::refresh);
     connect(&session, &Session::setupChanged, this, &StrategyPanel::refresh);
+    connect(&session, &Session::metricsChanged, this, &StrategyPanel::showMissed);
+    connect(&session, &Session::questionChanged, this, &StrategyPanel::showMissed);
     refresh();
+}
+
+void StrategyPanel::showMissed() {
+    const ViewMetrics& figures = m_session.figures(culling());
+    const bool known = figures.state == ViewMetrics::State::Ready;
+    // While they are counted anew, the last ones stay, so that nothing jumps while a slider is dragged.
+    if (known) m_missed->setText(missedSentence(figures));
+    m_missed->setEnabled(known);
+    const auto isNumber = [](const ParameterDeclaration& each) {
+        return each.type == ParameterType::Integer || each.type == ParameterType::Real;
+    };
+    const bool numbers = std::ranges::any_of(m_session.slot(culling()).parameters().declarations(), isNumber);
+    const bool asked = m_session.question().has_value();
+    m_missed->setVisible(numbers && !asked && (known || figures.state == ViewMetrics::State::Stale));
 }
 
 void StrategyPanel::refresh() {
@@ -86,6 +110,7 @@ void StrategyPanel::refresh() {
         QStringLiteral("%1 <span style='color:%2'>%3</span>")
             .arg(translated(info.description).toHtmlEscaped(), grey, QString::fromStdString(info.id).toHtmlEscaped()));
     m_form->setParameters(slot.parameters());
+    showMissed();
 }
 
 void StrategyPanel::changeEvent(QEvent* event) {

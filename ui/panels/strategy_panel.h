@@ -20,18 +20,22 @@ public:
 
     [[nodiscard]] QComboBox& choice() { return *m_choice; }
     [[nodiscard]] ParameterForm& form() { return *m_form; }
+    /// What the parameters cost: the missed pixels of the view, greyed while they are counted anew.
+    [[nodiscard]] const QLabel& missed() const { return *m_missed; }
 
 protected:
     void changeEvent(QEvent* event) override;
 
 private:
     void refresh();
+    void showMissed();
     [[nodiscard]] int culling() const { return m_session.culledBy(m_session.activeView()); }
 
     Session& m_session;
     StrategyModel* m_model;
     QComboBox* m_choice;
     QLabel* m_description;
+    QLabel* m_missed;
     ParameterForm* m_form;
 };
 

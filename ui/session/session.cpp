@@ -153,7 +153,7 @@ void Session::tellRepairs() {
 void Session::show(const OpenedScenePointer& opened) {
     m_opened = opened;
     m_hidden.assign(opened->scene->instances().size(), false);
-    m_up = opened->scene->remarks().up.value_or(m_chosenUp);
+    m_up = opened->scene->remarks().up.value_or(m_chosenUp.value_or(opened->scene->upAxis()));
     m_chosenNear.reset();
     m_camera = Camera{};
     m_pick.reset();

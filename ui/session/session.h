@@ -294,7 +294,7 @@ private:
 
     Camera m_camera;
     UpAxis m_up = UpAxis::Y;
-    UpAxis m_chosenUp = UpAxis::Y;  ///< for scenes that do not say what is up
+    std::optional<UpAxis> m_chosenUp;  ///< for scenes that do not say what is up; none: what is guessed
     std::optional<double> m_chosenNear;
     Camera m_home;  ///< initial camera of the scene; while the user has not moved it, it follows the window size
 

@@ -20,8 +20,11 @@ void Session::setCamera(const Camera& camera) {
 }
 
 void Session::setUpAxis(UpAxis up) {
-    // What a scene says of itself is no choice for the next one.
-    if (!m_opened || m_opened->scene->remarks().up != up) m_chosenUp = up;
+    // What a scene says of itself, or what is guessed of it, is no choice for the next one.
+    if (!m_opened || m_opened->scene->upAxis() != up)
+        m_chosenUp = up;
+    else if (!m_opened->scene->remarks().up)
+        m_chosenUp.reset();
     if (up == m_up) return;
     m_up = up;
     goHome();

@@ -139,7 +139,7 @@ Show listing() {
 
 ParameterDeclaration distanceParameter() {
     const char* description = CULLSCOPE_TR("How far from the eye objects are drawn, in radii of the scene's sphere.");
-    return {kDistance, ParameterType::Real, 4.0, 0.0, 1000.0, "", description, {}};
+    return bySize({kDistance, ParameterType::Real, 4.0, 0.0, 1000.0, "", description, {}}, 0.1);
 }
 
 }  // namespace

@@ -24,9 +24,11 @@ size_t classOf(double value, double split) {
 
 std::string nameOf(size_t number, double split) {
     const auto edge = [&](size_t i) { return split * std::exp2(double(i) - kBelow); };
-    if (number == 0) return fmt::format("≤ {:.3g}", edge(1));
-    if (number + 1 == kBelow + kAbove) return fmt::format("> {:.3g}", edge(number));
-    return fmt::format("{:.3g} … {:.3g}", edge(number), edge(number + 1));
+    // By the names of the octrees: the split is where S ends and L begins.
+    const char* octree = number < kBelow ? "S" : "L";
+    if (number == 0) return fmt::format("{}  ≤ {:.3g}", octree, edge(1));
+    if (number + 1 == kBelow + kAbove) return fmt::format("{}  > {:.3g}", octree, edge(number));
+    return fmt::format("{}  {:.3g} … {:.3g}", octree, edge(number), edge(number + 1));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "core/visibility/octree_walk.h"
 #include "core/visibility/small_feature/frame_budget.h"
 #include "core/visibility/small_feature/occupancy_bars.h"
+#include "core/visibility/small_feature/outline_overlay.h"
 
 namespace cullscope::small_feature {
 namespace {
@@ -191,6 +192,15 @@ public:
     [[nodiscard]] Bars bars(std::string_view /*id*/, const Structure& structure, const FrameLog& log) const override {
         return occupancyBars(own(structure).values, own(structure).split, structure.scene(), log);
     }
+    [[nodiscard]] std::vector<OverlayLines> overlay(std::string_view id, const OverlayContext& context,
+                                                    const Structure& structure, const FrameLog& log) const override {
+        if (id != kOutlineShow) return {};
+        const GroupTree large = own(structure).largeTree(false), small = own(structure).smallTree(false);
+        return outlineOverlay(context, log, [&](uint32_t number) -> OutlineLeaf {
+            if (number < small.firstNumber) return {true, large.boxOf(number)};
+            return {false, small.boxOf(number - small.firstNumber)};
+        });
+    }
 
 protected:
     void fill(FeatureTrees& trees, const ParameterSet& parameters, const Progress& progress) const override {
@@ -295,7 +305,7 @@ std::vector<ParameterDeclaration> featureParameters() {
                                  CULLSCOPE_TR("How many of the components, the largest ones, are the outline, which is always "
                                               "drawn. The paper names no number."),
                                  {}};
-    ParameterDeclaration threshold{kThreshold,
+    const auto threshold = bySize({kThreshold,
                                    ParameterType::Real,
                                    0.002,
                                    0.0,
@@ -303,7 +313,8 @@ std::vector<ParameterDeclaration> featureParameters() {
                                    "",
                                    CULLSCOPE_TR("A leaf is left out where its largest occupancy value, divided by its distance, "
                                                 "is below this: k′·tan θ."),
-                                   {}};
+                                   {}},
+                                  1e-4);
     ParameterDeclaration hold{kHoldFps,
                               ParameterType::Real,
                               0.0,
@@ -342,7 +353,7 @@ RegisteredStrategy smallFeature() {
     info.remembers = true;
     info.sweeps = {{kThreshold, {"0", "0.0005", "0.001", "0.002", "0.004", "0.008"}},
                    {kOutline, {"0", "10", "20", "30", "40", "60"}}};
-    info.shows = {featureListing(), treeShow(), occupancyBarsShow()};
+    info.shows = {outlineShow(), featureListing(), treeShow(), occupancyBarsShow()};
     return {std::move(info), std::make_shared<SmallFeature>()};
 }
 

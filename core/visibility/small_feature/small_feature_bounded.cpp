@@ -322,14 +322,15 @@ Show boundedListing() {
 }  // namespace
 
 RegisteredStrategy smallFeatureBounded() {
-    ParameterDeclaration pixels{kPixels,
+    const auto pixels = bySize({kPixels,
                                 ParameterType::Integer,
                                 int64_t{1},
                                 0.0,
                                 1000.0,
                                 "px",
                                 CULLSCOPE_TR("How many pixels a group of components may lose. With 0 nothing visible is lost."),
-                                {}};
+                                {}},
+                               1.0);
     StrategyInfo info{
         "small-feature-bounded",
         CULLSCOPE_TR("Bounded small-feature culling"),

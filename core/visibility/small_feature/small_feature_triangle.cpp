@@ -296,7 +296,7 @@ Show triangleListing() {
 }  // namespace
 
 RegisteredStrategy smallFeatureTriangle() {
-    ParameterDeclaration threshold{kTriangleThreshold,
+    const auto threshold = bySize({kTriangleThreshold,
                                    ParameterType::Real,
                                    0.002,
                                    0.0,
@@ -304,7 +304,8 @@ RegisteredStrategy smallFeatureTriangle() {
                                    "",
                                    CULLSCOPE_TR("A triangle is left out where half its longest edge, divided by its distance, "
                                                 "is below this."),
-                                   {}};
+                                   {}},
+                                  1e-4);
     StrategyInfo info{"small-feature-triangle",
                       CULLSCOPE_TR("Small-feature culling by triangle"),
                       CULLSCOPE_TR("Leaves out every triangle that is too small for its distance: the traditional way."),

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "core/scene/camera_path.h"
 #include "tests/support/refusal.h"
 
 namespace cullscope::scene_source_test {
@@ -53,6 +54,32 @@ TEST(SceneSource, badSpecificationIsRefused) {
     EXPECT_THAT(refusal("field:mesh=x.obj,count=3"), HasSubstr("no parameter \"count\". It has: mesh, n, spacing"));
     EXPECT_THAT(refusal("/no/such/file.obj", ErrorKind::Input), HasSubstr("/no/such/file.obj"));
     EXPECT_THAT(refusal("field:mesh=/no/such/file.obj", ErrorKind::Input), HasSubstr("/no/such/file.obj"));
+}
+
+TEST(SceneSource, upIsGuessedOfAFileThatDoesNotSayIt) {
+    const auto ofSize = [](double x, double y, double z) {
+        Box3 box;
+        box.add(Vec3(1.0, 2.0, 3.0));
+        box.add(Vec3(1.0 + x, 2.0 + y, 3.0 + z));
+        return guessedUpAxis(box);
+    };
+    EXPECT_EQ(ofSize(10, 8, 4), UpAxis::Z) << "flat along z";
+    EXPECT_EQ(ofSize(10, 8, 4.1), UpAxis::Y);
+    EXPECT_EQ(ofSize(10, 3, 4), UpAxis::Y) << "flat along y";
+    EXPECT_EQ(ofSize(10, 8, 0), UpAxis::Y) << "a drawing";
+    EXPECT_EQ(guessedUpAxis(Box3{}), UpAxis::Y);
+
+    const TemporaryFolder folder;
+    const std::string file = (folder.path() / "flat.obj").string();
+    std::ofstream(file) << "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    for (const std::string& specification : {file, "split:mesh=" + file, "mesh:" + file + ",triangles=6"}) {
+        const ScenePointer scene = openScene(specification).scene;
+        EXPECT_FALSE(scene->remarks().up) << specification;
+        EXPECT_EQ(scene->upAxis(), UpAxis::Z) << specification;
+        EXPECT_EQ(overviewCamera(*scene, 1.5).up, Vec3(0, 0, 1)) << specification;
+        EXPECT_EQ(cameraPath("orbit:1", *scene).poses[0].up, Vec3(0, 1, 0)) << "a path depends on no guess";
+    }
+    EXPECT_EQ(openScene(folder.tetrahedron("cubic.obj")).scene->upAxis(), UpAxis::Y);
 }
 
 TEST(SceneSource, generatorGivesAboutTheTrianglesAskedFor) {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "core/mesh/parametric.h"
+#include "core/visibility/overlay.h"
 #include "tests/support/culler.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/random_views.h"
@@ -136,6 +137,53 @@ TEST(SmallFeature, leavesOutTheLeavesOfThePapersAlgorithms) {
     }
     EXPECT_GT(left, 1000u);
     EXPECT_GT(kept, 1000u);
+}
+
+TEST(SmallFeature, overlayTellsTheOutlineFromTheDetailsAndTheLatterByVerdict) {
+    const ScenePointer scene = components(3);
+    const CullerPointer culler = built("small-feature", *scene, {{"threshold", "0.005"}});
+    Random random(5);
+    const DrawStyle style;
+    std::map<float, size_t> lines;
+    size_t ofOutline = 0, kept = 0, tooSmall = 0;
+    for (int number = 0; number < 12; ++number) {
+        const View view = lookingInto(*scene, random);
+        const Culled frame = culler->cull(view, Recording::On);
+        OverlayContext context{*scene, view, style, {}, Vec3f(0.1f, 0.2f, 0.3f)};
+        for (size_t state = 0; state < context.palette.size(); ++state)
+            context.palette[state].colour = Vec3f(float(state) + 1.0f);
+        for (const OverlayLines& overlay : culler->built()->overlay("outline", context, frame.log))
+            for (const LineSegment& line : overlay.lines) ++lines[line.colour.x];
+        EXPECT_TRUE(culler->built()->overlay("outline", context, frame.log.upTo(0))[0].lines.empty());
+        uint32_t nodesOfL = 0;
+        for (const SnapshotNode& node : culler->built()->snapshot(frame.log).nodes)
+            if (node.isGroup() && node.name == "S") nodesOfL = node.number;
+        for (const Decision& decision : frame.log.decisions) {
+            if (decision.subject.kind != Subject::Kind::Node) continue;
+            if (decision.outcome == Decision::Outcome::Drawn)
+                (decision.subject.number < nodesOfL ? ofOutline : kept) += decision.objectCount;
+            if (decision.outcome == Decision::Outcome::Culled && decision.cause == Cause::TooSmall)
+                tooSmall += decision.objectCount;
+        }
+    }
+    EXPECT_GT(ofOutline, 10u);
+    EXPECT_GT(kept, 10u);
+    EXPECT_GT(tooSmall, 10u);
+    EXPECT_EQ(lines[0.1f], 12 * ofOutline);
+    EXPECT_EQ(lines[float(TriangleState::Visible) + 1.0f], 12 * kept);
+    EXPECT_EQ(lines[float(TriangleState::TooSmall) + 1.0f], 12 * tooSmall);
+    EXPECT_EQ(lines.size(), 3u) << "nothing outside the frustum has a box";
+}
+
+TEST(SmallFeature, countsNameTheOctreesOnBothSidesOfTheSplit) {
+    const ScenePointer scene = components(3);
+    const CullerPointer culler = built("small-feature", *scene, {{"outline", "25"}});
+    Random random(5);
+    const Bars bars = culler->built()->bars(culler->cull(lookingInto(*scene, random), Recording::On).log).at(0);
+    std::map<char, uint64_t> counted;
+    for (const Bar& bar : bars.bars) counted[bar.name.front()] += bar.value;
+    EXPECT_EQ(counted['L'], 100u) << "a quarter of 400";
+    EXPECT_EQ(counted['S'], 300u);
 }
 
 /// An object that reaches into the frustum is lost by the boxes around the cells alone.
