@@ -12,6 +12,15 @@ namespace cullscope::test {
 /// Whether a frame's decisions are recorded.
 enum class Recording { Off, On };
 
+/// What a draw list stands for: where it has stand-ins, the whole objects that it draws.
+inline DrawList standingFor(const DrawList& list, const Scene& scene) {
+    if (list.grain == Grain::Triangle) return list;
+    DrawList whole{list.facing, {}};
+    for (const DrawRange& range : list.ranges)
+        whole.ranges.push_back({range.instance, 0, uint32_t(scene.meshOf(range.instance).indices().size())});
+    return whole;
+}
+
 /// A frame, and its counts by their short names.
 struct Culled {
     FrameLog log;

@@ -30,5 +30,23 @@ TEST_F(MemoryOfAView, figuresUseTheAnswersThatThePictureUses) {
     EXPECT_LT(considered, session.scene()->triangleCount()) << "the answers to the frame before hide something";
 }
 
+TEST_F(MemoryOfAView, tellsAFrameHowLongTheOneBeforeTook) {
+    openAndWait(session, QStringLiteral("layers:count=4,triangles=200"));
+    ParameterSet parameters(findStrategy("small-feature").info.parameters);
+    parameters.setFromText("hold-fps", "60");
+    session.slot(0).choose("small-feature");
+    session.slot(0).setParameters(parameters);
+    settle();
+    EXPECT_FALSE(session.picture(0)->frame->log.frameBeforeMilliseconds) << "a view without a past";
+    const Camera first = session.camera();
+    for (int move = 1; move <= 2; ++move) {
+        session.setCamera(zoomed(first, first.target, 1.0 - 0.001 * move, 1.0));
+        settle();
+        const std::optional<double> took = session.picture(0)->frame->log.frameBeforeMilliseconds;
+        ASSERT_TRUE(took) << "after " << move;
+        EXPECT_GT(*took, 0.0);
+    }
+}
+
 }  // namespace
 }  // namespace cullscope::ui::memory_of_a_view_test

@@ -79,6 +79,13 @@ ViewFramePointer FramesBeside::of(const FrameRequest& request, Renderer& rendere
     return known != m_known.end() ? *known : m_known.emplace_back(m_frames->beside(request, renderer));
 }
 
+void ViewFrames::took(const FrameRequest& request, double milliseconds) {
+    const auto found = m_views.find(request.view);
+    if (found == m_views.end()) return;
+    const Memory& memory = found->second;
+    if (memory.frame && memory.after && memory.frame->request.sameFrame(request)) memory.after->frameMilliseconds = milliseconds;
+}
+
 ViewStatePointer ViewFrames::memoryBefore(const FrameRequest& request) const {
     const auto found = m_views.find(request.view);
     if (found == m_views.end() || !found->second.frame || !found->second.frame->request.sameFrame(request))

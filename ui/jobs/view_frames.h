@@ -63,6 +63,10 @@ public:
     /// The memory with which the view's frame began, if its newest frame is this one; else that of a view without a past.
     [[nodiscard]] ViewStatePointer memoryBefore(const FrameRequest& request) const;
 
+    /// Tells the view's next frame how long its newest one, which is this, took until its picture was there: decided, without the
+    /// drawing that a decision waits for, and drawn.
+    void took(const FrameRequest& request, double milliseconds);
+
     /// Ends the frame that is being decided, and all to come: the window closes. On any thread.
     void stop() { m_stop.request_stop(); }
     /// Ends the frame of a view (none: of any) that is being decided, because it is not wanted any more. Requests of a view for

@@ -1,6 +1,7 @@
 #include "ui/jobs/view_picture.h"
 
 #include <QRgb>
+#include <chrono>
 #include <set>
 
 #include "core/frame/decided_ahead.h"
@@ -140,7 +141,12 @@ void PictureDrawing::compareTriangles(std::vector<PixelDifference>& differences,
     const std::vector<uint32_t> is = renderer.drawItemBuffer(buffers, m_viewing, log(), tile).triangle;
     const std::vector<uint32_t> should = m_truth ? renderer.drawItemBuffer(buffers, m_viewing, *m_truth, tile).triangle
                                                  : renderer.drawItemBuffer(buffers, m_viewing, m_other->log, tile).triangle;
-    for (size_t i = 0; i < differences.size(); ++i) differences[i] = pixelDifference(other[i], should[i], mine[i], is[i]);
+    const Scene& scene = buffers.scene();
+    const bool byObject = log().grain() == Grain::Object || (m_other && m_other->log.grain() == Grain::Object);
+    const Grain grain = byObject ? Grain::Object : Grain::Triangle;
+    for (size_t i = 0; i < differences.size(); ++i)
+        differences[i] =
+            pixelDifference(other[i], comparedItem(scene, grain, should[i]), mine[i], comparedItem(scene, grain, is[i]));
 }
 
 std::shared_ptr<ViewPicture> PictureDrawing::finish(int reach) {
@@ -152,7 +158,14 @@ ViewPicturePointer ViewPictureDrawer::draw(const ViewRequest& request) {
     const ViewFramePointer frame = m_frames->of(request.frame(), renderer());
     const ViewFramePointer other = request.other ? m_frames->ofOther(request.otherFrame(), renderer()) : nullptr;
     PictureDrawing drawing(request, frame, other);
-    drawing.draw(renderer(), target(request.size));
+    Framebuffer& into = target(request.size);
+    const auto start = std::chrono::steady_clock::now();
+    drawing.draw(renderer(), into);
+    const std::chrono::duration<double, std::milli> drawn = std::chrono::steady_clock::now() - start;
+    // The frame's own picture and nothing else: not from another place, of a part of it, beside another one, or in colours.
+    const bool itself = request.viewing == request.culling && !request.upTo && !request.unanswered;
+    if (itself && request.look == ViewLook{} && request.wipe == Wipe::Mode::None)
+        m_frames->took(request.frame(), frame->log.cullMilliseconds + drawn.count());
     return drawing.finish(kMarkReach);
 }
 

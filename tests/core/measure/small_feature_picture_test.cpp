@@ -11,6 +11,7 @@
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
 #include "tests/support/random_views.h"
+#include "tests/support/small_experiment.h"
 #include "tests/support/test_scenes.h"
 
 namespace cullscope::test::small_feature_picture_test {
@@ -138,6 +139,27 @@ TEST(SmallFeature, case29sHoleIsOpenedAsPublishedAndClosedByTheBound) {
     const uint64_t hole = missedBy("small-feature");
     EXPECT_NEAR(double(hole), 505'284.0, 1'500.0);
     EXPECT_EQ(missedBy("small-feature-bounded"), 0u);
+}
+
+/// The frame time that `hold-fps` follows is that of the pose before; what it costs stands beside it.
+TEST(SmallFeature, aHeldFrameTimeIsThatOfTheFrameBeforeAndItsCostIsMeasured) {
+    MeasureRequest experiment = smallExperiment({"small-feature"});
+    experiment.strategies.front().parameters.setFromText("hold-fps", "50");
+    experiment.strategies.front().parameters.setFromText("threshold", "0.1");
+    experiment.timing.madeUpTime = [](const BuiltStrategy&) { return 80.0; };  // ms, four times the budget
+    const MeasureResult result = measure(experiment);
+    ASSERT_EQ(result.runs.size(), 1u);
+    uint64_t missed = 0;
+    double threshold = 0.1;
+    for (const FrameMeasurement& frame : result.runs.front().frames) {
+        const auto found = std::ranges::find(frame.figures, "threshold_in_force", &NamedFigure::name);
+        ASSERT_NE(found, frame.figures.end());
+        EXPECT_DOUBLE_EQ(found->value, threshold) << "a doubling a pose, however often its frame is repeated";
+        threshold = 2.0 * found->value;
+        ASSERT_TRUE(frame.accuracy);
+        EXPECT_GE(frame.accuracy->missedPixels, missed);
+        missed = frame.accuracy->missedPixels;
+    }
 }
 
 TEST(PixelCover, isAtLeastWhatOpenGlDrawsOfABox) {

@@ -83,8 +83,10 @@ ParameterValue otherValue(const ParameterDeclaration& declaration) {
             const auto value = std::get<int64_t>(declaration.defaultValue);
             return double(value) < declaration.maximum ? value + 1 : value - 1;
         }
-        case ParameterType::Real:
-            return 0.5 * (std::get<double>(declaration.defaultValue) + declaration.minimum);
+        case ParameterType::Real: {
+            const auto value = std::get<double>(declaration.defaultValue);
+            return 0.5 * (value + (value > declaration.minimum ? declaration.minimum : declaration.maximum));
+        }
         case ParameterType::Choice:
             break;
     }

@@ -215,7 +215,7 @@ TEST(StructureSnapshot, containmentAndRejectingPlaneAreRight) {
 std::array<uint64_t, kCauseCount> namedCauses(const Scene& scene, const Culled& frame) {
     std::vector<uint64_t> missing(scene.instances().size());
     for (size_t i = 0; i < missing.size(); ++i) missing[i] = scene.meshOf(i).triangleCount();
-    for (const DrawRange& range : frame.drawList.ranges) missing[range.instance] -= range.indexCount / 3;
+    for (const DrawRange& range : standingFor(frame.drawList, scene).ranges) missing[range.instance] -= range.indexCount / 3;
     std::array<uint64_t, kCauseCount> named{};
     for (const Decision& decision : frame.log.decisions) {
         if (decision.outcome != Decision::Outcome::Culled && decision.outcome != Decision::Outcome::PartlyDrawn) continue;
