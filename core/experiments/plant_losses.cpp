@@ -62,6 +62,7 @@ Experiment curveOf(const PlantFiguresSize& size, const std::string& scene,
                        {kSide, CULLSCOPE_TR("threshold, px"), Axis::Kind::InTurns, axisValues(size.sides)}};
     const std::vector<CurvePoint> points = curvePoints(size);
     Setting common = commonSetting(size);
+    common.stated.clear();  // the paper has no such curve
     common.strategies = {kOctree};
     for (const CurvePoint& point : points)
         if (std::ranges::find(common.strategies, point.strategy) == common.strategies.end())

@@ -106,6 +106,7 @@ View aView(int number) {
 
 CullerPointer built(const Scene& scene, const std::string& fps) {
     ParameterSet parameters(findStrategy("small-feature").info.parameters);
+    parameters.setFromText("outline", "20");
     parameters.setFromText("hold-fps", fps);
     CullerPointer culler = makeCuller("small-feature", parameters);
     culler->build(scene);

@@ -311,8 +311,8 @@ TEST(Spherical, whyNamesCaseAndCause) {
     EXPECT_THAT(sentences(close, nearest({-1, 0, 0})), testing::HasSubstr("boxes (case 2)"));
     EXPECT_THAT(sentences(close, nearest({-1, 0, 0})), testing::HasSubstr("is given to OpenGL"));
     EXPECT_THAT(sentences(close, nearest({1, 0, 0})), testing::HasSubstr("outside the visible region's boxes"));
-    EXPECT_THAT(sentences(whole, nearest({1, 0, 0})), testing::HasSubstr("does not exceed"));
-    EXPECT_THAT(sentences(whole, nearest({-1, 0, 0})), testing::HasSubstr("within 90"));
+    EXPECT_THAT(sentences(whole, nearest({1, 0, 0})), testing::HasSubstr("the largest before it: hidden"));
+    EXPECT_THAT(sentences(whole, nearest({-1, 0, 0})), testing::HasSubstr("in the near half"));
 }
 
 }  // namespace
