@@ -6,29 +6,11 @@
 
 #include "core/base/error.h"
 #include "core/base/work_check.h"
-#include "core/geometry/predicates.h"
 
 namespace cullscope {
 namespace {
 
 constexpr uint32_t kGivenPlane = 0x80000000;  ///< numbers of planes that no triangle has
-
-/// Three points of a plane that is given by its normal and offset.
-CuttingPlane cuttingPlane(const NamedPlane& plane, uint32_t id) {
-    const Vec3 away = glm::abs(plane.normal);
-    // The axis along which the plane is steepest is solved for; the other two coordinates are 0 or 1.
-    const int axis = away.x >= away.y && away.x >= away.z ? 0 : away.y >= away.z ? 1 : 2;
-    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
-    const auto point = [&](double y, double z) {
-        Vec3 result(0.0);
-        result[second] = y;
-        result[third] = z;
-        result[axis] = -(plane.offset + plane.normal[second] * y + plane.normal[third] * z) / plane.normal[axis];
-        return result;
-    };
-    const Vec3 a = point(0.0, 0.0), b = point(1.0, 0.0), c = point(0.0, 1.0);
-    return plane.normal[axis] > 0.0 ? planeThrough(a, b, c, id) : planeThrough(a, c, b, id);
-}
 
 }  // namespace
 
@@ -43,7 +25,8 @@ public:
             throwUsage(CULLSCOPE_TR("plane=given takes the planes that a scene has. \"%1\" has none: name them in a .polygons "
                                     "file, or take another choice of plane."),
                        {scene.name()});
-        for (uint32_t i = 0; i < scene.planes().size(); ++i) m_given.push_back(cuttingPlane(scene.planes()[i], kGivenPlane + i));
+        for (uint32_t i = 0; i < scene.planes().size(); ++i)
+            m_given.push_back(givenPlane(scene.planes()[i].normal, scene.planes()[i].offset, kGivenPlane + i));
         // Empty cells are divided, too, so that the leaves have their places: 2ⁿ leaves and 2ⁿ − 1 nodes above them.
         if (m_given.size() >= 63 || (uint64_t{2} << m_given.size()) - 1 > options.limit) tooManyNodes();
     }
@@ -267,7 +250,7 @@ BspTree::BspTree(const Scene& scene, const BspOptions& options, const Progress& 
     Builder(*this, scene, options, progress).build();
 }
 
-int BspTree::sideOf(const Node& node, const Vec3& point) { return sideOfPlane(node.plane.a, node.plane.b, node.plane.c, point); }
+int BspTree::sideOf(const Node& node, const Vec3& point) { return cullscope::sideOf(node.plane, point); }
 
 uint64_t BspTree::bytes() const {
     return m_nodes.size() * sizeof(Node) + m_parts.size() * sizeof(Part) +

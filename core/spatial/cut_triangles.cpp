@@ -14,6 +14,10 @@ constexpr int8_t kUnknownSide = 2;
 /// A vertex between two others is followed to their sides, and those to theirs, so many times; then it is taken where it was
 /// rounded to. Each time doubles the work.
 constexpr int kMostFollowed = 6;
+/// Two numbers that are read as doubles, their product and its sum with others: seven roundings at most, each of 2^-53.
+constexpr double kReading = 0x1p-50;
+/// A coordinate is kept as a float, from the middle of its mesh: so large a part of it may be rounded away.
+constexpr double kAsFloat = 0x1.01p-24;
 
 struct PlaceHash {
     size_t operator()(const Vec3& place) const {
@@ -60,6 +64,34 @@ CuttingPlane planeThrough(const Vec3& a, const Vec3& b, const Vec3& c, uint32_t 
     return {a, b, c, length > 0.0 ? normal / length : Vec3(0.0, 0.0, 1.0), id};
 }
 
+CuttingPlane givenPlane(const Vec3& normal, double offset, uint32_t id) {
+    const Vec3 away = glm::abs(normal);
+    // The axis along which the plane is steepest is solved for; the other two coordinates are 0 or 1.
+    const int axis = away.x >= away.y && away.x >= away.z ? 0 : away.y >= away.z ? 1 : 2;
+    const int second = (axis + 1) % 3, third = (axis + 2) % 3;
+    const auto point = [&](double y, double z) {
+        Vec3 result(0.0);
+        result[second] = y;
+        result[third] = z;
+        result[axis] = -(offset + normal[second] * y + normal[third] * z) / normal[axis];
+        return result;
+    };
+    const Vec3 a = point(0.0, 0.0), b = point(1.0, 0.0), c = point(0.0, 1.0);
+    CuttingPlane plane = normal[axis] > 0.0 ? planeThrough(a, b, c, id) : planeThrough(a, c, b, id);
+    plane.given = Vec4(normal, offset);
+    return plane;
+}
+
+int sideOf(const CuttingPlane& plane, const Vec3& point, const Vec3& rounding) {
+    if (!plane.isGiven()) return sideOfPlane(plane.a, plane.b, plane.c, point);
+    double value = plane.given.w, written = std::abs(plane.given.w) * kReading;
+    for (int axis = 0; axis < 3; ++axis) {
+        value += plane.given[axis] * point[axis];
+        written += std::abs(plane.given[axis]) * (rounding[axis] + std::abs(point[axis]) * kReading);
+    }
+    return value > written ? 1 : value < -written ? -1 : 0;
+}
+
 CutTriangles::CutTriangles(const Scene& scene, const Progress& progress) : m_scene(&scene) {
     addCorners(scene, progress);
     m_original = uint32_t(m_positions.size());
@@ -90,12 +122,19 @@ void CutTriangles::addCorners(const Scene& scene, const Progress& progress) {
         numbers.assign(mesh.vertexCount(), 0);
         // At once: a table that grows moves all that it has between two steps.
         known.reserve(known.size() + mesh.vertexCount());
+        const Mat3 turn(place);
         for (size_t vertex = 0; vertex < mesh.vertexCount(); ++vertex) {
             work.step();
             const Vec3 world(place * Vec4(mesh.position(vertex), 1.0));
             const auto [entry, isNew] = known.try_emplace(world, uint32_t(m_positions.size()));
             if (isNew) m_positions.push_back(world);
             numbers[vertex] = entry->second;
+            if (scene.planes().empty()) continue;
+            m_rounding.resize(m_positions.size(), Vec3(0.0));
+            const Vec3 kept = glm::abs(mesh.position(vertex) - mesh.origin()) * kAsFloat;
+            Vec3 rounding(0.0);
+            for (int axis = 0; axis < 3; ++axis) rounding += glm::abs(turn[axis]) * kept[axis];
+            m_rounding[entry->second] = glm::max(m_rounding[entry->second], rounding);
         }
         for (const uint32_t index : mesh.indices()) {
             work.step();
@@ -111,23 +150,27 @@ CuttingPlane CutTriangles::planeOf(uint32_t triangle) const {
 
 int CutTriangles::sideWithin(uint32_t vertex, const CuttingPlane& plane, int depth) const {
     const Vec3& place = m_positions[vertex];
-    if (!isMade(vertex)) return sideOfPlane(plane.a, plane.b, plane.c, place);
+    if (!isMade(vertex)) return sideOf(plane, place, roundingOf(vertex));
     const Made& own = made(vertex);
     if (own.plane == plane.id) return 0;
-    if (const int clear = clearSideOfPlane(plane.a, plane.b, plane.c, place); clear != 0) return clear;
+    const int clear =
+        plane.isGiven() ? sideOf(plane, place, roundingOf(vertex)) : clearSideOfPlane(plane.a, plane.b, plane.c, place);
+    if (clear != 0) return clear;
     if (depth < kMostFollowed) {
         const Line& line = m_lines[own.line];
         const int from = sideWithin(line.from, plane, depth + 1), to = sideWithin(line.to, plane, depth + 1);
         if (from * to >= 0) return from != 0 ? from : to;
     }
     if (liesInPlane(own.plane, plane)) return 0;
-    return sideOfPlane(plane.a, plane.b, plane.c, place);
+    return sideOf(plane, place, roundingOf(vertex));
 }
 
 bool CutTriangles::liesInPlane(uint32_t triangle, const CuttingPlane& plane) const {
     if (3 * size_t(triangle) >= m_ofTriangle.size()) return false;
-    for (size_t i = 0; i < 3; ++i)
-        if (sideOfPlane(plane.a, plane.b, plane.c, m_positions[m_ofTriangle[3 * size_t(triangle) + i]]) != 0) return false;
+    for (size_t i = 0; i < 3; ++i) {
+        const uint32_t vertex = m_ofTriangle[3 * size_t(triangle) + i];
+        if (sideOf(plane, m_positions[vertex], roundingOf(vertex)) != 0) return false;
+    }
     return true;
 }
 
@@ -209,6 +252,7 @@ uint32_t CutTriangles::vertexOn(uint32_t triangle, Corner& from, uint32_t to, co
         result.shares = {shares.y, shares.z};
     }
     m_positions.push_back(m_positions[line.from] + (m_positions[line.to] - m_positions[line.from]) * at);
+    if (!m_rounding.empty()) m_rounding.push_back(glm::max(m_rounding[line.from], m_rounding[line.to]));
     m_made.push_back(result);
     m_sides.push_back(0);
     m_knownSides.push_back(vertex);

@@ -14,17 +14,27 @@
 
 namespace cullscope {
 
-/// A plane that cuts, by three of its points: which side a point lies on is decided exactly (geometry/predicates.h).
+/// A plane that cuts, by three of its points: which side a point lies on is decided exactly (geometry/predicates.h). One that a
+/// scene gives is kept as its numbers were written: see `sideOf`.
 struct CuttingPlane {
     Vec3 a{0.0}, b{0.0}, c{0.0};  ///< from the front they turn counter-clockwise
     Vec3 normal{0.0};             ///< unit length, to the front
     uint32_t id = 0;              ///< that of the triangle that it goes through, or another number that is used only once
+    Vec4 given{0.0};              ///< a, b, c, d of ax + by + cz + d = 0, of any length, positive in front; 0: not given so
+
+    [[nodiscard]] bool isGiven() const { return given != Vec4(0.0); }
 
     /// Signed distance, positive in front; rounded.
     [[nodiscard]] double distance(const Vec3& point) const { return glm::dot(normal, point - a); }
 };
 /// The points are not on one line.
 [[nodiscard]] CuttingPlane planeThrough(const Vec3& a, const Vec3& b, const Vec3& c, uint32_t id);
+/// The plane { p : normal·p + offset = 0 }; the normal is not 0.
+[[nodiscard]] CuttingPlane givenPlane(const Vec3& normal, double offset, uint32_t id);
+/// 1: a point lies in front of a plane, −1: behind it, 0: in it. Of a plane through points this is exact for the doubles as they
+/// are. In a given plane a point lies, too, that may lie there as its numbers and the plane's were written: where its distance is
+/// not more than what reading them as doubles, and a rounding of the point's coordinates by `rounding`, can make of 0.
+[[nodiscard]] int sideOf(const CuttingPlane& plane, const Vec3& point, const Vec3& rounding = Vec3(0.0));
 
 /// The triangles of a scene in world coordinates (double), as convex polygons that planes cut into smaller ones. A corner that a
 /// plane made is remembered as lying on that plane and between the ends of the edge that it cut: rounding never puts it on the
@@ -92,6 +102,7 @@ private:
 
     [[nodiscard]] static uint64_t vertexPair(uint32_t a, uint32_t b) { return uint64_t(std::min(a, b)) << 32 | std::max(a, b); }
     void addCorners(const Scene& scene, const Progress& progress);
+    [[nodiscard]] Vec3 roundingOf(uint32_t vertex) const { return m_rounding.empty() ? Vec3(0.0) : m_rounding[vertex]; }
     [[nodiscard]] int sideWithin(uint32_t vertex, const CuttingPlane& plane, int depth) const;
     [[nodiscard]] bool liesInPlane(uint32_t triangle, const CuttingPlane& plane) const;
     [[nodiscard]] int knownSide(uint32_t vertex, const CuttingPlane& plane);
@@ -106,6 +117,7 @@ private:
 
     const Scene* m_scene;
     std::vector<Vec3> m_positions;
+    std::vector<Vec3> m_rounding;        ///< by how much coordinates may differ from those written; only of scenes with planes
     uint32_t m_original = 0;             ///< the vertices before were not made by a plane
     std::vector<uint32_t> m_ofTriangle;  ///< three vertices for each scene triangle
     std::vector<Made> m_made;

@@ -136,8 +136,9 @@ double CutTriangles::share(uint32_t polygon) const {
 }
 
 uint64_t CutTriangles::bytes() const {
-    return m_positions.size() * (sizeof(Vec3) + 1) + m_ofTriangle.size() * 4 + m_made.size() * (sizeof(Made) + 4) +
-           m_lines.size() * (sizeof(Line) + 4) + m_polygons.size() * sizeof(Polygon) + m_corners.size() * sizeof(Corner);
+    return (m_positions.size() + m_rounding.size()) * sizeof(Vec3) + m_sides.size() + m_ofTriangle.size() * 4 +
+           m_made.size() * (sizeof(Made) + 4) + m_lines.size() * (sizeof(Line) + 4) + m_polygons.size() * sizeof(Polygon) +
+           m_corners.size() * sizeof(Corner);
 }
 
 }  // namespace cullscope

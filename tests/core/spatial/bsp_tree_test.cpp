@@ -235,6 +235,59 @@ TEST(BspTree, givenPlanesNeedAScene) {
     expectAreasConserved(tree, *quiz);
 }
 
+/// The objects whose parts lie in each node of the tree of a text's given planes, and the cuts: "|BB|AA cuts 0".
+std::string placesOf(const char* text) {
+    const ScenePointer scene = readPolygonText(text, "own").scene;
+    const BspTree tree(*scene, {.plane = BspPlane::Given});
+    std::string places;
+    for (size_t node = 0; node < tree.nodes().size(); ++node) {
+        places += node > 0 ? "|" : "";
+        for (const BspTree::Part& part : tree.partsOf(tree.nodes()[node]))
+            places += scene->instances()[scene->instanceOf(part.triangle)].name;
+    }
+    return places + " cuts " + std::to_string(tree.cuts());
+}
+
+TEST(BspTree, polygonsThatTouchAGivenPlaneAreNotCutByIt) {
+    // The root, behind and before it; each polygon is two triangles. No float and no double is 0.7.
+    EXPECT_EQ(placesOf("polygon A 0.7 0 0  1 0 0  1 1 0  0.7 1 0\n"
+                       "polygon B 0.7 0 -1  0.7 1 -1  0.2 1 -1  0.2 0 -1\n"
+                       "plane P1 1 0 0 -0.7"),
+              "|BB|AA cuts 0");
+    EXPECT_EQ(placesOf("polygon A 0.7 0 0  1 0 0  1 1 0  0.7 1 0\n"
+                       "polygon B 0.7 0 -1  0.7 1 -1  0.2 1 -1  0.2 0 -1\n"
+                       "plane P1 1 0 0 -0.3\n"
+                       "plane P2 1 0 0 -0.7"),
+              "|||BB||BB|AA cuts 2")
+        << "B is cut at 0.3 alone";
+    EXPECT_EQ(placesOf("polygon A 0.1 0.2 0.3  0.7 0.2 0.9  0.3 0.9 0.3\nplane P1 0.2 0.2 0.3  0 0 1"), "||A cuts 0");
+    // An edge that touches a plane is cut by another one: its new end touches it, too.
+    EXPECT_EQ(placesOf("polygon A 0.7 0 0  1 0 0  1 1 0  0.7 1 0\nplane P1 0 1 0 -0.45\nplane P2 1 0 0 -0.7"),
+              "||||AA||AA cuts 2");
+    EXPECT_EQ(placesOf("polygon A 0.7 -0.1 -1   0.7 0.9 1   1.3 0.9 1\nplane P1 0 0 1 0\nplane P2 1 0 0 -0.7"),
+              "||||A||A cuts 1");
+}
+
+TEST(BspTree, polygonsThatLieInAGivenPlaneAsWrittenAreAtItsNode) {
+    EXPECT_EQ(placesOf("polygon A 0 1 -1   1 -3 0   -1 3 0\npolygon B 0 0 3  1 0 3  0 1 3\nplane P1 3 1 1 0"), "A||B cuts 0");
+    EXPECT_EQ(placesOf("polygon A 3 0 0   0 1.5 0   0 0 9\npolygon B 1 1 0   2 0 3   1 0 6\nplane P1 0.3 0.6 0.1 -0.9"),
+              "BA|| cuts 0");
+}
+
+TEST(BspTree, polygonsBesideAGivenPlaneAreNotInIt) {
+    EXPECT_EQ(placesOf("polygon A 0 0 0.3000000001  1 0 0.3000000001  0 1 0.3000000001\nplane P1 0 0 1 -0.3"), "||A cuts 0");
+    EXPECT_EQ(placesOf("polygon A 0 0 0.2999999999  1 0 0.2999999999  0 1 0.2999999999\nplane P1 0 0 1 -0.3"), "|A| cuts 0");
+    EXPECT_EQ(placesOf("polygon A 0.70001 0 0  1 1 0  0.69999 1 0\nplane P1 1 0 0 -0.7"), "|A|A cuts 1");
+}
+
+TEST(BspTree, anEyeInAGivenPlaneAsWrittenLiesInIt) {
+    const ScenePointer scene = readPolygonText("polygon A 0 0 0  1 0 0  0 1 0\nplane P1 0.3 0.6 0.1 -0.9", "own").scene;
+    const BspTree tree(*scene, {.plane = BspPlane::Given});
+    EXPECT_EQ(BspTree::sideOf(tree.nodes()[0], {3, 0, 0}), 0);
+    EXPECT_EQ(BspTree::sideOf(tree.nodes()[0], {3.000001, 0, 0}), 1);
+    EXPECT_EQ(BspTree::sideOf(tree.nodes()[0], {2.999999, 0, 0}), -1);
+}
+
 TEST(BspTree, nodesSumUpWhatLiesBelowThem) {
     for (uint64_t seed = 0; seed < 12; ++seed)
         for (const BspPlane plane : kOwnPlanes) {
