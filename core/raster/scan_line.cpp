@@ -71,6 +71,7 @@ public:
 
     std::vector<RowCounts> counts;
     std::vector<RowSpan> spans;
+    std::vector<RowStep> steps;
     std::vector<RowEdge> edges;
 
 private:
@@ -168,6 +169,17 @@ private:
         }
     }
 
+    void keepStep(int row, int column, RowStep::At at, uint32_t surface, uint32_t other, bool toFront) {
+        if (!m_keepSpans || steps.size() > kMostRowSteps) return;
+        RowStep step{row, column, at, toFront, m_surfaces[surface].triangle->number - 1};
+        step.depth = depthAt(m_surfaces[surface], row, column);
+        if (other != kNoSurface) {
+            step.other = m_surfaces[other].triangle->number;
+            step.otherDepth = depthAt(m_surfaces[other], row, column);
+        }
+        steps.push_back(step);
+    }
+
     /// Whether a surface comes before another one at a pixel: a comparison of depths.
     bool before(uint32_t surface, uint32_t other, int row, int column) {
         ++counts.back().comparisons;
@@ -201,16 +213,12 @@ private:
         m_active.clear();
         m_front = kNoSurface;
         size_t beginning = 0;
-        uint32_t comparedBefore = 0;
         int spanBegin = 0;
-        RowSpan span;
         const auto finish = [&](int end) {
             if (m_front == kNoSurface) return;
             write(row, spanBegin, end);
             ++counts.back().spans;
-            if (!m_keepSpans) return;
-            span.end = end;
-            spans.push_back(span);
+            if (m_keepSpans) spans.push_back({row, spanBegin, end, m_surfaces[m_front].triangle->number - 1});
         };
         while (beginning < m_beginning.size() || !m_active.empty()) {
             worked(4 + 3 * m_active.size());
@@ -220,49 +228,34 @@ private:
             const uint32_t old = m_front;
             std::erase_if(m_active, [&](uint32_t surface) { return m_surfaces[surface].end <= column; });
             const bool ended = old != kNoSurface && m_surfaces[old].end <= column;
-            uint32_t front = ended ? kNoSurface : old, against = kNoSurface;
-            auto start = RowSpan::Start::Alone;
-            const auto challenge = [&](uint32_t surface, RowSpan::Start how) {
-                if (front == kNoSurface) {
-                    front = surface;
-                    if (how == RowSpan::Start::Remains) start = how;
-                    return;
-                }
-                const bool wins = before(surface, front, row, column);
-                start = wins || ended ? how : start;
-                against = wins ? front : ended ? surface : against;
-                if (wins) front = surface;
+            uint32_t front = ended ? kNoSurface : old;
+            bool crossed = false;
+            const auto challenge = [&](uint32_t surface, RowStep::At at) {
+                const bool wins = front == kNoSurface || before(surface, front, row, column);
+                keepStep(row, column, at, surface, front, wins);
+                if (!wins) return;
+                front = surface;
+                crossed = at == RowStep::At::Crosses;
             };
             // Where the surface in front ended, those that remain are compared with each other; else those that may cross it.
             for (const uint32_t surface : m_active) {
                 if (surface == old) continue;
                 if (ended)
-                    challenge(surface, RowSpan::Start::Remains);
+                    challenge(surface, RowStep::At::Ends);
                 else if (m_surfaces[surface].mayCross <= column)
-                    challenge(surface, RowSpan::Start::Crosses);
+                    challenge(surface, RowStep::At::Crosses);
             }
             const size_t already = m_active.size();
             for (; beginning < m_beginning.size() && m_surfaces[m_beginning[beginning]].begin == column; ++beginning) {
                 const uint32_t surface = m_beginning[beginning];
-                challenge(surface, RowSpan::Start::Begins);
+                challenge(surface, RowStep::At::Begins);
                 m_active.push_back(surface);
             }
             if (front != old) {
-                if (start == RowSpan::Start::Crosses) ++counts.back().crossings;
+                if (crossed) ++counts.back().crossings;
                 finish(column);
                 spanBegin = column;
                 m_front = front;
-                if (front != kNoSurface && m_keepSpans) {
-                    const auto compared = uint32_t(counts.back().comparisons);
-                    span = {row, column, column, start, m_surfaces[front].triangle->number - 1};
-                    span.depth = depthAt(m_surfaces[front], row, column);
-                    if (against != kNoSurface) {
-                        span.other = m_surfaces[against].triangle->number;
-                        span.otherDepth = depthAt(m_surfaces[against], row, column);
-                    }
-                    span.comparisons = compared - comparedBefore;
-                    comparedBefore = compared;
-                }
             }
             for (size_t i = 0; i < m_active.size() && front != kNoSurface; ++i) {
                 Surface& surface = m_surfaces[m_active[i]];
@@ -319,6 +312,7 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
     result.picture->depth.resize(pixels);
     std::vector<std::vector<RowCounts>> counts(scene.bands());
     std::vector<std::vector<RowSpan>> spans(scene.bands());
+    std::vector<std::vector<RowStep>> steps(scene.bands());
     std::vector<std::vector<RowEdge>> edges(scene.bands());
     std::vector<uint64_t> bytes(scene.bands());
     result.fates = scene.fates;
@@ -330,6 +324,7 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
         bytes[number] = triangles.capacity() * sizeof(ScreenTriangle) + sweep.bytes();
         counts[number] = std::move(sweep.counts);
         spans[number] = std::move(sweep.spans);
+        steps[number] = std::move(sweep.steps);
         edges[number] = std::move(sweep.edges);
     });
     result.bytes = bytes.empty() ? 0 : std::ranges::max(bytes);
@@ -337,9 +332,12 @@ ScanLinePicture drawScanLine(const SceneOnRaster& scene, bool keepSpans, bool pa
         for (RowCounts& row : counts[number]) row.covered = row.written;
         result.rows.insert(result.rows.end(), counts[number].begin(), counts[number].end());
         result.spans.insert(result.spans.end(), spans[number].begin(), spans[number].end());
+        if (result.steps.size() <= kMostRowSteps)
+            result.steps.insert(result.steps.end(), steps[number].begin(), steps[number].end());
         if (result.edges.size() <= kMostRowEdges)
             result.edges.insert(result.edges.end(), edges[number].begin(), edges[number].end());
     }
+    if (result.steps.size() > kMostRowSteps) result.steps.clear();
     if (result.edges.size() > kMostRowEdges) result.edges.clear();
     return result;
 }

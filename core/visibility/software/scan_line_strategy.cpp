@@ -11,7 +11,8 @@
 namespace cullscope::software {
 namespace {
 
-/// A recorded scan line says every span up to this number of them, and beyond it only its rows.
+/// A recorded scan line says every span and comparison up to this number of spans and to kMostRowSteps, and beyond it only its
+/// rows.
 constexpr size_t kMostSpansSaid = 25'000;
 constexpr uint8_t kRowLine = 2;  ///< of the listing: a row and its active edges
 
@@ -122,12 +123,14 @@ protected:
 
 private:
     static void say(FrameContext& frame, const ScanLinePicture& drawn) {
-        const bool spansToo = drawn.spans.size() <= kMostSpansSaid;
-        if (!spansToo) frame.sayCoarser({CULLSCOPE_TR("by row, above %1 spans"), {std::to_string(kMostSpansSaid)}});
+        const bool fewSpans = drawn.spans.size() <= kMostSpansSaid, fewSteps = !drawn.steps.empty() || drawn.spans.empty();
+        const bool spansToo = fewSpans && fewSteps;
+        if (!fewSpans) frame.sayCoarser({CULLSCOPE_TR("by row, above %1 spans"), {std::to_string(kMostSpansSaid)}});
+        if (fewSpans && !fewSteps) frame.sayCoarser({CULLSCOPE_TR("by row, above %1 steps"), {std::to_string(kMostRowSteps)}});
         if (spansToo && drawn.edges.empty() && !drawn.spans.empty())
             frame.sayCoarser({CULLSCOPE_TR("without single edges, above %1 of them"), {std::to_string(kMostRowEdges)}});
         auto active = std::make_shared<ActiveEdges>();
-        size_t nextSpan = 0, nextEdge = 0;
+        size_t nextSpan = 0, nextStep = 0, nextEdge = 0;
         bool attached = false;
         for (uint32_t row = 0; row < drawn.rows.size(); ++row) {
             const RowCounts& counts = drawn.rows[row];
@@ -137,8 +140,18 @@ private:
             }
             for (; spansToo && nextEdge < drawn.edges.size() && drawn.edges[nextEdge].row == int(row); ++nextEdge)
                 sayEdge(frame, drawn.edges[nextEdge], *active);
-            for (; spansToo && nextSpan < drawn.spans.size() && drawn.spans[nextSpan].row == int(row); ++nextSpan)
-                sayPart(frame, drawn.spans[nextSpan], uint32_t(nextSpan));
+            // A span is filled when the column is reached at which another one comes.
+            const auto fillTo = [&](int column) {
+                for (; nextSpan < drawn.spans.size() && drawn.spans[nextSpan].row == int(row); ++nextSpan) {
+                    if (drawn.spans[nextSpan].end > column) break;
+                    sayFilled(frame, drawn.spans[nextSpan], uint32_t(nextSpan));
+                }
+            };
+            for (; spansToo && nextStep < drawn.steps.size() && drawn.steps[nextStep].row == int(row); ++nextStep) {
+                fillTo(drawn.steps[nextStep].column);
+                sayStep(frame, drawn.steps[nextStep]);
+            }
+            if (spansToo) fillTo(frame.view().viewport().width);
             Decision done = said(ofRows(row), Decision::Outcome::Open,
                                  CULLSCOPE_TR("In this row %1 depths were compared, where a depth buffer compares "
                                               "%2; %3 spans were filled."),
@@ -173,9 +186,8 @@ private:
         frame.say(atLine(Line::Row, decision));
     }
 
-    static void sayPart(FrameContext& frame, const RowSpan& span, uint32_t number) {
+    static void sayFilled(FrameContext& frame, const RowSpan& span, uint32_t number) {
         const Subject subject{Subject::Kind::Span, number, uint32_t(frame.scene().instanceOf(span.triangle))};
-        frame.say(decisionOf(span, subject));
         Decision filled = said(subject, Decision::Outcome::Open, CULLSCOPE_TR("Columns %1 to %2 are filled with it."),
                                {double(span.begin), double(span.end - 1)});
         filled.operandCount = 2;
@@ -183,35 +195,63 @@ private:
         frame.say(atLine(Line::Fill, filled));
     }
 
-    static Decision decisionOf(const RowSpan& span, const Subject& subject) {
-        const auto open = Decision::Outcome::Open;
-        const std::array<double, Decision::kOperands> operands{double(span.begin), span.depth, span.otherDepth};
-        switch (span.start) {
-            case RowSpan::Start::Alone:
-                return atLine(Line::Alone,
-                              said(subject, open,
-                                   CULLSCOPE_TR("At column %1 a surface begins where there is no other one, at depth "
-                                                "%2: it is in front without a comparison."),
-                                   operands));
-            case RowSpan::Start::Begins:
-                return atLine(Line::Begins,
-                              said(subject, open,
-                                   CULLSCOPE_TR("At column %1 a surface begins. Its depth %2 is compared with %3 of "
-                                                "the one in front: it is nearer."),
-                                   operands));
-            case RowSpan::Start::Remains:
-                return atLine(Line::Ends,
-                              said(subject, open,
-                                   CULLSCOPE_TR("At column %1 the surface in front ends. Of those that remain the one "
-                                                "at depth %2 is the nearest; it was compared with %3."),
-                                   operands));
-            case RowSpan::Start::Crosses:
+    static void sayStep(FrameContext& frame, const RowStep& step) {
+        const auto object = uint32_t(frame.scene().instanceOf(step.triangle));
+        const auto number = uint32_t(step.triangle - frame.scene().firstTriangle(object));
+        const ToldStep told = toldStep(step);
+        Decision decision = said(Subject::ofTriangles(number, object), Decision::Outcome::Open, told.sentence,
+                                 {double(step.column), step.depth, step.otherDepth});
+        decision.operandCount = step.other == 0 ? 2 : 3;
+        decision.places = {number, 1};
+        frame.say(atLine(told.line, decision));
+    }
+
+    struct ToldStep {
+        Line line;
+        const char* sentence;
+    };
+
+    /// The line and the sentence of a step; %1 is the column, %2 and %3 are the depths.
+    static ToldStep toldStep(const RowStep& step) {
+        if (step.other == 0)
+            return step.at == RowStep::At::Ends
+                       ? ToldStep{Line::Ends, CULLSCOPE_TR("At column %1 the surface in front ends. The first one of those that "
+                                                           "remain, at depth %2, comes to the front without a comparison.")}
+                       : ToldStep{Line::Alone, CULLSCOPE_TR("At column %1 a surface begins where none is in front, at depth %2: "
+                                                            "it comes to the front without a comparison.")};
+        const bool equal = step.depth == step.otherDepth;
+        const auto outcome = [&](const char* nearer, const char* farther, const char* same) {
+            return equal ? same : step.toFront ? nearer : farther;
+        };
+        switch (step.at) {
+            case RowStep::At::Begins:
+                return {Line::Begins,
+                        outcome(CULLSCOPE_TR("At column %1 a surface begins. Its depth %2 is compared with %3 of the one in "
+                                             "front: it is nearer."),
+                                CULLSCOPE_TR("At column %1 a surface begins. Its depth %2 is compared with %3 of the one in "
+                                             "front: it is farther."),
+                                CULLSCOPE_TR("At column %1 a surface begins. Its depth %2 is compared with %3 of the one in "
+                                             "front: they are equal, and the one that comes first in the scene is in front."))};
+            case RowStep::At::Ends:
+                return {Line::Ends,
+                        outcome(CULLSCOPE_TR("At column %1 a surface remains where the one in front ended. Its depth %2 is "
+                                             "compared with %3 of the one taken so far: it is nearer."),
+                                CULLSCOPE_TR("At column %1 a surface remains where the one in front ended. Its depth %2 is "
+                                             "compared with %3 of the one taken so far: it is farther."),
+                                CULLSCOPE_TR("At column %1 a surface remains where the one in front ended. Its depth %2 is "
+                                             "compared with %3 of the one taken so far: they are equal, and the one that comes "
+                                             "first in the scene is in front."))};
+            case RowStep::At::Crosses:
                 break;
         }
-        return atLine(Line::Crosses, said(subject, open,
-                                          CULLSCOPE_TR("At column %1 a surface comes through the one in front: its depth is %2, "
-                                                       "that of the other one %3. The span is split there."),
-                                          operands));
+        return {
+            Line::Crosses,
+            outcome(CULLSCOPE_TR("At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that "
+                                 "one: it is nearer, and the span is split there."),
+                    CULLSCOPE_TR("At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that "
+                                 "one: it is farther."),
+                    CULLSCOPE_TR("At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that "
+                                 "one: they are equal, and the one that comes first in the scene is in front."))};
     }
 };
 
@@ -226,7 +266,7 @@ RegisteredStrategy scanLine() {
         {facingParameter(), parallelParameter()}};
     info.shows = {listingShow({{CULLSCOPE_TR("edge table: edges by their first row"), 0},
                                {CULLSCOPE_TR("for each row: its active edges"), 0},
-                               {CULLSCOPE_TR("begins alone: in front"), 1},
+                               {CULLSCOPE_TR("begins, none in front: in front"), 1},
                                {CULLSCOPE_TR("begins: compare with the front"), 1},
                                {CULLSCOPE_TR("front ends: compare the others"), 1},
                                {CULLSCOPE_TR("two cross: compare, split the span"), 1},

@@ -79,13 +79,57 @@ TEST(ScanLine, surfacesThatCrossAlongARowSplitItsSpanWhereTheDepthBufferDoes) {
     const View view({Vec3(0.0), {0, 0, -1}, {0, 1, 0}, Angle::fromDegrees(30), 0.1, 10}, {101, 101});
     expectSame(*scene, view);
     const ScanLinePicture lines = drawScanLine(trianglesOnRaster(*scene, view, Facing::TwoSided), true);
-    const auto crosses = [](const RowSpan& span) { return span.start == RowSpan::Start::Crosses; };
-    EXPECT_GE(std::ranges::count_if(lines.spans, crosses), 99);
-    for (const RowSpan& span : lines.spans)
-        if (crosses(span)) {
-            EXPECT_NEAR(span.begin, 50, 1) << "row " << span.row;
-            EXPECT_GE(span.depth, span.otherDepth);
+    const auto crosses = [](const RowStep& step) { return step.at == RowStep::At::Crosses && step.toFront; };
+    EXPECT_GE(std::ranges::count_if(lines.steps, crosses), 99);
+    for (const RowStep& step : lines.steps)
+        if (crosses(step)) {
+            EXPECT_NEAR(step.column, 50, 1) << "row " << step.row;
+            EXPECT_GE(step.depth, step.otherDepth);
         }
+}
+
+TEST(ScanLine, everyComparisonIsAStepWithItsDepthsAndItsOutcome) {
+    size_t ties = 0, lost = 0;
+    for (uint64_t seed = 0; seed < 20; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const ScenePointer scene = randomPolygons(seed);
+        const SceneOnRaster raster = trianglesOnRaster(*scene, View(aroundPolygons(seed), {60, 45}), Facing::TwoSided);
+        const ScanLinePicture lines = drawScanLine(raster, true), unwatched = drawScanLine(raster);
+        EXPECT_EQ(lines.picture->triangle, unwatched.picture->triangle);
+        EXPECT_EQ(lines.picture->depth, unwatched.picture->depth);
+        EXPECT_TRUE(unwatched.steps.empty());
+        std::vector<uint64_t> compared(45, 0);
+        size_t step = 0;
+        uint32_t front = 0;  // number + 1
+        for (const RowSpan& span : lines.spans) {
+            // The last surface that came to the front at the span's begin is its own.
+            for (; step < lines.steps.size() && lines.steps[step].row == span.row && lines.steps[step].column <= span.begin;
+                 ++step) {
+                const RowStep& one = lines.steps[step];
+                compared[size_t(one.row)] += one.other != 0 ? 1 : 0;
+                if (one.other != 0) {
+                    EXPECT_EQ(one.other, front) << "compared with the one in front";
+                    EXPECT_TRUE(one.toFront ? one.depth >= one.otherDepth : one.depth <= one.otherDepth);
+                }
+                ties += one.other != 0 && one.depth == one.otherDepth ? 1 : 0;
+                lost += one.toFront ? 0 : 1;
+                if (one.toFront) front = one.triangle + 1;
+            }
+            EXPECT_EQ(front, span.triangle + 1) << "row " << span.row << ", column " << span.begin;
+            // Those within the span do not come to the front.
+            for (; step < lines.steps.size() && lines.steps[step].row == span.row && lines.steps[step].column < span.end;
+                 ++step) {
+                EXPECT_FALSE(lines.steps[step].toFront);
+                EXPECT_EQ(lines.steps[step].other, front);
+                ++compared[size_t(span.row)];
+                ++lost;
+            }
+        }
+        EXPECT_EQ(step, lines.steps.size());
+        for (const RowCounts& row : lines.rows) EXPECT_EQ(compared[size_t(row.firstRow)], row.comparisons) << row.firstRow;
+    }
+    EXPECT_GT(ties, 0u);
+    EXPECT_GT(lost, 0u);
 }
 
 TEST(ScanLine, spansOfARowFollowEachOtherAndShowThePicture) {

@@ -56,6 +56,7 @@ TEST(CoarserLogs, eachLimitIsSaidWhereItIsPassed) {
     EXPECT_THAT(coarser("scan-line", medium), IsEmpty());
     EXPECT_THAT(coarser("scan-line", fine, {1600, 1200}), Contains("by row, above 25000 spans"));
     EXPECT_THAT(coarser("scan-line", squares(60), {320, 480}), ElementsAre("without single edges, above 50000 of them"));
+    EXPECT_THAT(coarser("scan-line", squares(220), {320, 480}), ElementsAre("by row, above 100000 steps"));
     EXPECT_THAT(coarser("painter", squares(60)), IsEmpty());
     EXPECT_THAT(coarser("painter", medium), ElementsAre("without depths and tests 1 and 2, above 1000 triangles"));
     EXPECT_THAT(coarser("painter", fine), ElementsAre("drawn polygons alone, above 5000 triangles"));
