@@ -78,7 +78,7 @@ private:
         }
         if (piece.screen.points.empty()) {
             ++m_result.unordered;
-            return drawNow(polygon);
+            return drawNow(polygon, NewellStep::Cause::NoSamples);
         }
         m_pieces.push_back(std::move(piece));
     }
@@ -103,7 +103,7 @@ private:
             order.emplace_back(glm::length(middle) / double(corners.size()), i);
         }
         std::ranges::sort(order, m_work.counting(std::greater<>()));
-        for (const auto& [distance, piece] : order) drawNow(m_pieces[piece].polygon);
+        for (const auto& [distance, piece] : order) drawNow(m_pieces[piece].polygon, NewellStep::Cause::ByCentroid, distance);
     }
 
     void drawAll() {
@@ -119,9 +119,9 @@ private:
     }
 
     /// The next polygon of the order.
-    void drawNow(uint32_t polygon) {
+    void drawNow(uint32_t polygon, NewellStep::Cause cause, double distance = 0.0) {
         m_result.polygons.push_back(polygon);
-        if (m_options.watch) m_options.watch({NewellStep::Kind::Drawn, {}, polygon, polygon});
+        if (m_options.watch) m_options.watch({NewellStep::Kind::Drawn, {}, polygon, polygon, distance, 0.0, false, cause});
     }
 
     void tellTaken(NewellStep::Kind kind, uint32_t piece) {
@@ -233,7 +233,7 @@ private:
 
         [[nodiscard]] bool on(int side) const { return side > 0 ? front : back; }
         /// How far it reaches on a side.
-        [[nodiscard]] double reach(int side) const { return side > 0 ? most : -least; }
+        [[nodiscard]] double reach(int side) const { return side > 0 ? most : 0.0 - least; }
     };
     [[nodiscard]] Extent extentOf(const Piece& piece, const CuttingPlane& plane) const {
         Extent extent;
@@ -242,8 +242,9 @@ private:
             extent.front = extent.front || side > 0;
             extent.back = extent.back || side < 0;
             const double distance = plane.distance(m_triangles.position(corner.vertex));
-            extent.least = std::min(extent.least, distance);
-            extent.most = std::max(extent.most, distance);
+            // What lies in the plane reaches to no side, whatever its rounded distance says.
+            if (side < 0) extent.least = std::min(extent.least, distance);
+            if (side > 0) extent.most = std::max(extent.most, distance);
         }
         return extent;
     }
@@ -267,13 +268,13 @@ private:
     /// Draws the last piece on the stack where rounding alone lets it wait.
     void giveUp() {
         ++m_result.unresolved;
-        drawLast();
+        drawLast(NewellStep::Cause::GivenUp);
     }
 
-    void drawLast() {
+    void drawLast(NewellStep::Cause cause = NewellStep::Cause::Free) {
         const uint32_t last = m_waiting.back().piece;
         m_pieces[last].state = PieceState::Done;
-        drawNow(m_pieces[last].polygon);
+        drawNow(m_pieces[last].polygon, cause);
         m_waiting.pop_back();
     }
 

@@ -33,7 +33,14 @@ struct NewellStep {
         Again,     ///< P waited for others, and is compared on
         Failed,    ///< a test of P and Q that does not let P come first: the next test follows
         Compared,  ///< the test that ends the comparison of P and Q
-        Drawn      ///< nothing is left that has to come before P: it is the next one of PaintersOrder::polygons
+        Drawn      ///< P is the next one of PaintersOrder::polygons
+    };
+    /// Why P is drawn now.
+    enum class Cause : uint8_t {
+        Free,        ///< nothing is left that has to come before P
+        NoSamples,   ///< it covers no sample, so that it is not compared: outside the picture, edge-on, or dropped as back-facing
+        ByCentroid,  ///< its centroid is the farthest one left (PaintersOptions::byCentroid): it is compared with none
+        GivenUp      ///< rounding alone lets it wait for others
     };
     Kind kind = Kind::Taken;
     NewellTest test = NewellTest::Depth;  ///< of a comparison
@@ -49,6 +56,7 @@ struct NewellStep {
     ///  - Swap, Cycle: the farthest depths of P and Q. Pierce: as Projections with `byDepth`.
     double first = 0, second = 0;
     bool byDepth = false;
+    Cause cause = Cause::Free;  ///< of Drawn; with ByCentroid `first` is the distance of the centroid
 };
 
 struct PaintersOptions {

@@ -4,6 +4,7 @@
 #include "core/visibility/object_nodes.h"
 #include "core/visibility/ordering/named_subjects.h"
 #include "core/visibility/ordering/ordering.h"
+#include "core/visibility/ordering/painter_words.h"
 
 namespace cullscope::ordering {
 namespace {
@@ -18,79 +19,10 @@ constexpr uint64_t kExtentTriangles = 1'000;
 /// So many polygons of a frame are said to be taken, and as many to be drawn, one by one.
 constexpr size_t kRecordedPolygons = 100'000;
 
-/// Lines of the listing.
-enum class PainterLine : uint8_t { Sort = 1, Farthest, Candidates, Extents, Behind, Before, Projections, Cut, Swap, Draw };
-
 struct TrianglesOfScene : Structure {
     using Structure::Structure;
     std::optional<CutTriangles> triangles;
 };
-
-struct ToldTest {
-    PainterLine line;
-    const char* sentence;
-};
-
-/// The line and the sentence of a test; %1 and %2 are the triangles P and Q, %3 and %4 what was compared.
-ToldTest toldTest(const NewellStep& step) {
-    const bool passed = step.kind == NewellStep::Kind::Compared;
-    switch (step.test) {
-        case NewellTest::Depth:
-            return {PainterLine::Candidates,
-                    passed
-                        ? CULLSCOPE_TR("The farthest depth %4 of triangle %2 does not exceed the nearest depth %3 of triangle "
-                                       "%1: it lies nearer, and so do all after it.")
-                        : CULLSCOPE_TR("The farthest depth %4 of triangle %2 exceeds the nearest depth %3 of triangle %1: they "
-                                       "overlap in depth.")};
-        case NewellTest::ExtentX:
-            return {PainterLine::Extents,
-                    passed ? CULLSCOPE_TR("Test 1: in x triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.")
-                           : CULLSCOPE_TR("Test 1: in x both triangles %1 and %2 have the pixels from %3 to %4: not apart.")};
-        case NewellTest::ExtentY:
-            return {PainterLine::Extents,
-                    passed ? CULLSCOPE_TR("Test 2: in y triangle %1 ends at pixel %3 and triangle %2 at %4: they are apart.")
-                           : CULLSCOPE_TR("Test 2: in y both triangles %1 and %2 have the pixels from %3 to %4: not apart.")};
-        case NewellTest::BehindQ:
-            return {PainterLine::Behind,
-                    passed
-                        ? CULLSCOPE_TR("Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and "
-                                       "%4 behind it: it lies wholly behind.")
-                        : CULLSCOPE_TR("Test 3: triangle %1 reaches %3 before the plane of triangle %2, seen from the eye, and "
-                                       "%4 behind it: it does not lie wholly behind.")};
-        case NewellTest::BeforeP:
-            return {PainterLine::Before,
-                    passed
-                        ? CULLSCOPE_TR("Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and "
-                                       "%4 behind it: it lies wholly before.")
-                        : CULLSCOPE_TR("Test 4: triangle %2 reaches %3 before the plane of triangle %1, seen from the eye, and "
-                                       "%4 behind it: it does not lie wholly before.")};
-        case NewellTest::Swap:
-            return {PainterLine::Swap, CULLSCOPE_TR("No test lets triangle %1, with the farthest depth %3, come before triangle "
-                                                    "%2, with %4: the second one is taken first.")};
-        case NewellTest::Cycle:
-            return {PainterLine::Cut,
-                    CULLSCOPE_TR("Triangle %1, with the farthest depth %3, waits for triangle %2, with %4, which "
-                                 "is marked: a cycle, in which one is cut.")};
-        case NewellTest::Pierce:
-            return {PainterLine::Cut,
-                    CULLSCOPE_TR("Triangles %1 and %2 pass through each other: 1 / depth of the first less that "
-                                 "of the second goes from %3 to %4. One of them is cut.")};
-        default:
-            break;
-    }
-    if (step.byDepth)
-        return {PainterLine::Projections,
-                passed ? CULLSCOPE_TR("Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less "
-                                      "that of the second goes from %3 to %4: it is nowhere nearer.")
-                       : CULLSCOPE_TR("Test 5: where the projections of triangles %1 and %2 overlap, 1 / depth of the first less "
-                                      "that of the second goes from %3 to %4: it is nearer somewhere.")};
-    return {PainterLine::Projections,
-            passed
-                ? CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, not by more than %4: they "
-                               "count as apart.")
-                : CULLSCOPE_TR("Test 5: the projections of triangles %1 and %2 overlap by %3 pixels, by more than %4: not "
-                               "apart.")};
-}
 
 /// Of all lines but the last the first operands are triangles; that one begins with the share that is drawn.
 OperandRole roleInComparison(const Decision& decision, size_t operand) {
@@ -167,7 +99,7 @@ private:
             work.step();
             if (!m_options.watchDrawnOnly) m_inHand->pairs.push_back({step.p, step.q});
             if (step.kind == NewellStep::Kind::Drawn)
-                drawn(step.p);
+                drawn(step);
             else if (step.kind == NewellStep::Kind::Taken || step.kind == NewellStep::Kind::Again)
                 taken(step);
             else
@@ -206,14 +138,14 @@ private:
         m_frame.say(atLine(PainterLine::Farthest, farthest));
     }
 
-    void drawn(uint32_t polygon) {
-        const double share = m_triangles.share(polygon);
-        Decision end = ending(subjectOf(polygon), share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
+    void drawn(const NewellStep& step) {
+        const double share = m_triangles.share(step.p);
+        Decision end = ending(subjectOf(step.p), share < 1.0 ? Decision::Outcome::PartlyDrawn : Decision::Outcome::Drawn);
         end.cause = Cause::Hidden;
-        end.sentence = CULLSCOPE_TR("Nothing is left that has to come before: %1 of the area of triangle %2 is drawn.");
-        end.places = m_inHand->drawn[polygon];
-        end.operands = {share, double(triangleOf(polygon))};
-        end.operandCount = 2;
+        end.sentence = toldDrawn(step.cause);
+        end.places = m_inHand->drawn[step.p];
+        end.operands = {share, double(triangleOf(step.p)), step.first};
+        end.operandCount = step.cause == NewellStep::Cause::ByCentroid ? 3 : 2;
         m_frame.say(atLine(PainterLine::Draw, end));
     }
 
@@ -286,7 +218,10 @@ protected:
         OwnTrianglesPointer own;
         {
             const StageTimer stage(frame, CULLSCOPE_TR("sorting"));
-            sayBegin(frame, uint8_t(PainterLine::Sort), CULLSCOPE_TR("%1 polygons are sorted by their farthest depth."),
+            const bool naive = parameters.choice("sort") == "centroid";
+            sayBegin(frame, uint8_t(PainterLine::Sort),
+                     naive ? CULLSCOPE_TR("%1 polygons are sorted by the distance of their centroids alone. None are compared.")
+                           : CULLSCOPE_TR("%1 polygons are sorted by their farthest depth."),
                      {double(structure.triangles->polygons().size())});
             own = PaintersFrame(frame, *structure.triangles, parameters).order();
             if (frame.recording()) sayObjectsAreDrawn(frame);
@@ -309,7 +244,7 @@ protected:
 };
 
 Show painterListing() {
-    return listingShow({{CULLSCOPE_TR("sort by the farthest depth, far first"), 0},
+    return listingShow({{CULLSCOPE_TR("sort far first, by depth or centroid"), 0},
                         {CULLSCOPE_TR("P = the farthest one left"), 0},
                         {CULLSCOPE_TR("for each Q that P overlaps in depth"), 1},
                         {CULLSCOPE_TR("1, 2: apart in x or y? next Q"), 2},
@@ -318,7 +253,7 @@ Show painterListing() {
                         {CULLSCOPE_TR("5: projections apart? next Q"), 2},
                         {CULLSCOPE_TR("Q marked, or they pierce: cut"), 2},
                         {CULLSCOPE_TR("else mark P; P = Q, from line 3"), 2},
-                        {CULLSCOPE_TR("no Q left: draw P"), 1}});
+                        {CULLSCOPE_TR("no Q left, or none compared: draw P"), 1}});
 }
 
 }  // namespace

@@ -114,15 +114,15 @@ void expectCompared(const NewellStep& step) {
             }
             break;
         case NewellTest::BehindQ:
-            EXPECT_GE(std::min(step.first, step.second), 0.0);
+            EXPECT_FALSE(std::signbit(step.first) || std::signbit(step.second)) << "never -0";
             if (passed) {
-                EXPECT_LE(step.first, 1e-9) << "P before the plane of Q";
+                EXPECT_EQ(step.first, 0.0) << "P before the plane of Q";
             }
             break;
         case NewellTest::BeforeP:
-            EXPECT_GE(std::min(step.first, step.second), 0.0);
+            EXPECT_FALSE(std::signbit(step.first) || std::signbit(step.second)) << "never -0";
             if (passed) {
-                EXPECT_LE(step.second, 1e-9) << "Q behind the plane of P";
+                EXPECT_EQ(step.second, 0.0) << "Q behind the plane of P";
             }
             break;
         case NewellTest::Projections:
@@ -284,6 +284,14 @@ TEST(PaintersOrder, everyComparisonIsWatchedFromItsFirstTestToTheOneThatEndsIt) 
             if (fails || step.kind == NewellStep::Kind::Compared) expectCompared(step);
         }
         EXPECT_EQ(decided, result.order.tests);
+        const auto drawn = [&](NewellStep::Cause cause) {
+            return uint64_t(std::ranges::count_if(result.steps, [&](const NewellStep& step) {
+                return step.kind == NewellStep::Kind::Drawn && step.cause == cause;
+            }));
+        };
+        EXPECT_EQ(drawn(NewellStep::Cause::NoSamples), result.order.unordered);
+        EXPECT_EQ(drawn(NewellStep::Cause::GivenUp), result.order.unresolved);
+        EXPECT_EQ(drawn(NewellStep::Cause::ByCentroid), 0u);
     }
 }
 

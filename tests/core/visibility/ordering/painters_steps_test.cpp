@@ -62,6 +62,38 @@ TEST_F(PaintersSteps, eachPolygonIsDrawnWhereItPassesAgainstAllOthers) {
     EXPECT_GT(comparedAfterADraw, 4u) << "comparisons go on after the first polygon is drawn";
 }
 
+TEST_F(PaintersSteps, byCentroidSaysNoDepthsAndNoTests) {
+    ParameterSet byCentroid(findStrategy("painter").info.parameters);
+    byCentroid.setFromText("sort", "centroid");
+    const CullerPointer naive = makeCuller("painter", byCentroid);
+    naive->build(*scene);
+    const FrameLog frame = naive->cull(view, Recording::On).log;
+    size_t drawn = 0;
+    double farthest = 1e9;
+    for (const Decision& decision : frame.decisions) {
+        const bool object = decision.subject.kind == Subject::Kind::Object;
+        EXPECT_TRUE(object || decision.line == 1 || decision.line == kDrawLine) << int(decision.line);
+        const std::string sentence = decision.sentence == nullptr ? "" : decision.sentence;
+        for (const char* untrue : {"farthest depth", "Nothing is left", "Test "})
+            EXPECT_THAT(sentence, testing::Not(testing::HasSubstr(untrue)));
+        if (decision.subject.kind != Subject::Kind::Fragment) continue;
+        EXPECT_THAT(sentence, testing::HasSubstr("centroid"));
+        ASSERT_EQ(decision.operandCount, 3);
+        EXPECT_LE(decision.operands[2], farthest) << "far to near";
+        farthest = decision.operands[2];
+        ++drawn;
+    }
+    EXPECT_EQ(drawn, scene->triangleCount());
+}
+
+TEST_F(PaintersSteps, whatCoversNoSampleIsNotSaidToHavePassedATest) {
+    const View away({{0, 0, 6}, {0, 0, 12}, {0, 1, 0}, Angle::fromDegrees(60), 0.1, 100}, {160, 120});
+    for (const Decision& decision : painter->cull(away, Recording::On).log.decisions)
+        if (decision.subject.kind == Subject::Kind::Fragment) {
+            EXPECT_THAT(decision.sentence, testing::HasSubstr("covers no sample"));
+        }
+}
+
 TEST_F(PaintersSteps, polygonsInHandAreLitAsTheyAreCompared) {
     size_t both = 0, cut = 0;
     for (size_t i = 0; i < log.decisions.size(); ++i) {
