@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/experiments/result_file.h"
 #include "core/experiments/run_rows.h"
+#include "core/frame/part_names.h"
 #include "core/spatial/bsp_cells.h"
 
 namespace cullscope {
@@ -17,20 +18,20 @@ constexpr const char* kOrder = "order";
 constexpr const char* kLectureNotes = "Lecture notes \"Visible Surface Determination\"";
 
 /// The names of parts: by the leaf or the plane in which they lie, and their object.
-class PartNames {
+class PartsOfCells {
 public:
-    PartNames(const Scene& scene, const BspTree& tree) : m_scene(scene), m_cells(cellsOf(tree, scene.planes().size())) {
+    PartsOfCells(const Scene& scene, const BspTree& tree) : m_scene(scene), m_cells(cellsOf(tree, scene.planes().size())) {
         std::map<size_t, std::map<uint32_t, uint32_t>> places;  // by object: its cells, by their rank
         for (uint32_t node = 0; node < tree.nodes().size(); ++node)
             for (const BspTree::Part& part : tree.partsOf(tree.nodes()[node])) {
                 const uint32_t cell = m_cells.cellOf(node);
                 places[scene.instanceOf(part.triangle)].emplace(m_cells.rank[cell], cell);
             }
+        const PartNames partNames(scene);
         for (const auto& [object, cells] : places) {
             size_t number = 0;
             for (const auto& [rank, cell] : cells)
-                m_names[{cell, object}] =
-                    scene.instances()[object].name + (cells.size() > 1 ? std::to_string(++number) : std::string());
+                m_names[{cell, object}] = cells.size() > 1 ? partNames.of(object, ++number) : scene.instances()[object].name;
         }
     }
 
@@ -63,6 +64,7 @@ Rows computedRows(const LectureCells& cells) {
     Rows rows;
     for (size_t i = 0; i < cells.leaves.size(); ++i)
         rows.push_back({{"what", BspCells::leafName(i)}, {"computed", cells.leaves[i]}});
+    for (const auto& [plane, parts] : cells.inPlanes) rows.push_back({{"what", "in " + plane}, {"computed", parts}});
     rows.push_back({{"what", kOrder}, {"computed", joined(cells.order, ", ")}});
     return rows;
 }
@@ -80,11 +82,12 @@ Rows questionRows(const LectureCells& cells, const std::vector<std::string>& lea
 }
 
 LectureCells cellsSeenFromCamera(const Scene& scene, const Progress& progress) {
-    if (!scene.remarks().camera)
+    // Without planes there is no tree, and the sentence about that is thrown below.
+    if (!scene.planes().empty() && !scene.remarks().camera)
         throwUsage(CULLSCOPE_TR("\"%1\" names no camera, from which the order is seen. Write a line eye x y z into its .polygons "
                                 "file."),
                    {scene.name()});
-    return lectureCells(scene, scene.remarks().camera->eye, progress);
+    return lectureCells(scene, scene.remarks().camera.value_or(Camera{}).eye, progress);
 }
 
 /// The question about a scene of the user's, which has no key.
@@ -95,6 +98,7 @@ Experiment ownQuestion(Experiment experiment, const std::string& scene) {
     experiment.notes = {
         note(CULLSCOPE_TR("Computed from the scene's own planes, which divide it level by level; its objects hang at the leaves. "
                           "C1 is the leaf behind all planes, the last one before all of them.")),
+        note(CULLSCOPE_TR("What lies in a plane hangs at the plane's node, in a row \"in\" with the plane's name.")),
         note(CULLSCOPE_TR("The order is that of drawing, back to front, as seen from the scene's camera V."))};
     experiment.checks.clear();
     experiment.axes.front().values.clear();  // as many leaves as the scene has
@@ -141,12 +145,18 @@ LectureCells lectureCells(const Scene& scene, const Vec3& eye, const Progress& p
     BspOptions options;
     options.plane = BspPlane::Given;
     const BspTree tree(scene, options, progress);
-    const PartNames names(scene, tree);
+    const PartsOfCells names(scene, tree);
     LectureCells cells;
     for (const uint32_t leaf : names.cells().leaves) {
         const std::vector<std::string> parts = names.at(leaf);
         cells.leaves.push_back(parts.empty() ? "NULL" : joined(parts, "+"));
     }
+    std::vector<std::vector<std::string>> inPlanes(scene.planes().size());
+    for (uint32_t node = 0; node < tree.nodes().size(); ++node)
+        if (!names.cells().leafOf[node])
+            for (const std::string& part : names.at(node)) inPlanes[tree.nodes()[node].depth].push_back(part);
+    for (size_t plane = 0; plane < inPlanes.size(); ++plane)
+        if (!inPlanes[plane].empty()) cells.inPlanes.emplace_back(scene.planes()[plane].name, joined(inPlanes[plane], "+"));
     tree.walk(
         eye, false, [](uint32_t /*node*/, int /*side*/) {},
         [&](uint32_t node) {

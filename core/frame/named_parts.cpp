@@ -5,6 +5,8 @@
 #include <map>
 #include <tuple>
 
+#include "core/frame/part_names.h"
+
 namespace cullscope {
 namespace {
 
@@ -74,6 +76,24 @@ Vec3 NamedParts::middleOf(const Scene& scene, size_t part) const {
     return area > 0.0 ? sum / area : scene.instanceBox(parts[part].object).centre();
 }
 
+PartNames::PartNames(const Scene& scene) : m_scene(scene) {
+    for (const Instance& instance : scene.instances()) m_sorted.push_back(instance.name);
+    std::ranges::sort(m_sorted);
+}
+
+std::string PartNames::of(size_t object, size_t number) const {
+    const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+    std::string begin = m_scene.instances()[object].name;
+    const auto isTaken = [&] {
+        if (begin != m_scene.instances()[object].name && std::ranges::binary_search(m_sorted, begin)) return true;
+        for (auto name = std::ranges::upper_bound(m_sorted, begin); name != m_sorted.end() && name->starts_with(begin); ++name)
+            if (std::all_of(name->begin() + std::ptrdiff_t(begin.size()), name->end(), isDigit)) return true;
+        return false;
+    };
+    while (isTaken()) begin += ".";
+    return begin + std::to_string(number);
+}
+
 NamedParts namedParts(const Scene& scene, const FrameLog& log, const PartOf& partOf) {
     NamedParts result;
     result.own = ownTriangles(log);
@@ -89,6 +109,7 @@ NamedParts namedParts(const Scene& scene, const FrameLog& log, const PartOf& par
                                      partOf ? partOf(decision) : PartKey{result.own->triangles[decision.places.first], {}},
                                      area > 0.0 ? sum / area : Vec3(0.0)});
     }
+    const PartNames names(scene);
     for (auto& [object, own] : fragments) {
         std::ranges::sort(own, {}, &Fragment::order);
         const size_t first = result.parts.size();
@@ -99,7 +120,7 @@ NamedParts namedParts(const Scene& scene, const FrameLog& log, const PartOf& par
         }
         for (size_t part = first; part < result.parts.size(); ++part) {
             std::ranges::sort(result.parts[part].drawn, {}, &PlaceRun::first);
-            if (result.parts.size() > first + 1) result.parts[part].name += std::to_string(part - first + 1);
+            if (result.parts.size() > first + 1) result.parts[part].name = names.of(object, part - first + 1);
         }
     }
     return result;

@@ -8,12 +8,14 @@
 
 #include "core/base/error.h"
 #include "core/experiments/experiment_list.h"
+#include "core/scene/polygon_scene.h"
 #include "core/scene/scene_source.h"
 
 namespace cullscope::test::lecture_quiz_test {
 namespace {
 
 using testing::ElementsAre;
+using testing::UnorderedElementsAre;
 
 TEST(LectureQuiz, leavesAndOrderAreThoseOfTheKey) {
     const ScenePointer scene = openScene("quiz").scene;
@@ -71,7 +73,12 @@ TEST(LectureQuiz, sceneOfTheLecturersOwnIsComputedWithoutTheKey) {
     EXPECT_EQ(computed(4), "lamp, wall2, wall1");
     EXPECT_TRUE(table.checks.empty());
     for (const ResultColumn& column : table.columns) EXPECT_TRUE(column.key != "key" && column.key != "differs");
-    EXPECT_THROW((void)runExperiment(findExperiment("quiz").ofScene("torus:triangles=200"), {}), Error);
+    try {
+        (void)runExperiment(findExperiment("quiz").ofScene("torus:triangles=200"), {});
+        FAIL() << "without planes";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("takes the planes that a scene has"), std::string::npos) << error.what();
+    }
     std::ofstream(file) << "polygon wall -1 0 0  1 0 0  1 1 0\nplane left 1 0 0 0\n";
     try {
         (void)runExperiment(findExperiment("example").ofScene(file.string()), {});
@@ -79,6 +86,32 @@ TEST(LectureQuiz, sceneOfTheLecturersOwnIsComputedWithoutTheKey) {
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("names no camera"), std::string::npos) << error.what();
     }
+}
+
+TEST(LectureQuiz, partsAreNamedUniquely) {
+    const auto order = [](const char* text) {
+        const ScenePointer scene = readPolygonText(text, "own").scene;
+        return lectureCells(*scene, scene->remarks().camera->eye).order;
+    };
+    EXPECT_THAT(order("polygon A -1 0 0  1 0 0  1 1 0  -1 1 0\npolygon A1 -1 0 1  -0.5 0 1  -0.5 1 1\n"
+                      "plane P1 1 0 0 0\neye 3 2 6"),
+                UnorderedElementsAre("A.1", "A.2", "A1"));
+    EXPECT_THAT(order("polygon A -1 0 0  1 0 0  1 1 0  -1 1 0\npolygon A.1 -1 0 1  -0.5 0 1  -0.5 1 1\n"
+                      "polygon A11 -1 0 2  -0.5 0 2  -0.5 1 2\nplane P1 1 0 0 0\neye 3 2 6"),
+                UnorderedElementsAre("A..1", "A..2", "A.1", "A11"));
+}
+
+TEST(LectureQuiz, whatLiesInAPlaneIsARow) {
+    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "wall.polygons";
+    std::ofstream(file) << "polygon Wall -2 0 0.3  -0.7 0 0.3  -0.7 1 0.3  -2 1 0.3\n"
+                           "polygon Door -0.7 0 0.3  0.7 0 0.3  0.7 1 0.3  -0.7 1 0.3\n"
+                           "polygon Side 0.7 0 -2  0.7 0 2  0.7 1 2  0.7 1 -2\n"
+                           "plane P1 1 0 0 -0.7\nplane P2 0 0 1 -0.3\ncamera 4 3 7  0 0 0\n";
+    const ResultTable table = runExperiment(findExperiment("quiz").ofScene(file.string()), {});
+    std::vector<std::string> rows;
+    for (const auto& row : table.rows) rows.push_back(std::get<std::string>(row[0]) + ": " + std::get<std::string>(row[1]));
+    EXPECT_THAT(rows, ElementsAre("C1: NULL", "C2: NULL", "C3: NULL", "C4: NULL", "in P1: Side", "in P2: Wall+Door",
+                                  "order: Door, Wall, Side"));
 }
 
 }  // namespace
