@@ -179,9 +179,10 @@ public:
 private:
     /// Of the vertices at a vertex's place, the one whose normal points most in a direction.
     [[nodiscard]] uint32_t nearestNormal(uint32_t vertex, const Vec3& direction) const {
-        const auto place = std::ranges::equal_range(m_sorted, m_welded[vertex], {}, [&](uint32_t i) { return m_welded[i]; });
+        const auto [first, last] = std::equal_range(m_sorted.begin(), m_sorted.end(), vertex,
+                                                    [&](uint32_t a, uint32_t b) { return m_welded[a] < m_welded[b]; });
         const auto along = [&](uint32_t i) { return glm::dot(Vec3(m_mesh.normals()[i]), direction); };
-        return *std::max_element(place.begin(), place.end(), [&](uint32_t a, uint32_t b) { return along(a) < along(b); });
+        return *std::max_element(first, last, [&](uint32_t a, uint32_t b) { return along(a) < along(b); });
     }
 
     const TriangleMesh& m_mesh;
