@@ -2584,20 +2584,8 @@
         <translation>이 행에서 깊이 %1개를 비교함. 깊이 버퍼라면 %2개를 비교합니다. 스팬 %3개를 채웠습니다.</translation>
     </message>
     <message>
-        <source>At column %1 a surface begins where there is no other one, at depth %2: it is in front without a comparison.</source>
-        <translation>%1열에서 다른 면이 없는 곳에 면이 깊이 %2로 시작함: 비교 없이 맨 앞입니다.</translation>
-    </message>
-    <message>
         <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is nearer.</source>
         <translation>%1열에서 면이 시작함. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 더 가깝습니다.</translation>
-    </message>
-    <message>
-        <source>At column %1 the surface in front ends. Of those that remain the one at depth %2 is the nearest; it was compared with %3.</source>
-        <translation>%1열에서 맨 앞 면이 끝남. 남은 면 가운데 깊이 %2인 면이 가장 가깝습니다. %3과 비교했습니다.</translation>
-    </message>
-    <message>
-        <source>At column %1 a surface comes through the one in front: its depth is %2, that of the other one %3. The span is split there.</source>
-        <translation>%1열에서 한 면이 맨 앞 면을 뚫고 나옴: 그 깊이는 %2, 다른 면은 %3. 스팬을 거기서 나눕니다.</translation>
     </message>
     <message>
         <source>Whether parts of the picture are drawn on all processors at once; the picture is the same.</source>
@@ -2662,10 +2650,6 @@
     <message>
         <source>for each row: its active edges</source>
         <translation>각 행마다: 활성 모서리</translation>
-    </message>
-    <message>
-        <source>begins alone: in front</source>
-        <translation>홀로 시작: 맨 앞</translation>
     </message>
     <message>
         <source>begins: compare with the front</source>
@@ -3360,10 +3344,6 @@
         <translation>다각형 %1개를 가장 먼 깊이로 정렬한다.</translation>
     </message>
     <message>
-        <source>sort by the farthest depth, far first</source>
-        <translation>가장 먼 깊이로 정렬, 먼 것부터</translation>
-    </message>
-    <message>
         <source>P = the farthest one left</source>
         <translation>P = 남은 것 중 가장 먼 것</translation>
     </message>
@@ -3394,10 +3374,6 @@
     <message>
         <source>else mark P; P = Q, from line 3</source>
         <translation>아니면 P 표시; P = Q, 3행부터</translation>
-    </message>
-    <message>
-        <source>no Q left: draw P</source>
-        <translation>남은 Q 없음: P를 그림</translation>
     </message>
     <message>
         <source>Painter&apos;s algorithm</source>
@@ -4414,6 +4390,290 @@
     <message>
         <source>It is left out with its whole group (objects: %1): %2.</source>
         <translation>묶음 전체와 함께 제외됩니다(물체 %1개): %2.</translation>
+    </message>
+    <message>
+        <source>What lies in a plane hangs at the plane&apos;s node, in a row &quot;in&quot; with the plane&apos;s name.</source>
+        <translation>평면에 놓인 것은 그 평면의 노드에 달리며, 평면 이름이 붙은 &quot;in&quot; 행에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s plants are not to be had, and its tables did not survive: here are generated plants of as many pipelines. Of its figures only the conclusion is left, at least 200 % more frames than by triangle.</source>
+        <translation>논문의 플랜트는 구할 수 없고 표도 남아 있지 않다. 여기서는 배관 수가 같은 생성된 플랜트를 쓴다. 수치는 결론만 남아 있다: 삼각형별 방법보다 프레임이 200 % 이상 많다.</translation>
+    </message>
+    <message>
+        <source>The views are of a walk through the plant at half its height, 30° across as in the paper.</source>
+        <translation>뷰는 플랜트 높이의 절반에서 그 안을 지나는 보행의 것이며, 논문처럼 가로 시야가 30°이다.</translation>
+    </message>
+    <message>
+        <source>The paper tests every triangle of the plant at every frame. Here small-feature-triangle has the frustum, groups, vector units and every core on its side. Its missed pixels stand beside its time.</source>
+        <translation>논문은 매 프레임 플랜트의 모든 삼각형을 검사한다. 여기서 small-feature-triangle은 절두체, 그룹, 벡터 연산, 모든 코어의 도움을 받는다. 놓친 픽셀은 시간 옆에 있다.</translation>
+    </message>
+    <message>
+        <source>Groups, sizes and draw list are stages of culling: the tests of octrees, those of triangles or components by their size, and the list of what is drawn.</source>
+        <translation>그룹, 크기, 그리기 목록은 컬링의 단계이다: 옥트리의 검사, 삼각형이나 구성 요소의 크기 검사, 그릴 것의 목록.</translation>
+    </message>
+    <message>
+        <source>pipelines</source>
+        <translation>배관</translation>
+    </message>
+    <message>
+        <source>Small-feature culling of process plants, by method</source>
+        <translation>공정 플랜트의 작은 형상 컬링: 방법별</translation>
+    </message>
+    <message>
+        <source>Small-feature culling by the number of pipelines</source>
+        <translation>배관 수에 따른 작은 형상 컬링</translation>
+    </message>
+    <message>
+        <source>Culling by visible leaves</source>
+        <translation>보이는 잎에 따른 컬링</translation>
+    </message>
+    <message>
+        <source>visible leaves</source>
+        <translation>보이는 잎</translation>
+    </message>
+    <message>
+        <source>groups, ms</source>
+        <translation>그룹, ms</translation>
+    </message>
+    <message>
+        <source>Frames per second by pipelines</source>
+        <translation>배관 수에 따른 초당 프레임</translation>
+    </message>
+    <message>
+        <source>Culling by pipelines</source>
+        <translation>배관 수에 따른 컬링</translation>
+    </message>
+    <message>
+        <source>culling, ms</source>
+        <translation>컬링, ms</translation>
+    </message>
+    <message>
+        <source>Loss of small-feature culling by its threshold</source>
+        <translation>임계값에 따른 작은 형상 컬링의 손실</translation>
+    </message>
+    <message>
+        <source>A threshold of so many pixels is the side of a square. It is k′·tan θ of small-feature and small-feature-triangle, with the paper&apos;s field of view of 30°; small-feature-bounded may lose as many pixels of a group as the square has.</source>
+        <translation>픽셀 임계값은 정사각형의 한 변이다. small-feature와 small-feature-triangle에서는 논문의 시야 30°로 계산한 k′·tan θ이고, small-feature-bounded는 한 그룹에서 그 정사각형의 픽셀 수만큼 잃을 수 있다.</translation>
+    </message>
+    <message>
+        <source>threshold, px</source>
+        <translation>임계값, 픽셀</translation>
+    </message>
+    <message>
+        <source>Speed by threshold: %1</source>
+        <translation>임계값에 따른 속도: %1</translation>
+    </message>
+    <message>
+        <source>× frustum-octree</source>
+        <translation>× frustum-octree</translation>
+    </message>
+    <message>
+        <source>Loss by threshold: %1</source>
+        <translation>임계값에 따른 손실: %1</translation>
+    </message>
+    <message>
+        <source>sizes, ms</source>
+        <translation>크기, ms</translation>
+    </message>
+    <message>
+        <source>draw list, ms</source>
+        <translation>그리기 목록, ms</translation>
+    </message>
+    <message>
+        <source>triangles a pipeline</source>
+        <translation>배관당 삼각형</translation>
+    </message>
+    <message>
+        <source>components a pipeline</source>
+        <translation>배관당 구성 요소</translation>
+    </message>
+    <message>
+        <source>frame, ms</source>
+        <translation>프레임, ms</translation>
+    </message>
+    <message>
+        <source>× frustum-octree [95 %]</source>
+        <translation>× frustum-octree [95 %]</translation>
+    </message>
+    <message>
+        <source>paper: × by triangle, at least</source>
+        <translation>논문: 삼각형별 방법의 ×, 최소</translation>
+    </message>
+    <message>
+        <source>× by triangle [95 %]</source>
+        <translation>× 삼각형별 방법 [95 %]</translation>
+    </message>
+    <message>
+        <source>stated, at most, px</source>
+        <translation>명시한 최대 손실, 픽셀</translation>
+    </message>
+    <message>
+        <source>missed less stated, px</source>
+        <translation>놓친 픽셀 − 명시한 값</translation>
+    </message>
+    <message>
+        <source>drawing, ms</source>
+        <translation>그리기, ms</translation>
+    </message>
+    <message>
+        <source>bytes of the scene</source>
+        <translation>장면의 바이트</translation>
+    </message>
+    <message>
+        <source>Making levels of detail</source>
+        <translation>세부 단계를 만드는 중</translation>
+    </message>
+    <message>
+        <source>%1 polygons are sorted by the distance of their centroids alone. None are compared.</source>
+        <translation>폴리곤 %1개를 무게중심의 거리로만 정렬함. 서로 비교하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>sort far first, by depth or centroid</source>
+        <translation>먼 것부터 정렬: 깊이 또는 무게중심</translation>
+    </message>
+    <message>
+        <source>no Q left, or none compared: draw P</source>
+        <translation>남은 Q 없음/비교 안 함: P 그리기</translation>
+    </message>
+    <message>
+        <source>Triangle %2 covers no sample and is compared with none: %1 of its area is drawn.</source>
+        <translation>삼각형 %2는 표본을 덮지 않아 아무것과도 비교하지 않음: 그 면적의 %1을 그립니다.</translation>
+    </message>
+    <message>
+        <source>The centroid of triangle %2, at the distance %3, is the farthest one left: %1 of its area is drawn without a test.</source>
+        <translation>거리 %3에 있는 삼각형 %2의 무게중심이 남은 것 가운데 가장 멂: 그 면적의 %1을 검사 없이 그립니다.</translation>
+    </message>
+    <message>
+        <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: %1 of its area is drawn all the same.</source>
+        <translation>반올림만으로 삼각형 %2가 아직 다른 것을 기다리고 자를 수 있는 것이 없음: 그래도 그 면적의 %1을 그립니다.</translation>
+    </message>
+    <message>
+        <source>Of its levels 0 to %1, level %2 moves its surface by at most %3 of %4 pixels.</source>
+        <translation>단계 0~%1 가운데 단계 %2은(는) 표면을 많아야 %3픽셀 움직인다(허용 %4픽셀).</translation>
+    </message>
+    <message>
+        <source>Level %1 would do with %2 pixels; it changes to a coarser level only below %3.</source>
+        <translation>단계 %1도 %2픽셀로 충분하지만, 더 거친 단계로는 %3픽셀 아래에서만 바뀐다.</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; has %2 triangles; far away, a coarser level stands for it.</source>
+        <translation>물체 &quot;%1&quot;에는 삼각형이 %2개 있다. 멀리서는 더 거친 단계가 그것을 대신한다.</translation>
+    </message>
+    <message>
+        <source>k = coarsest: e·f ÷ z ≤ error</source>
+        <translation>k = 가장 거친 것: e·f ÷ z ≤ error</translation>
+    </message>
+    <message>
+        <source>coarser than last: ≤ (1−h)·error</source>
+        <translation>앞보다 거칠면: ≤ (1−h)·error</translation>
+    </message>
+    <message>
+        <source>draw level k, nearest first</source>
+        <translation>단계 k를 가까운 것부터 그린다</translation>
+    </message>
+    <message>
+        <source>By how many pixels a coarser level may move an object&apos;s surface in the picture.</source>
+        <translation>더 거친 단계가 그림에서 물체의 표면을 움직여도 되는 픽셀 수.</translation>
+    </message>
+    <message>
+        <source>By what share of these pixels a coarser level must stay below them before an object changes to it: against popping.</source>
+        <translation>물체가 더 거친 단계로 바뀌려면 그 단계가 이 픽셀 수보다 얼마만큼의 비율로 더 작아야 하는지: 튀는 현상을 막는다.</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>세부 단계</translation>
+    </message>
+    <message>
+        <source>Draws far objects with fewer triangles, whose surfaces move by a bounded number of pixels.</source>
+        <translation>멀리 있는 물체를 더 적은 삼각형으로 그린다. 그 표면이 움직이는 픽셀 수에는 한계가 있다.</translation>
+    </message>
+    <message>
+        <source>Outline and details</source>
+        <translation>윤곽과 세부</translation>
+    </message>
+    <message>
+        <source>&amp;Outline and details</source>
+        <translation>윤곽과 세부(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the boxes of the components that are always kept, and those of the others by what became of them</source>
+        <translation>활성 뷰에 항상 유지되는 구성 요소의 상자를 표시하고, 나머지의 상자는 처리 결과에 따라 색을 달리하여 표시합니다</translation>
+    </message>
+    <message>
+        <source>outline: always kept</source>
+        <translation>윤곽: 항상 유지</translation>
+    </message>
+    <message>
+        <source>The frame before took %1 of %2 ms: now the threshold is %3 and the outline %4 %.</source>
+        <translation>앞 프레임은 %2 ms 가운데 %1 ms가 걸렸다. 이제 문턱값은 %3, 윤곽은 %4%이다.</translation>
+    </message>
+    <message>
+        <source>How many frames per second threshold and outline hold, by the frames&apos; own times; 0: they stay as they are set.</source>
+        <translation>프레임 자체의 시간에 따라 문턱값과 윤곽이 유지하는 초당 프레임 수. 0: 정한 값 그대로 둔다.</translation>
+    </message>
+    <message>
+        <source>Of %1 triangles %2 hold no pixel centre.</source>
+        <translation>삼각형 %1개 중 %2개에는 픽셀 중심이 없습니다.</translation>
+    </message>
+    <message>
+        <source>leave out triangles without a centre</source>
+        <translation>중심이 없는 삼각형은 제외</translation>
+    </message>
+    <message>
+        <source>Whether triangles without a pixel centre are left out of components that are drawn. It loses nothing.</source>
+        <translation>그리는 구성 요소에서 픽셀 중심이 없는 삼각형을 제외할지 여부입니다. 잃는 것은 없습니다.</translation>
+    </message>
+    <message>
+        <source>by row, above %1 steps</source>
+        <translation>단계가 %1개를 넘어 행별</translation>
+    </message>
+    <message>
+        <source>At column %1 the surface in front ends. The first one of those that remain, at depth %2, comes to the front without a comparison.</source>
+        <translation>%1열에서 맨 앞 면이 끝남. 남은 면 가운데 첫째 면이 깊이 %2로 비교 없이 맨 앞에 옵니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins where none is in front, at depth %2: it comes to the front without a comparison.</source>
+        <translation>%1열에서 맨 앞 면이 없는 곳에 면이 깊이 %2로 시작함: 비교 없이 맨 앞에 옵니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is farther.</source>
+        <translation>%1열에서 면이 시작함. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 더 멉니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: they are equal, and the one that comes first in the scene is in front.</source>
+        <translation>%1열에서 면이 시작함. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 같으므로 장면에서 먼저 나오는 면이 맨 앞입니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface remains where the one in front ended. Its depth %2 is compared with %3 of the one taken so far: it is nearer.</source>
+        <translation>%1열에서 맨 앞 면이 끝난 곳에 면이 남아 있음. 그 깊이 %2를 지금까지 고른 면의 깊이 %3과 비교함: 더 가깝습니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface remains where the one in front ended. Its depth %2 is compared with %3 of the one taken so far: it is farther.</source>
+        <translation>%1열에서 맨 앞 면이 끝난 곳에 면이 남아 있음. 그 깊이 %2를 지금까지 고른 면의 깊이 %3과 비교함: 더 멉니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface remains where the one in front ended. Its depth %2 is compared with %3 of the one taken so far: they are equal, and the one that comes first in the scene is in front.</source>
+        <translation>%1열에서 맨 앞 면이 끝난 곳에 면이 남아 있음. 그 깊이 %2를 지금까지 고른 면의 깊이 %3과 비교함: 같으므로 장면에서 먼저 나오는 면이 맨 앞입니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that one: it is nearer, and the span is split there.</source>
+        <translation>%1열에서 한 면이 맨 앞 면과 교차할 수 있음. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 더 가까우므로 스팬을 거기서 나눕니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that one: it is farther.</source>
+        <translation>%1열에서 한 면이 맨 앞 면과 교차할 수 있음. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 더 멉니다.</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that one: they are equal, and the one that comes first in the scene is in front.</source>
+        <translation>%1열에서 한 면이 맨 앞 면과 교차할 수 있음. 그 깊이 %2를 맨 앞 면의 깊이 %3과 비교함: 같으므로 장면에서 먼저 나오는 면이 맨 앞입니다.</translation>
+    </message>
+    <message>
+        <source>begins, none in front: in front</source>
+        <translation>시작, 앞에 면 없음: 맨 앞</translation>
+    </message>
+    <message>
+        <source>A coarser surface of the object is given to OpenGL in place of the triangle.</source>
+        <translation>이 삼각형 대신 물체의 더 거친 표면이 OpenGL에 전달된다.</translation>
     </message>
 </context>
 <context>
@@ -5991,6 +6251,29 @@ snapping</source>
     <message>
         <source>Splits the object, so that there are objects to leave out</source>
         <translation>물체를 나누어, 뺄 수 있는 물체가 생기게 합니다</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <comment>the up axis</comment>
+        <translation>선택함</translation>
+    </message>
+    <message>
+        <source>as the scene says</source>
+        <comment>the up axis</comment>
+        <translation>장면에 명시됨</translation>
+    </message>
+    <message>
+        <source>guessed from its shape</source>
+        <comment>the up axis</comment>
+        <translation>형태로 추정</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>위쪽 축</translation>
+    </message>
+    <message>
+        <source>Which axis points up. The views stand anew; nothing is loaded again.</source>
+        <translation>어느 축이 위를 가리키는지. 뷰를 다시 세우며, 다시 불러오지는 않습니다.</translation>
     </message>
 </context>
 <context>

@@ -2584,20 +2584,8 @@
         <translation>此行比较了 %1 个深度，而深度缓冲要比较 %2 个；填充了 %3 个扫描段。</translation>
     </message>
     <message>
-        <source>At column %1 a surface begins where there is no other one, at depth %2: it is in front without a comparison.</source>
-        <translation>在第 %1 列，一个表面在没有其他表面之处以深度 %2 开始：无需比较即在最前。</translation>
-    </message>
-    <message>
         <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is nearer.</source>
         <translation>在第 %1 列有一个表面开始。其深度 %2 与最前表面的深度 %3 比较：它更近。</translation>
-    </message>
-    <message>
-        <source>At column %1 the surface in front ends. Of those that remain the one at depth %2 is the nearest; it was compared with %3.</source>
-        <translation>在第 %1 列最前的表面结束。其余表面中深度为 %2 的最近；它曾与 %3 比较。</translation>
-    </message>
-    <message>
-        <source>At column %1 a surface comes through the one in front: its depth is %2, that of the other one %3. The span is split there.</source>
-        <translation>在第 %1 列，一个表面穿过最前的表面：其深度为 %2，另一个为 %3。扫描段在此分开。</translation>
     </message>
     <message>
         <source>Whether parts of the picture are drawn on all processors at once; the picture is the same.</source>
@@ -2662,10 +2650,6 @@
     <message>
         <source>for each row: its active edges</source>
         <translation>对每一行：其活动边</translation>
-    </message>
-    <message>
-        <source>begins alone: in front</source>
-        <translation>单独开始：在最前</translation>
     </message>
     <message>
         <source>begins: compare with the front</source>
@@ -3360,10 +3344,6 @@
         <translation>%1 个多边形按最远深度排序。</translation>
     </message>
     <message>
-        <source>sort by the farthest depth, far first</source>
-        <translation>按最远深度排序，远者在先</translation>
-    </message>
-    <message>
         <source>P = the farthest one left</source>
         <translation>P = 剩余中最远者</translation>
     </message>
@@ -3394,10 +3374,6 @@
     <message>
         <source>else mark P; P = Q, from line 3</source>
         <translation>否则标记 P；P = Q，回到第 3 行</translation>
-    </message>
-    <message>
-        <source>no Q left: draw P</source>
-        <translation>没有 Q 了：绘制 P</translation>
     </message>
     <message>
         <source>Painter&apos;s algorithm</source>
@@ -4414,6 +4390,290 @@
     <message>
         <source>It is left out with its whole group (objects: %1): %2.</source>
         <translation>它随整组一起被略去（物体 %1 个）：%2。</translation>
+    </message>
+    <message>
+        <source>What lies in a plane hangs at the plane&apos;s node, in a row &quot;in&quot; with the plane&apos;s name.</source>
+        <translation>位于平面内的部分挂在该平面的节点上，列在带平面名称的 &quot;in&quot; 行中。</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s plants are not to be had, and its tables did not survive: here are generated plants of as many pipelines. Of its figures only the conclusion is left, at least 200 % more frames than by triangle.</source>
+        <translation>论文的工厂无从获得，其表格也未留存：这里用管线数相同的生成工厂。其数值只留下结论：帧数比按三角形的方法至少多 200 %。</translation>
+    </message>
+    <message>
+        <source>The views are of a walk through the plant at half its height, 30° across as in the paper.</source>
+        <translation>各视图取自在工厂一半高度处穿行的漫游，与论文一样水平视场为 30°。</translation>
+    </message>
+    <message>
+        <source>The paper tests every triangle of the plant at every frame. Here small-feature-triangle has the frustum, groups, vector units and every core on its side. Its missed pixels stand beside its time.</source>
+        <translation>论文每帧测试工厂的每个三角形。这里 small-feature-triangle 有视锥体、分组、向量单元和所有核心相助。其丢失像素列在时间旁边。</translation>
+    </message>
+    <message>
+        <source>Groups, sizes and draw list are stages of culling: the tests of octrees, those of triangles or components by their size, and the list of what is drawn.</source>
+        <translation>分组、尺寸和绘制列表是剔除的各阶段：八叉树的测试、三角形或构件的尺寸测试、待绘制内容的列表。</translation>
+    </message>
+    <message>
+        <source>pipelines</source>
+        <translation>管线</translation>
+    </message>
+    <message>
+        <source>Small-feature culling of process plants, by method</source>
+        <translation>流程工厂的细节裁剪：按方法</translation>
+    </message>
+    <message>
+        <source>Small-feature culling by the number of pipelines</source>
+        <translation>细节裁剪随管线数量的变化</translation>
+    </message>
+    <message>
+        <source>Culling by visible leaves</source>
+        <translation>剔除随可见叶节点的变化</translation>
+    </message>
+    <message>
+        <source>visible leaves</source>
+        <translation>可见叶节点</translation>
+    </message>
+    <message>
+        <source>groups, ms</source>
+        <translation>分组，ms</translation>
+    </message>
+    <message>
+        <source>Frames per second by pipelines</source>
+        <translation>每秒帧数随管线数的变化</translation>
+    </message>
+    <message>
+        <source>Culling by pipelines</source>
+        <translation>剔除随管线数的变化</translation>
+    </message>
+    <message>
+        <source>culling, ms</source>
+        <translation>剔除，ms</translation>
+    </message>
+    <message>
+        <source>Loss of small-feature culling by its threshold</source>
+        <translation>细节裁剪的损失随阈值的变化</translation>
+    </message>
+    <message>
+        <source>A threshold of so many pixels is the side of a square. It is k′·tan θ of small-feature and small-feature-triangle, with the paper&apos;s field of view of 30°; small-feature-bounded may lose as many pixels of a group as the square has.</source>
+        <translation>以像素计的阈值是一个正方形的边长。对 small-feature 和 small-feature-triangle，它按论文的 30° 视场换算为 k′·tan θ；small-feature-bounded 每组可丢失该正方形所含的像素数。</translation>
+    </message>
+    <message>
+        <source>threshold, px</source>
+        <translation>阈值，像素</translation>
+    </message>
+    <message>
+        <source>Speed by threshold: %1</source>
+        <translation>速度随阈值的变化：%1</translation>
+    </message>
+    <message>
+        <source>× frustum-octree</source>
+        <translation>× frustum-octree</translation>
+    </message>
+    <message>
+        <source>Loss by threshold: %1</source>
+        <translation>损失随阈值的变化：%1</translation>
+    </message>
+    <message>
+        <source>sizes, ms</source>
+        <translation>尺寸，ms</translation>
+    </message>
+    <message>
+        <source>draw list, ms</source>
+        <translation>绘制列表，ms</translation>
+    </message>
+    <message>
+        <source>triangles a pipeline</source>
+        <translation>每条管线的三角形</translation>
+    </message>
+    <message>
+        <source>components a pipeline</source>
+        <translation>每条管线的构件</translation>
+    </message>
+    <message>
+        <source>frame, ms</source>
+        <translation>帧，ms</translation>
+    </message>
+    <message>
+        <source>× frustum-octree [95 %]</source>
+        <translation>× frustum-octree [95 %]</translation>
+    </message>
+    <message>
+        <source>paper: × by triangle, at least</source>
+        <translation>论文：× 按三角形，至少</translation>
+    </message>
+    <message>
+        <source>× by triangle [95 %]</source>
+        <translation>× 按三角形 [95 %]</translation>
+    </message>
+    <message>
+        <source>stated, at most, px</source>
+        <translation>声明的最大损失，像素</translation>
+    </message>
+    <message>
+        <source>missed less stated, px</source>
+        <translation>丢失减声明，像素</translation>
+    </message>
+    <message>
+        <source>drawing, ms</source>
+        <translation>绘制，ms</translation>
+    </message>
+    <message>
+        <source>bytes of the scene</source>
+        <translation>场景字节</translation>
+    </message>
+    <message>
+        <source>Making levels of detail</source>
+        <translation>正在生成细节层次</translation>
+    </message>
+    <message>
+        <source>%1 polygons are sorted by the distance of their centroids alone. None are compared.</source>
+        <translation>%1 个多边形仅按质心的距离排序。彼此不比较。</translation>
+    </message>
+    <message>
+        <source>sort far first, by depth or centroid</source>
+        <translation>由远到近排序：按深度或质心</translation>
+    </message>
+    <message>
+        <source>no Q left, or none compared: draw P</source>
+        <translation>无剩余 Q 或不比较：绘制 P</translation>
+    </message>
+    <message>
+        <source>Triangle %2 covers no sample and is compared with none: %1 of its area is drawn.</source>
+        <translation>三角形 %2 不覆盖任何采样点，不与其他比较：绘制其面积的 %1。</translation>
+    </message>
+    <message>
+        <source>The centroid of triangle %2, at the distance %3, is the farthest one left: %1 of its area is drawn without a test.</source>
+        <translation>三角形 %2 的质心距离为 %3，是剩余中最远的：不经测试绘制其面积的 %1。</translation>
+    </message>
+    <message>
+        <source>Because of rounding alone triangle %2 still waits for others, and none of them can be cut: %1 of its area is drawn all the same.</source>
+        <translation>仅因舍入，三角形 %2 仍在等待其他三角形，而它们都无法切割：仍绘制其面积的 %1。</translation>
+    </message>
+    <message>
+        <source>Of its levels 0 to %1, level %2 moves its surface by at most %3 of %4 pixels.</source>
+        <translation>在层次 0 到 %1 中，层次 %2 使其表面最多移动 %3 像素（允许 %4 像素）。</translation>
+    </message>
+    <message>
+        <source>Level %1 would do with %2 pixels; it changes to a coarser level only below %3.</source>
+        <translation>层次 %1 只移动 %2 像素，也可使用；但低于 %3 像素时才换用较粗的层次。</translation>
+    </message>
+    <message>
+        <source>The object &quot;%1&quot; has %2 triangles; far away, a coarser level stands for it.</source>
+        <translation>物体“%1”有 %2 个三角形；在远处由较粗的层次代替。</translation>
+    </message>
+    <message>
+        <source>k = coarsest: e·f ÷ z ≤ error</source>
+        <translation>k = 最粗：e·f ÷ z ≤ error</translation>
+    </message>
+    <message>
+        <source>coarser than last: ≤ (1−h)·error</source>
+        <translation>比上次粗：≤ (1−h)·error</translation>
+    </message>
+    <message>
+        <source>draw level k, nearest first</source>
+        <translation>绘制层次 k，由近到远</translation>
+    </message>
+    <message>
+        <source>By how many pixels a coarser level may move an object&apos;s surface in the picture.</source>
+        <translation>较粗的层次在画面中最多可以使物体表面移动多少像素。</translation>
+    </message>
+    <message>
+        <source>By what share of these pixels a coarser level must stay below them before an object changes to it: against popping.</source>
+        <translation>物体换用较粗的层次之前，该层次须比上述像素数低多大的比例：防止跳变。</translation>
+    </message>
+    <message>
+        <source>Level of detail</source>
+        <translation>细节层次</translation>
+    </message>
+    <message>
+        <source>Draws far objects with fewer triangles, whose surfaces move by a bounded number of pixels.</source>
+        <translation>用较少的三角形绘制远处的物体，其表面移动的像素数有上限。</translation>
+    </message>
+    <message>
+        <source>Outline and details</source>
+        <translation>轮廓与细节</translation>
+    </message>
+    <message>
+        <source>&amp;Outline and details</source>
+        <translation>轮廓与细节(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show in the active view the boxes of the components that are always kept, and those of the others by what became of them</source>
+        <translation>在活动视图中显示始终保留的构件的包围盒，并按处理结果显示其余构件的包围盒</translation>
+    </message>
+    <message>
+        <source>outline: always kept</source>
+        <translation>轮廓：始终保留</translation>
+    </message>
+    <message>
+        <source>The frame before took %1 of %2 ms: now the threshold is %3 and the outline %4 %.</source>
+        <translation>上一帧用时 %1 ms（预算 %2 ms）：现在阈值为 %3，轮廓为 %4%。</translation>
+    </message>
+    <message>
+        <source>How many frames per second threshold and outline hold, by the frames&apos; own times; 0: they stay as they are set.</source>
+        <translation>阈值和轮廓按各帧自身的用时所保持的每秒帧数；0：保持所设的值。</translation>
+    </message>
+    <message>
+        <source>Of %1 triangles %2 hold no pixel centre.</source>
+        <translation>%1 个三角形中有 %2 个不含像素中心。</translation>
+    </message>
+    <message>
+        <source>leave out triangles without a centre</source>
+        <translation>略去不含中心的三角形</translation>
+    </message>
+    <message>
+        <source>Whether triangles without a pixel centre are left out of components that are drawn. It loses nothing.</source>
+        <translation>是否从所绘构件中略去不含像素中心的三角形。不会丢失任何内容。</translation>
+    </message>
+    <message>
+        <source>by row, above %1 steps</source>
+        <translation>步骤超过 %1 个，按行</translation>
+    </message>
+    <message>
+        <source>At column %1 the surface in front ends. The first one of those that remain, at depth %2, comes to the front without a comparison.</source>
+        <translation>在第 %1 列最前的表面结束。其余表面中的第一个以深度 %2 无需比较即到最前。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins where none is in front, at depth %2: it comes to the front without a comparison.</source>
+        <translation>在第 %1 列，一个表面在没有最前表面之处以深度 %2 开始：无需比较即到最前。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: it is farther.</source>
+        <translation>在第 %1 列有一个表面开始。其深度 %2 与最前表面的深度 %3 比较：它更远。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface begins. Its depth %2 is compared with %3 of the one in front: they are equal, and the one that comes first in the scene is in front.</source>
+        <translation>在第 %1 列有一个表面开始。其深度 %2 与最前表面的深度 %3 比较：两者相等，场景中靠前的表面在最前。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface remains where the one in front ended. Its depth %2 is compared with %3 of the one taken so far: it is nearer.</source>
+        <translation>在第 %1 列最前的表面结束之处还有一个表面。其深度 %2 与目前选出的表面的深度 %3 比较：它更近。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface remains where the one in front ended. Its depth %2 is compared with %3 of the one taken so far: it is farther.</source>
+        <translation>在第 %1 列最前的表面结束之处还有一个表面。其深度 %2 与目前选出的表面的深度 %3 比较：它更远。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface remains where the one in front ended. Its depth %2 is compared with %3 of the one taken so far: they are equal, and the one that comes first in the scene is in front.</source>
+        <translation>在第 %1 列最前的表面结束之处还有一个表面。其深度 %2 与目前选出的表面的深度 %3 比较：两者相等，场景中靠前的表面在最前。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that one: it is nearer, and the span is split there.</source>
+        <translation>在第 %1 列，一个表面可能与最前的表面相交。其深度 %2 与最前表面的深度 %3 比较：它更近，扫描段在此分开。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that one: it is farther.</source>
+        <translation>在第 %1 列，一个表面可能与最前的表面相交。其深度 %2 与最前表面的深度 %3 比较：它更远。</translation>
+    </message>
+    <message>
+        <source>At column %1 a surface may cross the one in front. Its depth %2 is compared with %3 of that one: they are equal, and the one that comes first in the scene is in front.</source>
+        <translation>在第 %1 列，一个表面可能与最前的表面相交。其深度 %2 与最前表面的深度 %3 比较：两者相等，场景中靠前的表面在最前。</translation>
+    </message>
+    <message>
+        <source>begins, none in front: in front</source>
+        <translation>开始且前面没有：在最前</translation>
+    </message>
+    <message>
+        <source>A coarser surface of the object is given to OpenGL in place of the triangle.</source>
+        <translation>代替该三角形，把物体的较粗表面交给 OpenGL。</translation>
     </message>
 </context>
 <context>
@@ -5991,6 +6251,29 @@ snapping</source>
     <message>
         <source>Splits the object, so that there are objects to leave out</source>
         <translation>分割物体，使策略有物体可剔除</translation>
+    </message>
+    <message>
+        <source>chosen</source>
+        <comment>the up axis</comment>
+        <translation>手动选择</translation>
+    </message>
+    <message>
+        <source>as the scene says</source>
+        <comment>the up axis</comment>
+        <translation>场景注明</translation>
+    </message>
+    <message>
+        <source>guessed from its shape</source>
+        <comment>the up axis</comment>
+        <translation>按形状推测</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>向上轴</translation>
+    </message>
+    <message>
+        <source>Which axis points up. The views stand anew; nothing is loaded again.</source>
+        <translation>哪个轴朝上。视图会重新摆正，不会重新加载。</translation>
     </message>
 </context>
 <context>

@@ -103,7 +103,7 @@ TEST(RvmOfAPlatform, showsWhatAnObjOfTheSameFileShows) {
     std::printf("%d views: %.3f %% of %llu pixels agree, %.3f %% of the %llu covered ones; the same object in %.3f %%\n", views,
                 100.0 * total.share(), static_cast<unsigned long long>(total.pixels), 100.0 * total.shareOfCovered(),
                 static_cast<unsigned long long>(total.covered), 100.0 * double(total.sameObject) / double(total.covered));
-    EXPECT_GT(total.covered, total.pixels / 50);
+    EXPECT_GT(total.covered, total.pixels / 100);
     EXPECT_GE(total.share(), 0.999);
     EXPECT_GE(total.shareOfCovered(), 0.998);
 }

@@ -36,14 +36,15 @@ struct Bumps {
 
 TEST(SphericalWhy, whatIsSaidOfBandsAndCellsStandsInTheLogAndAgreesWithWhatBecameOfTheTriangle) {
     const Bumps bumps;
+    const uint64_t stride = fewSamples() ? 61 : 7;
     for (const char* id : {"spherical", "spherical-horizon"}) {
         const CullerPointer culler = makeCuller(id);
         culler->build(*bumps.scene);
         size_t hidden = 0, afterACut = 0, drawn = 0;
-        for (int number = 0; number < int(howMany(24, 4)); ++number) {
+        for (int number = 0; number < (longMode() ? 24 : 4); ++number) {
             const Culled frame = culler->cull(Bumps::view(number), Recording::On);
             const std::set<std::string> said = sentencesOfCells(frame.log);
-            for (uint64_t triangle = 0; triangle < bumps.scene->triangleCount(); triangle += 7) {
+            for (uint64_t triangle = 0; triangle < bumps.scene->triangleCount(); triangle += stride) {
                 const std::vector<WhyStep> steps = why(*culler->built(), frame.log, triangle);
                 size_t tests = 0;
                 Containment containment = Containment::Straddles;
@@ -68,8 +69,8 @@ TEST(SphericalWhy, whatIsSaidOfBandsAndCellsStandsInTheLogAndAgreesWithWhatBecam
             }
         }
         EXPECT_GT(drawn, 50u) << id;
-        EXPECT_GT(hidden, 10u) << id;
-        if (std::string(id) == "spherical") {
+        EXPECT_GT(hidden, 5u) << id;
+        if (std::string(id) == "spherical" && !fewSamples()) {
             EXPECT_GT(afterACut, 0u) << "no cell lies behind a band that was hidden";
         }
     }
