@@ -5,12 +5,15 @@
 #include <filesystem>
 
 #include "core/measure/reference.h"
+#include "core/mesh/save.h"
 #include "core/scene/camera_moves.h"
 #include "core/scene/scene_source.h"
 #include "tests/support/gl_environment.h"
 #include "tests/support/long_mode.h"
+#include "tests/support/mesh_files.h"
 #include "tests/support/process.h"
 #include "tests/support/random_views.h"
+#include "tests/support/rvm_bytes.h"
 
 namespace cullscope::test::rvm_picture_test {
 namespace {
@@ -65,7 +68,7 @@ std::vector<std::string> namesOf(const Scene& scene) {
 void compare(const SceneBuffers& plant, const SceneBuffers& obj, const View& view, Agreement& total) {
     const Reference a = itemBufferReference(GlEnvironment::renderer(), plant, view, Facing::TwoSided);
     const Reference b = itemBufferReference(GlEnvironment::renderer(), obj, view, Facing::TwoSided);
-    static const std::vector<std::string> kNamesA = namesOf(plant.scene()), kNamesB = namesOf(obj.scene());
+    const std::vector<std::string> plantNames = namesOf(plant.scene()), objNames = namesOf(obj.scene());
     total.pixels += a.triangle.size();
     for (size_t i = 0; i < a.triangle.size(); ++i) {
         if (a.triangle[i] == 0 && b.triangle[i] == 0) {
@@ -76,19 +79,38 @@ void compare(const SceneBuffers& plant, const SceneBuffers& obj, const View& vie
         if (a.triangle[i] == 0 || b.triangle[i] == 0) continue;
         const double apart = distanceOf(view.camera(), a.depth[i]) - distanceOf(view.camera(), b.depth[i]);
         const bool sameObject =
-            kNamesA[plant.scene().instanceOf(a.triangle[i] - 1)] == kNamesB[obj.scene().instanceOf(b.triangle[i] - 1)];
+            plantNames[plant.scene().instanceOf(a.triangle[i] - 1)] == objNames[obj.scene().instanceOf(b.triangle[i] - 1)];
         if (std::abs(apart) < kApart || sameObject) ++total.same;
         if (sameObject) ++total.sameObject;
     }
 }
 
+class RvmPicture : public MeshFiles {};
+
+TEST_F(RvmPicture, isThatOfTheObjThatIsExportedOfIt) {
+    const ScenePointer scene = openScene(write("a.rvm", rvmSample()).string()).scene;
+    std::vector<PlacedMesh> placed;
+    for (uint32_t i = 0; i < scene->instances().size(); ++i)
+        placed.push_back({scene->instances()[i].name, &scene->meshOf(i), scene->instances()[i].worldFromMesh});
+    const std::filesystem::path file = write("a.obj", "");
+    saveMeshFile(file, placed);
+    const SceneBuffers rvm(scene, Upload::Vbo), obj(openScene(file.string()).scene, Upload::Vbo);
+    ASSERT_EQ(rvm.scene().instances().size(), obj.scene().instances().size());
+    EXPECT_EQ(rvm.scene().triangleCount(), obj.scene().triangleCount());
+    Agreement total;
+    for (int number = 0; number < 4; ++number) compare(rvm, obj, viewOf(*scene, number), total);
+    EXPECT_GT(total.covered, 3'000u);
+    EXPECT_GE(total.shareOfCovered(), 0.999);
+}
+
 TEST(RvmOfAPlatform, showsWhatAnObjOfTheSameFileShows) {
     if (!std::filesystem::exists(kPlant) || !std::filesystem::exists(kPackedObj))
-        GTEST_SKIP() << "The plant " << kPlant << " and its OBJ are other people's and not part of this repository.";
+        GTEST_SKIP() << "The plant " << kPlant << " and its OBJ are other people's and not part of this repository; "
+                     << "the case above writes files of the same kinds.";
     const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "cullscope-huldra.obj";
     const ProcessResult unpacked =
         runProcess({"/bin/sh", "-c", "xz -dc '" + kPackedObj.string() + "' > '" + file.string() + "'"});
-    if (unpacked.exitStatus != 0) GTEST_SKIP() << "xz is missing here: " << unpacked.err;
+    ASSERT_EQ(unpacked.exitStatus, 0) << "xz is in packaging/packages.txt: " << unpacked.err;
     const SceneBuffers plant(openScene(kPlant.string()).scene, Upload::Vbo), obj(openScene(file.string()).scene, Upload::Vbo);
     std::filesystem::remove(file);
     ASSERT_EQ(plant.scene().instances().size(), obj.scene().instances().size());
