@@ -11,6 +11,7 @@
 #include <algorithm>
 
 #include "core/scene/camera_path.h"
+#include "tests/support/long_mode.h"
 #include "tests/ui/cullbench_picture.h"
 #include "tests/ui/eight_views.h"
 
@@ -113,12 +114,13 @@ TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) 
     for (int view = 0; view < 8; ++view) session.slot(view).choose("frustum");
     session.setCamera(zoomed(session.camera(), session.camera().target, 0.3, 1.0));
     settle();
-    // Moves a slider for five seconds without a pause. The camera's field of view stands for all sliders besides those of
-    // parameters.
+    // Moves a slider without a pause, in a long run for five seconds. The camera's field of view stands for all sliders besides
+    // those of parameters.
+    const int span = test::longMode() ? 5000 : 2000;
     QElapsedTimer clock;
     clock.start();
     std::vector<size_t> drawn;
-    for (int step = 0; clock.elapsed() < 5000; ++step) {
+    for (int step = 0; clock.elapsed() < span; ++step) {
         for (int view = 0; view < 8; ++view) {
             ParameterSet parameters = session.slot(view).parameters();
             parameters.setFromText("box", (step + view) % 2 == 0 ? "length" : "p-vertex");
@@ -129,12 +131,10 @@ TEST_F(EightViews, aDraggedParameterEndsWithItsLastPictureAndNothingComesAfter) 
         session.setCamera(camera);
         QTest::qWait(10);
     }
-    const int current = int(clock.elapsed());
-    EXPECT_GE(current, 5000);
     // The strategy with the last parameters is built in the background; its pictures are the last ones.
     EXPECT_TRUE(waitUntil([&] {
         for (int view = 0; view < 8; ++view)
-            if (session.slot(view).building()) return false;
+            if (session.slot(view).building() || !picture(view).pictureIsCurrent()) return false;
         return !session.pictures()->busy();
     }));
     for (int view = 0; view < 8; ++view) drawn.push_back(picture(view).drawnPictures());
@@ -160,16 +160,21 @@ TEST_F(EightViews, theActiveViewComesFirstAndNoViewStarves) {
     ASSERT_TRUE(waitUntil([&] { return !session.pictures()->busy(); }));
     ASSERT_EQ(order.size(), 8u) << "each view is drawn once";
     EXPECT_TRUE(order[0] == 5 || order[1] == 5);
+    // The camera moves with every picture that arrives, so that few are drawn of one camera, however slow the machine is.
     order.clear();
-    for (int i = 0; order.size() < 40; ++i) {
-        session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {}));
-        QTest::qWait(1);
-    }
+    const auto move = [&] { session.setCamera(turned(session.camera(), UpAxis::Y, Angle::fromDegrees(1.0), {})); };
+    const QMetaObject::Connection moving =
+        QObject::connect(&session, &Session::pictureChanged, &session, move, Qt::QueuedConnection);
+    move();
+    ASSERT_TRUE(waitUntil([&] { return order.size() >= 60; }));
+    QObject::disconnect(moving);
     QObject::disconnect(seen);
-    for (int view = 0; view < 8; ++view)
-        EXPECT_GT(std::count(order.begin(), order.end(), view), 0)
-            << "view " << view << " was never drawn while the camera moved";
-    EXPECT_GE(std::count(order.begin(), order.end(), 5), 15);
+    const auto pictures = [&](int view) { return std::count(order.begin(), order.end(), view); };
+    for (int view = 0; view < 8; ++view) {
+        EXPECT_GT(pictures(view), 0) << "view " << view << " was never drawn while the camera moved";
+        if (view == 5) continue;
+        EXPECT_GT(pictures(5), pictures(view)) << "view " << view << " is drawn as often as the active one";
+    }
 }
 
 TEST_F(EightViews, hidingAnObjectTakesItOutOfPictureTruthAndCounts) {

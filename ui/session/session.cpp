@@ -32,7 +32,11 @@ const StrategyInfo& firstStrategy(size_t view, const Session& session) {
 }  // namespace
 
 Session::Session(Options options, QObject* parent)
-    : QObject(parent), m_sceneSource(options.sceneSource), m_rounds(options.rounds), m_loader(openerFor(options)) {
+    : QObject(parent),
+      m_sceneSource(options.sceneSource),
+      m_waitForStep(options.waitForStep),
+      m_rounds(options.rounds),
+      m_loader(openerFor(options)) {
     if (options.graphics) {
         m_gpu = std::make_unique<GpuThread>(options.gpu);
         m_upload = std::make_unique<SceneUpload>(*m_gpu, options.uploader);

@@ -75,6 +75,7 @@ public:
         GpuThread::Options gpu;
         TimingProtocol rounds = ViewMeter::protocol();  ///< of the views' speeds
         int restBeforeMeasuring = 200;                  ///< ms without a change, after which the views are measured
+        int waitForStep = 100;                          ///< ms for a step's picture, before panels show the step without it
         bool graphics = true;                           ///< false: no OpenGL, for tests of the rest
     };
 
@@ -278,6 +279,7 @@ private:
     void addTimedViews(std::vector<ViewMeter::Subject>& subjects) const;
 
     SceneSourceOptions m_sceneSource;
+    int m_waitForStep;
     TimingProtocol m_rounds;
     SceneLoader m_loader;
     OpenedScenePointer m_opened;

@@ -7,8 +7,7 @@ namespace cullscope::ui {
 
 namespace {
 
-constexpr int kLongestWait = 100;  // ms for a step's picture, before panels show the step without it
-constexpr int kPainting = 1;       // ms of a timer that elapses once the window was painted
+constexpr int kPainting = 1;  // ms of a timer that elapses once the window was painted
 constexpr const char* kWaitingStep = "waiting step";
 
 }  // namespace
@@ -39,7 +38,7 @@ void Session::setStep(const std::optional<ShownStep>& step) {
         // Events of painting are posted by now and come before timers. With 0 ms it would be an event that comes before them.
         if (stepOf(view) != nullptr && pictures()->isCurrent(view)) QTimer::singleShot(kPainting, waiting, tell);
     });
-    QTimer::singleShot(kLongestWait, waiting, tell);
+    QTimer::singleShot(m_waitForStep, waiting, tell);
 }
 
 bool Session::stepAwaitsPicture() const {
