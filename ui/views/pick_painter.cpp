@@ -10,7 +10,7 @@ namespace cullscope::ui {
 namespace {
 
 constexpr double kSmall = 8.0;  // extent of a triangle in the window below which a ring marks it
-constexpr double kRing = 8.0;
+constexpr double kMarkRadius = 8.0;
 constexpr double kNearestShare = 1e-6;  // of w; points with less, at or behind the eye plane, are clipped
 const QColor kLine(255, 255, 255);
 const QColor kEdge(0, 0, 0);
@@ -154,7 +154,7 @@ void paintPick(QPainter& painter, const Scene& opened, const Pick& pick, const V
     if (!lines.isEmpty()) {
         twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawLines(lines); });
         if (std::max(bounds.width(), bounds.height()) < kSmall)
-            twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawEllipse(bounds.center(), kRing, kRing); });
+            twice(painter, 1.5, Qt::SolidLine, [&] { painter.drawEllipse(bounds.center(), kMarkRadius, kRing); });
     }
     painter.restore();
 }

@@ -92,8 +92,8 @@ bool isExempt(const StrategyInfo& info, size_t line) {
 }
 
 /// The lines at which decisions of recorded frames fell, from 1: of two frames of each view, with the sides of triangles that
-/// the strategy draws by itself and with front sides alone. Ends with the shot by which all lines are reached; where some are
-/// exempt, never, or, with small samples, with the shot by which all others are.
+/// the strategy draws by itself and with front sides alone. Ends with the view by which all lines are reached; where some are
+/// exempt, never, or, with small samples, with the view by which all others are.
 std::set<int> linesReached(const RegisteredStrategy& strategy, const std::vector<ListingLine>& lines,
                            const std::vector<Shot>& shots) {
     std::set<int> reached;
@@ -103,14 +103,15 @@ std::set<int> linesReached(const RegisteredStrategy& strategy, const std::vector
         if (sided) front.setFromText("facing", "front");
         Culler culler(strategy, front);
         culler.build(*shot.scene);
-        for (const View& view : shot.views)
+        for (const View& view : shot.views) {
             for (int frame = 0; frame < 2; ++frame)
                 for (const Decision& decision : culler.cull(view, Recording::On, &GlEnvironment::renderer()).log.decisions)
                     reached.insert(decision.line);
-        size_t line = 0;
-        while (line < lines.size() && (isReached(lines, line, reached) || (fewSamples() && isExempt(strategy.info, line))))
-            ++line;
-        if (line == lines.size()) break;
+            size_t line = 0;
+            while (line < lines.size() && (isReached(lines, line, reached) || (fewSamples() && isExempt(strategy.info, line))))
+                ++line;
+            if (line == lines.size()) return reached;
+        }
     }
     return reached;
 }

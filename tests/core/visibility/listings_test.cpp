@@ -27,7 +27,11 @@ ScenePointer rows() {
     return sceneOf(std::move(meshes), places);
 }
 
-View ahead() { return {{Vec3(0.0), {0.2, 0.1, -1}, {0, 1, 0}, Angle::fromDegrees(40), 0.5, 60}, {160, 120}}; }
+// A picture with few rows has a short log where each span of a row is a step.
+View ahead() {
+    const Viewport size = fewSamples() ? Viewport{40, 30} : Viewport{80, 60};
+    return {{Vec3(0.0), {0.2, 0.1, -1}, {0, 1, 0}, Angle::fromDegrees(40), 0.5, 60}, size};
+}
 
 Culled recorded(Culler& culler) { return culler.cull(ahead(), Recording::On, &GlEnvironment::renderer()); }
 
